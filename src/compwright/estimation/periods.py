@@ -45,6 +45,8 @@ _FOLLOWED: Final = 0.0
 #: Models of less probability are not kept; those of one period at most.
 _LEAST_MODEL: Final = 0.01
 _NEIGHBOURS: Final = 5
+#: Periods are told to a picometre, or 4e-6 arcsec: what lies below hangs on the processor.
+_DECIMALS: Final = 9
 #: The curve that is shown: its steps, and the log odds below which it is cut off.
 _LOWEST: Final = -10.0
 _SHOWN: Final = 300
@@ -103,7 +105,9 @@ class PeriodSearch:
         _, first = np.unique(step[order], return_index=True)
         best = order[first]
         return PeriodEvidence(
-            self.curve.periods[best], np.maximum(self.curve.log_odds[best], _LOWEST), self.sure
+            self.curve.periods[best],
+            np.round(np.maximum(self.curve.log_odds[best], _LOWEST), 6),
+            self.sure,
         )
 
 
@@ -229,8 +233,8 @@ def _found(
                 found[same] = min(found.get(same, 0.0) + float(part) * probability, 1.0)
     return tuple(
         AxisPeriod(
-            period,
-            probability,
+            round(period, _DECIMALS),
+            round(probability, 6),
             "files" if any(abs(one - period) < _SAME * one for one in suggested) else "found",
         )
         for period, probability in sorted(found.items(), key=lambda pair: -round(pair[1], 9))
@@ -254,10 +258,12 @@ def _neighbours(members: tuple[Candidate, ...], probability: float) -> list[Peri
             last.frequencies[order][np.searchsorted(cumulative, ladder)], return_counts=True
         )
         shares = counts / _NEIGHBOURS
-    rest = tuple(member.period for member in members[:-1])
+    rest = tuple(round(member.period, _DECIMALS) for member in members[:-1])
     harmonics = tuple(HARMONICS for _ in members)
     return [
-        PeriodModel((*rest, float(1.0 / frequency)), harmonics, probability * float(share))
+        PeriodModel(
+            (*rest, round(float(1.0 / frequency), _DECIMALS)), harmonics, probability * float(share)
+        )
         for frequency, share in zip(picked, shares, strict=True)
     ]
 
