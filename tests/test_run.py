@@ -18,6 +18,7 @@ from compwright.controllers.virtual import virtual_control
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import plan_document, read_plan
 from compwright.planning import tables as planning_tables
+from compwright.planning.wanted import measured_error, observed_tests
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.workflow.stages import control as control_module
@@ -141,6 +142,14 @@ def test_tests_in_one_state_are_fitted_together_and_each_is_predicted(folder: Pa
     ]
     # 26 targets instead of 17, five readings each: sqrt(17/26) = 0.81 of the noise.
     assert std[0] == pytest.approx(np.sqrt(17 / 26) * std[1], rel=0.1)
+    # What verify estimates again from the plan alone is what the run estimated.
+    content = (folder / "both" / "plan.json").read_bytes()
+    axis = read_plan(content, "plan.json").axes["X"]
+    observed = observed_tests(axis.tests, axis.active)
+    again = measured_error(axis.tests, observed, axis.axis, axis.active)
+    found = again.summary(axis.estimate.positions)
+    assert found.mean_negative == pytest.approx(axis.estimate.mean_negative, abs=1e-9)
+    assert found.std_negative == pytest.approx(axis.estimate.std_negative, abs=1e-9)
     assert both["accept"]["A"] == {"limit": 0.1, "decision": "reject", "test": "afternoon"}
     assert both["tests"][1]["predicted"]["A"]["p95"] < 0.5 * both["tests"][1]["before"]["A"]
 

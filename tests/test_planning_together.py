@@ -1,0 +1,172 @@
+"""Which tests of an axis count together, and what they tell: errors and tables that are known."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from compwright.planning.together import counted_together, with_what_acted
+from compwright.planning.wanted import MeasuredError
+from compwright.records.axis import Axis, Direction, Motion
+from compwright.records.correction import AxisCompensation, ControlState
+from compwright.records.facts import AxisFacts
+from compwright.records.plan import PlannedTest
+from planning_samples import MINUS, PLUS, TARGETS, UM, Floats, axis_of, readings_of
+
+NODES = np.linspace(0.0, 1000.0, 41)
+SAW = AxisCompensation(
+    address="X",
+    kind=axis_of().kind,
+    positions=NODES,
+    positive=5.0 * UM * np.sin(NODES / 40.0),
+    negative=5.0 * UM * np.sin(NODES / 40.0) + 2.0 * UM,
+)
+STATES = {
+    "off": ControlState(format="any", axes={}),
+    "on": ControlState(format="any", axes={"X": SAW}),
+}
+DITHERED = 1000.0 * (np.arange(23) + 0.5 + np.random.default_rng(17).uniform(-0.3, 0.3, 23)) / 23.0
+WHERE = np.linspace(30.0, 970.0, 48)
+
+
+def truth(x: Floats) -> Floats:
+    return 6.0 * UM * np.sin(x / 200.0) + 1e-5 * x
+
+
+def planned(
+    name: str,
+    state: str,
+    *,
+    seed: int = 0,
+    sign: float = 1.0,
+    targets: Floats = TARGETS,
+    motion: Motion = "feed",
+) -> PlannedTest:
+    """Five runs of an axis with a lost motion of 4 µm, 0.3 µm of noise, and what acts in a state."""
+    rng = np.random.default_rng(seed)
+    table = STATES[state].axes.get("X") if state in STATES else None
+    blocks = []
+    for side in Direction:
+        error = sign * (truth(targets) - side.sign * 2.0 * UM)
+        if table is not None:
+            error = error + table.at(targets, side)
+        blocks.append(error[:, None] + 0.3 * UM * rng.standard_normal((targets.size, 5)))
+    test = readings_of(blocks[0], blocks[1], targets, name=name)
+    return PlannedTest(test=test, measured_in=state, motion=motion)
+
+
+def told(
+    *tests: PlannedTest, axis: Axis | None = None, states: dict[str, ControlState] | None = None
+) -> tuple[list[bool], MeasuredError, list[str]]:
+    """Which tests count, the error that they tell, and the doubts."""
+    given = STATES if states is None else states
+    axis = axis or axis_of()
+    active = None
+    if tests[0].measured_in in given:
+        active = given[tests[0].measured_in].axes.get("X")
+    acted = with_what_acted(tests, axis, given)
+    counted, error, doubts = counted_together(acted, axis, active)
+    return [test.acted is not None for test in counted], error, [each.code for each in doubts]
+
+
+def off_truth(error: MeasuredError, side: Direction) -> float:
+    """Largest difference of the axis' own error from the truth, but for the datum."""
+    left = error.own.summary(WHERE).mean(side) - truth(WHERE) + side.sign * 2.0 * UM
+    both = error.own.summary(WHERE)
+    datum = np.mean(0.5 * (both.mean_positive + both.mean_negative) - truth(WHERE))
+    return float(np.max(np.abs(left - datum)))
+
+
+@pytest.mark.parametrize("order", [("off", "on"), ("on", "off")])
+def test_compensation_on_and_off_tell_the_same_bare_error(order: tuple[str, str]) -> None:
+    tests = [planned(state, state, seed=k, targets=DITHERED) for k, state in enumerate(order)]
+    counts, error, doubts = told(*tests)
+    assert (counts, doubts) == ([True, True], [])
+    for side in (PLUS, MINUS):
+        # 20 readings of 0.3 µm at each target: 0.1 µm, and five times that at the worst of 48 places.
+        assert off_truth(error, side) < 0.5 * UM
+    alone = told(tests[0])[1]
+    ratio = np.mean(error.own.summary(WHERE).std_positive) / np.mean(
+        alone.own.summary(WHERE).std_positive
+    )
+    assert ratio == pytest.approx(np.sqrt(0.5), rel=0.2)
+    # What acted in the first is put back into what is said of the axis as it was measured.
+    active = STATES[order[0]].axes.get("X")
+    added = 0.0 if active is None else active.at(WHERE, PLUS)
+    own = error.own.summary(WHERE).mean_positive
+    assert error.summary(WHERE).mean_positive == pytest.approx(own + added, abs=1e-12)
+
+
+def test_a_test_that_contradicts_the_first_does_not_count() -> None:
+    counts, error, doubts = told(
+        planned("a", "off"),
+        planned("turned", "off", seed=1, sign=-1.0),
+        planned("b", "off", seed=2),
+    )
+    assert counts == [True, False, True]
+    assert doubts == ["CW-T036"]
+    assert off_truth(error, PLUS) < 1.0 * UM
+    assert error.counted == (0, None, 1)
+
+
+def test_a_short_test_first_is_contradicted_by_what_the_long_one_expects() -> None:
+    """Over 60 mm the turned error is a straight line, which alone says nothing of the rest."""
+    near = np.linspace(400.0, 460.0, 7)
+    counts, _, doubts = told(
+        planned("near", "off", sign=-1.0, targets=near), planned("whole", "off", seed=1)
+    )
+    assert (counts, doubts) == ([True, False], ["CW-T036"])
+
+
+@pytest.mark.parametrize(
+    ("states", "first", "second", "motion", "counts"),
+    [
+        (("off", "on"), "off", "elsewhen", "feed", False),  # nobody says what acted in the second
+        ((), "unknown", "unknown", "feed", True),  # one unknown state: the same acted in both
+        ((), "unknown", "unknown", "rapid", False),  # ... but for the backlash at rapid traverse
+        ((), "unknown", "other", "feed", False),
+    ],
+)
+def test_only_known_states_count_together(
+    states: tuple[str, ...], first: str, second: str, motion: Motion, *, counts: bool
+) -> None:
+    given = {name: STATES[name] for name in states}
+    tests = planned("a", first), planned("b", second, seed=1, motion=motion)
+    assert told(*tests, states=given)[0] == [True, counts]
+
+
+def test_the_other_backlash_of_rapid_traverse_is_taken_out() -> None:
+    """3 µm more backlash acts at rapid traverse: that test shows 3 µm less of lost motion."""
+    facts = {"X": AxisFacts(rapid_more=3.0 * UM)}
+    state = ControlState(format="any", axes={}, facts=facts)
+    slow, fast = planned("slow", "off"), planned("fast", "off", seed=1, motion="rapid")
+    shown = replace(fast.test, negative=fast.test.negative - 3.0 * UM)
+    counts, error, doubts = told(slow, replace(fast, test=shown), states={"off": state})
+    assert (counts, doubts) == ([True, True], [])
+    own = error.own.summary(WHERE)
+    # 11 targets, ten readings either way: 0.3 sqrt(2 / 110) = 0.04 µm, four times that.
+    lost = float(np.mean(own.mean_positive - own.mean_negative))
+    assert lost == pytest.approx(-4.0 * UM, abs=0.16 * UM)
+
+
+def test_a_test_of_a_single_target_says_nothing_and_refuses_nothing() -> None:
+    single = planned("one", "off", seed=1, targets=np.array([300.0]))
+    assert told(planned("a", "off"), single)[0] == [True, False]
+
+
+def test_every_test_is_predicted_with_its_own_noise() -> None:
+    """One scatters by 0.3 µm, the other by 3 µm; a third does not count but has its own too."""
+    loud = planned("loud", "off", seed=1)
+    rng = np.random.default_rng(9)
+    more = [3.0 * UM * rng.standard_normal((TARGETS.size, 5)) for _ in Direction]
+    test = loud.test
+    noisy = replace(test, positive=test.positive + more[0], negative=test.negative + more[1])
+    turned = replace(noisy, positive=-noisy.positive, negative=-noisy.negative)
+    tests = planned("quiet", "off"), replace(loud, test=noisy), replace(loud, test=turned)
+    counts, error, _ = told(*tests)
+    assert counts == [True, True, False]
+    sizes = [np.median(error.draw(TARGETS, 300, rng, place).noise.sigma) for place in range(3)]
+    # 88 degrees of freedom: 7.5 % of s, four times that.
+    assert np.array(sizes) / UM == pytest.approx([0.3, 3.0, 3.0], rel=0.3)
