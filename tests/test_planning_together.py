@@ -91,7 +91,8 @@ def test_compensation_on_and_off_tell_the_same_bare_error(order: tuple[str, str]
     ratio = np.mean(error.own.summary(WHERE).std_positive) / np.mean(
         alone.own.summary(WHERE).std_positive
     )
-    assert ratio == pytest.approx(np.sqrt(0.5), rel=0.2)
+    # sqrt(1/2) of the noise; what is not known of the shape of the error lessens more slowly.
+    assert 0.6 < ratio < 0.95
     # What acted in the first is put back into what is said of the axis as it was measured.
     active = STATES[order[0]].axes.get("X")
     added = 0.0 if active is None else active.at(WHERE, PLUS)
