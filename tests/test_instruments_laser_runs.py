@@ -62,6 +62,13 @@ def test_what_was_taken_is_said() -> None:
         assert words in said
 
 
+def test_readings_in_words() -> None:
+    said = told(read(laser_file(TARGETS, READINGS)))["CW-R060"]
+    # run 3, target 6: 5.3 µm in direction +; run 2, target 1: -1.8 µm in direction -
+    assert "at 500 mm, approached from below, the axis went 5.3 µm too far" in said
+    assert "at 500 mm, approached from above, the axis stopped 3.4 µm short" in said
+
+
 def test_targets_from_high_to_low_turn_the_directions() -> None:
     rising = read(laser_file(TARGETS, READINGS))
     mirrored = {(run, 7 - index): value for (run, index), value in READINGS.items()}

@@ -200,7 +200,7 @@ def test_the_code_page_of_windows_is_answered_with_what_to_do() -> None:
 
 def test_the_page_about_measurement_files() -> None:
     page = (PROJECT / "docs" / "measurement-files.md").read_text(encoding="utf-8")
-    long, wide, circle = re.findall(r"```csv\n(.*?)```", page, re.DOTALL)
+    long, wide, _, circle = re.findall(r"```csv\n(.*?)```", page, re.DOTALL)
     one, other = read(long), read(wide)
     assert one.axis == other.axis == "X"
     for values in ("targets", "positive", "negative"):

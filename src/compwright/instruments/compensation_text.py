@@ -21,6 +21,7 @@ from compwright.instruments.foreign_units import LENGTHS
 from compwright.instruments.numbers import DecimalMarks, parse_number
 from compwright.instruments.parsed import Parsed
 from compwright.instruments.sections import Line
+from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction
 
 _KEYS: Final = (
@@ -58,7 +59,8 @@ class _Text:
 
 def is_compensation_text(text: Sequence[str]) -> bool:
     """Whether the lines of a file are of this form."""
-    found = {match["key"].lower() for line in text if (match := _KEY.fullmatch(line)) is not None}
+    keys = (_KEY.fullmatch(line) for line in text if "compensation" in line.lower())
+    found = {match["key"].lower() for match in keys if match is not None}
     return len(found & {"compensation start", "compensation end", "compensation spacing"}) >= 2
 
 
@@ -103,7 +105,10 @@ def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answ
         readings=tuple(readings),
         header=header,
         assumed=("forward: approach in direction +", *(() if answers.unit else ("unit: mm",))),
-        findings=(_a_table(found.get("sign convention") or "its sign said by the profile"),),
+        findings=(
+            _a_table(found.get("sign convention") or "its sign said by the profile"),
+            *filter(None, [read_so_finding(readings, AxisKind.LINEAR)]),
+        ),
     )
 
 

@@ -151,6 +151,20 @@ def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple
     return comments, others
 
 
+def first_row(lines: Sequence[str]) -> tuple[int, str] | None:
+    """Return the first line that is neither blank nor a comment, with its number; None where there
+    is none.
+    """
+    return next(
+        (
+            (number, line)
+            for number, line in enumerate(lines, start=1)
+            if line.strip(" \t,;") and comment_text(line) is None
+        ),
+        None,
+    )
+
+
 def header_names(header: str) -> tuple[str, list[str], int]:
     """Return the delimiter of a header row, its names, and how many of them belong to a positioning
     file.

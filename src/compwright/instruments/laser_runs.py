@@ -35,6 +35,7 @@ from compwright.instruments.sections import (
     sections_of,
     with_axis,
 )
+from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction
 
 _TARGETS, _RUNS, _ROWS = "TARGET DATA", "RUNS", "DEVIATIONS"
@@ -116,7 +117,8 @@ def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) ->
     ]
     header = header_of(sections, ["HEADER", "USER-TEXT", "EQUIPMENT", "ENVIRONMENT"])
     signs = () if answers.sign else ("deviation: measured minus target",)
-    about = (no_end_finding(sections), _fewer_runs(runs), unit_finding, *findings)
+    worked = read_so_finding(readings, kind)
+    about = (no_end_finding(sections), _fewer_runs(runs), unit_finding, *findings, worked)
     return Parsed(
         kind=kind,
         readings=tuple(readings),

@@ -29,6 +29,7 @@ from compwright.instruments.sections import (
     sections_of,
     with_axis,
 )
+from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction
 
 _TITLE = re.compile(
@@ -82,7 +83,13 @@ def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -
     assumed = [] if answers.unit else ["unit: mm"]
     assumed += [] if answers.sign else ["deviation: measured minus target"]
     assumed.append(f"forward: approach in direction {directions[0]}")
-    findings = [_means_only(computed=computed), *_not_in_order(listed), _cut(sections.lines)]
+    worked = read_so_finding(readings, AxisKind.LINEAR)
+    findings = [
+        _means_only(computed=computed),
+        *_not_in_order(listed),
+        worked,
+        _cut(sections.lines),
+    ]
     return Parsed(
         kind=AxisKind.LINEAR,
         readings=tuple(readings),

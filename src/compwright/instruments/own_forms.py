@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from compwright.instruments.comments import cycle_of, read_comments
-from compwright.instruments.csv_table import header_names, read_table, split_lines
+from compwright.instruments.comments import comment_text, cycle_of, read_comments
+from compwright.instruments.csv_table import first_row, header_names, read_table, split_lines
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.other_files import refuse_other_files
 from compwright.instruments.parsed import Parsed
@@ -21,13 +21,18 @@ from compwright.instruments.target_data import is_target_data, read_target_data
 
 def is_target_data_file(text: Sequence[str]) -> bool:
     """Whether the lines of a file are of the form ``TGT_DATA[1]=``."""
-    return is_target_data(split_lines(text)[1])
+    first = first_row(text)
+    return first is not None and is_target_data(
+        [first, *((0, line) for line in text if "_DATA" in line and comment_text(line) is None)]
+    )
 
 
 def is_plain_csv(text: Sequence[str]) -> bool:
     """Whether the header row of a file has a target column of the plain CSV forms."""
-    lines = split_lines(text)[1]
-    return bool(lines) and not {"target_mm", "target_deg"}.isdisjoint(header_names(lines[0][1])[1])
+    first = first_row(text)
+    return first is not None and not {"target_mm", "target_deg"}.isdisjoint(
+        header_names(first[1])[1]
+    )
 
 
 def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:

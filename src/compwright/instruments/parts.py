@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from compwright.instruments.csv_table import header_names, split_lines
+from compwright.instruments.csv_table import first_row, header_names, split_lines
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.foreign_table import cells_of
 from compwright.instruments.sections import axis_name
@@ -31,14 +31,14 @@ class Part:
 
 def plain_parts(text: Sequence[str], faults: FaultList) -> tuple[Part, ...]:
     """Return the parts of a plain CSV file: one per axis where it has a column ``axis``."""
-    lines = split_lines(text)[1]
-    if not lines:
+    first = first_row(text)
+    if first is None:
         return (Part(text),)
-    number, header = lines[0]
+    number, header = first
     delimiter, names, _ = header_names(header)
     if AXIS_COLUMN not in names:
         return (Part(text),)
-    rows = [line for line, _ in lines[1:]]
+    rows = [line for line, _ in split_lines(text)[1][1:]]
     return parts_by_axis(text, delimiter, (number, names.index(AXIS_COLUMN)), rows, faults)
 
 

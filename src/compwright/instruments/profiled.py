@@ -25,7 +25,7 @@ from compwright.instruments.parsed import Parsed
 from compwright.instruments.parts import Part, parts_by_axis
 from compwright.instruments.profile import Profile
 from compwright.instruments.reading_findings import left_out_finding
-from compwright.instruments.worked_rows import worked_readings
+from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import Direction
 
 _COUNT = re.compile(r"[^0-9]*([0-9]{1,9})[^0-9]*")
@@ -103,7 +103,11 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
         for name in table.columns
         if name not in {*_wanted(profile), *profile.leave_out} and cells.filled(name)
     ]
-    about = (left_out_finding(left), _unused(unused, profile), _read_so(readings, profile))
+    about = (
+        left_out_finding(left),
+        _unused(unused, profile),
+        read_so_finding(readings, profile.kind, f"the profile {profile.file}"),
+    )
     header = {"comment": "\n".join(table.before)} if table.before else {}
     return Parsed(
         kind=profile.kind,
@@ -346,10 +350,3 @@ def _unused(rows: Sequence[ForeignRow], profile: Profile) -> Finding | None:
         f"Rows without a number in the column {shown(profile.target)} were left out: line"
         f" {', '.join(told)}{more}.",
     )
-
-
-def _read_so(readings: Sequence[Reading], profile: Profile) -> Finding | None:
-    if not readings:
-        return None
-    told = "; ".join(worked_readings(readings, profile.kind))
-    return Finding("CW-R060", "info", f"Read by the profile {profile.file}: {told}.")

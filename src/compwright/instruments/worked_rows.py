@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.instruments.assembling import Reading, as_text
 from compwright.records.axis import AxisKind, Direction
@@ -28,6 +29,16 @@ def worked_readings(readings: Sequence[Reading], kind: AxisKind) -> list[str]:
             break
         chosen.setdefault(reading.place, reading)
     return [in_words(reading, kind) for reading in chosen.values()]
+
+
+def read_so_finding(readings: Sequence[Reading], kind: AxisKind, by: str = "") -> Finding | None:
+    """Return the finding that tells readings in words, None where there are none; ``by``: what said
+    how to read them.
+    """
+    if not readings:
+        return None
+    told = "; ".join(worked_readings(readings, kind))
+    return Finding("CW-R060", "info", f"Read{by and f' by {by}'}: {told}.")
 
 
 def in_words(reading: Reading, kind: AxisKind) -> str:
