@@ -45,6 +45,7 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.estimate import AxisPeriod, ErrorEstimate
 from compwright.records.noise import NoiseDraws, normal_noise
+from compwright.records.settled import LOGARITHM, settled, settled_number
 
 _DRAWS: Final = 48  # distinct hyperparameters kept for summaries and predictions
 
@@ -94,8 +95,8 @@ class AxisPosterior:
         means, variances = self._moments(where)
         mean, std = [], []
         for line, mine, variance in zip(self.cells.line_at(where), means, variances, strict=True):
-            mean.append(line + scale * mine.mean(axis=0))
-            std.append(scale * np.sqrt(variance + mine.var(axis=0)))
+            mean.append(settled(line + scale * mine.mean(axis=0)))
+            std.append(settled(scale * np.sqrt(variance + mine.var(axis=0))))
         return ErrorEstimate(
             kind=self.kind,
             positions=where,
@@ -233,9 +234,11 @@ def estimate_axis(
     return AxisPosterior(
         kind=kind,
         measured=(float(cells.targets[0]), float(cells.targets[-1])),
-        noise=first.sigma if first else float(cells.data.scale * np.exp(np.mean(log_noise))),
-        noise_dof=first.dof if first else cells.data.dof or _dof_of(log_noise, cells.readings),
-        reversal_log_odds=float(odds),
+        noise=_significant(first.sigma if first else cells.data.scale * np.exp(np.mean(log_noise))),
+        noise_dof=settled_number(
+            first.dof if first else cells.data.dof or _dof_of(log_noise, cells.readings), LOGARITHM
+        ),
+        reversal_log_odds=settled_number(odds, LOGARITHM),
         findings=(
             *findings_of(cells, travel if turn is None else None, periods, shown, kind),
             *period_findings(search, cells.targets, kind, shown, known.periods),
@@ -253,6 +256,11 @@ def estimate_axis(
         ),
         search=search,
     )
+
+
+def _significant(value: float) -> float:
+    """Return a size, which may be far below what instruments tell, to nine digits."""
+    return float(f"{value:.8e}")
 
 
 def _refuse_misuse(

@@ -22,6 +22,7 @@ from compwright.records.axis import FloatArray
 _ITERATIONS: Final = 60
 _STEP_LIMIT: Final = 1.5  # largest change of a logarithm in one step
 _TAIL_DOF: Final = 5.0  # of the Student distribution that proposes draws
+_DECIMALS: Final = 3  # of logarithms, to which the proposal is rounded
 _DIFFERENCE: Final = 1e-3  # of a logarithm, for the curvature from gradients
 _SEED: Final = 231  # by it draws of the noise are paired with hyperparameters
 
@@ -113,8 +114,10 @@ def draw_hyperparameters(
     noise, all of which are as likely before the means of the readings have spoken: a proposal is
     one of both together.
     """
-    peak, _ = maximise(evidence, start)
-    root = _spread(evidence, peak)
+    # Any centre and any root propose; rounded they are the same on every processor, and so are the
+    # draws.
+    peak = np.round(maximise(evidence, start)[0], _DECIMALS)
+    root = _rounded_rows(_spread(evidence, peak))
     free = np.flatnonzero(evidence.prior.free)
     normal = rng.standard_normal((proposals, free.size))
     # The second half mirrors the first: what is odd about the peak cancels, and the evidence
@@ -123,7 +126,7 @@ def draw_hyperparameters(
     stretch = np.sqrt(_TAIL_DOF / rng.chisquare(_TAIL_DOF, proposals))
     points = np.tile(peak, (proposals, 1))
     scaled = normal * stretch[:, np.newaxis]
-    points[:, free] += scaled @ root.T
+    points[:, free] = np.round(points[:, free] + scaled @ root.T, 3 * _DECIMALS)
     log_proposal = _log_student(scaled) - np.linalg.slogdet(root)[1]
     noise = _paired(proposals, evidence.data.draws)
     log_posterior = [
@@ -140,6 +143,15 @@ def draw_hyperparameters(
         noise=noise[chosen],
         log_evidence=top + float(np.log(np.mean(weights))),
     )
+
+
+def _rounded_rows(root: FloatArray) -> FloatArray:
+    """Return a root (f, f), each row to about a thousandth of its diagonal entry, which is positive
+    and stays so.
+    """
+    step = np.exp2(np.floor(np.log2(np.diag(root))) - 10.0)[:, np.newaxis]
+    rounded: FloatArray = np.round(root / step) * step
+    return rounded
 
 
 def _paired(proposals: int, draws: int) -> NDArray[np.intp]:

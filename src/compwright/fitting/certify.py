@@ -8,6 +8,7 @@ what it holds, within which limits, and what it leaves.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
@@ -19,6 +20,7 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
+from compwright.records.settled import RESIDUE, settled_number
 
 #: A table of whole increments must keep every limit to this share of the unit: arithmetic dust.
 WHOLE: Final = 1e-6
@@ -49,6 +51,11 @@ def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict
         "dual": _worst(np.where(one_sided, np.abs(force), 0.0)),
         "complementarity": _worst(np.where(y != 0.0, pushing, 0.0)),
     }
+
+
+def settled_proof(proof: Mapping[str, float]) -> dict[str, float]:
+    """Return a certificate without the last bits of the arithmetic (Higham 2002, chapter 3)."""
+    return {name: settled_number(value, RESIDUE) for name, value in proof.items()}
 
 
 def _in_lengths(problem: QuadraticProblem, y: FloatArray, stiffness: FloatArray) -> FloatArray:

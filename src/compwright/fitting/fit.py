@@ -14,6 +14,7 @@ from typing import Final, Literal
 
 import numpy as np
 
+from compwright.fitting.certify import settled_proof
 from compwright.fitting.datum import with_datum
 from compwright.fitting.endless import over_one_period
 from compwright.fitting.goals import Range, as_wish, best_for, mean_over
@@ -96,7 +97,7 @@ def fit_table(
         compensation=table,
         mode=shape,
         mode_reason=reason,
-        certificate={**best.certificate, "rounding": worst},
+        certificate=settled_proof({**best.certificate, "rounding": worst}),
         limits=limits,
         findings=findings,
         keeps_grid=grid.kept,

@@ -9,6 +9,7 @@ from typing import Final
 
 import numpy as np
 
+from compwright.fitting.certify import settled_proof
 from compwright.fitting.problem import quadrature
 from compwright.fitting.remarks import added, loss_findings, worth_saying
 from compwright.foundations.errors import CapacityError, Fault, raise_all
@@ -60,10 +61,12 @@ def fit_line(
         compensation=table,
         mode="single",
         mode_reason="one slope and one reversal value: the control holds no table",
-        certificate={
-            "objective": float(np.sqrt(line.mean_square(slope, reversal))),
-            "lower_bound": float(np.sqrt(bound)),
-        },
+        certificate=settled_proof(
+            {
+                "objective": float(np.sqrt(line.mean_square(slope, reversal))),
+                "lower_bound": float(np.sqrt(bound)),
+            }
+        ),
         limits=limits,
         findings=loss_findings(limits, wanted),
     )

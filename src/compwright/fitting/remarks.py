@@ -14,6 +14,7 @@ from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import Limit
+from compwright.records.settled import settled_number
 
 #: A limit that costs less than this share of a quantum is not worth a word.
 WORTH_SAYING: Final = 0.05
@@ -28,7 +29,8 @@ def small(kind: AxisKind) -> tuple[float, str]:
 
 def worth_saying(costs: list[tuple[str, float]], quantum: float) -> tuple[Limit, ...]:
     """Return the ``costs`` (cause; rms in mm or deg) that are more than dust."""
-    return tuple(Limit(cause, value) for cause, value in costs if value > WORTH_SAYING * quantum)
+    told = [(cause, settled_number(value)) for cause, value in costs]
+    return tuple(Limit(cause, value) for cause, value in told if value > WORTH_SAYING * quantum)
 
 
 def added(larger: float, smaller: float) -> float:

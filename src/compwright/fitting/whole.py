@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.fitting.certify import lattice_certificate
+from compwright.fitting.certify import lattice_certificate, settled_proof
 from compwright.fitting.chain import Chain, Wish, build_chain, no_push, relax
 from compwright.fitting.datum import zero_in_the_zero_state
 from compwright.fitting.grid import Grid
@@ -317,7 +317,7 @@ def whole_table(
         compensation=table,
         mode=mode[0],
         mode_reason=mode[1],
-        certificate=proof,
+        certificate=settled_proof(proof),
         limits=limits,
         findings=(
             *grid.findings,

@@ -15,6 +15,7 @@ from compwright.foundations.errors import Fault, UsageError
 from compwright.prediction.scatter import Scatter
 from compwright.records.axis import FloatArray
 from compwright.records.prediction import Quantiles
+from compwright.records.settled import settled_number
 
 __all__ = [
     "Quantiles",
@@ -105,7 +106,9 @@ def one_reversal(positive: FloatArray, negative: FloatArray) -> tuple[FloatArray
 
 def _quantiles(draws: FloatArray) -> Quantiles:
     p05, median, p95 = np.quantile(draws, [0.05, 0.5, 0.95])
-    return Quantiles(median=float(median), p05=float(p05), p95=float(p95))
+    return Quantiles(
+        median=settled_number(median), p05=settled_number(p05), p95=settled_number(p95)
+    )
 
 
 def dithered_targets(

@@ -24,6 +24,7 @@ from compwright.records.job import Job
 from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
+from compwright.records.settled import LOGARITHM, settled_number
 from compwright.records.verification import LoadingVerdict
 from compwright.verification.loading import judge_loading
 from compwright.verification.measurement import NamedFault, measurement_fault, proof_lacking
@@ -113,16 +114,17 @@ def _told(loading: LoadingVerdict) -> dict[str, Any]:
         "verdict": loading.verdict,
         **({"of": loading.of} if loading.of is not None else {}),
         "equivalent": list(loading.equivalent),
-        "factor": loading.factor,
+        "factor": settled_number(loading.factor),
         "shift_nodes": loading.shift_nodes,
-        "margin": loading.margin,
+        "margin": settled_number(loading.margin, LOGARITHM),
         **({"slope": _slope_told(*loading.slope)} if loading.slope is not None else {}),
         "message": loading.message,
     }
 
 
 def _slope_told(slope: float, error: float) -> dict[str, Any]:
-    return {"value": slope * 1e6, "std_error": error * 1e6, "unit": "um/m"}
+    value, std_error = (settled_number(one * 1e6, LOGARITHM) for one in (slope, error))
+    return {"value": value, "std_error": std_error, "unit": "um/m"}
 
 
 def _expected(

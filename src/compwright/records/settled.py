@@ -1,0 +1,33 @@
+"""Numbers without the last bits of the arithmetic, which hang on the processor and on the number of
+its threads: the order of a sum, fused products, series of the exponential (Higham, Accuracy and
+Stability of Numerical Algorithms, 2nd ed. 2002, chapters 3 and 4).
+
+What is estimated or simulated is settled where it leaves its room, so that decisions, tables and
+files rest on the same numbers everywhere. What is measured or held by a control is never touched.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+
+#: Lengths to a picometre, angles to a nanodegree, both far below any instrument: mm and deg.
+PICO: Final = 9
+#: Residues of certificates, which are zero but for arithmetic: a thousandth of that.
+RESIDUE: Final = 12
+#: Logarithms of odds, degrees of freedom.
+LOGARITHM: Final = 6
+
+
+def settled(values: FloatArray, digits: int = PICO) -> FloatArray:
+    """Return ``values``, mm or deg, rounded to so many decimals; no minus zero."""
+    rounded: FloatArray = np.round(values, digits) + 0.0
+    return rounded
+
+
+def settled_number(value: float, digits: int = PICO) -> float:
+    """Return one value as `settled` does."""
+    return round(float(value), digits) + 0.0
