@@ -28,6 +28,7 @@ from compwright.evaluation.circular import evaluate_circle
 from compwright.evaluation.standards import evaluate
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import AxisCompensation, CrossCompensation
+from compwright.records.estimate import AxisPeriod, PeriodEvidence
 from compwright.records.limits import Cause, Limiting, Worth
 from compwright.records.prediction import AxisPrediction, Quantiles, TestPrediction
 from compwright.records.verification import ReadBack
@@ -132,6 +133,8 @@ def test_a_prediction(kind: AxisKind, factor: float, unit: str) -> None:
                 Cause(cause="value range", value=0.002, rms=0.0005),
             ),
         ),
+        periods=(AxisPeriod(10.0, 0.97, "found"), AxisPeriod(20.0, 1.0, "job")),
+        evidence=PeriodEvidence(np.array([5.0, 10.0]), np.array([0.5, 12.0]), ((12.5, 50.0),)),
         worth=(Worth(points=21, spacing=50.0, median=0.02, p05=0.01, p95=0.05, written=True),),
     )
     found = prediction_document("id", {"X": axis}, judged="independent")["axes"]["X"]
@@ -156,6 +159,16 @@ def test_a_prediction(kind: AxisKind, factor: float, unit: str) -> None:
             "there": False,
         }
     ]
+    # Positions stay as they are: only deviations change their unit.
+    assert found["periods"] == [
+        {"period": 10.0, "probability": 0.97, "source": "found"},
+        {"period": 20.0, "probability": 1.0, "source": "job"},
+    ]
+    assert found["period_search"] == {
+        "periods": [5.0, 10.0],
+        "log_odds": [0.5, 12.0],
+        "alike": [[12.5, 50.0]],
+    }
     assert found["limited"] == {
         "parameter": "A",
         "now": pytest.approx(0.05 * factor),

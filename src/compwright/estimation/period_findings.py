@@ -113,22 +113,34 @@ def _odds(probability: float) -> str:
     if probability > 0.999:
         return "odds above 1000 to 1"
     if probability >= 0.5:
-        return f"odds {probability / (1.0 - probability):.2g} to 1"
-    return f"odds 1 to {(1.0 - probability) / probability:.2g}"
+        return f"odds {_plain(probability / (1.0 - probability))} to 1"
+    return f"odds 1 to {_plain((1.0 - probability) / probability)}"
+
+
+def _plain(value: float) -> str:
+    return f"{float(f'{value:.2g}'):g}"
 
 
 def meaning(period: float, kind: AxisKind) -> str:
     """Return what makes an error of this ``period`` (mm or deg), in words: what to look for."""
-    usual = [
-        each.reason for each in USUAL_PERIODS[kind] if abs(each.size - period) <= _NEAR * period
-    ]
-    double = [
-        f"half of {each.reason}" if each.reason.startswith("a screw") else f"half: {each.reason}"
-        for each in USUAL_PERIODS[kind]
-        if abs(each.size - 2.0 * period) <= _NEAR * 2.0 * period
-    ]
-    if usual or double:
-        return "look for " + ", or ".join([*usual, *double])
+    unit = kind.unit
+    once, twice = (
+        ", or ".join(
+            each.reason
+            for each in USUAL_PERIODS[kind]
+            if abs(each.size - times * period) <= _NEAR * times * period
+            and not each.reason.startswith("half ")
+        )
+        for times in (1, 2)
+    )
+    words = []
+    if once:
+        words.append(f"look for what turns or repeats once in {period:.5g} {unit}: {once}")
+    if twice:
+        begin = "or for" if once else "look for"
+        words.append(f"{begin} what does so twice in {2.0 * period:.5g} {unit}: {twice}")
+    if words:
+        return "; ".join(words)
     if kind is AxisKind.ROTARY:
         return (
             f"no usual division ({360.0 / period:.4g} in a turn): look for the turn of the worm or"

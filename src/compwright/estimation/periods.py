@@ -27,7 +27,7 @@ from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.estimate import AxisPeriod, PeriodEvidence
 
 #: What is expected before the data: the first period, and one beside those that are known.
-FIRST: Final = Odds(none=0.2, usual=0.74)
+FIRST: Final = Odds(none=0.2, usual=0.65)
 FURTHER: Final = Odds(none=0.75, usual=0.18)
 #: A period repeats at least so often over the targets: fewer waves are smooth error.
 LEAST_REPEATS: Final = 8.0
@@ -104,11 +104,8 @@ class PeriodSearch:
         order = np.lexsort((-np.round(self.curve.log_odds, 6), step))
         _, first = np.unique(step[order], return_index=True)
         best = order[first]
-        return PeriodEvidence(
-            self.curve.periods[best],
-            np.round(np.maximum(self.curve.log_odds[best], _LOWEST), 6),
-            self.sure,
-        )
+        odds: FloatArray = np.maximum(self.curve.log_odds[best], _LOWEST).round(6)
+        return PeriodEvidence(self.curve.periods[best].round(_DECIMALS), odds, self.sure)
 
 
 def search_periods(

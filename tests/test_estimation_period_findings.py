@@ -1,0 +1,89 @@
+"""What a search for periods says to the user: what to look for, the odds, and targets that would
+settle what these leave open.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from compwright.estimation.period_findings import meaning, period_findings
+from compwright.estimation.periods import PeriodCurve, PeriodModel, PeriodSearch
+from compwright.foundations.findings import Finding
+from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.estimate import AxisPeriod
+
+ODD: FloatArray = np.array([3.0, 61.0, 97.0, 158.0, 204.0, 247.0, 309.0, 346.0, 402.0, 455.0])
+EQUAL: FloatArray = 50.0 * np.arange(10, dtype=np.float64)
+CURVE = PeriodCurve(np.array([50.0, 2.0]), np.array([0.0, 0.0]))
+
+
+def said(
+    *found: AxisPeriod,
+    targets: FloatArray = ODD,
+    alike: tuple[tuple[tuple[float, ...], float], ...] = (),
+    known: tuple[float, ...] = (),
+    fitted: tuple[float, ...] = (),
+    curve: PeriodCurve | None = CURVE,
+) -> list[Finding]:
+    search = PeriodSearch((PeriodModel((), (), 1.0),), found, alike, curve)
+    return period_findings(search, targets, AxisKind.LINEAR, known, fitted)
+
+
+def test_a_found_period_says_what_to_look_for_and_its_odds() -> None:
+    (finding,) = said(AxisPeriod(10.0, 0.97, "found"))
+    assert finding.code == "CW-E012"
+    assert "every 10 mm (probability 97 %, odds 32 to 1)" in finding.message
+    assert "once in 10 mm: a screw lead of 10 mm" in finding.message
+    assert "twice in 20 mm: a screw lead of 20 mm" in finding.message
+    (sure,) = said(AxisPeriod(10.0, 0.9947, "found"))
+    assert "odds 190 to 1" in sure.message, "never exponents"
+
+
+def test_what_is_not_settled_is_one_finding() -> None:
+    first, second = said(
+        AxisPeriod(12.0, 0.6, "found"),
+        AxisPeriod(10.0, 0.2, "found"),
+        AxisPeriod(8.0, 0.07, "found"),
+    )
+    assert "every 12 mm (probability 60 %" in first.message
+    assert "10 mm (20 %), 8 mm (7 %)" in second.message
+    assert {first.code, second.code} == {"CW-E012"}
+
+
+def test_what_looks_alike_is_not_named_and_comes_with_targets_that_tell() -> None:
+    group = (86.8, 45.8, 11.3)
+    (finding,) = said(AxisPeriod(86.8, 0.33, "found"), targets=EQUAL, alike=((group, 0.99),))
+    assert (finding.code, finding.severity) == ("CW-E013", "warning")
+    assert "86.8, 45.8, 11.3" in finding.message
+    proposed = finding.message.partition("targets that would show it: ")[2]
+    assert len(proposed.split(",")) >= EQUAL.size
+    # A group that is not likely is no news.
+    assert [each.code for each in said(targets=EQUAL, alike=((group, 0.2),))] == ["CW-E014"]
+
+
+def test_nothing_found_says_why_that_may_be() -> None:
+    assert "equal spacing hides" in said(targets=EQUAL)[0].message
+    assert "Too few targets" in said(targets=ODD[:5], curve=None)[0].message
+    assert "none was found (100 % for none" in said()[0].message
+    assert said(known=(10.0,), fitted=(10.0,)) == []
+
+
+def test_known_periods_that_the_data_do_not_tell_are_counted() -> None:
+    (finding,) = said(known=(5.0, 10.0, 20.0), fitted=(10.0,))
+    assert finding.code == "CW-E015"
+    assert "Of 3 known periods the readings tell 1: 10 mm" in finding.message
+
+
+@pytest.mark.parametrize(
+    ("period", "kind", "word"),
+    [
+        (5.0, AxisKind.LINEAR, "twice in 10 mm: a screw lead of 10 mm"),
+        (12.7, AxisKind.LINEAR, "0.5 inch"),
+        (5.0, AxisKind.ROTARY, "1/72"),
+        (17.77, AxisKind.LINEAR, "no usual lead"),
+        (7.77, AxisKind.ROTARY, "no usual division (46.33 in a turn)"),
+    ],
+)
+def test_the_meaning_of_a_period(period: float, kind: AxisKind, word: str) -> None:
+    assert word in meaning(period, kind)
