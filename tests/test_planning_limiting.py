@@ -10,6 +10,7 @@ import pytest
 
 from compwright.estimation.axis import Draws
 from compwright.planning.axes import AxisWork, fit_all
+from compwright.planning.drifting import drift_or_reversal
 from compwright.planning.fresh import fresh_tests
 from compwright.planning.limiting import (
     DRIFT,
@@ -34,6 +35,7 @@ from compwright.records.limits import Limiting, Worth
 from planning_samples import (
     MINUS,
     PLUS,
+    TARGETS,
     UM,
     Curve,
     Floats,
@@ -306,3 +308,48 @@ def test_the_grid_that_is_there_is_marked() -> None:
     stays = replace(work, capacity=replace(work.capacity, there=tuple(np.linspace(0, 1000, 21))))
     (mark,) = [one for one in worth_of(stays) if one.there]
     assert mark.written
+
+
+class Warming(KnownAxis):
+    """A constant play of 4 µm on an axis that moves by 6 µm while it is measured, reading by
+    reading: two runs of 11 targets up and down again, the means of which are the known error.
+    """
+
+    def __init__(self, sign: float, drift: float) -> None:
+        order = np.arange(TARGETS.size)
+        up = np.mean([22 * run + order for run in range(2)], axis=0)
+        down = np.mean([22 * run + 21 - order for run in range(2)], axis=0)
+        a_reading = sign * 6.0 * UM / 22.0  # 22 readings from one run to the next
+        super().__init__(
+            lambda x: np.interp(x, TARGETS, a_reading * up) - 2.0 * UM,
+            lambda x: np.interp(x, TARGETS, a_reading * down) + 2.0 * UM,
+            noise=0.3 * UM,
+            odds=9.0,
+        )
+        self.drift = drift
+
+    def draw(self, positions: Floats, count: int, rng: np.random.Generator, test: int = 0) -> Draws:
+        draws = super().draw(positions, count, rng, test)
+        return replace(draws, noise=replace(draws.noise, drift=np.full(count, self.drift)))
+
+
+def drift_told(known: KnownAxis, **limits: Any) -> list[str]:
+    work = fitted(known, **limits)
+    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, Like())
+    return [finding.message for finding in drift_or_reversal(work, fresh)]
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_two_tables_that_may_hold_a_drift_are_doubted(sign: float) -> None:
+    (message,) = drift_told(Warming(sign, sign * 6.0 * UM))
+    rise = sign * 6.0 * 20 / 22  # the low end waits 21 readings for its second direction, the
+    assert f"changes by {rise:+.2f} µm" in message  # high end one
+    assert f"{sign * 6.0:+.2f} µm from the first run to the last" in message
+    assert "measure again before two tables" in message
+
+
+def test_a_reversal_that_no_drift_explains_is_not_doubted() -> None:
+    assert drift_told(Warming(1.0, 0.0)) == []  # no drift from run to run
+    assert drift_told(Warming(1.0, -6.0 * UM)) == []  # it would have changed the other way
+    assert drift_told(Warming(1.0, 20.0 * UM)) == []  # or by much more
+    assert drift_told(Warming(1.0, 6.0 * UM), axis=axis_of(reference=500.0), **ONE_CURVE) == []

@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Final
+
+import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import AxisWork
 from compwright.planning.fresh import FreshTests
 from compwright.prediction.acting import Correction, difference
+from compwright.records.fitted import FittedTable
 
-#: What is told: of both directions, or of the one that was measured.
-_TOLD = ("A", "E", "M")
-_TOLD_OF_ONE = ("A_positive", "E_positive", "A_negative", "E_negative")
+#: What is told: of both directions, of the one that was measured, or of VDI/DGQ 3441.
+_TOLD: Final = (
+    ("A", "E", "M"),
+    ("A_positive", "E_positive", "A_negative", "E_negative"),
+    ("P", "Pa"),
+)
 
 
 def goal_told(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
@@ -25,16 +32,32 @@ def goal_told(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Fi
     mine, usual = (
         fresh.quantiles(difference(acts, work.active)) for acts in (new, work.usual.compensation.at)
     )
+    goal, same = planned.request.goal, _alike(planned.fitted, work.usual)
     unit = planned.axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
-    names = [name for name in _TOLD if name in mine] or [n for n in _TOLD_OF_ONE if n in mine]
+    names = next(found for told in _TOLD if (found := [name for name in told if name in mine]))
     shown = ", ".join(
-        f"{name} {mine[name].median * factor:.2f} ({usual[name].median * factor:.2f})"
+        f"{name} {mine[name].median * factor:.2f}"
+        + ("" if same else f" ({usual[name].median * factor:.2f})")
         for name in names
     )
+    made = (
+        f"the table of least expected square is the one of least {goal} too"
+        if same
+        else f"made for the least {goal}"
+    )
+    beside = "" if same else ", in brackets with the table of least expected square"
     yield Finding(
         "CW-P152",
         "info",
-        f"Axis {planned.axis.name}: made for the least {planned.request.goal}; expected at new"
-        f" targets, in brackets with the table of least expected square: {shown} {small}",
+        f"Axis {planned.axis.name}: {made}; expected at new targets{beside}: {shown} {small}",
+    )
+
+
+def _alike(one: FittedTable, other: FittedTable) -> bool:
+    mine, usual = one.compensation, other.compensation
+    return (
+        np.array_equal(mine.positive, usual.positive)
+        and np.array_equal(mine.negative, usual.negative)
+        and mine.backlash == usual.backlash
     )

@@ -10,6 +10,7 @@ from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.axes import AxisWork, predict_axis
 from compwright.planning.circles import CircleWork, predicted_circle
 from compwright.planning.declared import fresh_slope
+from compwright.planning.drifting import drift_or_reversal
 from compwright.planning.fresh import fresh_tests
 from compwright.planning.goals import goal_told
 from compwright.planning.limiting import what_limits
@@ -66,7 +67,11 @@ def _predicted(
     axis, prediction = work.planned.axis, predict_axis(*task)
     like = Like(0, fresh_slope(rule, work.planned.tests[0]))
     fresh = fresh_tests(work.results[0], work.posterior, axis, like)
-    findings = (*prediction.findings, *goal_told(work, new, fresh))
+    findings = (
+        *prediction.findings,
+        *goal_told(work, new, fresh),
+        *drift_or_reversal(work, fresh),
+    )
     limits = what_limits(work, new, fresh)
     if limits is None:
         return replace(prediction, findings=findings)
