@@ -4,6 +4,7 @@ open.
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 import yaml
 
@@ -12,6 +13,7 @@ from compwright.instruments.profile import read_profile
 from compwright.instruments.profile_of_file import Proposed, proposed_profile
 from compwright.instruments.reading import read_positioning
 from laser_files import laser_file
+from places import REAL, needs_shared
 
 ROWS = [("0", "{out}", "0.4"), ("100", "{out}", "2.1"), ("200", "{out}", "3.4")]
 BACK = [("0", "{back}", "-2.9"), ("100", "{back}", "-0.8"), ("200", "{back}", "1.2")]
@@ -165,3 +167,34 @@ def test_a_file_that_only_lacks_its_unit() -> None:
     text = proposed_profile(content, "b.rta").text.replace("\nunit:", "\nunit: mrad")
     test = read_positioning(content, "b.rta", read_profile(text.encode(), "P.yaml"))
     assert test.positive[1, 0] * 3600 == pytest.approx(10 * 0.2062648062, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("line", "axis"), [("Achse;Y1;;", "Y1"), ("Axis: X", "X"), ("an axis at ESS", None)]
+)
+def test_the_axis_above_a_table(line: str, axis: str | None) -> None:
+    content = f"{line}\nSoll [mm];Abweichung [µm]\n0;0,4\n100;2,1\n".encode()
+    assert keys(proposed_profile(content, "x.csv"))["axis"] == axis
+
+
+@needs_shared
+def test_a_real_log_of_a_rotary_axis() -> None:
+    """Tank axis of ESS before its collision: reversal of 49 to 75 arcsec by position, published."""
+    content = (REAL / "rotary" / "ess_tank_axis_repeatability.csv").read_bytes()
+    before = b"\n".join(line for line in content.splitlines() if not line.startswith(b"2021-07"))
+    proposed = proposed_profile(before, "tank.csv")
+    found = keys(proposed)
+    assert (found["target"], found["target_unit"]) == ("target_deg", "deg")
+    assert (found["direction"], found["directions"]) == ("approach", {"+": "+", "-": "-"})
+    assert (found["run"], found["axis"], found["value"]) == ("repeat", None, None)
+    text = proposed.text
+    for key, value in (("value", "encoder_deg"), ("value_is", "measured"), ("unit", "deg")):
+        text = text.replace(f"\n{key}:  #", f"\n{key}: {value}  #")
+    test = read_positioning(before, "tank.csv", read_profile(text.encode(), "P.yaml"))
+    assert (test.positive.shape, test.negative.shape) == ((6, 6), (6, 6))
+    reversal = np.abs(test.positive.mean(axis=1) - test.negative.mean(axis=1)) * 3600
+    assert reversal.min() == pytest.approx(49, abs=0.5)
+    assert reversal.max() == pytest.approx(75, abs=0.5)
+    # both days in one file are two tests: a reading that comes twice is no repetition
+    with pytest.raises(InputError, match="a reading is given twice"):
+        read_positioning(content, "tank.csv", read_profile(text.encode(), "P.yaml"))

@@ -57,7 +57,18 @@ _ROLES: Final[dict[Role, tuple[str, ...]]] = {
     "run": (
         *("run", "cycle", "traverse", "pass", "lauf", "zyklus", "messung", "durchgang", "reihe"),
         *("messreihe", "passage", "serie", "прогон", "цикл", "проход", "серия", "ciclo", "corsa"),
-        *("prova", "passata", "pasada", "ensayo", "nr", "no"),
+        *(
+            "prova",
+            "passata",
+            "pasada",
+            "ensayo",
+            "nr",
+            "no",
+            "repeat",
+            "repetition",
+            "wiederholung",
+        ),
+        *("ripetizione", "repeticion", "повтор"),
     ),
     "axis": ("axis", "achse", "axe", "ось", "asse", "eje"),
 }

@@ -5,11 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from compwright.instruments.comments import comment_text, cycle_of, read_comments
-from compwright.instruments.csv_table import first_row, header_names, read_table, split_lines
+from compwright.instruments.csv_table import (
+    first_row,
+    header_names,
+    read_table,
+    split_lines,
+    traverse_of,
+)
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.other_files import refuse_other_files
 from compwright.instruments.parsed import Parsed
-from compwright.instruments.plain_csv import read_csv
+from compwright.instruments.plain_csv import VALUES, read_csv
 from compwright.instruments.reading_findings import (
     doubtful_finding,
     falling_finding,
@@ -28,10 +34,11 @@ def is_target_data_file(text: Sequence[str]) -> bool:
 
 
 def is_plain_csv(text: Sequence[str]) -> bool:
-    """Whether the header row of a file has a target column of the plain CSV forms."""
+    """Whether the header row of a file has a target and a value column of the plain CSV forms."""
     first = first_row(text)
-    return first is not None and not {"target_mm", "target_deg"}.isdisjoint(
-        header_names(first[1])[1]
+    names = header_names(first[1])[1] if first is not None else []
+    return not {"target_mm", "target_deg"}.isdisjoint(names) and any(
+        name in VALUES or traverse_of(name) is not None for name in names
     )
 
 

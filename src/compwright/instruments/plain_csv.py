@@ -30,7 +30,8 @@ from compwright.instruments.parts import AXIS_COLUMN
 from compwright.records.axis import AxisKind, Direction
 
 _KIND_OF_TARGET = {"target_mm": AxisKind.LINEAR, "target_deg": AxisKind.ROTARY}
-_VALUES = (
+#: Columns of values; the unit is the last part of the name.
+VALUES = (
     "deviation_um",
     "deviation_mm",
     "deviation_arcsec",
@@ -198,13 +199,14 @@ def _target_column(table: Table, faults: FaultList) -> str:
 
 
 def _value_column(table: Table, target: str, faults: FaultList) -> str:
-    values = [column for column in table.columns if column in _VALUES]
+    values = [column for column in table.columns if column in VALUES]
     place = f"line {table.line}"
     if not values:
         faults.add(
             "the value column is missing",
             place=place,
-            expected=f"one of {', '.join(_VALUES)}",
+            expected=f"one of {', '.join(VALUES)}; a table of another program is read by a mapping"
+            " profile (compwright profile FILE --out P.yaml)",
             found=_listed(table.columns),
         )
     if len(values) > 1:

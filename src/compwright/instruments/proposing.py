@@ -7,6 +7,7 @@ profile is refused until somebody fills it in.
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -42,6 +43,8 @@ _LOOKED_AT: Final = 400
 #: A deviation that is the difference of two other columns is so within this share of its size.
 _SAME_SHARE: Final = 1e-3
 _MOST_WORDS = 6
+#: A name of an axis in free text; two letters may as well be a word.
+_AXIS = re.compile(r"[A-Z][0-9]{0,2}")
 
 
 @dataclass(slots=True)
@@ -217,8 +220,8 @@ def _axis(before: Sequence[str]) -> str:
         words = [word for word in line.replace(";", " ").replace(":", " ").split() if word]
         for one, other in pairwise(words):
             name = other.strip('",.')
-            if role_of(one) == "axis" and name.isalnum() and len(name) <= 3:
-                return name.upper()
+            if role_of(one) == "axis" and _AXIS.fullmatch(name):
+                return name
     return ""
 
 
