@@ -5,9 +5,13 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import openpyxl
 import pytest
 
 from compwright.cli import run as compwright
+from compwright.foundations.errors import InputError
+from compwright.workflow.commands.evaluate import evaluate_files
+from compwright.workflow.stages.inputs import read_measurement
 from loop import Machine
 
 MACHINE = Machine()
@@ -113,3 +117,18 @@ def test_run_with_files_takes_a_profile(sheet: Path, capsys: pytest.CaptureFixtu
     assert compwright(["run", str(sheet), *words]) == 0, capsys.readouterr().err
     said = compwright(["run", str(job_of(sheet)), "--profile", str(profile)])
     assert said == 2
+
+
+def test_a_workbook_of_several_axes(tmp_path: Path) -> None:
+    book = openpyxl.Workbook()
+    for name in ("X", "Y"):
+        sheet = book.create_sheet(name)
+        sheet.append(["target_mm", "direction", "run", "deviation_um"])
+        for row in ((0, "+", 1, 1.0), (100, "+", 1, 2.0 if name == "X" else 3.0)):
+            sheet.append(list(row))
+    path = tmp_path / "both.xlsx"
+    book.save(path)
+    assert [one.test.axis for one in evaluate_files([path]).results] == ["X", "Y"]  # type: ignore[union-attr]
+    assert read_measurement(path, axis="y").positive[1, 0] == pytest.approx(0.003)
+    with pytest.raises(InputError, match=r"holds 2 tests, and none of axis Z.*found X, Y"):
+        read_measurement(path, axis="Z")
