@@ -78,8 +78,6 @@ def period_findings(
 
 
 def _nothing(search: PeriodSearch, targets: FloatArray, unit: str) -> str:
-    low, high = float(targets[0]), float(targets[-1])
-    told = told_targets(low, high, targets.size, unit)
     intervals = np.diff(targets)
     if search.curve is None:
         return (
@@ -89,7 +87,7 @@ def _nothing(search: PeriodSearch, targets: FloatArray, unit: str) -> str:
     if np.ptp(intervals) <= 1e-3 * np.mean(intervals):
         return (
             "No period was found, but equal spacing hides those that divide it"
-            f" ({np.mean(intervals):.4g} {unit}); {told}"
+            f" ({np.mean(intervals):.4g} {unit}); the targets that CW-T008 proposes would show them"
         )
     probability = sum(model.probability for model in search.models if not model.periods)
     return (
