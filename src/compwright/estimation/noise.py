@@ -20,8 +20,10 @@ from compwright.estimation.noise_chain import Chain, Draw
 from compwright.estimation.noise_findings import noise_findings
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.noise_readings import Readings, readings_of
+from compwright.estimation.noise_rounding import rounded_std
 from compwright.estimation.noise_tails import TAILS
 from compwright.estimation.noise_traverses import RATES
+from compwright.records.axis import FloatArray
 from compwright.records.noise import NoiseDraws
 from compwright.records.positioning import PositioningTest
 
@@ -49,8 +51,10 @@ def noise_of(test: PositioningTest) -> NoisePosterior | None:
     draws = sweeps[::_BETWEEN]
     cells = [cell_means(draw) for draw in draws]
     sigma = np.array([draw.sigma for draw in draws])
+    if chain.step:
+        sigma = np.array([rounded_std(each, chain.step) for each in sigma])
     return NoisePosterior(
-        draws=_noise(readings, draws),
+        draws=_noise(readings, draws, sigma),
         mean=np.array([cell.mean for cell in cells]),
         precision=np.array([cell.precision for cell in cells]),
         columns=np.array([cell.columns for cell in cells]),
@@ -60,10 +64,9 @@ def noise_of(test: PositioningTest) -> NoisePosterior | None:
     )
 
 
-def _noise(readings: Readings, draws: list[Draw]) -> NoiseDraws:
+def _noise(readings: Readings, draws: list[Draw], sigma: FloatArray) -> NoiseDraws:
     tails = [TAILS[draw.tail] for draw in draws]
     spread = np.array([draw.spread for draw in draws])
-    sigma = np.array([draw.sigma for draw in draws])
     sizes = np.array([draw.size for draw in draws])
     drift = np.array([draw.drift for draw in draws])
     return NoiseDraws(

@@ -24,8 +24,6 @@ from compwright.estimation.noise_traverses import Sizes, Traverses, patterns_of
 from compwright.records.axis import FloatArray
 from compwright.records.positioning import PositioningTest
 
-#: Standard deviation of a number rounded to whole steps, in steps (JCGM 100:2008, F.2.2.1).
-_ROUNDED: Final = 12.0**-0.5
 #: By how much the scale of a reading may change where its distribution is drawn.
 _STEP: Final = 0.08
 _FACTORS: Final = np.exp(_STEP * np.arange(-4, 5))
@@ -35,7 +33,8 @@ _FACTORS: Final = np.exp(_STEP * np.arange(-4, 5))
 class Draw:
     """One state of the sampler, mm or deg.
 
-    ``sigma``: scale of a reading; ``spread``: how its logarithm follows direction and waves;
+    ``sigma``: scale of a reading before it is rounded; ``spread``: how its logarithm follows
+    direction and waves;
     ``tail``: place in `TAILS`; ``size`` (4,), ``pattern``, ``rate``: of the traverses (`Sizes`);
     ``drift`` (2,). ``effects`` (k,) of the traverses, drift included, and their ``covariance``
     given ``data`` of unit weight ``variance``. ``absent``, ``absent_spread``, ``tail_chances``: how
@@ -115,7 +114,7 @@ class Chain:
         mean, covariance = traverses.effects(self.sizes, drift)
         drifting = self.patterns.columns(self.sizes.rate) @ drift
         draw = Draw(
-            sigma=float(np.hypot(np.sqrt(variance), self.step * _ROUNDED)),
+            sigma=float(np.sqrt(variance)),
             spread=self.spread.copy(),
             tail=self.tail,
             pattern=self.sizes.pattern,

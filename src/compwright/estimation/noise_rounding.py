@@ -4,6 +4,7 @@ lie.
 
 from __future__ import annotations
 
+from math import erf
 from typing import Final
 
 import numpy as np
@@ -17,6 +18,7 @@ _COARSE: Final = 0.4
 #: Differences are whole steps if they are so to this part of a step.
 _WHOLE: Final = 0.02
 _PARTS: Final = 8
+_PHASES: Final = 12
 
 
 def step_of(readings: Readings, scatter: float) -> float:
@@ -34,6 +36,24 @@ def step_of(readings: Readings, scatter: float) -> float:
     counts = sizes / step
     whole = np.abs(counts - np.round(counts)) <= _WHOLE * np.maximum(1.0, 0.02 * counts)
     return step if step > _COARSE * scatter and bool(np.all(whole)) else 0.0
+
+
+def rounded_std(sigma: float, step: float) -> float:
+    """Return the standard deviation of readings of one cell that scatter by ``sigma`` and are
+    rounded to ``step``: their variance, on average over where between two numbers their mean lies.
+
+    From sigma² + step²/12 for wide scatter (JCGM 100:2008, F.2.2.1) down to less than sigma² where
+    most readings of a cell are the same number.
+    """
+    phases = (np.arange(_PHASES) + 0.5) / _PHASES
+    reach = int(np.ceil(6.0 * sigma / step)) + 1
+    numbers = np.arange(-reach, reach + 2, dtype=np.float64)
+    limits = (numbers[:-1] + 0.5 - phases[:, np.newaxis]) * (step / (sigma * np.sqrt(2.0)))
+    below = 0.5 * (1.0 + np.array([[erf(limit) for limit in row] for row in limits]))
+    edges = np.zeros((_PHASES, 1)), np.ones((_PHASES, 1))
+    chances = np.diff(np.hstack([edges[0], below, edges[1]]), axis=1)
+    means = chances @ numbers
+    return step * float(np.sqrt(np.mean(chances @ numbers**2 - means**2)))
 
 
 def draw_unrounded(

@@ -27,6 +27,9 @@ _SHARES: Final = (0.006, 0.0125, 0.025, 0.05, 0.1)
 _SIZES: Final = tuple(3.0 * 1.25**k for k in range(16))
 _FIXED_SIZES: Final = tuple(3.0 * 1.1**k for k in range(36))
 _FIXED_SPREAD: Final = 0.04
+#: Prior of the sizes: what is seen as an outlier but not told by the instrument itself.
+_USUAL_SIZE: Final = 6.0
+_SIZE_WIDTH: Final = 0.6
 #: Sizes of residuals that are counted together: 0.03 apart at nothing, 3 % apart far out.
 _EDGES: Final = np.sinh(np.linspace(0.0, np.arcsinh(150.0), 191))
 _MIDDLES: Final = 0.5 * (_EDGES[1:] + _EDGES[:-1])
@@ -78,13 +81,12 @@ class Tail:
 
 
 def _outliers(kind: float, sizes: tuple[float, ...], *, fixed: bool) -> Iterator[Tail]:
-    """Yield outliers of prior probability ``kind`` together: all shares alike, a size the less
-    likely the larger it is.
-    """
-    usual = kind / (len(_SHARES) * sum(1.0 / size for size in sizes))
+    """Yield outliers of prior probability ``kind`` together: all shares alike, sizes log-normal."""
+    usual = np.exp(-0.5 * (np.log(np.array(sizes) / _USUAL_SIZE) / _SIZE_WIDTH) ** 2)
+    usual *= kind / (len(_SHARES) * np.sum(usual))
     for share in _SHARES:
-        for size in sizes:
-            yield Tail(usual / size, share=share, size=size, fixed=fixed)
+        for size, prior in zip(sizes, usual, strict=True):
+            yield Tail(float(prior), share=share, size=size, fixed=fixed)
 
 
 def _tails() -> tuple[Tail, ...]:
