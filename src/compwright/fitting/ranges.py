@@ -15,6 +15,7 @@ from compwright.fitting.problem import QuadraticProblem
 from compwright.fitting.solve import by_columns, no_solution
 from compwright.fitting.sparse import IntArray, SparseMatrix, entries, stacked, sum_of, summed
 from compwright.records.axis import FloatArray
+from compwright.records.settled import settled_number
 
 #: A solution whose certificate misses by more than this (mm or deg) does not count, one nanometre:
 #: it rests on an interior-point solver.
@@ -99,7 +100,7 @@ def solve_ranges(
     # A least-range table stays within the range of what is wanted about zero: ten times that is
     # ample.
     gap = size * range_gap(cost, G, h, multipliers, shown.mean_range(x) / size, 10.0)
-    proof = {"primal": primal, "gap": gap}
+    proof = {"primal": settled_number(primal), "gap": settled_number(gap)}
     if not (primal <= CERTIFIED_RANGE and gap <= slack + CERTIFIED_RANGE):
         raise no_solution(
             "the least range does not pass its certificate",

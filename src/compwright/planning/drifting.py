@@ -12,6 +12,7 @@ from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import AxisWork
 from compwright.planning.fresh import FreshTests
 from compwright.records.axis import Direction
+from compwright.records.settled import settled_number
 
 #: The reversal changes by about what the drift would give: within this factor.
 _ALIKE: Final = 2.0
@@ -30,7 +31,7 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
     runs = min(int(np.max(work.results[0].test.readings(way), initial=0.0)) for way in Direction)
     if planned.fitted is None or planned.fitted.mode != "bidirectional" or runs < 2:
         return
-    drift = float(np.median(fresh.draws.noise.drift))
+    drift = settled_number(np.median(fresh.draws.noise.drift))
     within = drift / (runs - 1)
     rises = _rise(work)
     if within == 0.0 or not 1.0 / _ALIKE <= rises / within <= _ALIKE:
@@ -64,4 +65,4 @@ def _rise(work: AxisWork) -> float:
         + active(where, Direction.NEGATIVE)
     )
     slope = np.polyfit(where[inside] - low, reversal[inside], 1)[0]
-    return float(slope) * (high - low)
+    return settled_number(slope * (high - low))

@@ -15,6 +15,7 @@ from compwright.prediction.scatter import fresh_scatter
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.estimate import ErrorEstimate, Scenarios
 from compwright.records.result import PositioningResult
+from compwright.records.settled import settled
 
 #: Different sets of new targets, and tests at each: so many that targets of one or another lie
 #: everywhere, and few enough for a linear program.
@@ -52,5 +53,5 @@ def scenarios_of(
             measured = np.all(np.isfinite(mean))
             parts[name].append(beside.ravel() if measured else np.empty(0))
             parts[f"half_{name}"].append(half.ravel() if measured else np.empty(0))
-    joined = {name: np.concatenate(blocks) for name, blocks in parts.items()}
+    joined = {name: settled(np.concatenate(blocks)) for name, blocks in parts.items()}
     return Scenarios(count=_SETS * each, **joined)
