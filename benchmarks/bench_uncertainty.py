@@ -147,7 +147,7 @@ def one(case: Case, rng: np.random.Generator) -> dict[str, tuple[bool, float]]:
         value, true = result.parameters[name], without[name]
         if value is not None and true is not None and result.uncertainty is not None:
             U = result.uncertainty[name].U
-            found[name] = (abs(value - true) <= U * (1.0 + 1e-9), U / unit)
+            found[name] = (abs(value - true) <= U * (1.0 + 1e-9) + 1e-12, U / unit)
     return found
 
 

@@ -19,7 +19,7 @@ from compwright.evaluation.uncertainty import slope_between_tests
 from compwright.foundations.errors import InputError, UsageError
 from compwright.jobs.reading import read_job
 from compwright.planning.axes import predict_axis, start_axis
-from compwright.planning.declared import slope_after, with_slopes
+from compwright.planning.declared import fresh_slope, slope_after, with_slopes
 from compwright.prediction.acting import nothing
 from compwright.records.axis import AxisKind
 from compwright.records.correction import ControlState
@@ -74,6 +74,7 @@ def test_the_declared_slope_is_in_the_band_or_in_the_guard_never_in_both() -> No
     # beside the first, on which the table stands, another test lies by both temperatures
     beside = own * 2**0.5
     assert [test.slope_std for test in with_slopes(guarded, tests)] == pytest.approx([0.0, beside])
+    assert [fresh_slope("guarded", test) for test in with_slopes(guarded, tests)] == [0.0, 0.0]
     # the estimate of `simple` has the slope of the first test already
     assert slope_after(simple, tests, FLAT) == pytest.approx(own)
     assert slope_after(guarded, tests, FLAT) == pytest.approx(beside)
@@ -264,6 +265,19 @@ def test_a_test_after_loading_without_the_temperature_of_the_first_is_refused(
     job = of_job(JOB)
     with pytest.raises(InputError, match="states no temperature"):
         after_tests(job, planned(tmp_path, job), [f"{name}={tmp_path / 'after.csv'}"])
+
+
+def test_the_instruments_own_temperature_is_asked_for_where_it_expands(tmp_path: Path) -> None:
+    for file, head in (("x.csv", ""), ("warm.csv", ""), ("after.csv", "# T_m: 24\n")):
+        csv(tmp_path, file, head)
+    text = JOB.replace("T_m: [23, 25]", "T_m: [23, 25], T_d: 22")
+    job = of_job(text)
+    (after,) = after_tests(job, planned(tmp_path, job), [f"warm={tmp_path / 'after.csv'}"])
+    assert after.test.thermal is not None
+    assert after.test.thermal.T_m == 24.0
+    job = of_job(text.replace("T_d: 22", "T_d: 22, alpha_d: 8"))
+    with pytest.raises(InputError, match="key T_d"):
+        after_tests(job, planned(tmp_path, job), [f"warm={tmp_path / 'after.csv'}"])
 
 
 def test_one_temperature_of_the_axis_for_all_tests_needs_no_header(tmp_path: Path) -> None:

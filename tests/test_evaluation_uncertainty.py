@@ -95,6 +95,7 @@ CURVES = {
         ("wave", 40, 2, 2.0, 2.0, 0.5, 1500.0),
         ("reversal", 12, 10, 0.6, 1.5, 0.0, 1000.0),
         ("slope", 25, 1, 0.6, 3.0, 1.0, 6000.0),
+        ("flat", 40, 1, 0.6, 1.5, 0.0, 1000.0),
     ],
 )
 def test_it_holds_the_same_test_without_instrument_and_environment(

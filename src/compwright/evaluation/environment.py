@@ -48,7 +48,9 @@ def without_environment(
         np.concatenate([of(block) for block in blocks]) for of in (_squares, count_readings)
     )
     own = _own_variance(squares, number, sigma, count, rng)
-    means = _means(test, float(np.mean(own[:, number > 0])), sigma, count, rng)
+    repeated = number > 1.0
+    least = float(np.median(own[:, repeated].mean(axis=1))) if repeated.any() else None
+    means = _means(test, least, sigma, count, rng)
     scatter = (
         _scatter(block, own[:, first : first + m], sigma, rng)
         for block, first in zip(blocks, (0, m), strict=True)
@@ -122,39 +124,39 @@ def _scatter(
 
 
 def _means(
-    test: PositioningTest, own: float, sigma: float, count: int, rng: np.random.Generator
+    test: PositioningTest, own: float | None, sigma: float, count: int, rng: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
-    """Return draws (count, m) of the means in + and in - without the environment."""
+    """Return draws (count, m) of the means in + and in - without the environment; ``own``: the
+    variance of the axis' own scatter, None where no reading is repeated.
+    """
     up, down = mean_deviation(test.positive), mean_deviation(test.negative)
     readings = np.concatenate([test.readings(direction) for direction in Direction])
     number = float(np.mean(readings[readings > 0]))
+
+    def drawn(curve: FloatArray, share: float) -> FloatArray:
+        least = None if own is None else share * own / number
+        return _curve(test.targets, curve, share * sigma**2 / number, least, count, rng)
+
     if not test.bidirectional:
-        positive, negative = (
-            _curve(test.targets, curve, (own / number, sigma**2 / number), count, rng)
-            for curve in (up, down)
-        )
-        return positive, negative
-    middle, half = (
-        _curve(test.targets, 0.5 * curve, (0.5 * own / number, 0.5 * sigma**2 / number), count, rng)
-        for curve in (up + down, up - down)
-    )
+        return drawn(up, 1.0), drawn(down, 1.0)
+    middle, half = drawn(0.5 * (up + down), 0.5), drawn(0.5 * (up - down), 0.5)
     return middle + half, middle - half
 
 
 def _curve(
     targets: FloatArray,
     values: FloatArray,
-    variances: tuple[float, float],
+    noise: float,
+    own: float | None,
     count: int,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Return draws (count, m) of ``values`` (m,) without their noise; ``variances``: of the axis'
-    own scatter in them, which is at least there, and of the noise.
+    """Return draws (count, m) of ``values`` (m,) without their ``noise``; ``own``: of the axis' own
+    scatter in them, which is at least there (both variances).
 
     Less its straight line a curve is smooth plus rough: over the cosines of the order of the
     targets the variance is a / frequency^p + w, with a, p and w by their evidence.
     """
-    own, noise = variances
     drawn = np.repeat(values[np.newaxis], count, axis=0)
     known = np.isfinite(values)
     if np.count_nonzero(known) < 4:  # beside a straight line nothing would be left to judge by
@@ -163,8 +165,8 @@ def _curve(
     line = values[known].mean() + along * (along @ values[known]) / (along @ along)
     waves = _cosines(along.size)
     size = waves @ (values[known] - line)
-    variance, prior = _curves_tried(along.size)
-    variance = own + variance * noise
+    variance, prior = _curves_tried(along.size, own_known=own is not None)
+    variance = (own or 0.0) + variance * noise
     total = variance + noise
     evidence = prior - 0.5 * (np.log(total) + size**2 / total).sum(axis=1)
     share = (variance / total)[_drawn(evidence, count, rng)]
@@ -173,16 +175,18 @@ def _curve(
     return drawn
 
 
-def _curves_tried(m: int) -> tuple[FloatArray, FloatArray]:
+def _curves_tried(m: int, *, own_known: bool) -> tuple[FloatArray, FloatArray]:
     """Return the variances (h, m - 1) of the cosines in units of the noise, and the logarithm of
-    their weights (h,): no smooth part weighs as much as all, and so does no rough part.
+    their weights (h,): no smooth part weighs as much as all, and so does no rough part where the
+    scatter of the axis is counted already (``own_known``); else no axis is without any.
     """
     frequency = 2.0 * np.sin(0.5 * np.pi * np.arange(1, m) / m)
     shapes = [frequency**-power for power in _POWERS]
     smooth = [size * shape / shape.mean() for shape in shapes for size in _TRIED[1:]]
     parts = [np.zeros(m - 1), *smooth]
     weights = [1.0, *([1.0 / len(smooth)] * len(smooth))]
-    rough = [1.0, *([1.0 / (_TRIED.size - 1)] * (_TRIED.size - 1))]
+    others = [1.0 / (_TRIED.size - 1)] * (_TRIED.size - 1)
+    rough = [1.0 if own_known else others[0], *others]
     variance = [part + more for part in parts for more in _TRIED]
     return np.array(variance), np.log(np.outer(weights, rough)).ravel()
 

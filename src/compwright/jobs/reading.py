@@ -240,7 +240,11 @@ def _test(
         ),
         motion=section.motion,
         thermal=_thermal(*thermal, section.thermal),
-        own_temperature=bool(section.thermal and section.thermal.T_m is not None),
+        own_temperatures=tuple(
+            name
+            for name in ("T_m", "T_d")
+            if section.thermal and getattr(section.thermal, name) is not None
+        ),
         profile=section.profile,
     )
 

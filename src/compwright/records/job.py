@@ -45,7 +45,8 @@ class TestRequest:
     to the machine's, and how the axis was driven.
 
     ``thermal``: its differential expansion, by its own keys over those of the axis over those of
-    the job; ``own_temperature``: its own keys state a temperature, so that its files' do not count.
+    the job; ``own_temperatures``: those of ``T_m`` and ``T_d`` that its own keys state, so that its
+    files' do not count.
     """
 
     files: tuple[str, ...]
@@ -54,7 +55,7 @@ class TestRequest:
     position_map: PositionMap = PositionMap()
     motion: Motion = "feed"
     thermal: Thermal | None = None
-    own_temperature: bool = False
+    own_temperatures: tuple[str, ...] = ()
     profile: str | None = None
 
     __test__ = False  # not a test class, whatever the name suggests to a collector

@@ -51,7 +51,7 @@ def after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[AfterTest]:
         try:
             # a path of the command line is as it stands, that of the job's profile beside the job
             beside = Path(job.file).parent / request.profile if request.profile else None
-            later = _taken_later(entry, request, paths)
+            later = _later(request, paths)
             later = replace(later, profile=str(beside) if beside else None)
             test = read_test(entry, later, Path())
         except CompwrightError as error:
@@ -67,20 +67,11 @@ def after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[AfterTest]:
     return found
 
 
-def _taken_later(entry: AxisJob, request: TestRequest, paths: Sequence[str]) -> TestRequest:
-    """Return ``request`` for the test after loading: with its own files, and without the
-    temperatures that were stated of the test before.
+def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
+    """Return ``request`` for the test after loading: with its own files, which state its
+    temperatures; those that the job states are of the test before.
     """
-    thermal, of_axis = request.thermal, entry.thermal
-    if thermal is not None and of_axis is not None:
-        thermal = replace(
-            thermal,
-            T_m=of_axis.T_m,
-            T_d=of_axis.T_d,
-            rise_m=of_axis.rise_m,
-            rise_d=of_axis.rise_d,
-        )
-    return replace(request, files=tuple(paths), thermal=thermal, own_temperature=False)
+    return replace(request, files=tuple(paths), own_temperatures=())
 
 
 def _without_temperature(
@@ -93,20 +84,28 @@ def _without_temperature(
     before = next((each.test for each in planned if each.test.name == request.name), None)
     if before is None or before.thermal is None or test.thermal is None:
         return
-    own, now = (temperatures_of([each]) for each in (before, test))
-    if (request.own_temperature or "T_m" in own) and "T_m" not in now:
-        yield InputError(
-            Fault(
-                message=(
-                    "states no temperature, and the test that it repeats was referred to 20 °C from"
-                    f" a temperature of its own ({before.thermal.T_m:g} °C)"
-                ),
-                file=test.sources[0].file if test.sources else test.name,
-                place="key T_m",
-                expected="a line such as '# T_m: 22.4' above the readings (°C), or T_m_start and"
-                " T_m_end",
+    of_first, now = (temperatures_of([each]) for each in (before, test))
+    for name, temperature, expands in (
+        ("T_m", before.thermal.T_m, True),
+        ("T_d", before.thermal.T_d, before.thermal.alpha_d != 0.0),
+    ):
+        own = name in request.own_temperatures or name in of_first
+        if own and expands and name not in now:
+            message = (
+                "states no temperature, and the test that it repeats was referred to 20 °C from a"
+                f" temperature of its own ({temperature:g} °C)"
             )
-        )
+            yield InputError(
+                Fault(
+                    message=message,
+                    file=test.sources[0].file if test.sources else test.name,
+                    place=f"key {name}",
+                    expected=(
+                        f"a line such as '# {name}: 22.4' above the readings (°C), or {name}_start"
+                        f" and {name}_end"
+                    ),
+                )
+            )
 
 
 def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:

@@ -139,7 +139,8 @@ def read_test(entry: AxisJob, request: TestRequest, folder: Path) -> Positioning
     _check_one_map(entry, request, parts)
     test = to_machine(merge(parts, request.name), request.position_map)
     if request.thermal is not None:
-        stated = {} if request.own_temperature else temperatures_of(parts)
+        of_files = temperatures_of(parts).items()
+        stated = {name: T for name, T in of_files if name not in request.own_temperatures}
         test = remove_differential_expansion(test, at_temperatures(request.thermal, stated))
     finding = skipped_finding([shown_path(path) for path in skipped])
     return replace(
