@@ -37,13 +37,17 @@ def two_processors() -> str:
     return f"{len(chosen)} processors"
 
 
+def environment() -> dict[str, str]:
+    """Return the variables of a process that runs this tree."""
+    return {**os.environ, "PYTHONPATH": str(PROJECT / "src")}
+
+
 def once(command: Sequence[str]) -> Cost:
     """Run a command to its end; its output is thrown away. A failure ends the benchmark."""
-    environment = {**os.environ, "PYTHONPATH": str(PROJECT / "src")}
     before = os.times()
     start = time.perf_counter()
     subprocess.run(
-        command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=True
+        command, env=environment(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=True
     )
     wall = time.perf_counter() - start
     after = os.times()

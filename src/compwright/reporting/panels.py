@@ -21,6 +21,14 @@ Document = Mapping[str, Any]
 
 _FORMATS: Final = ("svg", "png", "pdf")
 _WIDTH: Final = 7.2  # inch: the text width of A4
+# Inches round panels that `arrange` places: the label beside the numbers, one digit, the margin
+# on the right, between panels, and below them position, legend and its title.
+_BESIDE: Final = 0.36
+_DIGIT: Final = 0.068
+_EDGE: Final = 0.12
+_GAP: Final = 0.24
+_BELOW: Final = 0.97
+_FINE: Final = 4.0  # a range of numbers below which they have decimals
 _PNG_DPI: Final = 160
 _PNG_LARGEST: Final = 60000  # pixels; the rasteriser ends at 65536
 _INK: Final = "#222222"
@@ -222,7 +230,27 @@ def head(panel: Any, name: str, line: str) -> None:
     )
 
 
-def legend(figure: Any, panels: Sequence[Any]) -> None:
+def arrange(figure: Any, panels: Sequence[Any], *, head: float) -> None:
+    """Place panels side by side under ``head`` inches of words and over the legend.
+
+    The places are worked out from the numbers along the axis, which takes a hundredth of the time
+    that measuring every word takes.
+    """
+    width, height = figure.get_size_inches()
+    low, high = panels[0].get_ylim()
+    digits = max(len(f"{value:.0f}") for value in (low, high)) + (2 if high - low < _FINE else 0)
+    left = _BESIDE + _DIGIT * digits
+    each = (width - left - _EDGE - _GAP * (len(panels) - 1)) / len(panels)
+    figure.subplots_adjust(
+        left=left / width,
+        right=1.0 - _EDGE / width,
+        top=1.0 - head / height,
+        bottom=_BELOW / height,
+        wspace=_GAP / each,
+    )
+
+
+def legend(figure: Any, panels: Sequence[Any], *, place: str = "outside lower center") -> None:
     """One legend for all panels, below them, each entry once."""
     entries: dict[str, Any] = {}
     for panel in panels:
@@ -235,7 +263,7 @@ def legend(figure: Any, panels: Sequence[Any]) -> None:
         entries, key=lambda label: order.index(_quantity(label))
     )  # stable: + stands over −
     figure.legend(
-        [entries[name] for name in names], names, loc="outside lower center", ncols=max(1,
+        [entries[name] for name in names], names, loc=place, ncols=max(1,
         (len(names) + 1) // 2),
         title="(+) and (−): approach in the positive and in the negative direction",
         title_fontsize=7.5,
@@ -357,10 +385,13 @@ def style() -> Iterator[None]:
         yield
 
 
-def new_figure(height: float) -> Any:
-    """Return an empty figure of the width of a page and ``height`` in inches."""
+def new_figure(height: float, *, measured: bool = True) -> Any:
+    """Return an empty figure of the width of a page and ``height`` in inches. ``measured``: every
+    word is measured to place the panels, else they are placed by `arrange`.
+    """
     figure_module = need("matplotlib.figure")
-    return figure_module.Figure(figsize=(_WIDTH, height), layout="constrained")
+    layout = "constrained" if measured else None
+    return figure_module.Figure(figsize=(_WIDTH, height), layout=layout)
 
 
 def render(figure: Any, kind: PlotFormat) -> bytes:

@@ -15,6 +15,7 @@ from compwright.foundations.errors import Fault, UsageError
 from compwright.reporting.panels import (
     LOOKS,
     Document,
+    arrange,
     band,
     curve,
     draw_expected,
@@ -111,7 +112,7 @@ def before_after_plot(
     """
     kind = known_format(format)
     with style():
-        figure = new_figure(3.25)
+        figure = new_figure(3.25, measured=False)
         panels = figure.subplots(
             1,
             1 + (predicted is not None) + (after is not None),
@@ -138,7 +139,8 @@ def before_after_plot(
             head(panel, "After", parameter_line(after, most))
         for index, panel in enumerate(panels):
             label_axes(panel, before.get("unit"), with_y=index == 0)
-        legend(figure, panels)
+        arrange(figure, panels, head=0.43)
+        legend(figure, panels, place="lower center")
         return render(figure, kind)
 
 
@@ -154,7 +156,7 @@ def table_plot(entry: Document, *, format: str = "svg") -> bytes:  # noqa: A002
     table = entry["table"]
     wanted = entry.get("wanted") or {}
     with style():
-        figure = new_figure(2.9)
+        figure = new_figure(2.9, measured=False)
         panel = figure.subplots()
         zero_line(panel)
         same = curve(table.get("correction_positive")) == curve(table.get("correction_negative"))
@@ -179,7 +181,8 @@ def table_plot(entry: Document, *, format: str = "svg") -> bytes:  # noqa: A002
             )  # fmt: skip
         panel.set_title("Correction that the control adds to the command", fontweight="bold")
         label_axes(panel, table.get("unit", entry.get("unit")), quantity="Correction")
-        legend(figure, [panel])
+        arrange(figure, [panel], head=0.25)
+        legend(figure, [panel], place="lower center")
         return render(figure, kind)
 
 
@@ -193,7 +196,7 @@ def estimate_plot(estimate: Document, result: Document, *, format: str = "svg") 
     """
     kind = known_format(format)
     with style():
-        figure = new_figure(2.9)
+        figure = new_figure(2.9, measured=False)
         panel = figure.subplots()
         zero_line(panel)
         for look in LOOKS:
@@ -220,5 +223,6 @@ def estimate_plot(estimate: Document, result: Document, *, format: str = "svg") 
         draw_means(panel, result)
         panel.set_title("Estimated deviation with ± 2 standard deviations", fontweight="bold")
         label_axes(panel, result.get("unit"))
-        legend(figure, [panel])
+        arrange(figure, [panel], head=0.25)
+        legend(figure, [panel], place="lower center")
         return render(figure, kind)
