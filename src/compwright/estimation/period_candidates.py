@@ -29,6 +29,7 @@ _WORTH: Final = 4.0
 #: Points of a close look; it gets closer while fewer of them than that count.
 _POINTS: Final = 17
 _FEW: Final = 5
+_CLOSER: Final = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -234,50 +235,51 @@ def _close_looks(
     resolution: float,
     prior: _Prior,
 ) -> list[Candidate]:
-    """Return the peaks resolved: points about each, ever closer until several of them count."""
+    """Return the peaks as candidates: what lies about each, and the usual periods there."""
+    fine, logs = _resolved(shown, choice, centres, resolution, prior)
+    usual = prior.log_usual - np.log(2.0)
+    if usual.size:
+        usual = usual + shown.either(prior.usual, choice)
+    found = []
+    for here, mine, centre in zip(fine, logs, centres, strict=True):
+        named = np.flatnonzero(np.abs(prior.usual - centre) <= _PEAK * resolution)
+        together = np.concatenate([mine, usual[named]])
+        log, exact = _log_sum(together), None
+        if named.size and _log_sum(usual[named]) > _log_sum(mine):
+            exact = float(1.0 / prior.usual[named[int(np.argmax(usual[named]))]])
+        where = np.concatenate([here, prior.usual[named]])
+        nothing = np.zeros(0)
+        found.append(Candidate(where, np.exp(together - log), log, exact, nothing, nothing))
+    return found
+
+
+def _resolved(
+    shown: _Shown,
+    choice: Choice,
+    centres: FloatArray,
+    resolution: float,
+    prior: _Prior,
+) -> tuple[FloatArray, FloatArray]:
+    """Return frequencies (k, p) about each of the ``centres`` (k,), ever closer until several of
+    them count, and the logarithm (k, p) of the probability of each over that of none.
+    """
     best, half = centres.copy(), np.full(centres.size, _PEAK * resolution)
     grid = np.linspace(-1.0, 1.0, _POINTS)
-    fine = best[:, np.newaxis] + half[:, np.newaxis] * grid
-    one, both = np.empty(fine.shape), np.empty(fine.shape)
+    fine, logs = np.empty((2, centres.size, _POINTS))
     open_ = np.arange(centres.size)
-    for _ in range(4):
+    for _ in range(_CLOSER):
         fine[open_] = best[open_, np.newaxis] + half[open_, np.newaxis] * grid
-        found_odds = shown.odds(fine[open_].ravel(), choice)
-        one[open_], both[open_] = (each.reshape(open_.size, -1) for each in found_odds)
-        logs = np.logaddexp(one, both) - np.log(2.0) + prior.at(fine)
-        peak = np.argmax(np.round(logs, 6), axis=1)
-        top = np.take_along_axis(logs, peak[:, np.newaxis], 1)
-        sharp = np.sum(logs > top - 4.0, axis=1) <= _FEW
-        open_ = np.flatnonzero(sharp & np.isin(np.arange(centres.size), open_))
+        odds = shown.either(fine[open_].ravel(), choice).reshape(open_.size, -1)
+        logs[open_] = odds + prior.at(fine[open_])
+        peak = np.argmax(np.round(logs[open_], 6), axis=1)
+        top = np.take_along_axis(logs[open_], peak[:, np.newaxis], 1)
+        sharp = np.sum(logs[open_] > top - 4.0, axis=1) <= _FEW
+        open_, peak = open_[sharp], peak[sharp]
         if not open_.size:
             break
-        best[open_] = fine[open_, peak[open_]]
+        best[open_] = fine[open_, peak]
         half[open_] /= 4.0
-    logs += np.log(fine[:, 1:2] - fine[:, :1])
-    usual = (
-        shown.either(prior.usual, choice) + prior.log_usual - np.log(2.0)
-        if prior.usual.size
-        else prior.usual
-    )
-    found = []
-    for number, centre in enumerate(centres):
-        named = np.flatnonzero(np.abs(prior.usual - centre) <= _PEAK * resolution)
-        together = np.concatenate([logs[number], usual[named]])
-        log = _log_sum(together)
-        best_named = None
-        if named.size and _log_sum(usual[named]) > _log_sum(logs[number]):
-            best_named = float(1.0 / prior.usual[named[int(np.argmax(usual[named]))]])
-        found.append(
-            Candidate(
-                np.concatenate([fine[number], prior.usual[named]]),
-                np.exp(together - log),
-                log,
-                best_named,
-                np.zeros(0),
-                np.zeros(0),
-            )
-        )
-    return found
+    return fine, logs + np.log(fine[:, 1:2] - fine[:, :1])
 
 
 def _shared(
