@@ -199,3 +199,24 @@ def test_single_readings_scatter_about_as_those_of_the_test_that_tells_it() -> N
     assert abs(np.median(logs)) < 1.0
     assert np.std(logs) < 0.5
     assert np.all(noise.offset == 0.3 * UM)  # and so its traverses move
+
+
+def test_no_draw_of_the_noise_is_picked_by_the_chance_that_moved_its_means() -> None:
+    """48 equally likely noises, whose means differ as if by heavy tails: all of them stay."""
+    rng = np.random.default_rng(8)
+    first = known(noisy(rng, 1 * UM), 1 * UM)
+    one = first.noise
+    assert one is not None
+    mean = one.mean + 0.4 * UM * rng.standard_normal((48, one.mean.shape[1]))
+    sizes = rng.uniform(0.9, 1.1, 48) * UM
+    noise = replace(
+        one,
+        draws=normal_noise(sizes),
+        mean=mean,
+        precision=np.tile(one.precision, (48, 1)),
+        columns=np.tile(one.columns, (48, 1, 1)),
+    )
+    drawn = estimate_axis([replace(first, noise=noise)], travel=TRAVEL).draw(X, 480, rng).noise
+    found, counts = np.unique(drawn.sigma[:, 0], return_counts=True)
+    assert found == pytest.approx(np.sort(sizes))
+    assert set(counts) == {10}

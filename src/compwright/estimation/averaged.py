@@ -7,12 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 
 from compwright.estimation.cells import Cells
 from compwright.estimation.model import Fitted, Part, Periods, Travel, fitted, moved
 from compwright.estimation.periods import PeriodModel
+
+_SEED: Final = 231  # by it draws of the noise go with models
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +54,10 @@ def averaged(
             part = (share if varying else 1.0 - share) if len(own) > 1 else 1.0
             weights.append((moved(fit, cells, periods), model.probability * part))
     counts = _apportioned([weight for _, weight in weights], draws)
-    parts = [fit.part(count) for (fit, _), count in zip(weights, counts, strict=True) if count]
+    # Every draw of the noise as often as any other, in no order.
+    noise = np.random.default_rng(_SEED).permutation(np.arange(draws) * cells.data.draws // draws)
+    shares = np.split(noise, np.cumsum(counts)[:-1])
+    parts = [fit.part(mine) for (fit, _), mine in zip(weights, shares, strict=True) if mine.size]
     return Averaged(tuple(parts), odds)
 
 

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from compwright.estimation.evidence import Evidence
 from compwright.records.axis import FloatArray
@@ -29,12 +28,9 @@ _SEED: Final = 231  # by it draws of the noise are paired with hyperparameters
 
 @dataclass(frozen=True, slots=True)
 class HyperparameterDraws:
-    """``values`` (d, h) equally likely draws, the draw of the ``noise`` (d,) that goes with each,
-    and the natural logarithm of the model's evidence.
-    """
+    """``values`` (d, h) equally likely draws, and the natural logarithm of the model's evidence."""
 
     values: FloatArray
-    noise: NDArray[np.intp]
     log_evidence: float
 
 
@@ -110,9 +106,8 @@ def draw_hyperparameters(
 
     Equally likely: taken where the cumulative weights cross evenly spaced steps (Kitagawa, J.
     Comput. Graph. Stat. 5, 1996). Proposals come in mirrored pairs (antithetic variates: Hammersley
-    and Handscomb, Monte Carlo Methods, 1964, section 5.6). Each pair goes with one draw of the
-    noise, all of which are as likely before the means of the readings have spoken: a proposal is
-    one of both together.
+    and Handscomb, Monte Carlo Methods, 1964, section 5.6). The draws of the noise are averaged
+    over.
     """
     # Any centre and any root propose; rounded they are the same on every processor, and so are the
     # draws.
@@ -128,19 +123,13 @@ def draw_hyperparameters(
     scaled = normal * stretch[:, np.newaxis]
     points[:, free] = np.round(points[:, free] + scaled @ root.T, 3 * _DECIMALS)
     log_proposal = _log_student(scaled) - np.linalg.slogdet(root)[1]
-    noise = _paired(proposals, evidence.data.draws)
-    log_posterior = [
-        evidence.log_posterior(point, int(draw)) for point, draw in zip(points, noise, strict=True)
-    ]
-    log_weights = np.array(log_posterior) - log_proposal
+    log_weights = _log_posteriors(evidence, peak, points) - log_proposal
     top = float(np.max(log_weights))
     weights = np.exp(log_weights - top)
     ladder = (np.arange(draws) + 0.5) / draws
     chosen = np.searchsorted(np.cumsum(weights) / np.sum(weights), ladder)
-    chosen = np.minimum(chosen, proposals - 1)
     return HyperparameterDraws(
-        values=points[chosen],
-        noise=noise[chosen],
+        values=points[np.minimum(chosen, proposals - 1)],
         log_evidence=top + float(np.log(np.mean(weights))),
     )
 
@@ -154,14 +143,30 @@ def _rounded_rows(root: FloatArray) -> FloatArray:
     return rounded
 
 
-def _paired(proposals: int, draws: int) -> NDArray[np.intp]:
-    """Return for each proposal a draw of the noise, the same for every model of a test; a proposal
-    and its mirror have the same, every draw as many as any other as far as the numbers allow.
+def _log_posteriors(evidence: Evidence, peak: FloatArray, points: FloatArray) -> FloatArray:
+    """Return the log posterior (n,) at ``points`` (n, h), each under a draw of the noise, less how
+    likely that draw makes the means at the peak, beside the average of all draws.
+
+    What the means say of the noise is cut off (Plummer, Statistics and Computing 25, 2015): of the
+    few draws it would leave a handful, picked by the chance that moved their means. A point and
+    its mirror have the same draw, and every draw as many points as any other as far as the numbers
+    allow.
     """
-    half = max(proposals // 2, 1)
-    places = np.arange(half) * draws // half if half < draws else np.arange(half) % draws
+    half = max(points.shape[0] // 2, 1)
+    count = evidence.data.draws
+    places = np.arange(half) * count // half if half < count else np.arange(half) % count
     shuffled = np.random.default_rng(_SEED).permutation(places)
-    return shuffled[np.arange(proposals) % half]
+    noise = [int(draw) for draw in shuffled[np.arange(points.shape[0]) % half]]
+    values = np.array(
+        [evidence.log_posterior(point, draw) for point, draw in zip(points, noise, strict=True)]
+    )
+    used = sorted(set(noise))
+    if len(used) == 1:
+        return values
+    levels = {draw: evidence.log_posterior(peak, draw) for draw in used}
+    average = float(np.mean([levels[draw] for draw in noise]))
+    cut: FloatArray = values - np.array([levels[draw] for draw in noise]) + average
+    return cut
 
 
 def _log_student(scaled: FloatArray) -> FloatArray:

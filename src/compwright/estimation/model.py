@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.estimation.basis import Basis
 from compwright.estimation.cells import Cells, visible_harmonics
@@ -80,17 +81,16 @@ class Fitted:
     evidence: Evidence
     drawn: HyperparameterDraws
 
-    def part(self, share: int) -> Part:
-        """Return ``share`` of its draws, evenly spread over them."""
-        count = self.drawn.values.shape[0]
-        pick = np.linspace(0, count - 1, max(share, 1)).round().astype(int)[:share]
-        return Part(
-            self.evidence.basis,
-            tuple(
-                self.evidence.weights(self.drawn.values[index], int(self.drawn.noise[index]))
-                for index in pick
-            ),
+    def part(self, noise: NDArray[np.intp]) -> Part:
+        """Return the model's part in a mixture: one draw of the weights for each of the given draws
+        of the noise (n,), its hyperparameters evenly spread over those drawn.
+        """
+        pick = np.linspace(0, self.drawn.values.shape[0] - 1, noise.size).round().astype(int)
+        weights = (
+            self.evidence.weights(self.drawn.values[index], int(draw))
+            for index, draw in zip(pick, noise, strict=True)
         )
+        return Part(self.evidence.basis, tuple(weights))
 
 
 def fitted(cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int) -> Fitted:
