@@ -251,6 +251,18 @@ def test_a_reversal_that_moves_along_the_travel_is_named() -> None:
     assert "reversal changes along the travel" in message
 
 
+def test_what_is_left_after_a_table_that_helps_is_named() -> None:
+    """30 µm of slope, which the one table takes away, and a reversal that it cannot hold."""
+    known = KnownAxis(
+        lambda x: 30e-6 * x + BENT * (x / 500.0 - 1.0),
+        lambda x: 30e-6 * x - BENT * (x / 500.0 - 1.0),
+        noise=0.1 * UM,
+    )
+    ((code, message),) = said(known, axis=axis_of(reference=500.0), **ONE_CURVE)
+    assert code == "CW-P151"
+    assert f"most of what is left is {REVERSAL}" in message
+
+
 def test_directions_are_those_of_the_machine() -> None:
     """One curve, the reversal varies: what is left has opposite signs in the two directions."""
     known = KnownAxis(lambda x: BENT * (x / 500.0 - 1.0), lambda x: -BENT * (x / 500.0 - 1.0))

@@ -17,9 +17,9 @@ _DOMINATES: Final = 0.5
 #: What to do about a cause, by its name.
 _ADVICE: Final = {
     NOISE: (
-        "the same position does not come back the same, which no table takes out: look at how the"
-        " instrument stands (vibration, air, fixing), then call a mechanic (play, guides,"
-        " bearings, coupling, scale)"
+        "the same position does not come back the same, which no table takes out: where that is too"
+        " much, look first how the instrument stands (vibration, air, fixing), then call a mechanic"
+        " (play, guides, bearings, coupling, scale)"
     ),
     OUTLIERS: (
         "a few readings lie far off the others, which no table takes out: look for what disturbs"
@@ -57,13 +57,8 @@ def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> I
     scatter = limiting.least / limiting.now if limiting.now > 0.0 else 0.0
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
     name, now = limiting.parameter, f"{limiting.now * factor:.2f} {unit}"
-    if helps and tabled and scatter >= _DOMINATES:
-        yield Finding(
-            "CW-P151",
-            "info",
-            f"Axis {axis.name}: of {name} {now} at new targets the table takes away"
-            f" {gained / limiting.now:.0%}; {scatter:.0%} is scatter, which no table takes away",
-        )
+    if helps and tabled:
+        yield from _what_remains(axis, limiting, scatter)
     if helps:
         return
     main = _main_cause(limiting, scatter)
@@ -78,6 +73,28 @@ def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> I
         f" the largest cause is {main.cause} ({main.value * factor:.2f} {unit}, {share:.0%}):"
         f" {_ADVICE[main.cause]}",
     )
+
+
+def _what_remains(axis: Axis, limiting: Limiting, scatter: float) -> Iterator[Finding]:
+    """Yield what makes most of the parameter although the table helps."""
+    factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
+    name, now = limiting.parameter, f"{limiting.now * factor:.2f} {unit}"
+    taken = (
+        f"Axis {axis.name}: of {name} {now} at new targets the table takes away"
+        f" {1.0 - limiting.then / limiting.now:.0%}"
+    )
+    main = _main_cause(limiting, 0.0)
+    if main is not None and main.cause != NOISE:
+        message = (
+            f"{taken}; most of what is left is {main.cause}"
+            f" ({main.value * factor:.2f} of {limiting.then * factor:.2f} {unit}):"
+            f" {_ADVICE[main.cause]}"
+        )
+    elif scatter >= _DOMINATES:
+        message = f"{taken}; {scatter:.0%} is scatter, which no table takes away"
+    else:
+        return
+    yield Finding("CW-P151", "info", message)
 
 
 def _main_cause(limiting: Limiting, scatter: float) -> Cause | None:
