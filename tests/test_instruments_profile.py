@@ -219,3 +219,20 @@ def test_files_of_one_program_with_more_or_less_text_above(above: str) -> None:
 def test_a_header_row_that_stands_twice_is_not_guessed() -> None:
     header = LONG.splitlines()[1]
     assert "not in the file" in refused(f"a\nb\nc\n{header}\n{LONG}", LONG_PROFILE)
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("Achse: X", "contradict each other: axis; expected Y as in P.yaml, found X"),
+        ("Einheit: mm", "contradict each other: unit; expected um as in P.yaml, found mm"),
+        ("Soll - Ist", "contradict each other: sign; expected measured minus target"),
+    ],
+)
+def test_a_profile_that_was_made_for_another_file(line: str, words: str) -> None:
+    text = LONG.replace("Protokoll", line).replace("Abw. [µm]", "Abw.")
+    assert words in refused(text, LONG_PROFILE.replace("Abw. [µm]", "Abw."))
+
+
+def test_a_unit_above_the_table_may_be_that_of_the_targets() -> None:
+    assert read(LONG.replace("Protokoll", "Einheit: mm"), LONG_PROFILE).axis == "Y"

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterable
+from itertools import pairwise
 from typing import Final, Literal
 
 from compwright.instruments.csv_table import plain_signs
@@ -123,6 +125,23 @@ _DIFFERENCE: Final = re.compile(
     r"(?P<first>[^\W\d_]+)\.?\s*(?:position|wert|value|pos)?\s*"
     r"(?:-|minus|moins|меньше|минус|meno|menos)\s*(?P<second>[^\W\d_]+)"
 )
+
+
+#: A name of an axis in free text; two letters may as well be a word.
+_AXIS: Final = re.compile(r"[A-Z][0-9]{0,2}")
+
+
+def axis_above(lines: Iterable[str]) -> str:
+    """Return the axis that a line above a table names, such as ``Achse: X``, empty where none
+    does.
+    """
+    for line in lines:
+        words = [word for word in line.replace(";", " ").replace(":", " ").split() if word]
+        for one, other in pairwise(words):
+            name = other.strip('",.')
+            if role_of(one) == "axis" and _AXIS.fullmatch(name):
+                return name
+    return ""
 
 
 def plain(text: str) -> str:

@@ -20,6 +20,7 @@ from compwright.instruments.foreign_table import (
     named_columns,
 )
 from compwright.instruments.foreign_units import ANGLES, LENGTHS
+from compwright.instruments.header_words import axis_above, difference_of, said_unit, unit_of
 from compwright.instruments.numbers import parse_number
 from compwright.instruments.parsed import Parsed
 from compwright.instruments.parts import Part, parts_by_axis
@@ -90,6 +91,8 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
                 expected=shown(name),
                 found=", ".join(table.columns[:12]) or "no columns",
             )
+    axis = axis_above(table.before)
+    _refuse_contradictions(table.before, axis, profile, faults)
     faults.raise_if_any()
     cells = _Cells(table, profile, faults)
     unused = [row for row in table.rows if not _has_digit(cells.text(row, profile.target))]
@@ -112,10 +115,32 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
     return Parsed(
         kind=profile.kind,
         readings=tuple(readings),
-        header={**header, **({"axis": profile.axis} if profile.axis else {})},
+        header={**header, **({"axis": profile.axis or axis} if profile.axis or axis else {})},
         cycle=profile.cycle,
         findings=tuple(finding for finding in about if finding is not None),
     )
+
+
+def _refuse_contradictions(
+    before: Sequence[str], axis: str, profile: Profile, faults: FaultList
+) -> None:
+    """Note what the text above a table says otherwise than the profile, which may have been made
+    for another file.
+    """
+    named = any(map(unit_of, (profile.value, *profile.traverses)))  # the column says it itself
+    unit = "" if named else next(filter(None, map(said_unit, before)), "")
+    sign = next(filter(None, map(difference_of, before)), "")
+    for what, said, mine in (
+        ("axis", axis.upper(), profile.axis.upper()),
+        ("unit", unit, profile.unit or ""),
+        ("sign", sign, "" if profile.measured else profile.sign or ""),
+    ):
+        if said and mine and said != mine:
+            faults.add(
+                f"the text above the table and the profile contradict each other: {what}",
+                expected=f"{mine} as in {profile.file}",
+                found=said,
+            )
 
 
 def profiled_parts(text: Sequence[str], profile: Profile, faults: FaultList) -> tuple[Part, ...]:

@@ -7,7 +7,6 @@ profile is refused until somebody fills it in.
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -27,6 +26,7 @@ from compwright.instruments.foreign_table import (
 from compwright.instruments.foreign_units import LENGTHS
 from compwright.instruments.header_words import (
     Role,
+    axis_above,
     difference_of,
     is_unit,
     role_of,
@@ -43,8 +43,6 @@ _LOOKED_AT: Final = 400
 #: A deviation that is the difference of two other columns is so within this share of its size.
 _SAME_SHARE: Final = 1e-3
 _MOST_WORDS = 6
-#: A name of an axis in free text; two letters may as well be a word.
-_AXIS = re.compile(r"[A-Z][0-9]{0,2}")
 
 
 @dataclass(slots=True)
@@ -85,8 +83,11 @@ def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
         "delimiter": delimiter,
         "decimal": _decimal(table, proposal),
         "header_line": header_line,
-        "axis": _axis(text[: max(header_line - 1, 0)]),
+        "axis": "",
     }
+    said = axis_above(text[: max(header_line - 1, 0)])
+    if said:
+        proposal.notes.append(f"axis: {said}, the text above the table says so in every file")
     axes = [name for name in table.columns if role_of(name) == "axis"]
     if len(axes) == 1:
         proposal.keys["axis_column"] = axes[0]
@@ -212,17 +213,6 @@ def _decimal(table: ForeignTable, proposal: Proposal) -> str | None:
         )
         return None
     return "comma" if marks[","] else "point"
-
-
-def _axis(before: Sequence[str]) -> str:
-    """Return the axis that a line above the table names, such as ``Achse: X``."""
-    for line in before:
-        words = [word for word in line.replace(";", " ").replace(":", " ").split() if word]
-        for one, other in pairwise(words):
-            name = other.strip('",.')
-            if role_of(one) == "axis" and _AXIS.fullmatch(name):
-                return name
-    return ""
 
 
 class _Columns:

@@ -247,7 +247,10 @@ def _with_axis(parsed: Parsed, part: Part) -> tuple[dict[str, str], tuple[str, .
     if part.axis:
         return {**header, "axis": part.axis}, parsed.assumed
     named = axis_name(part.sheet) if part.sheet else ""
-    if header.get("axis") or not named:
+    said = header.get("axis", "")
+    if said and named and said.upper() != named:
+        return header, (*parsed.assumed, f"axis: {said}, though the sheet is called {part.sheet}")
+    if said or not named:
         return header, parsed.assumed
     return {**header, "axis": named}, (*parsed.assumed, f"axis: {named}, the name of the sheet")
 
