@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from compwright.records.axis import FloatArray
 
 #: Prior probabilities of the kinds.
-_NORMAL, _STUDENT, _SPREAD, _FIXED = 0.88, 0.09, 0.015, 0.015
-_DOFS: Final = (2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 12.0)
+_NORMAL, _STUDENT, _SPREAD, _FIXED = 0.87, 0.1, 0.015, 0.015
+_DOFS: Final = (2.5, 3.0, 3.5, 4.0, 5.0, 7.0)
 _SHARES: Final = (0.006, 0.0125, 0.025, 0.05, 0.1)
 #: Sizes of outliers in scales of a reading; what lies between two is covered by the spread of
 #: fixed ones.
