@@ -87,9 +87,10 @@ def fit_table(
             fitted = _whole_goal(request.goal, fitted, wanted, grid, layout, capacity, aim)
         return replace(fitted, findings=(*datum_findings, *fitted.findings))
     fit = _Fit(sampled(aim, grid.nodes, capacity), layout, capacity, aim)
-    best = fit.best(request.goal, wanted if wanted.scenarios else aim)
+    usual = fit.expected()
+    best = fit.best(request.goal, wanted if wanted.scenarios else aim, usual)
     table = _rounded(best.x, fit, address, aim)
-    limits = _limits(fit, best, table, grid)
+    limits = _limits(fit, usual, best, table, grid)
     edges, losses = edge_findings(table, wanted, kept=grid.kept), loss_findings(limits, wanted)
     findings = (*grid.findings, *datum_findings, *edges, *losses)
     worst = _rounding_error(table, best.x, layout)
@@ -200,7 +201,7 @@ def _whole_goal(
         return replace(usual, findings=(*usual.findings, *goal_finding(goal, "whole increments")))
     free = replace(capacity, lattice=None)
     fit = _Fit(sampled(aim, grid.nodes, free), layout, free, aim)
-    wish = as_wish(fit.best(goal, wanted).x, layout, free, aim)
+    wish = as_wish(fit.best(goal, wanted, fit.expected()).x, layout, free, aim)
     mode = (usual.mode, usual.mode_reason)
     address = usual.compensation.address
     whole = whole_table(grid, wish, mode, capacity, capacity.lattice, address=address)
@@ -215,10 +216,11 @@ def _whole_goal(
 
 @dataclass(frozen=True, slots=True)
 class _Best:
-    """Unknowns before rounding, and their certificate."""
+    """Unknowns before rounding, and their certificate; ``free``: no limit pushes."""
 
     x: FloatArray
     certificate: dict[str, float]
+    free: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -236,14 +238,15 @@ class _Fit:
         )
 
     def expected(self, without: tuple[str, ...] = ()) -> _Best:
-        solution = solve_quadratic(self.problem(without))
-        return _Best(solution.x, solution.certificate)
+        problem = self.problem(without)
+        solution = solve_quadratic(problem)
+        pushed = np.any(solution.y[problem.lower < problem.upper] != 0.0)
+        return _Best(solution.x, solution.certificate, free=not pushed)
 
-    def best(self, goal: Goal, wanted: WantedCorrection) -> _Best:
+    def best(self, goal: Goal, wanted: WantedCorrection, usual: _Best) -> _Best:
         """Return the best table by the ``goal``; ``wanted``: the wish with what the grid leaves
-        out.
+        out; ``usual``: the table of least expected square.
         """
-        usual = self.expected()
         if goal == "expected":
             return usual
         x, proof = best_for(goal, wanted, self.layout, self.capacity, self.problem(), usual.x)
@@ -327,24 +330,27 @@ def _as_unknowns(table: AxisCompensation, layout: Layout) -> FloatArray:
     return np.append(own, constant)
 
 
-def _limits(fit: _Fit, best: _Best, table: AxisCompensation, grid: Grid) -> tuple[Limit, ...]:
+def _limits(
+    fit: _Fit, usual: _Best, best: _Best, table: AxisCompensation, grid: Grid
+) -> tuple[Limit, ...]:
     """Return what each limit of the control costs: the rms (mm or deg) over the travel and both
-    directions that it adds.
+    directions that it adds. ``usual``: the table of least expected square.
 
     Costs add as squares: each is the root of the difference of two mean squares, with and without
     the limit.
     """
     capacity, layout = fit.capacity, fit.layout
     costs: list[tuple[str, float]] = [("spacing too wide for the period", grid.left_out)]
-    all_shapes = fit.unlimited(shape="bidirectional")
+    held = fit.rms(usual.x)
+    this_shape = held if usual.free else fit.unlimited()
+    two_tables = layout.shape == "bidirectional"
+    all_shapes = this_shape if two_tables else fit.unlimited(shape="bidirectional")
     costs.append(("number of points" if grid.points_loss else "spacing of the points", all_shapes))
-    this_shape = fit.unlimited()
     if layout.shape == "single" and layout.reversal != "free":
         with_constant = fit.unlimited(reversal="free")
         costs.append(("one table for both directions", added(with_constant, all_shapes)))
         costs.append(("no backlash value", added(this_shape, with_constant)))
-    held = fit.rms(fit.expected().x)
-    if capacity.zero is not None:
+    if capacity.zero is not None and not usual.free:
         any_reversal = fit.rms(fit.expected(("backlash range",)).x)
         costs.append(("backlash range", added(held, any_reversal)))
         held = any_reversal
