@@ -62,6 +62,13 @@ def test_what_was_taken_is_said() -> None:
         assert words in said
 
 
+def test_another_version_is_said() -> None:
+    text = laser_file(TARGETS, READINGS)
+    assert "layout" not in told(read(text))["CW-R001"]
+    other = text.replace("V20.02.02", "4.13.9")
+    assert "layout: that of V20 (the file says version 4.13.9)" in told(read(other))["CW-R001"]
+
+
 def test_readings_in_words() -> None:
     said = told(read(laser_file(TARGETS, READINGS)))["CW-R060"]
     # run 3, target 6: 5.3 µm in direction +; run 2, target 1: -1.8 µm in direction -

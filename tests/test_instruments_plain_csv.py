@@ -557,3 +557,9 @@ def test_readings_that_form_no_table_are_refused() -> None:
     assert "do not form a table" in one_fault(
         LONG + "".join(f"{n}.5,+,{n},1\n" for n in range(1, 2100))
     )
+
+
+@pytest.mark.parametrize("line", ["sep=;", '"sep=;"', "SEP=;"])
+def test_the_line_that_tells_a_spreadsheet_the_delimiter(line: str) -> None:
+    text = f"{line}\r\ntarget_mm;direction;run;deviation_um\r\n0;+;1;0,5\r\n10;+;1;1,5\r\n"
+    assert read_positioning(text.encode(), "x.csv").targets.tolist() == [0.0, 10.0]

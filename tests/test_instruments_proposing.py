@@ -89,6 +89,12 @@ def test_code_pages(language: str, encoding: str) -> None:
     assert test.negative[:, 0] * 1000 == pytest.approx([-2.9, -0.8, 1.2], rel=1e-15)
 
 
+def test_plain_ascii_names_no_encoding() -> None:
+    content = b"sep=;\nTarget [mm];Deviation [um]\n0;0,4\n100;2,1\n"
+    found = keys(proposed_profile(content, "x.csv"))
+    assert (found["encoding"], found["header_line"]) == (None, 2)
+
+
 def test_worked_rows_with_an_answer() -> None:
     proposed = proposed_profile(table("en", BACK), "x.csv")
     assert proposed.worked[0] == "if the sign is 'measured minus target':"

@@ -20,6 +20,8 @@ KNOWN_KEYS = DECISIVE_KEYS | {"machine", "serial", "date", "instrument", "operat
 FREE_TEXT = "comment"
 
 _KEY_VALUE = re.compile(r"(?P<key>[^\W\d_][\w .()/-]*?)\s*:(?!//)\s*(?P<value>.*)")
+_SEPARATOR_START = ("s", "S", '"')
+_SEPARATOR_LINE = re.compile(r'"?sep=.?"?', re.IGNORECASE)
 _SIGNS = {"measured minus target": 1.0, "target minus measured": -1.0}
 
 
@@ -41,8 +43,10 @@ def comment_text(line: str) -> str | None:
     """Return the text of a comment line, None for any other line.
 
     A spreadsheet that saves a comment as one cell of a row adds quotes and trailing delimiters;
-    both are taken off.
+    both are taken off. A line ``sep=;``, which tells a spreadsheet the delimiter, is one too.
     """
+    if line[:1] in _SEPARATOR_START and _SEPARATOR_LINE.fullmatch(line.strip()):
+        return ""
     stripped = line.strip().rstrip(",;\t ")
     if (
         stripped.startswith('"')

@@ -48,6 +48,8 @@ _OTHER_KINDS = {
     "rtq": "squareness",
     "rtf": "flatness",
 }
+#: The only version of which the layout was seen.
+_KNOWN_VERSION = "V20"
 #: Flags that a writer of this form puts for a test in one direction; a hint, not a proof.
 _ONE_WAY = ["0", "1", "2", "0"]
 _UNIT = {AxisKind.LINEAR: "um", AxisKind.ROTARY: "urad"}
@@ -123,7 +125,7 @@ def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) ->
         kind=kind,
         readings=tuple(readings),
         header=with_axis(header, sections.value("USER-TEXT", "Axis")[0]),
-        assumed=(*unit_words, *signs, *assumed),
+        assumed=(*unit_words, *signs, *assumed, *_other_version(sections)),
         findings=tuple(finding for finding in about if finding is not None),
     )
 
@@ -293,6 +295,14 @@ def _directions(
     if not rising:
         findings.append(_falling_targets(out))
     return numbered, (words,), findings
+
+
+def _other_version(sections: Sections) -> list[str]:
+    """Return in words that the layout is that of another version than the file's."""
+    version = sections.value("HEADER", "Version no")[0]
+    if version.startswith(_KNOWN_VERSION) or not version:
+        return []
+    return [f"layout: that of {_KNOWN_VERSION} (the file says version {version})"]
 
 
 def _traverses(runs: Sequence[int]) -> str:

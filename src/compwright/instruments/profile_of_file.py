@@ -45,7 +45,8 @@ def proposed_profile(content: bytes, file: str) -> Proposed:
                 file=file,
             )
         )
-    return _proposed(lines, encoding, file)
+    # plain ASCII tells nothing of the encoding of the next file of the same program
+    return _proposed(lines, "" if content.isascii() else encoding, file)
 
 
 def _of_workbook(content: bytes, file: str) -> Proposed:
