@@ -32,9 +32,12 @@ SERIES: Mapping[str, tuple[int, ...]] = {
 
 @dataclass(frozen=True)
 class Cost:
-    """Wall seconds of a run, and the largest memory of one of its processes, MB (0: not told)."""
+    """Wall seconds of a run, processor seconds of all its processes, and the largest memory of one
+    of them, MB (the last two 0 where the system does not tell).
+    """
 
     seconds: float
+    processor: float
     megabytes: float
 
 
@@ -75,22 +78,24 @@ def cost(job: Path) -> Cost:
     running = subprocess.Popen(
         command, env=environment(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
     )
-    largest = _memory_of(running)
+    processor, largest = _used_by(running)
     seconds = time.perf_counter() - start
     if running.returncode not in (0, 1):
         raise SystemExit(f"{' '.join(command)} ended with {running.returncode}")
-    return Cost(seconds, largest)
+    return Cost(seconds, processor, largest)
 
 
-def _memory_of(running: subprocess.Popen[bytes]) -> float:
-    """Wait for a process; return the largest memory of it and of those that it started, MB."""
+def _used_by(running: subprocess.Popen[bytes]) -> tuple[float, float]:
+    """Wait for a process; return the processor seconds of it and of those that it started, and the
+    largest memory of one of them, MB.
+    """
     if not hasattr(os, "wait4"):  # not told on Windows
         running.wait()
-        return 0.0
+        return 0.0, 0.0
     _, status, usage = os.wait4(running.pid, 0)
     running.returncode = os.waitstatus_to_exitcode(status)
     unit = 1024.0**2 if sys.platform == "darwin" else 1024.0
-    return usage.ru_maxrss / unit
+    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / unit
 
 
 def measured(most: float, each: Callable[[str, int, Cost], None]) -> dict[str, dict[int, Cost]]:
@@ -119,13 +124,14 @@ def draw(found: Mapping[str, Mapping[int, Cost]], path: Path) -> None:
     for column, (series, costs) in zip(panels.T, found.items(), strict=True):
         sizes = list(costs)
         column[0].plot(sizes, [one.seconds for one in costs.values()], "o-", markersize=3)
+        column[0].plot(sizes, [one.processor for one in costs.values()], "x:", markersize=3)
         column[1].plot(sizes, [one.megabytes for one in costs.values()], "s-", markersize=3)
         column[1].set_xlabel(series)
         for panel in column:
             panel.set_xlim(left=0)
             panel.set_ylim(bottom=0)
             panel.grid(visible=True, linewidth=0.4)
-    panels[0][0].set_ylabel("seconds")
+    panels[0][0].set_ylabel("seconds (dotted: of processors)")
     panels[1][0].set_ylabel("MB, largest process")
     figure.suptitle("run, whole process with report: 1 axis, 41 targets, else as named")
     figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
@@ -140,7 +146,11 @@ def main(words: Sequence[str] | None = None) -> None:
     print(f"whole processes on {two_processors()}")
 
     def told(series: str, size: int, one: Cost) -> None:
-        print(f"{size:6} {series:8} {one.seconds:6.2f} s {one.megabytes:6.0f} MB", flush=True)
+        print(
+            f"{size:6} {series:8} {one.seconds:6.2f} s, processor {one.processor:6.2f} s,"
+            f" {one.megabytes:4.0f} MB",
+            flush=True,
+        )
 
     found = measured(given.most, told)
     if given.plot is not None:

@@ -404,11 +404,14 @@ def render(figure: Any, kind: PlotFormat) -> bytes:
         "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
     }
     height_in_inches = float(figure.get_figheight())
-    buffer = io.BytesIO()
     if kind == "svg":  # savefig would draw everything twice
-        canvas = need("matplotlib.backends.backend_svg").FigureCanvasSVG(figure)
-        canvas.print_svg(buffer, metadata=metadata[kind])
-        return buffer.getvalue()
+        canvas, text = (
+            need("matplotlib.backends.backend_svg").FigureCanvasSVG(figure),
+            io.StringIO(),
+        )
+        canvas.print_svg(text, metadata=metadata[kind])
+        return text.getvalue().encode()
+    buffer = io.BytesIO()
     dpi = min(_PNG_DPI, _PNG_LARGEST / height_in_inches) if kind == "png" else 72.0
     figure.savefig(buffer, format=kind, dpi=dpi, metadata=metadata[kind])
     return buffer.getvalue()
