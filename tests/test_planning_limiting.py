@@ -26,9 +26,9 @@ from compwright.planning.shortfalls import PERIOD, QUANTUM, REVERSAL, shortfalls
 from compwright.planning.verdict import verdict
 from compwright.planning.worth import worth_of_points
 from compwright.prediction.acting import nothing
-from compwright.records.axis import Axis, Direction
+from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.capacity import Capacity
-from compwright.records.correction import no_compensation
+from compwright.records.correction import AxisCompensation, no_compensation
 from compwright.records.estimate import AxisPeriod
 from compwright.records.fitted import TableRequest
 from compwright.records.limits import Limiting, Worth
@@ -50,12 +50,17 @@ ONE_CURVE: dict[str, Any] = {"curves": 1, "backlash_quantum": 1e-7, "backlash_ra
 
 
 def fitted(
-    known: KnownAxis, *, spacing: float = 50.0, axis: Axis | None = None, **limits: Any
+    known: KnownAxis,
+    *,
+    spacing: float = 50.0,
+    axis: Axis | None = None,
+    active: AxisCompensation | None = None,
+    **limits: Any,
 ) -> AxisWork:
     """An axis whose table is fitted to its known error, on nodes every ``spacing`` mm."""
     axis = axis or axis_of()
     bare = no_compensation(axis.address, axis.kind)
-    work = work_of(known, axis, active=bare)
+    work = work_of(known, axis, active=active or bare)
     dense = np.linspace(*axis.travel, 4001)
     request = TableRequest(start=0.0, end=1000.0, spacing=spacing)
     periods = tuple(AxisPeriod(one, 1.0, "job") for one in axis.screw_pitch)
@@ -300,6 +305,23 @@ def test_a_point_is_worth_what_it_takes_away() -> None:
         assert one.median / UM <= 40.0 * 0.391 * (one.spacing / 1000.0) ** 2 + 1e-6
         assert one.p05 <= one.median <= one.p95
     assert found[0].median / UM > 9.0  # targets come near the ends, and near the middle
+
+
+def test_what_acted_during_the_test_is_taken_off_every_size() -> None:
+    """20 µm of slope that the old table made, in an axis without error of its own: two points take
+    it away as well as twenty-one.
+    """
+    line = np.array([0.0, 20.0 * UM])
+    old = AxisCompensation(
+        address="X",
+        kind=AxisKind.LINEAR,
+        positions=np.array([0.0, 1000.0]),
+        positive=line,
+        negative=line,
+    )
+    known = both(lambda x: 20e-6 * x)
+    work = fitted(known, spacing=50.0, active=old)
+    assert [one.median / UM for one in worth_of(work)] == pytest.approx([0.0] * 8, abs=0.01)
 
 
 def test_nothing_is_shown_where_there_is_nothing_to_choose() -> None:
