@@ -6,11 +6,10 @@ the guard band U alone.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
-
-import numpy as np
 
 from compwright.evaluation.uncertainty import slope_between_tests
 from compwright.records.job import Job
@@ -20,18 +19,28 @@ from compwright.records.positioning import PositioningTest
 
 def with_slopes(job: Job, tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
     """Return the tests of an axis with the standard deviation of the slope (mm/mm) that each has of
-    its own.
-
-    ``guarded``: the slope of the first test, on which the table stands, is in U; the others lie
-    beside it by both.
+    its own; ``guarded``: beside the first test, whose slope is in U.
     """
     first = tests[0].test
-    own = [
-        slope_between_tests(each.test, job.budget(each.test.kind), first.thermal) for each in tests
-    ]
-    if job.decision_rule == "guarded":
-        own = [0.0, *(float(np.hypot(own[0], slope)) for slope in own[1:])]
-    return tuple(replace(test, slope_std=slope) for test, slope in zip(tests, own, strict=True))
+    own = tuple(
+        replace(
+            each,
+            slope_std=slope_between_tests(each.test, job.budget(each.test.kind), first.thermal),
+        )
+        for each in tests
+    )
+    return beside_first(own) if job.decision_rule == "guarded" else own
+
+
+def beside_first(tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
+    """Return the tests with slopes as they lie beside the first, on which the table stands: it has
+    none, the others both.
+    """
+    first, *others = tests
+    return (
+        replace(first, slope_std=0.0),
+        *(replace(each, slope_std=math.hypot(first.slope_std, each.slope_std)) for each in others),
+    )
 
 
 def fresh_slope(rule: Literal["simple", "guarded"], test: PlannedTest) -> float:
@@ -42,13 +51,9 @@ def fresh_slope(rule: Literal["simple", "guarded"], test: PlannedTest) -> float:
 
 
 def slope_after(job: Job, tests: Sequence[PlannedTest], after: PositioningTest) -> float:
-    """Return the standard deviation of the slope (mm/mm) that a test ``after`` loading may have
-    against the error that the ``tests`` before tell.
-
-    Under ``guarded`` that error is told without the uncertain slope of its own test: both count.
+    """Return the standard deviation of the slope (mm/mm) between the first of the ``tests`` and a
+    test ``after`` loading.
     """
     budget, first = job.budget(after.kind), tests[0].test
-    own = slope_between_tests(after, budget, first.thermal)
-    if job.decision_rule != "guarded":
-        return own
-    return float(np.hypot(own, slope_between_tests(first, budget, first.thermal)))
+    own = (slope_between_tests(each, budget, first.thermal) for each in (first, after))
+    return math.hypot(*own)

@@ -76,8 +76,8 @@ def judge_loading(
     temperature) belongs in it. ``noise``: standard deviation of a single reading, with
     ``noise_dof`` degrees of freedom; used where the after test has too few repeats of its own. All
     in mm or deg by ``unit``; ``positions`` (m,) for the slope and the message; ``declared_slope``:
-    standard deviation (mm/mm) of the slope that ``covariance`` allows by declared temperatures,
-    None where no temperature makes a slope (angles).
+    standard deviation (mm/mm) of a slope between the tests beside ``covariance``, by what is
+    declared of temperature; None where no temperature makes a slope (angles).
 
     ``loaded`` (``not_active``) needs all of: the measured part of the effect is 1 (0) within its
     error or within 0.05, what is left besides is noise alone, and it is 100 times likelier than the
@@ -98,9 +98,13 @@ def judge_loading(
             message="Cannot tell: the after test has fewer than 3 measured means.",
         )
     sigma, dof = after_noise(after_positive, after_negative, noise, noise_dof)
+    tilted = covariance
+    if positions is not None and declared_slope:
+        tilt = declared_slope * np.tile(positions - positions.mean(), 2)
+        tilted = covariance + np.outer(tilt, tilt)
 
-    def compare(up: FloatArray, down: FloatArray, along: FloatArray | None = None) -> Comparison:
-        return compare_readings(up, down, loaded, inactive, covariance, sigma, dof, along)
+    def compare(up: FloatArray, down: FloatArray) -> Comparison:
+        return compare_readings(up, down, loaded, inactive, tilted, sigma, dof)
 
     compared = compare(after_positive, after_negative)
     words = Words(np.flatnonzero(used), after_positive.shape[0], positions, unit)
@@ -111,7 +115,9 @@ def judge_loading(
     along = np.tile(positions, 2)
     # two positions are a straight line whatever they show
     if np.unique(along[used]).size > 2 and compared.count > 3:
-        sloped = compare(after_positive, after_negative, along)
+        sloped = compare_readings(
+            after_positive, after_negative, loaded, inactive, covariance, sigma, dof, along
+        )
         readings = np.concatenate([count_readings(after_positive), count_readings(after_negative)])
         error = sigma * math.sqrt(2.0 / float(readings[used].mean()))
         acts_by = _acts_by((loaded - inactive)[used], sloped.slope[0] * along[used], error)
@@ -127,7 +133,8 @@ def _beyond(sloped: Comparison, declared_slope: float) -> bool:
 
     Only where it declares something: what a test shows that fits as it stands needs no name.
     """
-    slope, error = sloped.slope
+    slope, own = sloped.slope
+    error = math.hypot(own, declared_slope)
     return declared_slope > 0.0 and normal_score((slope / error) ** 2, 1.0, sloped.dof) > _FITS
 
 
@@ -148,9 +155,8 @@ def _with_slope(
     stands = _fits(plain, 1.0) or _fits(plain, 0.0)
     if stands and not _beyond(sloped, declared_slope):
         return verdict
-    slope, error = sloped.slope
-    own_error = math.sqrt(max(error**2 - declared_slope**2, 0.0))
-    if abs(slope) < _SLOPE * error:
+    slope, own_error = sloped.slope
+    if abs(slope) < _SLOPE * math.hypot(own_error, declared_slope):
         return verdict
     found = replace(verdict, slope=(slope, own_error))
     text = slope_text(slope, own_error, declared_slope)

@@ -10,10 +10,11 @@ import numpy as np
 
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis
 from compwright.estimation.cells import folded_findings
+from compwright.estimation.observed import ObservedTest
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import evaluated
-from compwright.planning.declared import fresh_slope, slope_after
+from compwright.planning.declared import beside_first, fresh_slope, slope_after
 from compwright.planning.limits import lacking_guard, measured_decisions
 from compwright.planning.motions import with_motion
 from compwright.planning.outlook import DRAWS, Like, predict
@@ -21,7 +22,7 @@ from compwright.planning.wanted import MeasuredError, measured_error, observed_t
 from compwright.prediction.acting import Correction, difference, nothing
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.job import Job
-from compwright.records.plan import PlannedAxis, PlannedTest
+from compwright.records.plan import PlannedAxis
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
 from compwright.records.settled import LOGARITHM, settled_number
@@ -53,9 +54,8 @@ def verified_axis(
     repeated = planned.tests[place]
     before_test = repeated.test
     before, result = (evaluated(job, axis, test) for test in (before_test, after.test))
-    posterior = measured_error(
-        planned.tests, observed_tests(planned.tests, planned.active), axis, planned.active
-    )
+    observed = observed_tests(planned.tests, planned.active)
+    posterior = measured_error(planned.tests, observed, axis, planned.active)
     active = nothing if planned.active is None else planned.active.at
     table = None if planned.fitted is None else planned.fitted.compensation.at
     # The test after loading was taken at the motion of the one that it repeats.
@@ -66,7 +66,13 @@ def verified_axis(
     change = difference(new, active)
     fault = twice or measurement_fault(after.test, before_test, axis.travel)
     loading = (
-        _judge(job, planned.tests, after.test, posterior, change, difference(unchanged, active))
+        _judge(
+            after.test,
+            _judged_against(planned, observed, posterior),
+            change,
+            difference(unchanged, active),
+            slope_after(job, planned.tests, after.test),
+        )
         if fault is None
         else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
     )
@@ -143,16 +149,28 @@ def _expected(
     return ExpectedMeans(positions=targets, positive=positive, negative=negative, s=estimate.noise)
 
 
+def _judged_against(
+    planned: PlannedAxis, observed: Sequence[ObservedTest], posterior: MeasuredError
+) -> MeasuredError:
+    """Return the error without the uncertain slope of the first test: between the tests that slope
+    is one number together with that of the test after loading.
+    """
+    beside = beside_first(planned.tests)
+    if all(one.slope_std == each.slope_std for one, each in zip(beside, observed, strict=True)):
+        return posterior
+    sloped = [
+        replace(each, slope_std=one.slope_std) for one, each in zip(beside, observed, strict=True)
+    ]
+    return measured_error(beside, sloped, planned.axis, planned.active)
+
+
 def _judge(
-    job: Job,
-    tests: Sequence[PlannedTest],
     test: PositioningTest,
     posterior: MeasuredError,
     loaded: Correction,
     inactive: Correction,
+    slope_std: float,
 ) -> LoadingVerdict:
-    slope_std = slope_after(job, tests, test)
-    slope = slope_std * np.tile(test.targets - test.targets.mean(), 2)
     draws = posterior.draw(test.targets, DRAWS, np.random.default_rng(0))
     estimate = posterior.summary(test.targets)
     expected = {
@@ -169,14 +187,12 @@ def _judge(
         expected[Direction.NEGATIVE][0],
         expected[Direction.POSITIVE][1],
         expected[Direction.NEGATIVE][1],
-        np.cov(np.hstack([draws.positive, draws.negative]), rowvar=False) + np.outer(slope, slope),
+        np.cov(np.hstack([draws.positive, draws.negative]), rowvar=False),
         posterior.noise,
         noise_dof=posterior.noise_dof,
         positions=test.targets,
         unit=test.kind.unit,
-        declared_slope=(
-            float(np.hypot(slope_std, tests[0].slope_std)) if test.kind is AxisKind.LINEAR else None
-        ),
+        declared_slope=slope_std if test.kind is AxisKind.LINEAR else None,
     )
 
 
