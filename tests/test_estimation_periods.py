@@ -76,9 +76,11 @@ def named(search: PeriodSearch) -> list[float]:
 
 
 @pytest.mark.parametrize("harmonics", [(1,), (1, 2)])
-@pytest.mark.parametrize("kinked", [True, False])
-def test_likelihood_is_that_of_a_normal_vector(harmonics: tuple[int, ...], kinked: bool) -> None:
-    """Rasmussen and Williams 2006, eq. 2.30 with eq. 4.16 and 4.9, dense, free columns projected
+@pytest.mark.parametrize("smoothness", [1.5, 2.5, np.inf])
+def test_likelihood_is_that_of_a_normal_vector(
+    harmonics: tuple[int, ...], smoothness: float
+) -> None:
+    """Rasmussen and Williams 2006, eq. 2.30 with eq. 4.9 and 4.17, dense, free columns projected
     out; the sines stand for the covariance to about 1 % of it, which moves the logarithm by less
     than 0.1."""
     rng = np.random.default_rng(3)
@@ -88,7 +90,9 @@ def test_likelihood_is_that_of_a_normal_vector(harmonics: tuple[int, ...], kinke
     middles.variances[3] *= 2.0
     likelihood = PeriodLikelihood(middles, smooth_basis(length, sines=112))
     number = next(
-        i for i, each in enumerate(likelihood.nodes) if each.kinked == kinked and each.length > 0.25
+        i
+        for i, each in enumerate(likelihood.nodes)
+        if each.smoothness == smoothness and each.length > 0.25
     )
     node, index, step = likelihood.nodes[number], likelihood.nodes[number].log.size // 2, 5
     choice = Choice(((number, np.array([index])),), np.array([step]))
@@ -96,11 +100,12 @@ def test_likelihood_is_that_of_a_normal_vector(harmonics: tuple[int, ...], kinke
 
     unit = float(np.sqrt(np.median(middles.variances)))
     apart = np.abs(targets[:, None] - targets) / (length / 2) / node.length
-    if kinked:
-        near = np.sqrt(5.0) * apart
-        kernel = (1.0 + near + near**2 / 3.0) * np.exp(-near)
-    else:
-        kernel = np.exp(-(apart**2) / 2.0)
+    three, five = np.sqrt(3.0) * apart, np.sqrt(5.0) * apart
+    kernel = {
+        1.5: (1.0 + three) * np.exp(-three),
+        2.5: (1.0 + five + five**2 / 3.0) * np.exp(-five),
+        np.inf: np.exp(-(apart**2) / 2.0),
+    }[smoothness]
     covariance = node.smooth[index] ** 2 * kernel
     covariance += np.diag(middles.variances / unit**2) / node.white[index]
     centre, width = likelihood.amplitude

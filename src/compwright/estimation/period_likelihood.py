@@ -22,7 +22,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.basis import Basis, log_density
+from compwright.estimation.basis import LEAST_SMOOTHNESS, Basis, smooth_density
 from compwright.records.axis import FloatArray
 
 #: Steps of the grid, natural logarithms.
@@ -34,6 +34,8 @@ LENGTH: Final = (float(np.log(0.4)), 0.8)
 #: Amplitudes of a wave, in widths of their prior.
 AMPLITUDES: Final = np.arange(-2.0, 2.01, 0.5)
 
+#: What stands for a smoothness that exceeds the least by nothing.
+_NO_EXCESS: Final = 1e-3
 #: Nodes count that come so near to the best one (natural logarithm).
 _MATTERS: Final = 4.0
 
@@ -63,8 +65,7 @@ class Middles:
 
 @dataclass(frozen=True, slots=True)
 class Nodes:
-    """Nodes of the grid that share one ``length`` (in units of the half range) and kind of smooth
-    part (``kinked``: Matérn).
+    """Nodes of the grid that share one ``length`` (in units of the half range) and ``smoothness``.
 
     ``smooth`` (n,): its standard deviation; ``weights`` (n, r), ``white`` (n,): precisions along
     its directions and beside them; ``log`` (n,): likelihood without a wave times prior; ``turned``
@@ -72,7 +73,7 @@ class Nodes:
     """
 
     length: float
-    kinked: bool
+    smoothness: float
     smooth: FloatArray
     weights: FloatArray
     white: FloatArray
@@ -135,7 +136,7 @@ class PeriodLikelihood:
         smooth = np.exp(2.0 * (np.log(self.roughness) + 1.5 * steps))
         smooth_prior = -0.5 * steps**2
         quiet = float(self.beside @ self.beside) if self.left else 0.0
-        for length, kinked, log_variances in _densities(basis.frequencies):
+        for length, smoothness, log_variances in _densities(basis.frequencies):
             scaled = rows * np.exp(0.5 * log_variances)
             values, vectors = np.linalg.eigh(scaled @ scaled.T)
             turned = vectors.T
@@ -157,7 +158,7 @@ class PeriodLikelihood:
             found.append(
                 Nodes(
                     length,
-                    kinked,
+                    smoothness,
                     np.repeat(np.sqrt(smooth), white.size),
                     1.0 / variances,
                     1.0 / each,
@@ -257,7 +258,7 @@ class PeriodLikelihood:
         """Return nodes for a first look at many frequencies: one length, every other level of the
         rest."""
         away = [round(abs(np.log(node.length) - LENGTH[0]), 6) for node in self.nodes]
-        middle = np.argsort(away, kind="stable")[:2]
+        middle = np.argsort(away, kind="stable")[1:3]
         size = self.white_size
         levels = self.nodes[0].log.size // size
         kept = np.array([i * size + j for i in range(0, levels, 2) for j in range(0, size, 3)])
@@ -314,16 +315,18 @@ def _gain(
     return total
 
 
-def _densities(frequencies: FloatArray) -> Iterator[tuple[float, bool, FloatArray]]:
-    """Yield length, kind and log spectral density at the ``frequencies`` of processes with kinks in
-    the second derivative (Matérn 5/2) and of ones without any (squared exponential: Rasmussen and
-    Williams 2006, section 4.2.1), as likely each.
+def _densities(frequencies: FloatArray) -> Iterator[tuple[float, float, FloatArray]]:
+    """Yield length, smoothness and log spectral density at the ``frequencies`` of the smooth parts:
+    Matérn with kinks in the slope (3/2) or its change (5/2), and without any (infinite: squared
+    exponential, Rasmussen and Williams 2006, section 4.2.1), as likely each.
     """
     for step in np.arange(-1.6, 1.61, _LENGTH_STEP / LENGTH[1]):
         length = float(np.exp(LENGTH[0] + LENGTH[1] * step))
-        yield length, True, log_density(frequencies, float(np.log(length)))[0]
+        for smoothness in (LEAST_SMOOTHNESS, 2.5):
+            excess = float(np.log(max(smoothness - LEAST_SMOOTHNESS, _NO_EXCESS)))
+            yield length, smoothness, smooth_density(frequencies, float(np.log(length)), excess)[0]
         squared = np.log(np.sqrt(2.0 * np.pi) * length) - 0.5 * (length * frequencies) ** 2
-        yield length, False, squared
+        yield length, np.inf, squared
 
 
 def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArray, FloatArray]:
@@ -332,12 +335,12 @@ def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArra
 
     In units of the noise variance of a middle. Noise: a normal logarithm of variance 2 / dof
     (JCGM 100:2008, eq. G.3; without any, a factor e either way on the standard deviation). Local
-    part: logarithm about that of 0.3 readings' noise with width 1.5.
+    part: logarithm about that of 0.1 readings' noise with width 1.5.
     """
     width = float(np.sqrt(2.0 / dof)) if dof else 2.0
     steps = np.linspace(-2.5, 2.5, 21)
     noise = np.exp(width * steps)
-    local = np.exp(2.0 * (np.log(0.3 * spread) + 1.5 * steps))
+    local = np.exp(2.0 * (np.log(0.1 * spread) + 1.5 * steps))
     together = np.log(noise[:, np.newaxis] + local).ravel()
     mass = np.exp(-0.5 * (steps[:, np.newaxis] ** 2 + steps**2)).ravel()
     low = float(np.log(noise[3]))

@@ -27,7 +27,7 @@ from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.estimate import AxisPeriod, PeriodEvidence
 
 #: What is expected before the data: the first period, and one beside those that are known.
-FIRST: Final = Odds(none=0.2, usual=0.65)
+FIRST: Final = Odds(none=0.3, usual=0.53)
 FURTHER: Final = Odds(none=0.75, usual=0.18)
 #: A period repeats at least so often over the targets: fewer waves are smooth error.
 LEAST_REPEATS: Final = 8.0

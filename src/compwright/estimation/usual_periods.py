@@ -35,23 +35,23 @@ def _leads() -> list[UsualPeriod]:
         UsualPeriod(
             lead,
             f"a screw lead of {lead:g} mm",
-            4.0 if lead in most else 3.0 if lead in often else 1.0,
+            4.0 if lead in most else 3.0 if lead in often else 0.5,
         )
         for lead in (*metric, *steep)
     ]
     return found + [
-        UsualPeriod(part * _INCH, f"a screw lead of {part:g} inch", 0.5) for part in inch
+        UsualPeriod(part * _INCH, f"a screw lead of {part:g} inch", 0.25) for part in inch
     ]
 
 
 def _beside_leads() -> list[UsualPeriod]:
     """Scales and drives other than screws; half leads that are no lead themselves."""
     return [
-        UsualPeriod(7.5, "half a screw lead of 15 mm", 0.5),
-        UsualPeriod(12.5, "half a screw lead of 25 mm", 0.5),
-        UsualPeriod(24.0, "a pair of magnets of a linear motor", 0.5),
-        UsualPeriod(36.0, "a pair of magnets of a linear motor", 0.5),
-        UsualPeriod(60.0, "a pair of magnets of a linear motor", 0.5),
+        UsualPeriod(7.5, "half a screw lead of 15 mm", 0.25),
+        UsualPeriod(12.5, "half a screw lead of 25 mm", 0.25),
+        UsualPeriod(24.0, "a pair of magnets of a linear motor", 0.25),
+        UsualPeriod(36.0, "a pair of magnets of a linear motor", 0.25),
+        UsualPeriod(60.0, "a pair of magnets of a linear motor", 0.25),
         UsualPeriod(6.6667, "a tooth of a helical rack", 0.25),
         UsualPeriod(13.3333, "a tooth of a helical rack", 0.25),
     ]
