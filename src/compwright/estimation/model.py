@@ -98,7 +98,8 @@ def fitted(cells: Cells, travel: Travel, periods: Periods, *, varying: bool, dra
     fitted to the cells; ``draws`` equally likely hyperparameters.
     """
     evidence = evidence_of(cells, travel, periods, varying=varying)
-    proposals = 2 * draws if cells.targets.size <= 100 else draws
+    # Many targets leave little room for the hyperparameters.
+    proposals = 2 * draws if cells.targets.size <= 100 else 2 * draws // 3
     return Fitted(
         evidence,
         draw_hyperparameters(
