@@ -34,6 +34,9 @@ axes:
     error: {slope_arcsec_per_deg: 0.07, smooth: {amplitude_arcsec: 5, seed: 3},
       reversal: {mean_arcsec: -4, varies_arcsec: 1, seed: 4}, noise_arcsec: 0.7}
     test: {targets: 9}
+circles:
+  xy: {plane: XY, radius_mm: 150, feed_mm_min: 1000, centre: [250, 0], error: {noise_um: 0.3,
+    squareness_um_per_m: 20, offset_um: [9, -7], X: {lost_motion_um: 3}}}
 """
 JOB = """
 compwright: 1
@@ -42,6 +45,8 @@ states: {as_found: none}
 axes:
   X: {travel: [0, 500], address: AX1, before: [x.csv], accept: {A: 12}}
   B: {kind: rotary, travel: [-30, 120], address: AX2, before: [b.csv]}
+circles:
+  - {file: xy.csv, name: xy, centre: [250, 0]}
 """
 #: One processor where the system can say so: axes in turn, else side by side.
 PROGRAM = """

@@ -12,10 +12,11 @@ import numpy as np
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.circular import CircularEffect, CircularResult, CircularRun, Diagnosis
+from compwright.records.settled import OUTSIDE
 
-#: Digits after the decimal point, as in the positioning documents: takes away the noise of binary
-#: numbers, keeps every real digit.
-_DIGITS: Final = 9
+#: Digits after the decimal point: takes away the noise of binary numbers and the last bits of the
+#: fit, keeps every real digit.
+_DIGITS: Final = OUTSIDE
 _SENSES: Final = ("ccw", "cw")
 
 

@@ -22,6 +22,7 @@ from compwright.records.prediction import (
     TestPrediction,
 )
 from compwright.records.result import PositioningResult
+from compwright.records.settled import OUTSIDE, settled_number
 
 SCHEMA = "compwright/prediction/1"
 
@@ -94,11 +95,12 @@ def circle_values(result: CircularResult) -> dict[str, float | None]:
     names.
     """
     values = {
-        name: None if value is None else value * MICROMETRES_PER_MILLIMETRE
+        name: None if value is None else settled_number(value * MICROMETRES_PER_MILLIMETRE, OUTSIDE)
         for name, value in result.parameters.items()
     }
     effects = {} if result.diagnosis is None else result.diagnosis.effects
-    return {**values, **{name: effect.value for name, effect in effects.items()}}
+    causes = {name: settled_number(effect.value, OUTSIDE) for name, effect in effects.items()}
+    return {**values, **causes}
 
 
 def circle_quantiles(circle: CirclePrediction) -> dict[str, dict[str, float]]:
@@ -106,7 +108,11 @@ def circle_quantiles(circle: CirclePrediction) -> dict[str, dict[str, float]]:
     return {
         **quantiles_outside(circle.predicted, AxisKind.LINEAR),
         **{
-            name: {"median": value.median, "p05": value.p05, "p95": value.p95}
+            name: {
+                "median": settled_number(value.median, OUTSIDE),
+                "p05": settled_number(value.p05, OUTSIDE),
+                "p95": settled_number(value.p95, OUTSIDE),
+            }
             for name, value in circle.causes.items()
         },
     }

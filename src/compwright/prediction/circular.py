@@ -20,6 +20,7 @@ from compwright.evaluation.circular import evaluate_circle
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularResult, CircularRun, CircularTest, Diagnosis
 from compwright.records.prediction import CirclePrediction, Quantiles
+from compwright.records.settled import settled_number
 
 __all__ = ["CirclePath", "moved_test", "path_of", "predict_circle"]
 
@@ -133,7 +134,9 @@ def predict_circle(
 
 def _quantiles(values: FloatArray) -> Quantiles:
     p05, median, p95 = np.quantile(values, [0.05, 0.5, 0.95])
-    return Quantiles(median=float(median), p05=float(p05), p95=float(p95))
+    return Quantiles(
+        median=settled_number(median), p05=settled_number(p05), p95=settled_number(p95)
+    )
 
 
 def _causes(diagnosis: Diagnosis) -> Iterator[tuple[str, Quantiles]]:
@@ -192,7 +195,9 @@ def _shapes(
         _BOTH_TESTS * diagnosis.correlation[np.ix_(order, order)] * np.outer(errors, errors)
     )
     values, vectors = np.linalg.eigh(covariance)
-    drawn = rng.standard_normal((draws, len(names))) * np.sqrt(np.maximum(values, 0.0)) @ vectors.T
+    # The symmetric root is the only one: signs and order of eigenvectors hang on the processor.
+    root = (vectors * np.sqrt(np.maximum(values, 0.0))) @ vectors.T
+    drawn = rng.standard_normal((draws, len(names))) @ root
     samples = sum(run.angles.size for run in test.runs)
     independent = samples / max(diagnosis.correlation_length, 1.0)
     mean = (
