@@ -109,7 +109,9 @@ def foreign_table(
     return ForeignTable(
         columns,
         tuple(
-            ForeignRow(row.line, row.cells + ("",) * (len(columns) - len(row.cells)))
+            row
+            if len(row.cells) == len(columns)
+            else ForeignRow(row.line, row.cells + ("",) * (len(columns) - len(row.cells)))
             for row in rows
         ),
         tuple(line.strip() for line in text[: max(header_line - 1, 0)] if line.strip(" \t,;|")),

@@ -71,7 +71,8 @@ def at_its_header(text: Sequence[str], profile: Profile) -> Profile:
 def has_columns(text: Sequence[str], profile: Profile) -> bool:
     """Whether the columns of a profile are all there in the lines of a file."""
     faults = FaultList("")
-    table = foreign_table(text, profile.delimiter, profile.header_line, faults)
+    top = text[: profile.header_line] if profile.header_line else text
+    table = foreign_table(top, profile.delimiter, profile.header_line, faults)
     return not faults and set(_wanted(profile)) <= set(table.columns)
 
 

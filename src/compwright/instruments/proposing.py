@@ -40,6 +40,8 @@ from compwright.records.axis import FloatArray
 
 #: Rows that are looked at for the shape of the table.
 _LOOKED_AT: Final = 400
+#: Lines from which a profile is proposed; the reader sees them all.
+_MOST_LINES: Final = 20_000
 #: A deviation that is the difference of two other columns is so within this share of its size.
 _SAME_SHARE: Final = 1e-3
 _MOST_WORDS = 6
@@ -65,6 +67,7 @@ class Proposal:
 def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
     """Return the profile for the lines of a table. Raises InputError where no table is found."""
     faults = FaultList(file)
+    text = text[:_MOST_LINES]
     shape = _shape(text)
     if shape is None:
         faults.add(
@@ -224,12 +227,15 @@ class _Columns:
             name: [row.cells[index] for row in table.rows]
             for index, name in enumerate(table.columns)
         }
+        self._numbers: dict[str, FloatArray] = {}
         self.roles: dict[str, Role | None] = {name: role_of(name) for name in table.columns}
 
     def numbers(self, name: str) -> FloatArray:
         """Return the numbers of a column, NaN where a cell is none."""
-        found = [_number(text, self.decimal) for text in self.texts[name]]
-        return np.array([np.nan if one is None else one for one in found], dtype=np.float64)
+        if name not in self._numbers:
+            found = [_number(text, self.decimal) for text in self.texts[name]]
+            self._numbers[name] = np.array([np.nan if one is None else one for one in found])
+        return self._numbers[name]
 
     def numeric(self, name: str) -> bool:
         values = self.numbers(name)

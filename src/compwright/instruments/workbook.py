@@ -4,12 +4,15 @@ with every digit that the workbook holds.
 
 from __future__ import annotations
 
+import re
 import warnings
 import zipfile
+import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import date, datetime, time
 from io import BytesIO
+from itertools import repeat
 from typing import Any, Final
 
 from compwright.foundations.errors import Fault, InputError
@@ -18,6 +21,7 @@ _SIGNATURE: Final = b"PK\x03\x04"
 #: Bytes of all parts of a workbook, unpacked, and cells of all its sheets, beyond which it is
 #: refused: a test has some hundred readings.
 _MOST_BYTES: Final = 200_000_000
+_FORMULA: Final = re.compile(rb"<(?:\w+:)?f[ />]")
 _MOST_CELLS: Final = 2_000_000
 
 
@@ -41,7 +45,7 @@ def sheets_of(content: bytes, file: str) -> tuple[Sheet, ...]:
     that is no workbook, one that is damaged or too large, a formula without a result, and where
     openpyxl (the extra ``excel``) is missing.
     """
-    _check_size(content, file)
+    formulas = _check_size(content, file)
     try:
         import openpyxl
     except ImportError as error:
@@ -57,8 +61,8 @@ def sheets_of(content: bytes, file: str) -> tuple[Sheet, ...]:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of what a workbook has beside its cells
             values = openpyxl.load_workbook(BytesIO(content), read_only=True, data_only=True)
-            formulas = openpyxl.load_workbook(BytesIO(content), read_only=True)
-            sheets = tuple(_sheets(values, formulas, file))
+            written = openpyxl.load_workbook(BytesIO(content), read_only=True) if formulas else None
+            sheets = tuple(_sheets(values, written, file))
     except InputError:
         raise
     except Exception as error:
@@ -73,7 +77,8 @@ def sheets_of(content: bytes, file: str) -> tuple[Sheet, ...]:
     return tuple(sheet for sheet in sheets if any(sheet.lines))
 
 
-def _check_size(content: bytes, file: str) -> None:
+def _check_size(content: bytes, file: str) -> bool:
+    """Return whether a workbook holds formulas. Raises InputError for no or a huge workbook."""
     try:
         with zipfile.ZipFile(BytesIO(content)) as archive:
             size = sum(member.file_size for member in archive.infolist())
@@ -105,15 +110,21 @@ def _check_size(content: bytes, file: str) -> None:
                 found=f"{size // 1_000_000} MB",
             )
         )
+    with zipfile.ZipFile(BytesIO(content)) as archive:
+        sheets = [name for name in names if name.startswith("xl/worksheets/")]
+        try:
+            return any(_FORMULA.search(archive.read(name)) for name in sheets)
+        except (zipfile.BadZipFile, zlib.error, NotImplementedError, EOFError):
+            return True  # openpyxl says what is wrong with it
 
 
-def _sheets(values: Any, formulas: Any, file: str) -> Iterator[Sheet]:
+def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[Sheet]:
     count = 0
     for sheet in values.worksheets:
         lines: list[str] = []
-        written = formulas[sheet.title]
-        for row, (cells, beside) in enumerate(
-            zip(sheet.iter_rows(), written.iter_rows(), strict=False), start=1
+        beside = formulas[sheet.title].iter_rows() if formulas else repeat(())
+        for row, (cells, written) in enumerate(
+            zip(sheet.iter_rows(), beside, strict=False), start=1
         ):
             count += len(cells)
             if count > _MOST_CELLS:
@@ -125,7 +136,7 @@ def _sheets(values: Any, formulas: Any, file: str) -> Iterator[Sheet]:
                         expected=f"at most {_MOST_CELLS}",
                     )
                 )
-            for cell, formula in zip(cells, beside, strict=False):
+            for cell, formula in zip(cells, written, strict=False):
                 if cell.value is None and formula.data_type == "f":
                     raise InputError(
                         Fault(
