@@ -10,7 +10,8 @@ from compwright.instruments.forms import OPEN_FORMS, PLAIN_CSV, Form, form_of
 from compwright.instruments.own_forms import is_plain_csv
 from compwright.instruments.profile import MARK, SIGNS, VERSION
 from compwright.instruments.profile_text import profile_text, worked_rows
-from compwright.instruments.proposing import has_table, propose
+from compwright.instruments.proposing import propose
+from compwright.instruments.table_shape import has_table
 from compwright.instruments.text_input import read_any_lines
 from compwright.instruments.workbook import is_workbook, sheets_of
 

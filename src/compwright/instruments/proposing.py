@@ -16,11 +16,10 @@ from typing import Any, Final
 import numpy as np
 
 from compwright.instruments.csv_table import traverse_of
-from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.fault_list import FaultList
 from compwright.instruments.foreign_table import (
     DELIMITERS,
     ForeignTable,
-    cells_of,
     foreign_table,
 )
 from compwright.instruments.foreign_units import LENGTHS
@@ -28,18 +27,15 @@ from compwright.instruments.header_words import (
     Role,
     axis_above,
     difference_of,
-    is_unit,
     role_of,
     said_unit,
     sign_word,
     unit_of,
 )
-from compwright.instruments.numbers import parse_number
 from compwright.instruments.profiled import traverses_of
+from compwright.instruments.table_shape import number_in, shape_of, thousands_in
 from compwright.records.axis import FloatArray
 
-#: Rows that are looked at for the shape of the table.
-_LOOKED_AT: Final = 400
 #: Lines from which a profile is proposed; the reader sees them all.
 _MOST_LINES: Final = 20_000
 #: A deviation that is the difference of two other columns is so within this share of its size.
@@ -68,12 +64,12 @@ def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
     """Return the profile for the lines of a table. Raises InputError where no table is found."""
     faults = FaultList(file)
     text = text[:_MOST_LINES]
-    shape = _shape(text)
+    shape = shape_of(text)
     if shape is None:
         faults.add(
             "holds no table of numbers",
             expected="rows of at least two columns, one of them with targets",
-            found=_thousands(text),
+            found=thousands_in(text),
         )
     faults.raise_if_any()
     assert shape is not None  # noqa: S101 - raised above
@@ -112,93 +108,8 @@ def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
     return proposal
 
 
-def _thousands(text: Sequence[str]) -> str:
-    """Return in words the first number with thousands marks, which no table may have."""
-    for line in text[:_LOOKED_AT]:
-        for delimiter in DELIMITERS.values():
-            for cell in cells_of(line, delimiter) or []:
-                try:
-                    parse_number(cell)
-                except ValueError as reason:
-                    if "thousands" in str(reason):
-                        return f"numbers with thousands marks, such as {shown(cell)}"
-    return ""
-
-
-def has_table(text: Sequence[str]) -> bool:
-    """Whether the lines hold a table of numbers."""
-    return _shape(text) is not None
-
-
 def _names(table: ForeignTable) -> str:
     return f" ({', '.join(table.columns[:8])})"
-
-
-def _shape(text: Sequence[str]) -> tuple[str, int] | None:
-    """Return the delimiter, by name, and the line of the header row (0: none) of the largest
-    table.
-    """
-    best: tuple[int, int, str, int] | None = None
-    lines = text[:_LOOKED_AT]
-    for name, delimiter in DELIMITERS.items():
-        counts = [_numbers_in(line, delimiter) for line in lines]
-        rows = [index for index, (numbers, _) in enumerate(counts) if numbers >= 2]
-        if len(rows) < 2:
-            continue
-        width = Counter(counts[index][1] for index in rows).most_common(1)[0][0]
-        first = next(index for index in rows if counts[index][1] == width)
-        score = sum(counts[index][0] for index in rows if counts[index][1] == width)
-        # in a table with decimal commas the comma splits every number in two
-        if name == "comma" and best is not None and best[1] > 0:
-            continue
-        header = (
-            first + 1
-            if _names_in(lines, first, delimiter)
-            else _header_line(lines, first, delimiter, width)
-        )
-        if best is None or score > best[0]:
-            best = (score, len(rows), name, header)
-    return None if best is None else (best[2], best[3])
-
-
-def _numbers_in(line: str, delimiter: str) -> tuple[int, int]:
-    """Return how many cells of a line are numbers, and how many cells it has."""
-    cells = cells_of(line, delimiter) or []
-    return sum(_number(cell, None) is not None for cell in cells), len(cells)
-
-
-def _names_in(lines: Sequence[str], first: int, delimiter: str) -> bool:
-    """Whether the first row of numbers is a header row of names such as ``+1``: a word stands where
-    the next row has a number.
-    """
-    if first + 1 >= len(lines):
-        return False
-    here, below = (cells_of(line, delimiter) or [] for line in lines[first : first + 2])
-    return any(
-        one and _number(one, None) is None and _number(other, None) is not None
-        for one, other in zip(here, below, strict=False)
-    )
-
-
-def _header_line(lines: Sequence[str], first: int, delimiter: str, width: int) -> int:
-    """Return the line (from 1) of the header row above the first row of numbers, 0 where there is
-    none.
-    """
-    for index in range(first - 1, max(first - 4, -1), -1):
-        cells = cells_of(lines[index], delimiter) or []
-        texts = [cell for cell in cells if cell and _number(cell, None) is None]
-        if len(cells) >= width - 1 and len(texts) >= 2 and not all(map(is_unit, texts)):
-            return index + 1
-    return 0
-
-
-def _number(text: str, decimal: str | None) -> float | None:
-    if decimal is not None and {".": ",", ",": "."}[decimal] in text:
-        return None
-    try:
-        return parse_number(text)
-    except ValueError:
-        return None
 
 
 def _decimal(table: ForeignTable, proposal: Proposal) -> str | None:
@@ -206,7 +117,7 @@ def _decimal(table: ForeignTable, proposal: Proposal) -> str | None:
         mark
         for row in table.rows
         for cell in row.cells
-        if _number(cell, None) is not None
+        if number_in(cell, None) is not None
         for mark in ".,"
         if mark in cell
     )
@@ -233,7 +144,7 @@ class _Columns:
     def numbers(self, name: str) -> FloatArray:
         """Return the numbers of a column, NaN where a cell is none."""
         if name not in self._numbers:
-            found = [_number(text, self.decimal) for text in self.texts[name]]
+            found = [number_in(text, self.decimal) for text in self.texts[name]]
             self._numbers[name] = np.array([np.nan if one is None else one for one in found])
         return self._numbers[name]
 

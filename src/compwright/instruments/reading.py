@@ -28,13 +28,13 @@ from compwright.instruments.profiled import (
     profiled_parts,
     read_by_profile,
 )
-from compwright.instruments.proposing import has_table
 from compwright.instruments.reading_findings import (
     assumed_finding,
     header_findings,
     unfinished_finding,
 )
 from compwright.instruments.sections import axis_name
+from compwright.instruments.table_shape import has_table
 from compwright.instruments.text_input import read_any_lines, read_lines
 from compwright.instruments.workbook import Sheet, is_workbook, sheets_of
 from compwright.records.axis import Direction
