@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from compwright.planning.together import counted_together, with_what_acted
-from compwright.planning.wanted import MeasuredError
+from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
 from compwright.records.axis import Axis, Direction, Motion
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.facts import AxisFacts
@@ -171,3 +172,71 @@ def test_every_test_is_predicted_with_its_own_noise() -> None:
     sizes = [np.median(error.draw(TARGETS, 300, rng, place).noise.sigma) for place in range(3)]
     # 88 degrees of freedom: 7.5 % of s, four times that.
     assert np.array(sizes) / UM == pytest.approx([0.3, 3.0, 3.0], rel=0.3)
+
+
+def rising(slope: float, *, wave: float = 0.0, seed: int = 1) -> PlannedTest:
+    """A test like "a" at targets of its own, ``slope`` mm/mm steeper, with a wave of 12 mm."""
+    where = 1000.0 * (np.arange(15) + 0.5 + np.random.default_rng(3).uniform(-0.3, 0.3, 15)) / 15.0
+    return with_more(planned("b", "off", seed=seed, targets=where), slope, wave)
+
+
+def with_more(one: PlannedTest, slope: float, wave: float) -> PlannedTest:
+    x = one.test.targets
+    more = (slope * x + wave * np.sin(2.0 * np.pi * x / 12.0))[:, np.newaxis]
+    test = replace(one.test, positive=one.test.positive + more, negative=one.test.negative + more)
+    return replace(one, test=test)
+
+
+def slope_told(error: MeasuredError) -> tuple[float, float] | None:
+    """The difference of two slopes and its standard error, µm/m, as the finding says."""
+    for finding in error.findings:
+        if finding.code == "CW-E028":
+            size = re.search(r": ([+-][0-9.]+) ± ([0-9.]+) µm/m", finding.message)
+            assert size is not None
+            return float(size[1]), float(size[2])
+    return None
+
+
+@pytest.mark.parametrize("slope", [4.0, -4.0, 6.0])
+def test_another_slope_of_a_second_test_is_told_and_is_no_period(slope: float) -> None:
+    """A third and half of a kelvin of steel, 11.5 µm/m each. The slope of the axis stays that
+    of the first test.
+    """
+    first = planned("a", "off", targets=DITHERED)
+    counts, error, doubts = told(first, rising(1e-6 * slope))
+    assert (counts, doubts) == ([True, True], [])
+    assert [each for each in error.own.periods if each.probability > 0.2] == []
+    found = slope_told(error)
+    assert found is not None
+    # Slopes of ten readings of 0.3 µm at 23 and 15 targets over 1 m: sqrt(12 / 380) 0.3 µm/m and
+    # more, 0.1 µm/m; what is unknown of the curve adds to that.
+    assert found[0] == pytest.approx(slope, abs=1.0)
+    assert 0.05 <= found[1] <= 0.6
+    alone = told(first)[1].own.summary(WHERE)
+    both = error.own.summary(WHERE)
+    rise = np.polyfit(WHERE, both.mean_positive - alone.mean_positive, 1)[0]
+    assert abs(rise) < 0.5e-6
+
+
+def test_equal_slopes_are_not_told() -> None:
+    assert slope_told(told(planned("a", "off", targets=DITHERED), rising(0.0))[1]) is None
+
+
+def test_a_wave_that_both_tests_show_is_found_beside_another_slope() -> None:
+    first = with_more(planned("a", "off", targets=DITHERED), 0.0, 2.0 * UM)
+    error = told(first, rising(4e-6, wave=2.0 * UM))[1]
+    (period,) = [each.period for each in error.own.periods if each.named]
+    assert period == pytest.approx(12.0, rel=0.01)
+
+
+def test_a_short_test_before_the_whole_one_leaves_the_slope_to_that() -> None:
+    """A third of the travel tells little of the slope: that of the whole test counts, and its band
+    over the travel is that of the whole test alone (11.5 µm/m would add some 5 µm at the ends).
+    """
+    near, whole = planned("near", "off", targets=DITHERED[8:15]), rising(0.0)
+    spans = []
+    for tests in ((near, whole), (whole,)):
+        acted = with_what_acted(tests, axis_of(), STATES)
+        error = measured_error(acted, observed_tests(acted, None), axis_of(), None)
+        spans.append(np.mean(error.own.summary(WHERE).std_positive))
+    assert spans[0] < spans[1] + 0.3 * UM

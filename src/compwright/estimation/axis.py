@@ -37,6 +37,7 @@ from compwright.estimation.cells import (
 from compwright.estimation.evidence import Weights
 from compwright.estimation.model import Part, Periods, Travel, basis_of
 from compwright.estimation.observed import ObservedTest
+from compwright.estimation.own_slopes import slope_findings
 from compwright.estimation.period_findings import period_findings
 from compwright.estimation.period_middles import fitted_periods, middles_of
 from compwright.estimation.periods import PeriodSearch, search_periods
@@ -242,6 +243,7 @@ def estimate_axis(
         findings=(
             *findings_of(cells, travel if turn is None else None, periods, shown, kind),
             *period_findings(search, cells.targets, kind, shown, known.periods),
+            *slope_findings(tests, cells, parts),
             *(finding for each in tests if each.noise for finding in each.noise.findings),
         ),
         cells=cells,

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.basis import HARMONICS, folded, hidden_share
-from compwright.estimation.evidence import VAGUE, CellData
+from compwright.estimation.evidence import CellData
 from compwright.estimation.observed import CellMeans, ObservedTest, cell_means
+from compwright.estimation.own_lines import own_columns
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
@@ -36,8 +37,9 @@ class Cells:
 
     ``spread`` and ``roughness`` are in units of ``data.scale``: noise of one reading as guessed,
     scatter about the straight line. ``noises``: by test, the draws of its noise in the order of
-    ``data``; ``donor``: the first of them that is known, None for none. ``repeated``: there are
-    readings of one cell in one test.
+    ``data``; ``donor``: the first of them that is known, None for none. ``slopes``: by test, the
+    column of its own slope in ``data.extra``, None for none. ``repeated``: there are readings of
+    one cell in one test.
     """
 
     targets: FloatArray
@@ -52,6 +54,7 @@ class Cells:
     repeated: bool
     noises: tuple[NoiseDraws | None, ...]
     donor: NoiseDraws | None
+    slopes: tuple[int | None, ...]
 
     def line_at(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return what was taken out (k,) at ``positions`` for the two directions, mm or deg: line
@@ -195,7 +198,7 @@ def _stacked(
     counts = np.concatenate([part.counts for part in parts])
     known = np.concatenate([np.full(part.counts.size, not part.inferred) for part in parts])
     precision = np.hstack([part.precision for part in parts]) * scale**2
-    extra, extra_std = _extra(tests, parts, targets, scale)
+    own = own_columns(tests, parts, targets, scale)
     data = CellData(
         seats=seats[order],
         starts=np.searchsorted(seats[order], np.arange(targets.size)),
@@ -209,8 +212,8 @@ def _stacked(
         counts=np.where(known, 0.0, counts)[order],
         squares=sum(part.squares for part in parts if part.inferred) / scale**2,
         dof=sum(part.dof for part in parts if part.inferred),
-        extra=extra[order],
-        extra_std=extra_std,
+        extra=own.columns[order],
+        extra_std=own.stds,
         floor=floor,
         scale=scale,
     )
@@ -227,6 +230,7 @@ def _stacked(
         repeated=dof > 0.0,
         noises=noises,
         donor=donor,
+        slopes=own.slopes,
     )
 
 
@@ -241,33 +245,6 @@ def _blocks(columns: Sequence[FloatArray]) -> FloatArray:
         together[:, row : row + each.shape[1], column : column + each.shape[2]] = each
         row, column = row + each.shape[1], column + each.shape[2]
     return together
-
-
-def _extra(
-    tests: Sequence[ObservedTest],
-    parts: Sequence[CellMeans],
-    targets: FloatArray,
-    scale: float,
-) -> tuple[FloatArray, FloatArray]:
-    """Return the columns (c, e) that single tests have of their own, with their standard
-    deviations (e,): a datum for each but the first, whose datum is that of the error; and the slope
-    of each whose slope is uncertain, about the middle of the targets.
-    """
-    middle, half = 0.5 * (targets[0] + targets[-1]), 0.5 * float(np.ptp(targets))
-    columns, stds = [], []
-    for index, each in enumerate(tests):
-        mine = [np.full(part.counts.size, float(k == index)) for k, part in enumerate(parts)]
-        own = np.concatenate(mine)
-        if index:
-            columns.append(own)
-            stds.append(VAGUE)
-        if each.slope_std > 0.0:
-            places = np.concatenate([part.positions for part in parts])
-            columns.append(own * (places - middle) / half)
-            stds.append(each.slope_std * half / scale)
-    size = sum(part.counts.size for part in parts)
-    together = np.column_stack(columns) if columns else np.zeros((size, 0))
-    return together, np.array(stds)
 
 
 def _neighbour_spread(parts: Sequence[CellMeans], left: Sequence[FloatArray]) -> float:

@@ -13,7 +13,7 @@ from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed import ObservedTest
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
-from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, ControlState, no_compensation
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.plan import Acted, PlannedTest
@@ -26,6 +26,10 @@ DENSE_MOST = 4001
 DENSE_PER_PERIOD = 10
 #: Share of the travel that the targets of an axis have to cover at least.
 LEAST_COVERED = 0.5
+#: Slope (mm/mm) that a test may have beside another where nobody declares anything: a machine that
+#: has run, or a hall later in the day, is easily one kelvin warmer, and steel grows by 11.5 µm/m
+#: for each.
+UNDECLARED_SLOPE = 11.5e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,7 +133,7 @@ def measured_error(
     counting[0] = counting[0] or not any(counting)
     places = np.cumsum(counting) - 1
     own = estimate_axis(
-        [each for each, counts in zip(observed, counting, strict=True) if counts],
+        _with_own_slopes([each for each, counts in zip(observed, counting, strict=True) if counts]),
         travel=axis.travel,
         periods=axis.screw_pitch,
         suggested=() if axis.suggested_period is None else (axis.suggested_period,),
@@ -141,6 +145,22 @@ def measured_error(
         tuple(int(p) if counts else None for p, counts in zip(places, counting, strict=True)),
         tuple(each.noise for each in observed),
     )
+
+
+def _with_own_slopes(tests: Sequence[ObservedTest]) -> list[ObservedTest]:
+    """Return the tests, each with a slope of its own beside that of the axis: as declared, else
+    `UNDECLARED_SLOPE` beside the first that reaches over half of what is measured (a short one
+    tells no slope). Angles do not grow with temperature.
+    """
+    ranges = np.array([(each.test.targets[0], each.test.targets[-1]) for each in tests])
+    lengths = np.round(np.ptp(ranges, axis=1) / max(float(np.ptp(ranges)), 1e-12), 6)
+    level = int(np.argmax(np.minimum(lengths, 0.5)))
+    return [
+        each
+        if place == level or each.slope_std > 0.0 or each.test.kind is AxisKind.ROTARY
+        else replace(each, slope_std=UNDECLARED_SLOPE)
+        for place, each in enumerate(tests)
+    ]
 
 
 def _at(active: AxisCompensation, test: PositioningTest) -> Acted:

@@ -1,0 +1,65 @@
+"""Tests of one axis whose slopes differ: by how much, in words for the user."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.cells import Cells
+from compwright.estimation.model import Part
+from compwright.estimation.observed import ObservedTest
+from compwright.foundations.findings import Finding
+from compwright.records.axis import AxisKind
+from compwright.records.settled import settled_number
+
+#: Growth of steel, µm/m for each kelvin.
+_STEEL: Final = 11.5
+#: Said from three standard errors on, and from a tenth of a kelvin of steel: less no sensor on a
+#: machine tells.
+_CLEAR: Final = 3.0
+_LEAST: Final = 0.1 * _STEEL
+
+
+def slope_findings(
+    tests: Sequence[ObservedTest], cells: Cells, parts: Sequence[Part]
+) -> Iterator[Finding]:
+    """Yield the tests that clearly have another slope than the first (CW-E028), from the posterior
+    of the ``parts``; sizes in µm/m. Angles do not grow with temperature: nothing is said of them.
+    """
+    if tests[0].test.kind is AxisKind.ROTARY:
+        return
+    for place, each in enumerate(tests[1:], start=1):
+        difference, error = (1e6 * part for part in _beside_first(place, cells, parts))
+        if abs(difference) < max(_CLEAR * error, _LEAST):
+            continue
+        mine, other = each.test.name, tests[0].test.name
+        yield Finding(
+            "CW-E028",
+            "warning",
+            f"Test {mine} has another slope than test {other}: {difference:+.1f} ± {error:.1f} µm/m"
+            f" beside it, as much as {abs(difference) / _STEEL:.2g} K make of steel. It counts as"
+            " the temperature or the set-up of one of the tests, not as an error of the axis; which"
+            " slope is right they do not tell: give the temperatures of the tests (thermal), or"
+            " measure again at an even temperature",
+        )
+
+
+def _beside_first(place: int, cells: Cells, parts: Sequence[Part]) -> tuple[float, float]:
+    """Return by how much the slope of a test differs from that of the first, with its standard
+    error, mm/mm: mean and variance of the mixture over all draws (Gelman et al., Bayesian Data
+    Analysis, 3rd ed. 2013, section 1.8).
+    """
+    means, variances = [], []
+    for part in parts:
+        for weights in part.weights:
+            contrast = np.zeros(weights.mean.size)
+            for column, sign in ((cells.slopes[place], 1.0), (cells.slopes[0], -1.0)):
+                if column is not None:
+                    contrast[part.basis.size + column] += sign
+            means.append(float(contrast @ weights.mean))
+            variances.append(float(np.sum((contrast @ weights.root) ** 2)))
+    unit = cells.data.scale / (0.5 * float(np.ptp(cells.targets)))
+    error = float(np.sqrt(np.mean(variances) + np.var(means)))
+    return settled_number(unit * float(np.mean(means))), settled_number(unit * error)
