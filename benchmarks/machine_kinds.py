@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 from error_curves import bump, hinge, sines, smooth, total, turning
-from machines import PITCHES, Machine, dithered, fine, loud, name_seed, plain
+from machines import Machine, dithered, fine, loud, name_seed, plain, untold
 from numpy.random import Generator
 
 Kind = Callable[[Generator], Machine]
@@ -120,17 +120,17 @@ def _hidden(rng: Generator, pitch: float, size: float, count: int) -> Machine:
 
 @kind("pitch unknown")
 def _unknown(rng: Generator) -> Machine:
-    return _hidden(rng, rng.choice(PITCHES), rng.uniform(1, 3), int(rng.integers(12, 31)))
+    return _hidden(rng, untold(rng), rng.uniform(1, 3), int(rng.integers(12, 31)))
 
 
 @kind("pitch unknown, 2 µm, 16 targets")
 def _unknown_2(rng: Generator) -> Machine:
-    return _hidden(rng, rng.choice(PITCHES), 2.0, 16)
+    return _hidden(rng, untold(rng), 2.0, 16)
 
 
 @kind("pitch unknown, 1 µm, 12 targets")
 def _unknown_1(rng: Generator) -> Machine:
-    return _hidden(rng, rng.choice(PITCHES), 1.0, 12)
+    return _hidden(rng, untold(rng), 1.0, 12)
 
 
 @kind("pitch unknown, of no catalogue")
@@ -140,13 +140,15 @@ def _odd(rng: Generator) -> Machine:
 
 @kind("two periods unknown")
 def _two_periods(rng: Generator) -> Machine:
-    first, second = rng.choice(PITCHES, 2, replace=False)
+    first = second = untold(rng)
+    while abs(second - first) < 0.1 * first:
+        second = untold(rng)
     sizes = (float(rng.uniform(1.5, 3)), float(rng.uniform(1, 2)))
     axis = _hidden(rng, first, sizes[0], int(rng.integers(20, 41)))
     return replace(
         axis,
         mean=total(axis.mean, sines((second,), (sizes[1],), rng)),
-        periods=(float(first), float(second)),
+        periods=(first, second),
         spacing=fine((first, second), axis.length),
     )
 

@@ -19,8 +19,11 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-#: Usual leads of screws, mm.
+#: Leads of screws that jobs tell, mm.
 PITCHES = (5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0)
+#: Leads that nobody tells: a catalogue's in mm, and in parts of an inch.
+METRIC = (2, 2.5, 3, 4, 5, 6, 8, 10, 12, 15, 16, 20, 25, 30, 32, 40, 50)
+INCH = (0.2, 0.25, 0.5, 1.0)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -179,6 +182,19 @@ def dithered(rng: Generator, low: float, length: float, count: int) -> Floats:
     """Targets as ISO 230-2:2006 clause 4.2 wants them: equal intervals plus a random part."""
     steps = np.arange(count) + 0.5 + rng.uniform(-0.3, 0.3, count)
     return np.asarray(np.round(low + steps * length / count, 3))
+
+
+def untold(rng: Generator) -> float:
+    """Draw a period that nobody tells, mm: seven in ten of `METRIC`, one of `INCH`, two of no
+    catalogue, between 4 and 30 evenly in the logarithm.
+    """
+    metric, inch = 0.7, 0.1
+    place = float(rng.uniform())
+    if place < metric:
+        return float(METRIC[int(place / metric * len(METRIC))])
+    if place < metric + inch:
+        return 25.4 * INCH[int((place - metric) / inch * len(INCH))]
+    return float(4 * 7.5 ** ((place - metric - inch) / (1 - metric - inch)))
 
 
 def fine(periods: tuple[float, ...], length: float) -> float:

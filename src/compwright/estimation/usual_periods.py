@@ -1,9 +1,12 @@
 """Periods that the drive or the scale of an axis usually puts into its error, with their reason.
 
 Leads of ball screws in mm: ISO 3408-2 (1991), Ball screws, part 2, nominal leads of the metric
-series, and steeper ones; 5, 10 and 20 are met most, then 6, 8, 12 and 16. One turn of the screw
-repeats at its lead; two bumps a turn (a coupling out of line, a thread of two starts) at half of
-it. Of a rotary axis: one turn of the worm moves the table by 360 deg over the teeth of its wheel.
+series, and others that are sold. One turn of the screw repeats at its lead; two bumps a turn (a
+coupling out of line, a thread of two starts) at half of it. Of a rotary axis: one turn of the worm
+moves the table by 360 deg over the teeth of its wheel.
+
+How often each is met is a judgement, from no document: leads from 4 to 40 mm that drive axes of
+machine tools alike; finer and steeper ones, leads in inches, magnets and racks a quarter as often.
 """
 
 from __future__ import annotations
@@ -15,6 +18,8 @@ from typing import Final
 from compwright.records.axis import AxisKind
 
 _INCH: Final = 25.4
+#: How often others are met beside a usual lead.
+_SELDOM: Final = 0.25
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,33 +32,26 @@ class UsualPeriod:
 
 
 def _leads() -> list[UsualPeriod]:
-    most, often = (5.0, 10.0, 20.0), (6.0, 8.0, 12.0, 16.0)
-    metric = (2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 16.0, 20.0, 25.0, 30.0, 32.0)
-    steep = (40.0, 50.0)
+    common = (4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0)
+    seldom = (2.0, 2.5, 3.0, 15.0, 30.0, 50.0)
     inch = (0.2, 0.25, 0.5, 1.0)
-    found = [
-        UsualPeriod(
-            lead,
-            f"a screw lead of {lead:g} mm",
-            4.0 if lead in most else 3.0 if lead in often else 0.5,
-        )
-        for lead in (*metric, *steep)
-    ]
-    return found + [
-        UsualPeriod(part * _INCH, f"a screw lead of {part:g} inch", 0.25) for part in inch
+    return [
+        *(UsualPeriod(lead, f"a screw lead of {lead:g} mm") for lead in common),
+        *(UsualPeriod(lead, f"a screw lead of {lead:g} mm", _SELDOM) for lead in seldom),
+        *(UsualPeriod(part * _INCH, f"a screw lead of {part:g} inch", _SELDOM) for part in inch),
     ]
 
 
 def _beside_leads() -> list[UsualPeriod]:
     """Scales and drives other than screws; half leads that are no lead themselves."""
     return [
-        UsualPeriod(7.5, "half a screw lead of 15 mm", 0.25),
-        UsualPeriod(12.5, "half a screw lead of 25 mm", 0.25),
-        UsualPeriod(24.0, "a pair of magnets of a linear motor", 0.25),
-        UsualPeriod(36.0, "a pair of magnets of a linear motor", 0.25),
-        UsualPeriod(60.0, "a pair of magnets of a linear motor", 0.25),
-        UsualPeriod(6.6667, "a tooth of a helical rack", 0.25),
-        UsualPeriod(13.3333, "a tooth of a helical rack", 0.25),
+        UsualPeriod(7.5, "half a screw lead of 15 mm", _SELDOM),
+        UsualPeriod(12.5, "half a screw lead of 25 mm", _SELDOM),
+        UsualPeriod(24.0, "a pair of magnets of a linear motor", _SELDOM),
+        UsualPeriod(36.0, "a pair of magnets of a linear motor", _SELDOM),
+        UsualPeriod(60.0, "a pair of magnets of a linear motor", _SELDOM),
+        UsualPeriod(6.6667, "a tooth of a helical rack", _SELDOM),
+        UsualPeriod(13.3333, "a tooth of a helical rack", _SELDOM),
     ]
 
 
