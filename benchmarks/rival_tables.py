@@ -63,14 +63,16 @@ def rivals(
     test (``warm``: what its temperature added over the travel), without drift; ``oracle, one
     table``: one curve and a constant reversal. ``interpolation``: of the means; ``spline``:
     smoothing spline by generalised cross-validation; ``minimax``: the least A of the test itself
-    (linear program), on as many nodes as there are targets; ``informed``: see that module, as many
-    curves as the job asks for.
+    (linear program), on as many nodes as there are targets; ``informed``: see that module. One
+    curve and a constant reversal where the job asks for one table.
     """
     x = machine.targets
     complete = _both(readings, machine.signs)
     mean = np.nanmean(complete, axis=2)
     spread = np.nanstd(complete, axis=2, ddof=1) if machine.runs > 1 else np.zeros_like(mean)
     mean = mean - mean.mean()
+    if machine.mode == "single":
+        mean = _flat(mean)
     dense = np.linspace(machine.low, machine.high, max(2001, 5 * nodes.size))
     slope = warm * (dense - machine.low) / machine.length
     truth = _both(machine.error(dense), machine.signs) + slope
