@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 
 from compwright.planning.axes import AxisWork, fit_all
-from compwright.planning.fresh import fresh_tests
+from compwright.planning.fresh import Like, fresh_tests
 from compwright.planning.goals import goal_told
-from compwright.planning.outlook import Like
 from compwright.planning.scenarios import scenarios_of
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity

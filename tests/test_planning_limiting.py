@@ -11,7 +11,7 @@ import pytest
 from compwright.estimation.axis import Draws
 from compwright.planning.axes import AxisWork, fit_all
 from compwright.planning.drifting import drift_or_reversal
-from compwright.planning.fresh import fresh_tests
+from compwright.planning.fresh import Like, fresh_tests
 from compwright.planning.limiting import (
     DRIFT,
     NO_TABLE,
@@ -21,7 +21,6 @@ from compwright.planning.limiting import (
     UNKNOWN,
     what_limits,
 )
-from compwright.planning.outlook import Like
 from compwright.planning.shortfalls import PERIOD, QUANTUM, REVERSAL, shortfalls
 from compwright.planning.verdict import verdict
 from compwright.planning.worth import worth_of_points

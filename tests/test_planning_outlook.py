@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.planning import outlook
+from compwright.planning import fresh
 from compwright.planning.axes import AxisWork, no_gain
-from compwright.planning.outlook import predict, predict_new_targets, why_not_better
+from compwright.planning.outlook import predict, why_not_better
 from compwright.prediction.acting import difference, nothing
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
@@ -67,8 +67,8 @@ def test_new_targets_stay_away_from_the_ends_and_see_what_lies_between(
             return super().draw(positions, count, rng, test)
 
     work = work_of(Watching(np.zeros_like, np.zeros_like))
-    monkeypatch.setattr(outlook, "DRAWS", 5)
-    found = predict_new_targets(work.results[0], work.posterior, nothing, work.planned.axis)
+    monkeypatch.setattr(fresh, "DRAWS", 5)
+    found = fresh.fresh_tests(work.results[0], work.posterior, work.planned.axis).quantiles(nothing)
     assert set(found) >= {"A", "E", "R"}
     assert seen[0].size == work.results[0].test.targets.size
     assert (seen[0] >= 4.0).all()

@@ -113,6 +113,17 @@ def patterns_of(readings: Readings, cycle: Cycle, runs: tuple[int, int]) -> Patt
     )
 
 
+@dataclass(frozen=True, slots=True)
+class _Spectrum:
+    """Scores along the axes of one covariance of unit size in the metric of all others: ``base``
+    (forms,), the log determinant of those; ``stretch``, ``along`` (forms, r).
+    """
+
+    base: FloatArray
+    stretch: FloatArray
+    along: FloatArray
+
+
 class Traverses:
     """What reduced readings with ``dof`` contrasts say of the sizes; all draws are from exact
     conditional distributions.
@@ -126,23 +137,18 @@ class Traverses:
         self.tilt = root.T @ patterns.tilt @ root
         self.drift = patterns.drift @ root
         self.drift_tilt = patterns.drift_tilt @ root
+        self.known = len(_PATTERNS) if patterns.walks else WALK
+        # By kind, beside nothing else: most of the time there is nothing else.
+        self.alone: dict[int, _Spectrum] = {}
 
     def draw_sizes(self, sizes: Sizes, rng: np.random.Generator) -> None:
         """Draw every size of ``sizes`` anew, each given the others; pattern and rate with them."""
-        unit = np.eye(self.data.scores.size)
-        known = len(_PATTERNS) if self.patterns.walks else WALK
-        for kind, mine, other in ((OFFSET, self.offset, self.tilt), (TILT, self.tilt, self.offset)):
-            beside = unit + self._drifting(sizes) + sizes.size[TILT - kind] ** 2 * other[:known]
-            sizes.pattern = self._draw(sizes, kind, beside, mine[:known], _PATTERNS[:known], rng)
+        for kind in (OFFSET, TILT):
+            sizes.pattern = self._draw(sizes, kind, _PATTERNS[: self.known], rng)
         if not self.patterns.walks:
             return
-        for kind, mine, other in (
-            (DRIFT, self.drift, self.drift_tilt),
-            (DRIFT_TILT, self.drift_tilt, self.drift),
-        ):
-            rest = sizes.size[DRIFT + DRIFT_TILT - kind] ** 2 * _outer(other)
-            beside = unit + self._moving(sizes) + rest
-            sizes.rate = self._draw(sizes, kind, beside, _outer(mine), _PACES, rng)
+        for kind in (DRIFT, DRIFT_TILT):
+            sizes.rate = self._draw(sizes, kind, _PACES, rng)
 
     def draw_variance(self, sizes: Sizes, rng: np.random.Generator) -> float:
         """Draw the variance of a reading, all effects integrated out: scaled inverse chi-square
@@ -203,8 +209,6 @@ class Traverses:
         self,
         sizes: Sizes,
         kind: int,
-        beside: FloatArray,
-        mine: FloatArray,
         forms: FloatArray,
         rng: np.random.Generator,
     ) -> int:
@@ -214,7 +218,7 @@ class Traverses:
         grid = _GRID * 2.0 ** rng.uniform(-0.25, 0.25)
         usual = grid / (grid**2 + _USUAL[kind] ** 2)
         prior = np.concatenate([[_NOTHING[kind]], (1.0 - _NOTHING[kind]) * usual / np.sum(usual)])
-        logs = self._scan(beside, mine, np.concatenate([[0.0], grid]))
+        logs = self._scan(self._spectrum(sizes, kind), np.concatenate([[0.0], grid]))
         chances = np.exp(logs - np.max(logs)) * np.outer(forms, prior)
         cumulative = np.cumsum(chances)
         drawn = int(np.searchsorted(cumulative, rng.random() * cumulative[-1]))
@@ -223,22 +227,51 @@ class Traverses:
         sizes.absent[kind] = np.sum(chances[:, 0]) / cumulative[-1]
         return form
 
-    def _scan(self, beside: FloatArray, mine: FloatArray, grid: FloatArray) -> FloatArray:
-        """Return log evidence (forms, sizes) of ``mine`` (forms, r, r) times the squares of
-        ``grid``, with all else in ``beside`` (forms, r, r): simultaneous diagonalisation (Golub and
-        Van Loan, Matrix Computations, 4th ed. 2013, section 8.7).
+    def _spectrum(self, sizes: Sizes, kind: int) -> _Spectrum:
+        """Return that of the covariances of ``kind`` beside all others (Golub and Van Loan, Matrix
+        Computations, 4th ed. 2013, section 8.7: simultaneous diagonalisation).
         """
+        alone = not np.any(np.delete(sizes.size, kind))
+        if alone and kind in self.alone:
+            return self.alone[kind]
+        beside, mine = self._beside(sizes, kind)
         lower = np.linalg.cholesky(beside)
         right = np.linalg.solve(lower, mine)
         inner = np.linalg.solve(lower, np.swapaxes(right, 1, 2))
         stretch, axes = np.linalg.eigh(0.5 * (inner + np.swapaxes(inner, 1, 2)))
         white = np.linalg.solve(lower, self.data.scores[np.newaxis, :, np.newaxis])
-        along = np.squeeze(np.swapaxes(axes, 1, 2) @ white, -1)
-        base = 2.0 * np.sum(np.log(np.diagonal(lower, axis1=1, axis2=2)), axis=1)
-        spread = 1.0 + grid[:, np.newaxis] ** 2 * np.maximum(stretch, 0.0)[:, np.newaxis]
-        square = self.rest + np.sum(along[:, np.newaxis] ** 2 / spread, axis=2)
+        found = _Spectrum(
+            base=2.0 * np.sum(np.log(np.diagonal(lower, axis1=1, axis2=2)), axis=1),
+            stretch=np.maximum(stretch, 0.0),
+            along=np.squeeze(np.swapaxes(axes, 1, 2) @ white, -1),
+        )
+        if alone:
+            self.alone[kind] = found
+        return found
+
+    def _beside(self, sizes: Sizes, kind: int) -> tuple[FloatArray, FloatArray]:
+        """Return, for each form of ``kind``, the covariance (forms, r, r) of all others, that of a
+        reading included, and that of ``kind`` of unit size.
+        """
+        unit = np.eye(self.data.scores.size)
+        if kind in (OFFSET, TILT):
+            mine, other = (self.offset, self.tilt) if kind == OFFSET else (self.tilt, self.offset)
+            rest = sizes.size[TILT - kind] ** 2 * other[: self.known]
+            return unit + self._drifting(sizes) + rest, mine[: self.known]
+        column, beside = (
+            (self.drift, self.drift_tilt) if kind == DRIFT else (self.drift_tilt, self.drift)
+        )
+        rest = sizes.size[DRIFT + DRIFT_TILT - kind] ** 2 * _outer(beside)
+        return unit + self._moving(sizes) + rest, _outer(column)
+
+    def _scan(self, spectrum: _Spectrum, grid: FloatArray) -> FloatArray:
+        """Return log evidence (forms, sizes) of covariances times the squares of ``grid``."""
+        spread = 1.0 + grid[:, np.newaxis] ** 2 * spectrum.stretch[:, np.newaxis]
+        square = self.rest + np.sum(spectrum.along[:, np.newaxis] ** 2 / spread, axis=2)
         log_evidence: FloatArray = -0.5 * (
-            base[:, np.newaxis] + np.sum(np.log(spread), axis=2) + self.dof * np.log(square)
+            spectrum.base[:, np.newaxis]
+            + np.sum(np.log(spread), axis=2)
+            + self.dof * np.log(square)
         )
         return log_evidence
 

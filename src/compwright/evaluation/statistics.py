@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import FloatArray
@@ -72,24 +73,38 @@ def mean_deviation(deviations: FloatArray) -> FloatArray:
     (ISO 230-2:1997, 2.10).
     """
     finite = np.isfinite(deviations)
-    number = finite.sum(axis=-1)
-    total = np.where(finite, deviations, 0.0).sum(axis=-1)
-    mean: FloatArray = np.divide(total, number, out=np.full(number.shape, np.nan), where=number > 0)
-    return mean
+    return _mean(np.where(finite, deviations, 0.0), finite.sum(axis=-1))
 
 
 def standard_deviation(deviations: FloatArray) -> FloatArray:
     """Return s (..., m) with n - 1, n the number of readings of each target; NaN where n < 2 (ISO
     230-2:1997, 2.15).
     """
+    return mean_and_deviation(deviations)[1]
+
+
+def mean_and_deviation(deviations: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return what `mean_deviation` and `standard_deviation` do, in one pass."""
     finite = np.isfinite(deviations)
-    number = finite.sum(axis=-1)
-    residual = np.where(finite, deviations - mean_deviation(deviations)[..., np.newaxis], 0.0)
-    squares = (residual**2).sum(axis=-1)
+    number, missing = finite.sum(axis=-1), not np.all(finite)
+    there = np.where(finite, deviations, 0.0) if missing else deviations
+    mean = _mean(there, number)
+    residual = there - mean[..., np.newaxis]
+    if missing:
+        residual[~finite] = 0.0
+    residual *= residual
+    squares = residual.sum(axis=-1)
     s: FloatArray = np.sqrt(
         np.divide(squares, number - 1, out=np.full(number.shape, np.nan), where=number > 1)
     )
-    return s
+    return mean, s
+
+
+def _mean(values: FloatArray, number: NDArray[np.intp]) -> FloatArray:
+    """Return the mean of values (..., n) that are 0 where there is no reading."""
+    total = values.sum(axis=-1)
+    mean: FloatArray = np.divide(total, number, out=np.full(number.shape, np.nan), where=number > 0)
+    return mean
 
 
 def standard_deviation_from_range(

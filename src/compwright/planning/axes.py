@@ -14,9 +14,10 @@ from compwright.foundations.errors import CapacityError, CompwrightError, collec
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.declared import fresh_slope, with_slopes
+from compwright.planning.fresh import FreshTests, Like, fresh_tests
 from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
 from compwright.planning.motions import with_backlash, with_motion
-from compwright.planning.outlook import Like, predict, predict_new_targets, why_not_better
+from compwright.planning.outlook import predict, why_not_better
 from compwright.planning.scenarios import scenarios_of
 from compwright.planning.sharing import shared_fairly
 from compwright.planning.tables import fit_within, freely_chosen, offer
@@ -243,16 +244,25 @@ def predict_axis(
     new: Correction,
     table: AxisCompensation | None,
     rule: Literal["simple", "guarded"] = "simple",
+    fresh: FreshTests | None = None,
 ) -> AxisPrediction:
     """Return what fresh tests of an axis will show when ``new`` acts. ``table``: what was written
-    for it, as read back; None where nothing was.
+    for it, as read back; None where nothing was. ``fresh``: tests like its first one at new
+    targets, where they are drawn already.
     """
     change = difference(new, work.active)
     axis = work.planned.axis
-    likes = [Like(place, fresh_slope(rule, test)) for place, test in enumerate(work.planned.tests)]
+    first = fresh or fresh_like_first(work, rule)
     tests = tuple(
-        predict(result, work.posterior, with_motion(change, axis, test.backlash_more), axis, like)
-        for result, test, like in zip(work.results, work.planned.tests, likes, strict=True)
+        predict(
+            result,
+            work.posterior,
+            with_motion(change, axis, test.backlash_more),
+            axis,
+            Like(place, fresh_slope(rule, test)),
+            None if place else first,
+        )
+        for place, (result, test) in enumerate(zip(work.results, work.planned.tests, strict=True))
     )
     folded = any(finding.code == "CW-E010" for finding in work.posterior.findings)
     accept = accept_decisions(work.entry, tests, rule, folded=folded)
@@ -265,19 +275,31 @@ def predict_axis(
         table=table,
         quantum=work.capacity.quantum if work.capacity is not None else None,
         accept=accept,
-        findings=(*work.findings, *guard, *_offered(work, tests, likes[0])),
+        findings=(*work.findings, *guard, *_offered(work, tests, first, rule)),
         periods=work.posterior.own.periods,
         evidence=work.posterior.own.search.evidence(),
     )
 
 
-def _offered(work: AxisWork, tests: Sequence[TestPrediction], like: Like) -> Iterator[Finding]:
+def fresh_like_first(work: AxisWork, rule: Literal["simple", "guarded"] = "simple") -> FreshTests:
+    """Return fresh tests like the first one of an axis, at new targets."""
+    like = Like(0, fresh_slope(rule, work.planned.tests[0]))
+    return fresh_tests(work.results[0], work.posterior, work.planned.axis, like)
+
+
+def _offered(
+    work: AxisWork,
+    tests: Sequence[TestPrediction],
+    fresh: FreshTests,
+    rule: Literal["simple", "guarded"],
+) -> Iterator[Finding]:
     """Yield what a grid of our own choice would gain over the one that is there and stays."""
     capacity, chosen = work.capacity, work.chosen
     if chosen is None or capacity is None:
         return
     change = difference(chosen.compensation.at, work.active)
-    offered = predict(work.results[0], work.posterior, change, work.planned.axis, like)
+    like = Like(0, fresh_slope(rule, work.planned.tests[0]))
+    offered = predict(work.results[0], work.posterior, change, work.planned.axis, like, fresh)
     finding = offer(
         work.planned.axis,
         np.array(capacity.there),
@@ -306,7 +328,6 @@ def no_gain(work: AxisWork, new: Correction) -> str:
         )
         for change in changes
     )
-    fresh, old = (
-        predict_new_targets(first, work.posterior, change, work.planned.axis) for change in changes
-    )
+    drawn = fresh_tests(first, work.posterior, work.planned.axis)
+    fresh, old = (drawn.quantiles(change) for change in changes)
     return why_not_better(before, after, old, fresh)

@@ -4,32 +4,52 @@ two answers is what was asked to change, not the luck of the draw.
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from typing import Any, Final
 
 import numpy as np
 
 from compwright.estimation.axis import Draws
-from compwright.planning.outlook import DRAWS, END_MARGIN, Like, generator
 from compwright.planning.wanted import MeasuredError
 from compwright.prediction.acting import Correction
 from compwright.prediction.positioning import dithered_targets, fresh_slopes, predict_test
 from compwright.prediction.scatter import Scatter, fresh_scatter
-from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.noise import NoiseDraws, NoisePart, without
 from compwright.records.prediction import Quantiles
 from compwright.records.result import PositioningResult
 
+#: Fresh tests that are drawn.
+DRAWS: Final = 2000
+#: Newly dithered targets stay this far from the ends of the travel: mm, and for rotary axes deg.
+END_MARGIN: Final = {AxisKind.LINEAR: 4.0, AxisKind.ROTARY: 0.0}
 #: From 5 to 95 % a normal law is so many standard deviations wide.
 BAND: Final = 3.29
+
+
+@dataclass(frozen=True, slots=True)
+class Like:
+    """How a fresh test is taken: with the noise of which test of the axis (its ``place`` among
+    them), and with which standard deviation of its slope, mm/mm, from a temperature that is not
+    known better.
+    """
+
+    place: int = 0
+    slope_std: float = 0.0
+
+
+#: As the first test of an axis, at a known temperature.
+FIRST: Final = Like()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FreshTests:
     """Draws of the deviation at new ``targets`` (m,), mm or deg; what tests like ``result`` add:
     ``scatter`` of the readings, from the generator in ``state``, and ``slopes`` (s, m) from a
-    temperature that is not known better.
+    temperature that is not known better. ``less``: the scatter without parts of the noise, where
+    it was asked for.
     """
 
     result: PositioningResult
@@ -38,6 +58,7 @@ class FreshTests:
     scatter: Scatter
     slopes: FloatArray
     state: Any
+    less: dict[frozenset[NoisePart], Scatter] = field(default_factory=dict)
 
     def quantiles(
         self,
@@ -84,21 +105,27 @@ class FreshTests:
         noise = self.draws.noise
         bare = without(noise, *parts)
         return any(
-            not np.array_equal(getattr(noise, field.name), getattr(bare, field.name))
-            for field in fields(noise)
+            not np.array_equal(getattr(noise, each.name), getattr(bare, each.name))
+            for each in fields(noise)
         )
 
     def _scatter_without(self, parts: Sequence[NoisePart]) -> Scatter:
-        rng = np.random.default_rng()
-        rng.bit_generator.state = self.state
-        return _scatter(self.result, without(self.draws.noise, *parts), self.targets, rng)
+        if not self.has(parts):
+            return self.scatter
+        asked = frozenset(parts)
+        if asked not in self.less:
+            rng = np.random.default_rng()
+            rng.bit_generator.state = self.state
+            bare = without(self.draws.noise, *parts)
+            self.less[asked] = _scatter(self.result, bare, self.targets, rng)
+        return self.less[asked]
 
 
 def fresh_tests(
-    result: PositioningResult, posterior: MeasuredError, axis: Axis, like: Like
+    result: PositioningResult, posterior: MeasuredError, axis: Axis, like: Like = FIRST
 ) -> FreshTests:
-    """Return the tests that `planning.outlook` predicts at new targets, the same draws and
-    readings.
+    """Return fresh tests of ``axis`` like ``result`` at newly dithered targets; the same for the
+    same names of axis and test.
     """
     name = result.test.name
     targets = dithered_targets(
@@ -128,3 +155,9 @@ def _scatter(
         int(np.max(result.test.readings(direction), initial=0.0)) for direction in Direction
     )
     return fresh_scatter(noise, targets, plus, minus, rng)
+
+
+def generator(*names: str) -> np.random.Generator:
+    """Return a generator that depends on the names only: the same job predicts the same numbers."""
+    digest = hashlib.sha256("\x1f".join(names).encode("utf-8", "surrogatepass")).digest()
+    return np.random.default_rng(int.from_bytes(digest[:8], "big"))

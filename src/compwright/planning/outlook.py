@@ -2,35 +2,17 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping
-from dataclasses import dataclass
-
-import numpy as np
 
 from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.fresh import DRAWS, FIRST, FreshTests, Like, fresh_tests, generator
 from compwright.planning.wanted import MeasuredError
 from compwright.prediction.acting import Correction
-from compwright.prediction.positioning import dithered_targets, fresh_slopes, predict_test
+from compwright.prediction.positioning import fresh_slopes, predict_test
 from compwright.prediction.scatter import fresh_scatter
-from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
+from compwright.records.axis import Axis, Direction
 from compwright.records.prediction import Quantiles, TestPrediction
 from compwright.records.result import PositioningResult
-
-DRAWS = 2000
-#: Newly dithered targets stay this far from the ends of the travel: mm, and for rotary axes deg.
-END_MARGIN = {AxisKind.LINEAR: 4.0, AxisKind.ROTARY: 0.0}
-
-
-@dataclass(frozen=True, slots=True)
-class Like:
-    """How a fresh test is taken: with the noise of which test of the axis (its ``place`` among
-    them), and with which standard deviation of its slope, mm/mm, from a temperature that is not
-    known better.
-    """
-
-    place: int = 0
-    slope_std: float = 0.0
 
 
 def predict(
@@ -38,37 +20,49 @@ def predict(
     posterior: MeasuredError,
     change: Correction,
     axis: Axis,
-    like: Like = Like(),
+    like: Like = FIRST,
+    fresh: FreshTests | None = None,
 ) -> TestPrediction:
     """Return what a fresh test like ``result`` will show with the changed correction, at its
-    targets and at new ones.
+    targets and at new ones; ``fresh``: tests at new ones, where they are drawn already.
     """
+    drawn = fresh or fresh_tests(result, posterior, axis, like)
     return TestPrediction(
         name=result.test.name,
         before=result,
-        predicted=_predict_at(result, posterior, change, result.test.targets, axis, like),
-        predicted_new_targets=predict_new_targets(result, posterior, change, axis, like),
+        predicted=predict_same_targets(result, posterior, change, axis, like),
+        predicted_new_targets=drawn.quantiles(change),
     )
 
 
-def predict_new_targets(
+def predict_same_targets(
     result: PositioningResult,
     posterior: MeasuredError,
     change: Correction,
     axis: Axis,
-    like: Like = Like(),
+    like: Like = FIRST,
 ) -> Mapping[str, Quantiles]:
-    """Return what a fresh test like ``result`` will show with the changed correction at newly
-    dithered targets.
+    """Return what a fresh test like ``result`` will show with the changed correction at its own
+    targets.
     """
-    test = result.test
-    new_targets = dithered_targets(
-        axis.travel,
-        test.targets.size,
-        generator(axis.name, test.name, "targets"),
-        END_MARGIN[axis.kind],
+    targets = result.test.targets
+    rng = generator(axis.name, result.test.name, "draws")
+    draws = posterior.draw(targets, DRAWS, rng, like.place)
+    runs = [result.test.readings(direction) for direction in Direction]
+    scatter = fresh_scatter(draws.noise, targets, runs[0], runs[1], rng)
+    slopes = fresh_slopes(targets, DRAWS, like.slope_std, rng)
+    predicted = predict_test(
+        draws.positive + slopes,
+        draws.negative + slopes,
+        scatter,
+        change_positive=change(targets, Direction.POSITIVE),
+        change_negative=change(targets, Direction.NEGATIVE),
+        coverage=result.coverage,
+        vdi=result.standard == "vdi3441",
     )
-    return _predict_at(result, posterior, change, new_targets, axis, like)
+    return {
+        name: value for name, value in predicted.items() if result.parameters.get(name) is not None
+    }
 
 
 def why_not_better(
@@ -102,44 +96,7 @@ def why_not_better(
     return ""
 
 
-def _predict_at(
-    result: PositioningResult,
-    posterior: MeasuredError,
-    change: Correction,
-    targets: FloatArray,
-    axis: Axis,
-    like: Like,
-) -> Mapping[str, Quantiles]:
-    rng = generator(axis.name, result.test.name, "draws")
-    draws = posterior.draw(targets, DRAWS, rng, like.place)
-    same = targets is result.test.targets
-    runs: list[int | FloatArray] = [
-        readings if same else int(np.max(readings, initial=0.0))
-        for readings in map(result.test.readings, Direction)
-    ]
-    scatter = fresh_scatter(draws.noise, targets, runs[0], runs[1], rng)
-    slopes = fresh_slopes(targets, DRAWS, like.slope_std, rng)
-    predicted = predict_test(
-        draws.positive + slopes,
-        draws.negative + slopes,
-        scatter,
-        change_positive=change(targets, Direction.POSITIVE),
-        change_negative=change(targets, Direction.NEGATIVE),
-        coverage=result.coverage,
-        vdi=result.standard == "vdi3441",
-    )
-    return {
-        name: value for name, value in predicted.items() if result.parameters.get(name) is not None
-    }
-
-
 def yardstick(result: PositioningResult) -> str | None:
     """Return the first of A, E, ... that a test has: by it tables are judged."""
     names = ("A", "E", "A_positive", "A_negative", "E_positive", "E_negative", "P", "R", "B_mean")
     return next((name for name in names if result.parameters.get(name) is not None), None)
-
-
-def generator(*names: str) -> np.random.Generator:
-    """Return a generator that depends on the names only: the same job predicts the same numbers."""
-    digest = hashlib.sha256("\x1f".join(names).encode("utf-8", "surrogatepass")).digest()
-    return np.random.default_rng(int.from_bytes(digest[:8], "big"))

@@ -8,7 +8,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.planning.outlook import END_MARGIN, generator
+from compwright.planning.fresh import END_MARGIN, generator
 from compwright.planning.wanted import MeasuredError
 from compwright.prediction.positioning import dithered_targets
 from compwright.prediction.scatter import fresh_scatter

@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.statistics import mean_deviation, standard_deviation
+from compwright.evaluation.statistics import mean_and_deviation
 from compwright.prediction.fresh_noise import fresh_noise
 from compwright.records.axis import FloatArray
 from compwright.records.noise import NoiseDraws
@@ -55,8 +55,9 @@ def fresh_scatter(
         for side, (block, wanted) in enumerate(zip(blocks, runs, strict=True)):
             taken = np.arange(block.shape[2]) < wanted[:, np.newaxis]
             readings = block if np.all(taken) else np.where(taken, block, np.nan)
-            made[2 * side].append(mean_deviation(readings))
-            made[2 * side + 1].append(standard_deviation(readings))
+            mean, s = mean_and_deviation(readings)
+            made[2 * side].append(mean)
+            made[2 * side + 1].append(s)
     means_positive, s_positive, means_negative, s_negative = map(np.concatenate, made)
     return Scatter(
         mean_positive=means_positive,

@@ -7,14 +7,11 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from compwright.foundations.side_by_side import Each, in_turn
-from compwright.planning.axes import AxisWork, predict_axis
+from compwright.planning.axes import AxisWork, fresh_like_first, predict_axis
 from compwright.planning.circles import CircleWork, predicted_circle
-from compwright.planning.declared import fresh_slope
 from compwright.planning.drifting import drift_or_reversal
-from compwright.planning.fresh import fresh_tests
 from compwright.planning.goals import goal_told
 from compwright.planning.limiting import what_limits
-from compwright.planning.outlook import Like
 from compwright.planning.verdict import verdict
 from compwright.planning.worth import worth_of_points
 from compwright.prediction.acting import IDLE, Acting, Correction
@@ -64,9 +61,8 @@ def _predicted(
     helps.
     """
     work, new, _, rule = task
-    axis, prediction = work.planned.axis, predict_axis(*task)
-    like = Like(0, fresh_slope(rule, work.planned.tests[0]))
-    fresh = fresh_tests(work.results[0], work.posterior, axis, like)
+    fresh = fresh_like_first(work, rule)
+    axis, prediction = work.planned.axis, predict_axis(*task, fresh)
     findings = (
         *prediction.findings,
         *goal_told(work, new, fresh),

@@ -15,9 +15,10 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import evaluated
 from compwright.planning.declared import beside_first, fresh_slope, slope_after
+from compwright.planning.fresh import DRAWS, Like
 from compwright.planning.limits import lacking_guard, measured_decisions
 from compwright.planning.motions import with_motion
-from compwright.planning.outlook import DRAWS, Like, predict
+from compwright.planning.outlook import predict_same_targets
 from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
 from compwright.prediction.acting import Correction, difference, nothing
 from compwright.records.axis import AxisKind, Direction
@@ -95,9 +96,9 @@ def verified_axis(
     doubts = () if fault else doubted(result, before, guarded=guarded)
     return VerifiedAxis(
         before=before,
-        predicted=predict(
+        predicted=predict_same_targets(
             result, posterior, change, axis, Like(place, fresh_slope(job.decision_rule, repeated))
-        ).predicted,
+        ),
         expected=_expected(result, posterior, change),
         after=result,
         loading=_told(loading),
