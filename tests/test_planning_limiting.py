@@ -385,4 +385,41 @@ def test_a_reversal_that_no_drift_explains_is_not_doubted() -> None:
     assert drift_told(Warming(1.0, 0.0)) == []  # no drift from run to run
     assert drift_told(Warming(1.0, -6.0 * UM)) == []  # it would have changed the other way
     assert drift_told(Warming(1.0, 20.0 * UM)) == []  # or by much more
-    assert drift_told(Warming(1.0, 6.0 * UM), axis=axis_of(reference=500.0), **ONE_CURVE) == []
+
+
+class Cold(Warming):
+    """The same with ``play`` µm of lost motion instead of 4."""
+
+    def __init__(self, sign: float, drift: float, play: float) -> None:
+        super().__init__(sign, drift)
+        plus, minus, less = self.plus, self.minus, 0.5 * (play - 4.0) * UM
+        self.plus = lambda x: plus(x) - less
+        self.minus = lambda x: minus(x) + less
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize("play", [0.0, 4.0, -3.0])
+def test_a_backlash_value_that_may_hold_a_drift_is_doubted(sign: float, play: float) -> None:
+    """Between its two directions a target waits 11 readings on the average, half a run: from one
+    run to the next the axis drifts by 6 µm, so 3 µm of the mean reversal are drift.
+    """
+    centre = axis_of(reference=500.0)
+    work = fitted(Cold(sign, sign * 6.0 * UM, play), axis=centre, **ONE_CURVE)
+    table = work.planned.fitted
+    assert table is not None
+    assert table.mode == "single"
+    assert table.compensation.backlash == pytest.approx((play + sign * 3.0) * UM, abs=0.1 * UM)
+    (message,) = drift_told(Cold(sign, sign * 6.0 * UM, play), axis=centre, **ONE_CURVE)
+    assert f"mean reversal is {-play - sign * 3.0 + 0.0:+.2f} µm" in message
+    assert f"{sign * 6.0:+.2f} µm from the first run to the last" in message
+    assert f"moves it by {-sign * 3.0:+.2f} µm" in message
+    assert "before the backlash value is loaded" in message
+
+
+def test_a_backlash_value_that_no_drift_explains_is_not_doubted() -> None:
+    centre = axis_of(reference=500.0)
+    assert drift_told(Warming(1.0, 0.0), axis=centre, **ONE_CURVE) == []
+    # 0.1 of 7 µm, less than half of the noise of a reading.
+    assert drift_told(Warming(1.0, 0.2 * UM), axis=centre, **ONE_CURVE) == []
+    # 1 of 33 µm
+    assert drift_told(Cold(1.0, 2.0 * UM, 30.0), axis=centre, **ONE_CURVE) == []

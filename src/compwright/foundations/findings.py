@@ -21,7 +21,7 @@ DOUBTS: Final = frozenset(
     {
         *("CW-R008", "CW-R009", "CW-R010", "CW-R011", "CW-T007", "CW-T011"),
         *("CW-R055", "CW-R056", "CW-R058"),
-        "CW-P131",
+        *("CW-P131", "CW-P153", "CW-P154"),
         *("CW-T030", "CW-T031", "CW-T032", "CW-T033", "CW-T034", "CW-T035", "CW-T036"),
         *("CW-E003", "CW-E010", "CW-E011", "CW-S005", "CW-S018", "CW-S045"),
         *("CW-S060", "CW-S061"),

@@ -1,4 +1,11 @@
-"""Drift within a run looks like a reversal that varies along the travel."""
+"""Drift within a run looks like a reversal: in the mean, and as one that varies along the travel.
+
+A run goes up through the m targets and down again (ISO 230-2, standard test cycle): 2 m readings at
+equal times, target i (0 .. m - 1) in + as number i, in - as number 2 m - 1 - i. An axis that drifts
+by D from the first of n runs to the last moves by D / (n - 1) within each, so that its reversal
+(mean in + less mean in -) shows -(2 m - 1 - 2 i) / (2 m) of that beside the play: on the average
+one half, nearly all of it at the low end, nearly nothing at the high one.
+"""
 
 from __future__ import annotations
 
@@ -11,58 +18,102 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import AxisWork
 from compwright.planning.fresh import FreshTests
-from compwright.records.axis import Direction
+from compwright.records.axis import Direction, FloatArray
 from compwright.records.settled import settled_number
 
 #: The reversal changes by about what the drift would give: within this factor.
 _ALIKE: Final = 2.0
+#: A backlash value is doubted from where the drift may make out so much of it, and so much of the
+#: standard deviation of one reading.
+_OF_THE_REVERSAL: Final = 0.25
+_OF_THE_NOISE: Final = 0.5
 
 
 def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield that the second table may hold the drift of the test (CW-P153), where one is written
-    and the readings drift.
-
-    A run goes up through the targets and down again: at the low end a whole run lies between the
-    reading in + and the one in -, at the high end none. An axis that drifts by D from the first of
-    n runs to the last shows a reversal (mean in + less mean in -) that rises by D / (n - 1) from
-    the low end to the high one, however constant the play is.
+    """Yield that what is written may hold the drift of the test, where its readings drift: the
+    second table (CW-P153), or the backlash value beside a single one (CW-P154).
     """
-    planned = work.planned
-    runs = min(int(np.max(work.results[0].test.readings(way), initial=0.0)) for way in Direction)
-    if planned.fitted is None or planned.fitted.mode != "bidirectional" or runs < 2:
+    planned, test = work.planned, work.results[0].test
+    runs = min(int(np.max(test.readings(way), initial=0.0)) for way in Direction)
+    if planned.fitted is None or runs < 2:
         return
-    drift = settled_number(np.median(fresh.draws.noise.drift))
-    within = drift / (runs - 1)
+    noise = fresh.draws.noise
+    drift = settled_number(np.median(noise.drift))
+    if planned.fitted.mode == "bidirectional":
+        yield from _second_table(work, drift, drift / (runs - 1))
+    elif work.capacity is not None and work.capacity.backlash_quantum is not None:
+        along = (test.targets - noise.centre) / noise.half
+        each = (drift + np.median(noise.drift_tilt) * along) / (runs - 1)
+        m = test.targets.size
+        waits = (2 * m - 1 - 2 * np.arange(m)) / (2 * m)
+        yield from _backlash_value(work, drift, settled_number(-np.mean(waits * each)))
+
+
+def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Finding]:
+    """Yield CW-P153: ``drift`` from the first run to the last, ``within`` a run; mm or deg."""
     rises = _rise(work)
     if within == 0.0 or not 1.0 / _ALIKE <= rises / within <= _ALIKE:
         return
-    unit = planned.axis.kind.unit
-    factor, small = outside_factor(unit), shown_unit(unit)
-    risen, drifted, shown = (f"{one * factor:+.2f} {small}" for one in (rises, drift, within))
+    risen, drifted, shown = _texts(work, rises, drift, within)
     yield Finding(
         "CW-P153",
         "warning",
-        f"Axis {planned.axis.name}: the second table may hold the drift of this test. The reversal"
-        f" changes by {risen} along the travel; the drift found, {drifted} from the first run to"
-        f" the last, would show {shown} of that within every run, up and down again, with a"
+        f"Axis {work.planned.axis.name}: the second table may hold the drift of this test. The"
+        f" reversal changes by {risen} along the travel; the drift found, {drifted} from the first"
+        f" run to the last, would show {shown} of that within every run, up and down again, with a"
         " constant play. Warm the axis up and measure again before two tables are loaded, or take"
         " one (mode: single)",
     )
+
+
+def _backlash_value(work: AxisWork, drift: float, moved: float) -> Iterator[Finding]:
+    """Yield CW-P154: ``drift`` from the first run to the last, by which the mean reversal is
+    ``moved``; mm or deg.
+    """
+    _, reversal = _reversal(work)
+    mean = settled_number(np.mean(reversal))
+    noise = work.planned.estimate.noise
+    if abs(moved) < max(_OF_THE_REVERSAL * abs(mean), _OF_THE_NOISE * noise, 1e-9):
+        return
+    measured, drifted, shown = _texts(work, mean, drift, moved)
+    yield Finding(
+        "CW-P154",
+        "warning",
+        f"Axis {work.planned.axis.name}: the backlash value may hold the drift of this test. The"
+        f" mean reversal is {measured}; the drift found, {drifted} from the first run to the last,"
+        f" moves it by {shown} if it goes on within every run, up and down again. Warm the axis up"
+        " and measure again before the backlash value is loaded",
+    )
+
+
+def _texts(work: AxisWork, *sizes: float) -> Iterator[str]:
+    unit = work.planned.axis.kind.unit
+    factor, small = outside_factor(unit), shown_unit(unit)
+    return (f"{one * factor:+.2f} {small}" for one in sizes)
 
 
 def _rise(work: AxisWork) -> float:
     """Return by how much the reversal of the axis itself rises from end to end of the measured
     range, mm or deg: by a straight line.
     """
+    where, reversal = _reversal(work)
+    slope = np.polyfit(where - where[0], reversal, 1)[0]
+    low, high = work.planned.estimate.measured
+    return settled_number(slope * (high - low))
+
+
+def _reversal(work: AxisWork) -> tuple[FloatArray, FloatArray]:
+    """Return positions (k,) over the measured range, and there the reversal of the axis itself,
+    mean in + less mean in -, mm or deg.
+    """
     estimate, active = work.planned.estimate, work.active
     low, high = estimate.measured
     where = estimate.positions
     inside = (where >= low) & (where <= high)
-    reversal = (
+    reversal: FloatArray = (
         estimate.mean_positive
         - active(where, Direction.POSITIVE)
         - estimate.mean_negative
         + active(where, Direction.NEGATIVE)
     )
-    slope = np.polyfit(where[inside] - low, reversal[inside], 1)[0]
-    return settled_number(slope * (high - low))
+    return where[inside], reversal[inside]
