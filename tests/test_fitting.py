@@ -637,6 +637,23 @@ def test_a_control_with_few_points_says_what_that_costs() -> None:
     assert causes(result)["number of points"] > 0.5 * UM
 
 
+@pytest.mark.parametrize(
+    ("bend", "noise", "said"),
+    [
+        (0.05 * UM, 0.0, False),  # less than 0.05 µm remain: no test shows that
+        (6.0 * UM, 0.0, True),
+        (6.0 * UM, 12.0 * UM, False),  # a test scatters by far more
+    ],
+)
+def test_what_no_test_would_show_is_no_warning(bend: float, noise: float, *, said: bool) -> None:
+    """What is left stays among the limits, with its size."""
+    curve = bend * np.sin(X / 90.0)
+    wanted = wish(curve, curve, noise=noise)
+    result = fit(wanted, replace(COARSE, max_points=5, quantum=1e-7))
+    assert 0.0 < causes(result)["number of points"] < bend
+    assert ("CW-F004" in codes(result)) == said
+
+
 def test_a_period_is_held_where_three_points_per_period_fit_and_else_left_out() -> None:
     x = np.linspace(-800.0, 0.0, 2001)
     wave = 3 * UM * np.sin(2 * np.pi * x / 20.0)

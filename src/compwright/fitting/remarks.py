@@ -18,6 +18,10 @@ from compwright.records.settled import settled_number
 
 #: A limit that costs less than this share of a quantum is not worth a word.
 WORTH_SAYING: Final = 0.05
+#: A limit is warned of from this rms on (0.05 µm, 0.05 arcsec: no test shows less), and from this
+#: share of the standard deviation of one reading: it adds a hundredth to the square of 2 s.
+_SHOWN: Final = {AxisKind.LINEAR: 5e-5, AxisKind.ROTARY: 0.05 / 3600.0}
+_OF_THE_NOISE: Final = 0.2
 #: Points beyond the travel from which on it is said that the control counts from its reference.
 _MANY: Final = 5
 
@@ -93,7 +97,8 @@ def edge_findings(
 
 
 def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[Finding, ...]:
-    """Return warnings for limits that cost much."""
+    """Return warnings for limits that cost so much that a test would show it."""
+    least = max(_SHOWN[wanted.kind], _OF_THE_NOISE * wanted.noise)
     factor, unit = small(wanted.kind)
     says = {
         "number of points": (
@@ -117,5 +122,5 @@ def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[
             says[limit.cause][1].format(f"{limit.value * factor:.2g} {unit}"),
         )
         for limit in limits
-        if limit.cause in says
+        if limit.cause in says and limit.value >= least
     )

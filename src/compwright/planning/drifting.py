@@ -46,7 +46,7 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
         each = (drift + np.median(noise.drift_tilt) * along) / (runs - 1)
         m = test.targets.size
         waits = (2 * m - 1 - 2 * np.arange(m)) / (2 * m)
-        yield from _backlash_value(work, drift, settled_number(-np.mean(waits * each)))
+        yield from _backlash_value(work, drift, settled_number(-float(np.mean(waits * each))))
 
 
 def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Finding]:
@@ -71,7 +71,7 @@ def _backlash_value(work: AxisWork, drift: float, moved: float) -> Iterator[Find
     ``moved``; mm or deg.
     """
     _, reversal = _reversal(work)
-    mean = settled_number(np.mean(reversal))
+    mean = settled_number(float(np.mean(reversal)))
     noise = work.planned.estimate.noise
     if abs(moved) < max(_OF_THE_REVERSAL * abs(mean), _OF_THE_NOISE * noise, 1e-9):
         return
