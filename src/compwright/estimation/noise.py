@@ -49,7 +49,7 @@ def noise_of(test: PositioningTest) -> NoisePosterior | None:
         chain.sweep()
     sweeps = [chain.sweep() for _ in range(_BETWEEN * _DRAWS)]
     draws = sweeps[::_BETWEEN]
-    cells = [cell_means(draw) for draw in draws]
+    cells = [cell_means(draw, chain.step) for draw in draws]
     sigma = np.array([draw.sigma for draw in draws])
     if chain.step:
         sigma = np.array([rounded_std(each, chain.step) for each in sigma])

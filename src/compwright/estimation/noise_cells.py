@@ -10,6 +10,8 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.noise_chain import Draw
+from compwright.estimation.noise_rounding import common_std, rounded_std
+from compwright.estimation.noise_traverses import OFFSET
 from compwright.records.axis import FloatArray
 
 #: Cells at which what is common to the means is told apart: places along the travel.
@@ -27,15 +29,22 @@ class CellMeans:
     columns: FloatArray
 
 
-def cell_means(draw: Draw) -> CellMeans:
+def cell_means(draw: Draw, step: float) -> CellMeans:
     """Return what the readings say of the cells under one draw of the noise: a flat prior on the
     means, normal effects of the traverses (Searle, Casella and McCulloch, Variance Components,
     1992, section 7.4).
+
+    ``step``: to which a coarse instrument rounds, mm or deg; 0 where that is no matter. What
+    rounding does to all readings of a cell alike no repetition takes out.
     """
     data = draw.data
     there = data.weights > 0.0
     columns, rest = _columns(draw)
-    variance = np.where(there, draw.variance / np.maximum(data.weights, 1e-300) + rest, np.inf)
+    single = draw.variance
+    if step:
+        single = rounded_std(draw.sigma, step) ** 2
+        rest = rest + common_std(float(np.hypot(draw.sigma, draw.size[OFFSET])), step) ** 2
+    variance = np.where(there, single / np.maximum(data.weights, 1e-300) + rest, np.inf)
     return CellMeans(
         mean=np.where(there, data.means - data.shares @ draw.effects, 0.0),
         precision=1.0 / variance,

@@ -4,7 +4,7 @@ the others (Geman and Geman, IEEE Trans. Pattern Anal. 6, 1984).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -17,7 +17,7 @@ from compwright.estimation.noise_readings import (
     at_traverses,
     reduced,
 )
-from compwright.estimation.noise_rounding import draw_unrounded, step_of
+from compwright.estimation.noise_rounding import draw_unrounded, spread_out, step_of
 from compwright.estimation.noise_spread import draw_spread, shapes_of
 from compwright.estimation.noise_tails import TAILS, Latent, chances_of, draw_latent
 from compwright.estimation.noise_traverses import Sizes, Traverses, patterns_of
@@ -77,8 +77,7 @@ class Chain:
         self.sigma, residuals = self._start()
         self.step = step_of(readings, self.sigma)
         if self.step:
-            within = rng.uniform(-0.5, 0.5, self.values.shape)
-            self.values = np.where(readings.there, self.values + self.step * within, 0.0)
+            self.values = spread_out(readings, self.step, self.sigma, rng)
             self.sigma, residuals = self._start()
         self.tail_chances = np.zeros(len(TAILS))
         self._take_tail(residuals / self.sigma)
@@ -124,7 +123,7 @@ class Chain:
             effects=mean + drifting,
             covariance=variance * covariance,
             variance=variance,
-            data=data,
+            data=self._as_read(data, weights, self.values - values),
             absent=self.sizes.absent.copy(),
             absent_spread=self.absent_spread,
             tail_chances=self.tail_chances,
@@ -133,6 +132,15 @@ class Chain:
         effects = mean + np.sqrt(variance) * (root_of(covariance) @ rng.standard_normal(mean.size))
         self._draw_readings(values, at_traverses(self.readings, effects + drifting))
         return draw
+
+    def _as_read(self, data: Reduced, weights: FloatArray, shift: FloatArray) -> Reduced:
+        """Return ``data`` with the means of the readings as they were read, less the ``shift`` (c,
+        n) of outliers: a drawn place between two numbers would stand for the mean of its cell.
+        """
+        if not self.step:
+            return data
+        total = np.maximum(data.weights, 1e-300)
+        return replace(data, means=np.sum(weights * (self.readings.values - shift), axis=1) / total)
 
     def _traverses(self, values: FloatArray, weights: FloatArray) -> Traverses:
         """Return what ``values`` with ``weights`` (c, n) say of the traverses; reduced anew only

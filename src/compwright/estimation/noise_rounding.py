@@ -17,19 +17,30 @@ from compwright.records.positioning import SAME_READING
 _COARSE: Final = 0.4
 #: Differences are whole steps if they are so to this part of a step.
 _WHOLE: Final = 0.02
-_PARTS: Final = 8
+_PARTS: Final = 16
+#: Values before rounding are drawn from so many scales on either side of their middle.
+_REACH: Final = 4.0
 _PHASES: Final = 12
+#: Scatter that is tried, in steps: from hardly any on.
+_QUIET: Final = 0.03
+_TRIED: Final = 16
+#: Terms of the series of the mean error of rounding.
+_ORDERS: Final = 100
 
 
 def step_of(readings: Readings, scatter: float) -> float:
     """Return the step of the readings, mm or deg, where it is coarse against their ``scatter``; 0
-    where it is not, or where differences within cells are no whole steps.
+    where it is not, or where differences within cells (between them, where all within are nothing)
+    are no whole steps.
     """
     there = readings.there
     first = np.argmax(there, axis=1)
     away = readings.values - readings.values[np.arange(first.size), first][:, np.newaxis]
     sizes = np.abs(away[there])
     sizes = sizes[sizes > SAME_READING]
+    if not sizes.size:  # every cell repeats one number: cells beside each other show the step
+        sizes = np.abs(readings.values[there] - readings.values[there][0])
+        sizes = sizes[sizes > SAME_READING]
     if not sizes.size:
         return 0.0
     step = float(np.min(sizes))
@@ -56,6 +67,41 @@ def rounded_std(sigma: float, step: float) -> float:
     return step * float(np.sqrt(np.mean(chances @ numbers**2 - means**2)))
 
 
+def common_std(sigma: float, step: float) -> float:
+    """Return the standard deviation of what rounding to ``step`` does to all readings of a cell
+    alike, however often it is read, when they scatter by ``sigma`` before.
+
+    Means of rounded readings lie off by a Fourier series over where between two numbers the true
+    mean lies; its mean square is step² / 12 without scatter and nothing from half a step on (Widrow
+    and Kollár, Quantization Noise, 2008, chapter 4).
+    """
+    orders = np.arange(1, _ORDERS + 1)
+    damping = np.exp(-((2.0 * np.pi * orders * sigma / step) ** 2))
+    return step * float(np.sqrt(0.5 * np.sum(damping / orders**2))) / float(np.pi)
+
+
+def spread_out(
+    readings: Readings, step: float, seen: float, rng: np.random.Generator
+) -> FloatArray:
+    """Return values (c, n) as they may have been before rounding to ``step``, to begin with: those
+    of a cell scatter as much as makes the scatter ``seen`` once they are rounded.
+    """
+    sizes = step * np.geomspace(_QUIET, 1.0, _TRIED)
+    scatter = np.array([rounded_std(float(size), step) for size in sizes])
+    sigma = float(sizes[np.argmin(np.abs(scatter - seen))])
+    count = np.maximum(np.sum(readings.there, axis=1), 1)
+    middle = np.sum(readings.values, axis=1) / count
+    same = np.all(
+        ~readings.there | (np.abs(readings.values - middle[:, np.newaxis]) < 0.1 * step), 1
+    )
+    middle = middle + same * rng.uniform(-0.5 * step, 0.5 * step, middle.size)
+    wanted = middle[:, np.newaxis] + sigma * rng.standard_normal(readings.values.shape)
+    half = 0.5 * step
+    within = np.clip(wanted, readings.values - half, readings.values + half)
+    values: FloatArray = np.where(readings.there, within, 0.0)
+    return values
+
+
 def draw_unrounded(
     readings: Readings,
     step: float,
@@ -66,12 +112,16 @@ def draw_unrounded(
     """Draw the values (c, n) before rounding to ``step``: normal about ``middle`` with ``scale``
     (c, n), within half a step of what was read (Heitjan and Rubin, J. Am. Stat. Assoc. 85, 1990).
     """
-    inside = (np.arange(_PARTS) + 0.5) / _PARTS - 0.5
-    candidates = readings.values[:, :, np.newaxis] + step * inside
+    wide = np.minimum(step, 2.0 * _REACH * scale)
+    low = np.clip(
+        middle - _REACH * scale, readings.values - 0.5 * step, readings.values + 0.5 * step - wide
+    )
+    inside = (np.arange(_PARTS) + 0.5) / _PARTS
+    candidates = low[:, :, np.newaxis] + wide[:, :, np.newaxis] * inside
     logs = -0.5 * ((candidates - middle[:, :, np.newaxis]) / scale[:, :, np.newaxis]) ** 2
     chances = np.cumsum(np.exp(logs - np.max(logs, axis=2, keepdims=True)), axis=2)
     drawn = rng.random(readings.values.shape) * chances[:, :, -1]
     part = np.sum(chances < drawn[:, :, np.newaxis], axis=2)
-    within = (np.minimum(part, _PARTS - 1) + rng.random(part.shape)) / _PARTS - 0.5
-    values: FloatArray = np.where(readings.there, readings.values + step * within, 0.0)
+    within = (np.minimum(part, _PARTS - 1) + rng.random(part.shape)) / _PARTS
+    values: FloatArray = np.where(readings.there, low + wide * within, 0.0)
     return values
