@@ -18,7 +18,7 @@ from compwright.estimation.period_likelihood import (
     Middles,
     PeriodLikelihood,
 )
-from compwright.estimation.period_middles import FITTED, fitted_periods, middles_of
+from compwright.estimation.period_middles import FITTED, fitted_periods, middles_of, unseen_periods
 from compwright.estimation.period_window import Window, alikeness
 from compwright.estimation.periods import PeriodSearch, search_periods
 from compwright.records.axis import AxisKind, FloatArray
@@ -165,6 +165,31 @@ def test_a_known_period_is_not_found_again_and_another_beside_it_is() -> None:
     )
     search = search_periods(middles, smooth_basis(800.0), AxisKind.LINEAR, known=(10.0,))
     assert named(search) == [16.0]
+
+
+@pytest.mark.parametrize(
+    ("waves", "known", "unseen"),
+    [
+        (((0.0015, 12.0),), 10.0, (10.0,)),  # told 10 mm, and the screw has 12
+        (((0.0015, 12.0), (0.001, 10.0)), 10.0, ()),  # a gear beside the screw
+        (((0.0015, 20.0), (0.001, 10.0)), 10.0, ()),  # two waves in a lead of 20 mm
+        (((0.001, 10.0),), 10.0, ()),
+        ((), 10.0, ()),  # a good screw
+    ],
+)
+def test_a_told_period_of_which_another_takes_the_place_is_doubted(
+    waves: tuple[tuple[float, float], ...], known: float, unseen: tuple[float, ...]
+) -> None:
+    rng = np.random.default_rng(4)
+    targets = dithered(rng, 800.0, 24)
+
+    def error(x: FloatArray) -> FloatArray:
+        parts = [size * np.sin(2.0 * np.pi * x / period + 0.7) for size, period in waves]
+        return np.asarray(bow(x) + sum(parts))
+
+    middles, basis = made(targets, error, rng), smooth_basis(800.0)
+    search = search_periods(middles, basis, AxisKind.LINEAR, known=(known,))
+    assert unseen_periods(middles, basis, (known,), named(search)) == unseen
 
 
 def test_a_worm_of_a_rotary_axis_is_named() -> None:

@@ -58,3 +58,15 @@ def test_a_named_screw_stays_as_the_job_says(tmp_path: Path) -> None:
     found = run(tmp_path, MACHINE.targets(24), "screw_pitch: 10")
     assert found["prediction"]["periods"] == [{"period": 10.0, "probability": 1.0, "source": "job"}]
     assert found["plan"]["periods"] == found["prediction"]["periods"]
+
+
+@pytest.mark.parametrize(("pitch", "doubted"), [(12, True), (10, False)])
+def test_a_pitch_that_the_readings_do_not_show_is_doubted(
+    tmp_path: Path, pitch: int, *, doubted: bool
+) -> None:
+    found = run(tmp_path, MACHINE.targets(24), f"screw_pitch: {pitch}")["prediction"]
+    says = [each["message"] for each in found["findings"] if each["code"] == "CW-E016"]
+    assert bool(says) == doubted
+    if doubted:
+        assert "every 12 mm" in says[0]
+        assert "every 10 mm: is the pitch right?" in says[0]

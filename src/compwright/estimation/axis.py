@@ -38,8 +38,8 @@ from compwright.estimation.evidence import Weights
 from compwright.estimation.model import Part, Periods, Travel, basis_of
 from compwright.estimation.observed import ObservedTest
 from compwright.estimation.own_slopes import slope_findings
-from compwright.estimation.period_findings import period_findings
-from compwright.estimation.period_middles import fitted_periods, middles_of
+from compwright.estimation.period_findings import period_findings, unseen_findings
+from compwright.estimation.period_middles import fitted_periods, middles_of, unseen_periods
 from compwright.estimation.periods import PeriodSearch, search_periods
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.findings import Finding
@@ -229,6 +229,7 @@ def estimate_axis(
     known = Periods.of(cells, fitted_periods(middles, smooth, shown))
     kind, first = tests[0].test.kind, tests[0].noise
     search = search_periods(middles, smooth, kind, known=known.periods, suggested=suggested)
+    told = tuple(each.period for each in search.found if each.named)
     mixture = averaged(cells, over, known, search.models, _DRAWS)
     parts, odds = mixture.parts, mixture.reversal_log_odds
     log_noise = 0.5 * np.log([each.noise for part in parts for each in part.weights])
@@ -243,6 +244,7 @@ def estimate_axis(
         findings=(
             *findings_of(cells, travel if turn is None else None, periods, shown, kind),
             *period_findings(search, cells.targets, kind, shown, known.periods),
+            *unseen_findings(unseen_periods(middles, smooth, known.periods, told), told, kind),
             *slope_findings(tests, cells, parts),
             *(finding for each in tests if each.noise for finding in each.noise.findings),
         ),

@@ -77,6 +77,24 @@ def period_findings(
     return found
 
 
+def unseen_findings(
+    unseen: Sequence[float], found: Sequence[float], kind: AxisKind
+) -> list[Finding]:
+    """Return the known periods (mm or deg) that the readings do not show while they show the
+    ``found`` ones (CW-E016): the period may be told wrong.
+    """
+    if not unseen or not found:
+        return []
+    unit = kind.unit
+    told, instead = (" and ".join(f"{one:.5g}" for one in each) for each in (unseen, found))
+    message = (
+        f"The readings show no error that repeats every {told} {unit}, as the job says"
+        f" (screw_pitch), but one that repeats every {instead} {unit}: is the pitch right? Both"
+        " stay in the estimate; a wrong one does no harm there, but the grid is chosen for it"
+    )
+    return [Finding("CW-E016", "warning", message)]
+
+
 def _nothing(search: PeriodSearch, targets: FloatArray, unit: str) -> str:
     intervals = np.diff(targets)
     if search.curve is None:

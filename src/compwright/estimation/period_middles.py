@@ -75,6 +75,26 @@ def _dof(precision: FloatArray) -> float:
     return float(2.0 / max(float(np.var(level)), 1e-4))
 
 
+def unseen_periods(
+    middles: Middles, basis: Basis, known: Sequence[float], found: Sequence[float]
+) -> tuple[float, ...]:
+    """Return those of the ``known`` periods (mm or deg) at which the middles rather speak against a
+    wave, beside those that were ``found``; none where nothing was found.
+
+    Of what was found the first harmonic counts: a known half of it may be seen all the same.
+    """
+    waves = [
+        wave for period in found for wave in wave_columns(middles.targets, 1.0 / float(period))[:2]
+    ]
+    free = np.column_stack([middles.free, *waves])
+    if not found or not known or free.shape[1] + 4 > middles.targets.size - LEFT:
+        return ()
+    likelihood = PeriodLikelihood(replace(middles, free=free), basis)
+    odds = np.logaddexp(*likelihood.log_odds(1.0 / np.array(known, dtype=np.float64)))
+    against = np.round(odds - np.log(2.0), 6) < 0.0
+    return tuple(float(period) for period, no in zip(known, against, strict=True) if no)
+
+
 def fitted_periods(middles: Middles, basis: Basis, shown: Sequence[float]) -> tuple[float, ...]:
     """Return those of the known periods (mm or deg) that are fitted: all, or where they are many
     the `FITTED` that the middles tell most of, each beside those before (forward selection: Miller,
