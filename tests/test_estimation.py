@@ -4,6 +4,7 @@ tell.
 
 from __future__ import annotations
 
+import pickle
 from typing import Any
 
 import numpy as np
@@ -284,6 +285,22 @@ def test_repeated_positions_and_reproducible() -> None:
     assert np.array_equal(one.positive[:, 0], one.positive[:, 2])
     assert one.noise.sigma.shape == (50, 2)
     assert len(set(one.noise.sigma[:, 0])) > 8  # the noise is drawn too
+
+
+def test_a_posterior_travels_between_processes_small_and_draws_the_same() -> None:
+    """100 axes of 41 targets are to stay well below 500 MB: 1 MB each."""
+    rng = np.random.default_rng(12)
+    targets = spread_targets(rng, 41)
+    test = measured(rng, targets, smooth(targets), 0 * targets, 1 * UM)
+    posterior = estimated(test, travel=TRAVEL)
+    packed = pickle.dumps(posterior)
+    assert len(packed) < 1e6
+    ours, theirs = (
+        each.draw(targets, 50, np.random.default_rng(1))
+        for each in (posterior, pickle.loads(packed))  # noqa: S301 - our own
+    )
+    assert np.array_equal(ours.positive, theirs.positive)
+    assert np.array_equal(ours.noise.sigma, theirs.noise.sigma)
 
 
 def test_draws_agree_with_the_summary() -> None:

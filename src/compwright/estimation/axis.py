@@ -116,14 +116,14 @@ class AxisPosterior:
         """Return by direction the means (draws, g) and the mean of the variances (g,), in units of
         the scale.
         """
-        count = sum(len(part.weights) for part in self.parts)
+        count = sum(part.draws.size for part in self.parts)
         means: list[list[FloatArray]] = [[], []]
         variances = [np.zeros(where.size), np.zeros(where.size)]
         for part in self.parts:
-            size = part.basis.size
-            weights = np.array([each.mean[:size] for each in part.weights])
-            covariance = sum(each.root[:size] @ each.root[:size].T for each in part.weights)
-            local = sum(each.local for each in part.weights)
+            size, made = part.basis.size, part.weights
+            weights = np.array([each.mean[:size] for each in made])
+            covariance = sum(each.root[:size] @ each.root[:size].T for each in made)
+            local = sum(each.local for each in made)
             for side, rows in enumerate(part.basis.design(where)):
                 means[side].append(weights @ rows.T)
                 variances[side] += (np.sum((rows @ covariance) * rows, axis=1) + local) / count
@@ -142,8 +142,8 @@ class AxisPosterior:
         unique, back = np.unique(np.asarray(positions, dtype=np.float64), return_inverse=True)
         positive, negative = np.empty((count, unique.size)), np.empty((count, unique.size))
         line, seats = self.cells.line_at(unique), self.cells.seats(unique)
-        drawn = [weights for part in self.parts for weights in part.weights]
-        owner = rng.permutation(np.arange(count) % len(drawn))
+        noises = np.concatenate([part.noises for part in self.parts])
+        owner = rng.permutation(np.arange(count) % noises.size)
         first = 0
         for part in self.parts:
             design = part.basis.design(unique)
@@ -162,7 +162,7 @@ class AxisPosterior:
         return Draws(
             positive=(line[0] + scale * positive)[:, back],
             negative=(line[1] + scale * negative)[:, back],
-            noise=self._noise(drawn, owner, test),
+            noise=self._noise(noises[owner], owner, test),
         )
 
     def _local(
@@ -185,15 +185,16 @@ class AxisPosterior:
         )
         return drawn
 
-    def _noise(self, drawn: list[Weights], owner: NDArray[np.intp], test: int) -> NoiseDraws:
+    def _noise(self, variances: FloatArray, owner: NDArray[np.intp], test: int) -> NoiseDraws:
         """Return the noise of a fresh ``test`` (count,): what its own readings tell, else what was
-        inferred with the error, moved between traverses as in the test that tells it.
+        inferred with the error (``variances``, count), moved between traverses as in the test that
+        tells it.
         """
-        seats = np.array([weights.draw for weights in drawn])[owner]
+        seats = np.concatenate([part.draws for part in self.parts])[owner]
         own = self.cells.noises[test]
         if own is not None:
             return own.taken(seats)
-        sigma = self.cells.data.scale * np.sqrt(np.array([each.noise for each in drawn])[owner])
+        sigma = self.cells.data.scale * np.sqrt(variances)
         low, high = self.measured
         if self.cells.donor is None:
             return normal_noise(sigma, 0.5 * (low + high), 0.5 * (high - low))
@@ -232,7 +233,7 @@ def estimate_axis(
     told = tuple(each.period for each in search.found if each.named)
     mixture = averaged(cells, over, known, search.models, _DRAWS)
     parts, odds = mixture.parts, mixture.reversal_log_odds
-    log_noise = 0.5 * np.log([each.noise for part in parts for each in part.weights])
+    log_noise = 0.5 * np.log(np.concatenate([part.noises for part in parts]))
     return AxisPosterior(
         kind=kind,
         measured=(float(cells.targets[0]), float(cells.targets[-1])),

@@ -7,6 +7,7 @@ averaging: Hoeting et al., Statistical Science 14, 1999).
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -62,16 +63,41 @@ class Periods:
         return Periods((*self.periods, *periods), (*self.harmonics, *harmonics))
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Part:
-    """One model of the mixture: equally likely draws of the weights of its ``basis``."""
+    """One model of the mixture: equally likely draws of the weights of its `basis`, one for each of
+    the hyperparameters ``values`` (n, h) with a draw of the noise (``draws``, n).
+    """
 
-    basis: Basis
-    weights: tuple[Weights, ...]
+    evidence: Evidence
+    values: FloatArray
+    draws: NDArray[np.intp]
+
+    @property
+    def basis(self) -> Basis:
+        """The functions of the model."""
+        return self.evidence.basis
+
+    @property
+    def noises(self) -> FloatArray:
+        """Variance (n,) of a reading, where it is inferred, in units of the scale squared."""
+        return np.array([self.evidence.variances(h)[0] for h in self.values])
+
+    @property
+    def weights(self) -> tuple[Weights, ...]:
+        """The draws (n). They are large: made when asked for, and kept for the last few parts."""
+        return _weights_of(self)
 
     def rows(self, cells: Cells, draw: int) -> FloatArray:
         """Return the columns (c, j) of all weights at the cells under a draw of the noise."""
         return design_rows(self.basis, cells.targets, cells.data, draw)
+
+
+@functools.lru_cache(maxsize=8)
+def _weights_of(part: Part) -> tuple[Weights, ...]:
+    return tuple(
+        part.evidence.weights(h, int(draw)) for h, draw in zip(part.values, part.draws, strict=True)
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,11 +112,7 @@ class Fitted:
         of the noise (n,), its hyperparameters evenly spread over those drawn.
         """
         pick = np.linspace(0, self.drawn.values.shape[0] - 1, noise.size).round().astype(int)
-        weights = (
-            self.evidence.weights(self.drawn.values[index], int(draw))
-            for index, draw in zip(pick, noise, strict=True)
-        )
-        return Part(self.evidence.basis, tuple(weights))
+        return Part(self.evidence, self.drawn.values[pick], noise)
 
 
 def fitted(cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int) -> Fitted:
