@@ -185,3 +185,32 @@ def test_the_plan_holds_the_tests_by_which_a_goal_was_judged() -> None:
     assert "scenarios" not in _wanted_out(replace(wanted, scenarios=None))
     one, other = (fit(each, CONTROL, spacing=100.0, goal="A") for each in (wanted, back))
     assert np.array_equal(one.compensation.positive, other.compensation.positive)
+
+
+@pytest.mark.parametrize("goal", ["A", "E", "M"])
+def test_what_lies_between_targets_is_not_followed_at_those_that_were_drawn(
+    goal: Literal["A", "E", "M"],
+) -> None:
+    """12 sets of targets, each in 8 tests: every test of a set shows the same wave of 7.3 mm, 2 µm,
+    which nodes every 40 mm cannot hold. The goal costs nothing at other targets.
+    """
+
+    def drawn(sets: int, each: int, seed: int) -> Scenarios:
+        rng = np.random.default_rng(seed)
+        where = np.repeat(np.sort(rng.uniform(5.0, 795.0, (sets, 15)), axis=1), each, axis=0)
+        wave = 2 * UM * np.sin(2 * np.pi * where / 7.3)
+        shown = [wave + 0.1 * UM * rng.standard_normal(where.shape) for _ in range(2)]
+        half = np.full(where.size, 0.2 * UM)
+        return Scenarios(
+            count=sets * each,
+            positions=where.ravel(),
+            positive=shown[0].ravel(),
+            negative=shown[1].ravel(),
+            half_positive=half,
+            half_negative=half,
+        )
+
+    wanted = wish(BUMP, BUMP + 4 * UM, drawn(12, 8, 12))
+    others = drawn(400, 1, 13)
+    table, usual = (fit(wanted, CONTROL, spacing=40.0, goal=each) for each in (goal, "expected"))
+    assert shown(table, wanted, others)[goal] < 1.01 * shown(usual, wanted, others)[goal]

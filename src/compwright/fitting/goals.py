@@ -19,13 +19,13 @@ import numpy as np
 
 from compwright.fitting.problem import BOTH, Layout, QuadraticProblem, bends, hat_matrix
 from compwright.fitting.ranges import Deviations, product, solve_ranges
-from compwright.fitting.sparse import SparseMatrix, entries, identity, stacked, sum_of
+from compwright.fitting.sparse import IntArray, SparseMatrix, entries, identity, stacked, sum_of
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import Scenarios, WantedCorrection
 
-#: Of the scenarios every second one is for the program, the others decide how far to follow it.
+#: How far to follow the program.
 _SHARES: Final = np.linspace(0.0, 1.0, 6)
 #: Within this share of the least mean range the table of least mean square is taken.
 _SLACK: Final = 0.002
@@ -53,8 +53,7 @@ def best_for(
         deviations = _of_the_mean(goal, wanted, layout, capacity)
         return solve_ranges(deviations, limits, slack=0.01 * capacity.quantum)
     deviations = _of_scenarios(goal, wanted, wanted.scenarios, layout, capacity)
-    every = np.arange(wanted.scenarios.count)
-    fitted, held_out = deviations.of(every[::2]), deviations.of(every[1::2])
+    fitted, held_out = map(deviations.of, _halves(wanted.scenarios))
     bends_by = _smooth_changes(layout)
     moved = Deviations(
         D=product(fitted.D, bends_by),
@@ -68,6 +67,16 @@ def best_for(
     values = [held_out.mean_range(x) for x in tables]
     best = int(np.argmin(np.round(values, 9)))
     return tables[best], {**proof, "followed": float(_SHARES[best])}
+
+
+def _halves(scenarios: Scenarios) -> tuple[IntArray, IntArray]:
+    """Return the numbers of the tests for the program, and of those that decide how far to follow
+    it: no target is in both, because what lies between targets is not seen at them.
+    """
+    targets = scenarios.positions.reshape(scenarios.count, -1)
+    others = np.any(targets[1:] != targets[:-1], axis=1)
+    place = np.concatenate([[0], np.cumsum(others)])
+    return np.flatnonzero(place % 2 == 0), np.flatnonzero(place % 2 == 1)
 
 
 def _smooth_changes(layout: Layout) -> SparseMatrix:
@@ -131,7 +140,8 @@ def mean_over(
         for way, beyond, half in _measured(scenarios)
     ]
     together = _together(shown, 1, middle=goal == "M")
-    return together.of(np.arange(scenarios.count)[1::2]).mean_range(np.zeros(1))
+    _, held_out = _halves(scenarios)
+    return together.of(held_out).mean_range(np.zeros(1))
 
 
 def as_wish(

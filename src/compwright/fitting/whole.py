@@ -28,6 +28,8 @@ _HAIR: Final = 1e-6
 #: Less than this (µm or arcsec) is arithmetic.
 _NOTHING: Final = 1e-6
 _ANY: Final = (-(10**9), 10**9)
+#: The finding that a goal is not followed.
+GOAL_LEFT: Final = "CW-F010"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -295,7 +297,7 @@ def goal_finding(goal: Goal, what: str) -> tuple[Finding, ...]:
         f"The job asks for the least {goal}; for {what} the table of least expected square is taken"
         " instead"
     )
-    return (Finding("CW-F010", "info", message),)
+    return (Finding(GOAL_LEFT, "info", message),)
 
 
 def whole_table(

@@ -18,7 +18,7 @@ from compwright.planning.fresh import FreshTests, Like, fresh_tests
 from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
 from compwright.planning.motions import with_backlash, with_motion
 from compwright.planning.outlook import predict, why_not_better
-from compwright.planning.scenarios import scenarios_of
+from compwright.planning.scenarios import alike, gains, scenarios_of
 from compwright.planning.sharing import shared_fairly
 from compwright.planning.tables import fit_within, freely_chosen, offer
 from compwright.planning.together import counted_together, with_what_acted
@@ -35,7 +35,7 @@ from compwright.records.axis import Axis, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable
+from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import AxisJob, Job
 from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest
@@ -54,8 +54,8 @@ class CapacityOf(Protocol):
 class AxisWork:
     """One axis of a run. ``as_found``: what the control does now, by the judge; ``refused``: why
     its table is not written; ``chosen``: the table on a grid of our own choice, where that of the
-    control stays and may lose something by it; ``usual``: the table of least expected square, where
-    the job has another goal.
+    control stays and may lose something by it; ``beside``: where the job has another goal than the
+    least expected square, the one of the two tables that was not taken.
     """
 
     entry: AxisJob
@@ -66,7 +66,7 @@ class AxisWork:
     capacity: Capacity | None = None
     refused: str = ""
     chosen: FittedTable | None = None
-    usual: FittedTable | None = None
+    beside: FittedTable | None = None
     disagreeing: tuple[Finding, ...] = ()
 
     @property
@@ -164,9 +164,10 @@ def start_axis(
 @dataclass(frozen=True, slots=True)
 class _Fitted:
     wanted: WantedCorrection
+    request: TableRequest
     table: FittedTable
     chosen: FittedTable | None
-    usual: FittedTable | None
+    beside: FittedTable | None
 
 
 def fit_all(
@@ -174,9 +175,10 @@ def fit_all(
     capacity_of: CapacityOf,
     job_file: str,
     each: Each = in_turn,
+    rule: Literal["simple", "guarded"] = "simple",
 ) -> dict[str, AxisWork]:
-    """Fit every axis under the limits of the control. Raises CapacityError with the faults of all
-    axes.
+    """Fit every axis under the limits of the control; ``rule``: how the job decides, for the tests
+    that judge a goal. Raises CapacityError with the faults of all axes.
     """
     errors: list[CompwrightError] = []
     capacities: dict[str, Capacity] = {}
@@ -191,7 +193,7 @@ def fit_all(
         {name: work.planned for name, work in works.items() if work.planned.active is not None},
     )
     tasks = {
-        name: (work, capacities[name])
+        name: (work, capacities[name], rule)
         for name, work in works.items()
         if work.planned.active is not None and name in capacities
     }
@@ -203,17 +205,27 @@ def fit_all(
         fitted[name] = replace(
             works[name],
             capacity=capacities[name],
-            planned=replace(works[name].planned, wanted=found.wanted, fitted=found.table),
+            planned=replace(
+                works[name].planned,
+                wanted=found.wanted,
+                request=found.request,
+                fitted=found.table,
+            ),
             chosen=found.chosen,
-            usual=found.usual,
+            beside=found.beside,
         )
     raise_all(CapacityError, collect(errors))
     return fitted
 
 
-def _fit(task: tuple[AxisWork, Capacity]) -> _Fitted | CapacityError:
-    """Return what is wanted of an axis and its tables, or why the control cannot hold one."""
-    work, capacity = task
+def _fit(
+    task: tuple[AxisWork, Capacity, Literal["simple", "guarded"]],
+) -> _Fitted | CapacityError:
+    """Return what is wanted of an axis and its tables, or why the control cannot hold one. The
+    table for a goal is taken where the tests of the prediction show that it gains, or where it is
+    the usual one.
+    """
+    work, capacity, rule = task
     planned = work.planned
     if planned.active is None:
         raise TypeError("nobody said what is in the control")
@@ -222,17 +234,34 @@ def _fit(task: tuple[AxisWork, Capacity]) -> _Fitted | CapacityError:
         planned.estimate, planned.active, axis, reversal_log_odds=work.posterior.reversal_log_odds
     )
     try:
-        usual = fit_within(wanted, capacity, replace(request, goal="expected"), axis)
-        if request.goal == "expected":
-            chosen = freely_chosen(wanted, capacity, request, usual, axis)
-            return _Fitted(wanted, usual, chosen, None)
-        scenarios = scenarios_of(work.results[0], work.posterior, planned.estimate, axis)
-        wanted = replace(wanted, scenarios=scenarios)
-        table = fit_within(wanted, capacity, request, axis)
-        chosen = freely_chosen(wanted, capacity, request, table, axis)
+        expected = replace(request, goal="expected")
+        usual = fit_within(wanted, capacity, expected, axis)
+        beside = None
+        if request.goal != "expected":
+            scenarios = scenarios_of(work.results[0], work.posterior, planned.estimate, axis)
+            judged = replace(wanted, scenarios=scenarios)
+            table = fit_within(judged, capacity, request, axis)
+            if _pays(work, table, usual, rule):
+                chosen = freely_chosen(judged, capacity, request, table, axis)
+                return _Fitted(judged, request, table, chosen, usual)
+            beside = table
+        chosen = freely_chosen(wanted, capacity, expected, usual, axis)
     except CapacityError as error:
         return error
-    return _Fitted(wanted, table, chosen, usual)
+    return _Fitted(wanted, expected, usual, chosen, beside)
+
+
+def _pays(
+    work: AxisWork, table: FittedTable, usual: FittedTable, rule: Literal["simple", "guarded"]
+) -> bool:
+    """Return whether the ``table`` for the goal of the job is the ``usual`` one, or the tests of
+    the prediction show that it gains.
+    """
+    goal = work.planned.request.goal
+    if goal == "expected" or alike(table, usual):
+        return True
+    with_it, without = (difference(one.compensation.at, work.active) for one in (table, usual))
+    return gains(goal, with_it, without, fresh_like_first(work, rule))
 
 
 def _of_axis(error: CapacityError, name: str, file: str) -> CapacityError:

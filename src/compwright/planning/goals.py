@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
-import numpy as np
-
+from compwright.fitting.whole import GOAL_LEFT
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import AxisWork
 from compwright.planning.fresh import FreshTests
+from compwright.planning.scenarios import alike
 from compwright.prediction.acting import Correction, difference
-from compwright.records.fitted import FittedTable
+from compwright.records.fitted import FittedTable, Goal
 
 #: What is told: of both directions, of the one that was measured, or of VDI/DGQ 3441.
 _TOLD: Final = (
@@ -23,30 +23,26 @@ _TOLD: Final = (
 
 
 def goal_told(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield what ``fresh`` tests at new targets show of A, E and M with ``new``, made for another
-    goal than the least expected square, beside what that one would show (CW-P152).
+    """Yield what ``fresh`` tests at new targets show of A, E and M with ``new``, and with the table
+    that was not taken, where the job has another goal than the least expected square (CW-P152).
     """
-    planned = work.planned
-    if work.usual is None or planned.fitted is None:
+    planned, goal = work.planned, work.entry.table.goal
+    if work.beside is None or planned.fitted is None:
         return
-    mine, usual = (
-        fresh.quantiles(difference(acts, work.active)) for acts in (new, work.usual.compensation.at)
+    mine, others = (
+        fresh.quantiles(difference(acts, work.active))
+        for acts in (new, work.beside.compensation.at)
     )
-    goal, same = planned.request.goal, _alike(planned.fitted, work.usual)
+    same = alike(planned.fitted, work.beside)
     unit = planned.axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
     names = next(found for told in _TOLD if (found := [name for name in told if name in mine]))
     shown = ", ".join(
         f"{name} {mine[name].median * factor:.2f}"
-        + ("" if same else f" ({usual[name].median * factor:.2f})")
+        + ("" if same else f" ({others[name].median * factor:.2f})")
         for name in names
     )
-    made = (
-        f"the table of least expected square is the one of least {goal} too"
-        if same
-        else f"made for the least {goal}"
-    )
-    beside = "" if same else ", in brackets with the table of least expected square"
+    made, beside = _made(goal, planned.fitted, same=same, taken=planned.request.goal == goal)
     yield Finding(
         "CW-P152",
         "info",
@@ -54,10 +50,15 @@ def goal_told(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Fi
     )
 
 
-def _alike(one: FittedTable, other: FittedTable) -> bool:
-    mine, usual = one.compensation, other.compensation
+def _made(goal: Goal, table: FittedTable, *, same: bool, taken: bool) -> tuple[str, str]:
+    """Return what was made for the ``goal``, and what stands in brackets beside it."""
+    if any(finding.code == GOAL_LEFT for finding in table.findings):
+        return f"the table of least expected square is taken, not one for the least {goal}", ""
+    if same:
+        return f"the table of least expected square is the one of least {goal} too", ""
+    if taken:
+        return f"made for the least {goal}", ", in brackets with the table of least expected square"
     return (
-        np.array_equal(mine.positive, usual.positive)
-        and np.array_equal(mine.negative, usual.negative)
-        and mine.backlash == usual.backlash
-    )
+        f"a table made for the least {goal} shows no less of it in tests that it has not seen, so"
+        " the table of least expected square is taken"
+    ), f", in brackets with the one made for {goal}"

@@ -1,28 +1,39 @@
 """Fresh tests that may come, for a goal of the fit to be judged by: drawn as predictions are, from
-draws of their own.
+draws of their own; and whether the tests of the prediction, a third lot, bear it out.
 """
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, Literal
 
 import numpy as np
 
-from compwright.planning.fresh import END_MARGIN, generator
+from compwright.planning.fresh import END_MARGIN, FreshTests, generator
 from compwright.planning.wanted import MeasuredError
+from compwright.prediction.acting import Correction
 from compwright.prediction.positioning import dithered_targets
 from compwright.prediction.scatter import fresh_scatter
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.estimate import ErrorEstimate, Scenarios
+from compwright.records.fitted import FittedTable
 from compwright.records.result import PositioningResult
 from compwright.records.settled import settled
 
-#: Different sets of new targets, and tests at each: so many that targets of one or another lie
-#: everywhere, and few enough for a linear program.
-_SETS: Final = 12
-_TESTS_EACH: Final = 8
+#: Different sets of new targets, and tests at each: so many sets that targets of one or another lie
+#: everywhere in each half of them, and few enough tests for a linear program.
+_SETS: Final = 48
+_TESTS_EACH: Final = 2
 #: Targets of all tests together, at most.
 _MOST: Final = 8000
+#: Share of a parameter that another set of targets gives or takes: less is no gain.
+_LEAST_GAIN: Final = 0.01
+#: What a goal asks for, by the first of these that the test has: of both directions, of the one
+#: that was measured, or of VDI/DGQ 3441.
+_SHOWN_BY: Final = {
+    "A": ("A", "A_positive", "A_negative", "P"),
+    "E": ("E", "E_positive", "E_negative", "P"),
+    "M": ("M", "E_positive", "E_negative", "Pa"),
+}
 
 
 def scenarios_of(
@@ -33,16 +44,16 @@ def scenarios_of(
     """
     test = result.test
     m = test.targets.size
-    each = max(2, min(_TESTS_EACH, _MOST // (_SETS * m)))
+    sets = max(4, min(_SETS, _MOST // (_TESTS_EACH * m)))
     rng = generator(axis.name, test.name, "scenarios")
     runs = [int(np.max(test.readings(way), initial=0.0)) for way in Direction]
     names = ("positions", "positive", "negative", "half_positive", "half_negative")
     parts: dict[str, list[FloatArray]] = {name: [] for name in names}
-    for _ in range(_SETS):
+    for _ in range(sets):
         targets = dithered_targets(axis.travel, m, rng, END_MARGIN[axis.kind])
-        draws = posterior.draw(targets, each, rng)
+        draws = posterior.draw(targets, _TESTS_EACH, rng)
         scatter = fresh_scatter(draws.noise, targets, runs[0], runs[1], rng)
-        parts["positions"].append(np.tile(targets, each))
+        parts["positions"].append(np.tile(targets, _TESTS_EACH))
         for way, drawn, mean, s in (
             (Direction.POSITIVE, draws.positive, scatter.mean_positive, scatter.s_positive),
             (Direction.NEGATIVE, draws.negative, scatter.mean_negative, scatter.s_negative),
@@ -54,4 +65,25 @@ def scenarios_of(
             parts[name].append(beside.ravel() if measured else np.empty(0))
             parts[f"half_{name}"].append(half.ravel() if measured else np.empty(0))
     joined = {name: settled(np.concatenate(blocks)) for name, blocks in parts.items()}
-    return Scenarios(count=_SETS * each, **joined)
+    return Scenarios(count=sets * _TESTS_EACH, **joined)
+
+
+def gains(
+    goal: Literal["A", "E", "M"], with_it: Correction, without: Correction, fresh: FreshTests
+) -> bool:
+    """Return whether ``fresh`` tests show clearly less of the ``goal`` (median) after the change
+    ``with_it`` than after the one ``without``.
+    """
+    one, other = fresh.quantiles(with_it), fresh.quantiles(without)
+    name = next(name for name in _SHOWN_BY[goal] if name in one)
+    return one[name].median < (1.0 - _LEAST_GAIN) * other[name].median
+
+
+def alike(one: FittedTable, other: FittedTable) -> bool:
+    """Return whether two tables hold the same values."""
+    mine, usual = one.compensation, other.compensation
+    return (
+        np.array_equal(mine.positive, usual.positive)
+        and np.array_equal(mine.negative, usual.negative)
+        and mine.backlash == usual.backlash
+    )

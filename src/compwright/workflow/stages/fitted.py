@@ -43,6 +43,6 @@ def fitted(measured: Measured, wanted: Wanted, each: Each = in_turn) -> Fitted:
     capacity_of = control.format.capacity
     return Fitted(
         control=control,
-        works=fit_all(wanted.works, capacity_of, job.file, each),
+        works=fit_all(wanted.works, capacity_of, job.file, each, job.decision_rule),
         scaled=scaled_axes(job, wanted.circles, wanted.checks, capacity_of, as_found.state),
     )
