@@ -65,8 +65,18 @@ def test_what_looks_alike_is_not_named_and_comes_with_targets_that_tell() -> Non
 def test_nothing_found_says_why_that_may_be() -> None:
     assert "equal spacing hides" in said(targets=EQUAL)[0].message
     assert "Too few targets" in said(targets=ODD[:5], curve=None)[0].message
-    assert "none was found (100 % for none" in said()[0].message
+    assert (
+        "none was found: there is a chance of less than 1 % that the error repeats"
+        in said()[0].message
+    )
     assert said(known=(10.0,), fitted=(10.0,)) == []
+
+
+def test_what_may_be_hidden_is_said_as_a_chance() -> None:
+    models = (PeriodModel((), (), 0.75), PeriodModel((8.0,), ((1,),), 0.25))
+    search = PeriodSearch(models, (), (), CURVE)
+    (finding,) = period_findings(search, ODD, AxisKind.LINEAR, (), ())
+    assert "none was found: there is a chance of 25 % that the error repeats" in finding.message
 
 
 def test_known_periods_that_the_data_do_not_tell_are_counted() -> None:

@@ -34,6 +34,7 @@ from compwright.estimation.circle_plain import plain_regression
 from compwright.estimation.circle_report import effects_of
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.records.circular import CircularTest, Diagnosis
 
 #: ISO 230-4 asks for arcs of at least 90°; a shorter one tells hardly anything apart.
@@ -148,7 +149,7 @@ def _given(
         else:
             message = (
                 f"a period of {period:g} mm along {axis} cannot be seen: the samples show periods"
-                f" of {least:.3g} to {most:g} mm"
+                f" of {significant(least, 3)} to {most:g} mm"
             )
             findings.append(Finding("CW-D009", "warning", message))
     return frequencies, findings

@@ -15,6 +15,7 @@ from compwright.estimation.circle_cyclic import Search
 from compwright.estimation.circle_fit import Fit
 from compwright.estimation.circle_model import AXES, SOFTEST_LOOP, UM, Samples
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularTest
@@ -315,8 +316,8 @@ def _shape_findings(
             )
         elif axis in found.hidden and axis not in fitted.shapes.frequencies:
             message = (
-                f"no cyclic error of {name} was found; one of less than {found.hidden[axis]:.2g} µm"
-                " may be hidden"
+                f"no cyclic error of {name} was found; one of less than"
+                f" {significant(found.hidden[axis])} µm may be hidden"
             )
             yield Finding("CW-D007", "info", message)
         key = f"reversal_spike_{axis}"
@@ -324,7 +325,7 @@ def _shape_findings(
             height, error = fitted.value(key), effects[key].std_error
             if height < -3.0 * error:
                 message = (
-                    f"{name} is {-height:.2g} µm inside after its reversals: its backlash"
+                    f"{name} is {significant(-height)} µm inside after its reversals: its backlash"
                     " compensation may be too strong"
                 )
                 yield Finding("CW-D008", "warning", message)
@@ -332,7 +333,7 @@ def _shape_findings(
     if length > 0.1 * samples.theta.size / np.unique(samples.run).size:
         rms = float(np.sqrt(np.mean(fitted.residual**2))) * MICROMETRES_PER_MILLIMETRE
         message = (
-            f"{rms:.2g} µm of deviation has a shape that no cause explains; the standard errors"
-            " allow for it"
+            f"{significant(rms)} µm of deviation has a shape that no cause explains; the standard"
+            " errors allow for it"
         )
         yield Finding("CW-D010", "info", message)

@@ -17,6 +17,7 @@ from compwright.estimation.noise_spread import shapes_of
 from compwright.estimation.noise_tails import KINDS, NORMAL, OUTLIERS, STUDENT
 from compwright.estimation.noise_traverses import DRIFT, DRIFT_TILT, OFFSET, RATES, TILT
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import FloatArray
 from compwright.records.noise import INDEPENDENT, RUNS, WALK
@@ -131,7 +132,7 @@ def _tails(test: PositioningTest, readings: Readings, draws: Sequence[Draw]) -> 
             for k in order[:_SHOWN]
         )
         more = f" and {cells.size - _SHOWN} more" if cells.size > _SHOWN else ""
-        are = "readings are outliers" if cells.size > 1 else "reading is an outlier"
+        are = "readings are outliers" if cells.size > 1 else "readings is an outlier"
         yield Finding(
             "CW-E024",
             "warning",
@@ -195,11 +196,11 @@ def _odds(absent: float | np.floating[Any]) -> float:
 
 
 def _told(odds: float) -> str:
-    return "odds over 1000 to 1" if odds > _SURE else f"odds {odds:.2g} to 1"
+    return "odds over 1000 to 1" if odds > _SURE else f"odds {significant(odds)} to 1"
 
 
 def _text(value: float, test: PositioningTest) -> str:
-    return f"{value * outside_factor(test.kind.unit):.2g} {shown_unit(test.kind.unit)}"
+    return f"{significant(value * outside_factor(test.kind.unit))} {shown_unit(test.kind.unit)}"
 
 
 def _signed(value: float, test: PositioningTest) -> str:

@@ -11,6 +11,7 @@ from compwright.estimation.cells import Cells
 from compwright.estimation.model import Part
 from compwright.estimation.observed import ObservedTest
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind
 from compwright.records.settled import settled_number
 
@@ -39,9 +40,9 @@ def slope_findings(
             "CW-E028",
             "warning",
             f"Test {mine} has another slope than test {other}: {difference:+.1f} ± {error:.1f} µm/m"
-            f" beside it, as much as {abs(difference) / _STEEL:.2g} K make of steel. It counts as"
-            " the temperature or the set-up of one of the tests, not as an error of the axis; which"
-            " slope is right they do not tell: give the temperatures of the tests (thermal), or"
+            f" beside it, as much as {significant(abs(difference) / _STEEL)} K make of steel. It"
+            " counts as the temperature or the set-up of one of the tests, not as an error of the axis;"
+            " which slope is right they do not tell: give the temperatures of the tests (thermal), or"
             " measure again at an even temperature",
         )
 

@@ -11,6 +11,7 @@ import numpy as np
 from compwright.estimation.periods import PeriodSearch
 from compwright.estimation.usual_periods import USUAL_PERIODS
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.targets import told_targets
 
@@ -108,9 +109,11 @@ def _nothing(search: PeriodSearch, targets: FloatArray, unit: str) -> str:
             f" ({np.mean(intervals):.4g} {unit}); the targets that CW-T008 proposes would show them"
         )
     probability = sum(model.probability for model in search.models if not model.periods)
+    hidden = 1.0 - probability
+    chance = "of less than 1 %" if hidden < 0.01 else f"of {100 * hidden:.0f} %"
     return (
-        "No screw pitch or other period is given, and none was found"
-        f" ({100 * probability:.0f} % for none that matters)"
+        "No screw pitch or other period is given, and none was found: there is"
+        f" a chance {chance} that the error repeats with a period that these targets hardly show"
     )
 
 
@@ -129,12 +132,8 @@ def _odds(probability: float) -> str:
     if probability > 0.999:
         return "odds above 1000 to 1"
     if probability >= 0.5:
-        return f"odds {_plain(probability / (1.0 - probability))} to 1"
-    return f"odds 1 to {_plain((1.0 - probability) / probability)}"
-
-
-def _plain(value: float) -> str:
-    return f"{float(f'{value:.2g}'):g}"
+        return f"odds {significant(probability / (1.0 - probability))} to 1"
+    return f"odds 1 to {significant((1.0 - probability) / probability)}"
 
 
 def meaning(period: float, kind: AxisKind) -> str:

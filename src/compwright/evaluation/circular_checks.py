@@ -15,6 +15,7 @@ import numpy as np
 from compwright.evaluation.circular_fit import Point
 from compwright.evaluation.circular_points import SAME_ANGLE, ActualPath
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularTest
@@ -114,8 +115,8 @@ def _feed(test: CircularTest) -> list[Finding]:
         if _CIRCLE_SECONDS[0] <= seconds <= _CIRCLE_SECONDS[1]:
             return []
         found = (
-            f"at {test.feed:g} mm/min a circle of {test.nominal_radius:g} mm takes {seconds:.3g} s:"
-            " check the unit of the feed"
+            f"at {test.feed:g} mm/min a circle of {test.nominal_radius:g} mm takes"
+            f" {significant(seconds, 3)} s: check the unit of the feed"
         )
     else:
         found = f"{test.feed:g} mm/min is no feed"
@@ -168,8 +169,8 @@ def _sampling(path: ActualPath) -> list[Finding]:
     if interval <= _COARSE:
         return []
     message = (
-        f"The samples of {_named(path)} are {interval:.3g}° apart: spikes at the reversal points"
-        " can be missed, and G, F and H come out too small."
+        f"The samples of {_named(path)} are {significant(interval, 3)}° apart: spikes at the"
+        " reversal points can be missed, and G, F and H come out too small."
     )
     return [Finding("CW-C004", "warning", message)]
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind
 from compwright.records.job import Thermal
 from compwright.records.positioning import PositioningTest
@@ -101,7 +102,7 @@ def _risen(test: PositioningTest, thermal: Thermal) -> tuple[Finding, ...]:
     length = float(test.targets[-1] - test.targets[0]) / 1000.0
     drift = length * (thermal.alpha_m * thermal.rise_m - thermal.alpha_d * thermal.rise_d)
     rose = [
-        f"that of the {whose} by {rise:+.2g} K"
+        f"that of the {whose} by {significant(rise, signed=True)} K"
         for whose, rise in ((thermal.refer_to, thermal.rise_m), ("instrument", thermal.rise_d))
         if rise != 0.0
     ]

@@ -16,6 +16,7 @@ from compwright.evaluation.copies import same_runs_findings
 from compwright.evaluation.readings import position_text, text_of
 from compwright.evaluation.statistics import count_readings, mean_deviation, standard_deviation
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.positioning import PositioningTest
 
@@ -109,7 +110,7 @@ def certain_fault(test: PositioningTest) -> str:
         )
     s, dof = pooled_scatter(test)
     if dof >= 8.0 and _ROUNDING < s < _NO_SCATTER[test.kind] and spread < _NARROW[test.kind]:
-        nano = f"{s * 1e6:.2g} nm" if test.kind is AxisKind.LINEAR else text_of(s, test)
+        nano = f"{significant(s * 1e6)} nm" if test.kind is AxisKind.LINEAR else text_of(s, test)
         return (
             f"repeated readings scatter by {nano} and all lie within {text_of(spread, test)}, below"
             f" what any instrument can resolve: {_smaller(test)}"

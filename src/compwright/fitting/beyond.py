@@ -9,6 +9,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from compwright.foundations.errors import Fault
+from compwright.foundations.numerals import significant
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Direction
 from compwright.records.capacity import Capacity
@@ -36,7 +37,7 @@ def beyond_limits(
             yield Fault(
                 message=(
                     f"the correction is beyond what the control holds ({limit.cause}): the best"
-                    f" table leaves {limit.value * factor:.3g} {unit} rms of it;"
+                    f" table leaves {significant(limit.value * factor, 3)} {unit} rms of it;"
                     f" {_HELP[limit.cause]}"
                 ),
                 place="table",

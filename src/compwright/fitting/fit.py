@@ -36,6 +36,7 @@ from compwright.fitting.rounding import round_curve, to_quanta
 from compwright.fitting.solve import solve_quadratic
 from compwright.fitting.whole import goal_finding, whole_table
 from compwright.foundations.errors import CapacityError, Fault
+from compwright.foundations.numerals import significant
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
@@ -163,8 +164,8 @@ def _shape(
         return (
             "bidirectional",
             (
-                f"two tables: a constant between the directions would cost {cost * factor:.2g}"
-                f" {small} rms"
+                f"two tables: a constant between the directions would cost"
+                f" {significant(cost * factor)} {small} rms"
             ),
         )
     return (

@@ -20,6 +20,7 @@ from compwright.fitting.standing import standing_nodes, too_close
 from compwright.fitting.steps import Candidate, nodes_at, own_steps, round_steps, taken_steps, whole
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity, Lattice
 from compwright.records.estimate import WantedCorrection
@@ -363,7 +364,7 @@ def _leaving_out(
         "info",
         f"The spacing of {float(np.max(np.diff(nodes))):g} {unit} cannot hold an error of period"
         f" {named} {unit} (a third of the period is needed): it is left out of the table,"
-        f" {rms * factor:.2g} {small} rms",
+        f" {significant(rms * factor)} {small} rms",
     )
     return Grid(nodes=nodes, wanted=smooth, left_out=rms, points_loss=loss, findings=(found,))
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from compwright.fitting.problem import bends
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
@@ -65,7 +66,8 @@ def edge_findings(
             acts = (
                 "the end value is held"
                 if rule == "hold"
-                else f"the table gives nothing: a step of {step * factor:.3g} {name_small}"
+                else f"the table gives nothing: a step of {significant(step * factor, 3)}"
+                f" {name_small}"
             )
             message = (
                 f"The table leaves {uncovered:g} {unit} of the travel uncovered, {name}"
@@ -119,7 +121,7 @@ def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[
         Finding(
             says[limit.cause][0],
             "warning",
-            says[limit.cause][1].format(f"{limit.value * factor:.2g} {unit}"),
+            says[limit.cause][1].format(f"{significant(limit.value * factor)} {unit}"),
         )
         for limit in limits
         if limit.cause in says and limit.value >= least

@@ -18,6 +18,7 @@ from compwright.fitting.problem import Rows, Shape, quadrature, rows_at
 from compwright.fitting.remarks import added, edge_findings, loss_findings, small, worth_saying
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity, Lattice
 from compwright.records.correction import AxisCompensation
@@ -269,7 +270,7 @@ def _magnification_finding(
     chosen, least, largest = solution.magnification, *lattice.increments
     span = f"±{largest}" if least == -largest else f"{least} to {largest}"
     left = np.sqrt(solution.objective) * factor
-    says = f"{left:.2g} {unit} rms" if left > _NOTHING else "nothing"
+    says = f"{significant(left)} {unit} rms" if left > _NOTHING else "nothing"
     if solution.before is None:
         one = lattice.unit * factor
         message = (
@@ -279,7 +280,7 @@ def _magnification_finding(
     else:
         before, bound = solution.before
         reach = f"{span} times {before * lattice.unit * factor:.4g} {unit}"
-        at_least = f"{np.sqrt(max(0.0, bound)) * factor:.2g} {unit}"
+        at_least = f"{significant(np.sqrt(max(0.0, bound)) * factor)} {unit}"
         message = (
             f"Magnification {chosen}: with {before} increments of {reach} would leave at least"
             f" {at_least} rms, with {chosen} {says}"

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.foundations.findings import Finding, Severity
+from compwright.foundations.numerals import significant
 from compwright.planning.circles import CircleWork
 from compwright.planning.stated import SIGNIFICANT
 from compwright.prediction.acting import Acting
@@ -165,7 +166,7 @@ class _Planner:
         if missed > 2.0 * QUANTUM:
             message = (
                 f"{given} on {bent}: nodes at equal steps miss the measured points by up to"
-                f" {missed * 1e3:.2g} µm."
+                f" {significant(missed * 1e3)} µm."
             )
             self.find("CW-P103", "info", message)
         return _compensation(axis, self.axes[bent], nodes, *tables)

@@ -10,6 +10,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from compwright.foundations.numerals import significant
 from compwright.foundations.units import PositionUnit, outside_factor
 from compwright.records.axis import FloatArray
 from compwright.verification.comparison import Comparison
@@ -139,7 +140,7 @@ def slope_text(slope: float, error: float, declared: float) -> str:
     """Return a slope (mm/mm) with its standard error, and what of temperature it would be."""
     text = (
         f"Over the travel its deviations rise by {slope * _PPM:+.2f} ± {error * _PPM:.2f} µm/m more"
-        f" than expected: steel does that over {slope * _PPM / _STEEL:+.2g} K"
+        f" than expected: steel does that over {significant(slope * _PPM / _STEEL, signed=True)} K"
     )
     if declared > 0.0:
         text += f" (declared for two tests: ± {2.0 * declared * _PPM:.1f} µm/m, k = 2)"

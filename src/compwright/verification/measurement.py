@@ -25,6 +25,7 @@ from compwright.evaluation.plausibility import (
 from compwright.evaluation.readings import position_text, text_of
 from compwright.evaluation.statistics import mean_deviation
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.verification import MeasurementFault
@@ -280,7 +281,11 @@ def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
     if not odds or (odds == "quiet" and s_first < _ROUNDED * _step(first)):
         return
     ratio = s / s_first if odds == "loud" else s_first / s if s > 0.0 else math.inf
-    times = f"{ratio:.3g} times less" if odds == "quiet" else f"{ratio:.3g} times more"
+    times = (
+        f"{significant(ratio, 3)} times less"
+        if odds == "quiet"
+        else f"{significant(ratio, 3)} times more"
+    )
     yield Finding(
         "CW-V021",
         "warning",
