@@ -240,3 +240,59 @@ def test_a_short_test_before_the_whole_one_leaves_the_slope_to_that() -> None:
         error = measured_error(acted, observed_tests(acted, None), axis_of(), None)
         spans.append(np.mean(error.own.summary(WHERE).std_positive))
     assert spans[0] < spans[1] + 0.3 * UM
+
+
+def one_way(one: PlannedTest, side: Direction) -> PlannedTest:
+    """The same test, approached in one direction only."""
+    none = np.empty((one.test.targets.size, 0))
+    if side is PLUS:
+        return replace(one, test=replace(one.test, negative=none))
+    return replace(one, test=replace(one.test, positive=none))
+
+
+@pytest.mark.parametrize("side", [PLUS, MINUS])
+@pytest.mark.parametrize("first", [True, False])
+def test_a_test_in_one_direction_says_nothing_of_the_other(side: Direction, *, first: bool) -> None:
+    """4 µm of lost motion, which the one test shows and the other cannot, are no contradiction."""
+    both, single = planned("both", "off"), one_way(planned("one", "off", seed=1), side)
+    tests = (single, both) if first else (both, single)
+    counts, error, doubts = told(*tests)
+    assert (counts, doubts) == ([True, True], [])
+    own = error.own.summary(WHERE)
+    lost = float(np.mean(own.mean_positive - own.mean_negative))
+    # Five readings of 0.3 µm either way at 11 targets: 0.06 µm, four times that.
+    assert lost == pytest.approx(-4.0 * UM, abs=0.23 * UM)
+
+
+def test_tests_in_opposite_directions_do_not_contradict_each_other() -> None:
+    up = one_way(planned("up", "off", seed=1), PLUS)
+    down = one_way(planned("down", "off", seed=2), MINUS)
+    assert told(up, down)[0] == [True, True]
+
+
+def test_a_test_is_not_contradicted_by_its_own_noise() -> None:
+    """6 µm beside 0.3 µm: the means of five readings scatter by 2.7 µm, as much as half the error."""
+    for seed in range(4):
+        loud = planned("loud", "off", seed=seed + 1, targets=DITHERED)
+        rng = np.random.default_rng(seed)
+        more = [6.0 * UM * rng.standard_normal((DITHERED.size, 5)) for _ in Direction]
+        test = loud.test
+        noisy = replace(test, positive=test.positive + more[0], negative=test.negative + more[1])
+        assert told(planned("quiet", "off"), replace(loud, test=noisy))[2] == []
+
+
+@pytest.mark.parametrize("first", [True, False])
+def test_a_wave_that_equal_spacing_hides_is_no_contradiction(*, first: bool) -> None:
+    """3 µm over 10 mm: at targets 40 mm apart a constant, at others a wave."""
+    even = planned("even", "off", targets=np.arange(40.0, 980.0, 40.0))
+    other = planned("other", "off", seed=1, targets=np.round(DITHERED, 3))
+    tests = []
+    for each in (even, other):
+        wave = 3.0 * UM * np.sin(2.0 * np.pi * each.test.targets / 10.0 + 1.0)[:, np.newaxis]
+        test = each.test
+        shown = replace(test, positive=test.positive + wave, negative=test.negative + wave)
+        tests.append(replace(each, test=shown))
+    counts, error, doubts = told(*(tests if first else tests[::-1]))
+    assert (counts, doubts) == ([True, True], [])
+    (period,) = [each.period for each in error.own.periods if each.named]
+    assert period == pytest.approx(10.0, rel=0.002)

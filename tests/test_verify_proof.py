@@ -318,6 +318,21 @@ def test_limits_that_were_edited_after_the_run_leave_it_undecided(folder: Path) 
     assert (code, document["verdict"], codes(document)) == (1, "undecided", ["CW-V022"])
 
 
+def test_an_uncertainty_declared_after_the_measurement_explains_nothing_away(
+    folder: Path,
+) -> None:
+    """Half a kelvin of steel, 5.75 µm/m, within the limit. Declaring ± 5 K afterwards makes it no
+    better.
+    """
+    path = folder / "job.yaml"
+    path.write_text(path.read_text() + "uncertainty: {U_theta: 5}\n")
+    grown = (5.75e-6 * TARGETS)[:, np.newaxis]
+    warm = {side: readings + grown for side, readings in honest(folder).items()}
+    code, document = after(folder, warm)
+    assert (code, document["verdict"]) == (1, "undecided")
+    assert "CW-V022" in codes(document)
+
+
 def test_limits_of_another_test_than_the_one_measured_are_not_kept_by_it(folder: Path) -> None:
     (folder / "long.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 8)))
     path = folder / "job.yaml"

@@ -26,7 +26,7 @@ from compwright.records.correction import (
 )
 from compwright.records.estimate import AxisPeriod, ErrorEstimate, Scenarios, WantedCorrection
 from compwright.records.fitted import FittedTable, Limit, TableRequest
-from compwright.records.job import Acceptance, Thermal
+from compwright.records.job import Acceptance, Thermal, UncertaintyBudget
 from compwright.records.plan import (
     Acted,
     Plan,
@@ -53,6 +53,7 @@ def plan_document(plan: Plan) -> dict[str, Any]:
         "options": dict(plan.options),
         "standard": plan.standard,
         "decision_rule": plan.decision_rule,
+        **_budgets_out(plan.budgets),
         "machine": dict(plan.machine),
         "axes": {name: _axis_out(axis) for name, axis in plan.axes.items()},
         "states": {
@@ -69,6 +70,23 @@ def plan_document(plan: Plan) -> dict[str, Any]:
         "circles": {name: _circle_out(circle) for name, circle in plan.circles.items()},
         "results": dict(plan.results),
         **({"untested": untested} if untested else {}),
+    }
+
+
+def _budgets_out(budgets: Mapping[AxisKind, UncertaintyBudget] | None) -> dict[str, Any]:
+    if budgets is None:
+        return {}
+    return {"uncertainty": {str(kind): asdict(budget) for kind, budget in budgets.items()}}
+
+
+def _budgets_in(
+    data: Mapping[str, Mapping[str, float]] | None,
+) -> dict[AxisKind, UncertaintyBudget] | None:
+    if data is None:
+        return None
+    return {
+        AxisKind(kind): UncertaintyBudget(**{name: float(value) for name, value in entry.items()})
+        for kind, entry in data.items()
     }
 
 
@@ -154,6 +172,7 @@ def _plan_in(data: Mapping[str, Any]) -> Plan:
         options=dict(data["options"]),
         standard=str(data["standard"]),
         decision_rule=str(data.get("decision_rule", "")),
+        budgets=_budgets_in(data.get("uncertainty")),
         machine=dict(data["machine"]),
         axes={str(name): _axis_in(axis) for name, axis in data["axes"].items()},
         states={

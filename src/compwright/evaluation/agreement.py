@@ -4,7 +4,7 @@ with it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 import numpy as np
@@ -32,29 +32,37 @@ def disagreeing_test(
     std: Mapping[Direction, FloatArray],
     noise: float,
     names: tuple[str, str],
+    unknown: Sequence[float] = (),
 ) -> Finding | None:
     """Return a doubt where ``test`` does not show what another one makes expect (CW-T036), else
     None. ``names``: of the test that counts, then of the one that does not.
 
-    ``expected`` and ``std`` (m,) by direction at the targets of ``test``, ``noise`` of a reading:
-    mm or deg. The instrument's zero is free. A test with its sign or directions turned, of another
-    axis, in another unit, or taken in another state shows up here.
+    ``expected`` and ``std`` (m,) by direction (those of which the other one says something) at the
+    targets of ``test``, ``noise`` of one of its readings: mm or deg. ``unknown``: periods, mm or
+    deg, that the other one could not show; a wave of them is no contradiction. The instrument's
+    zero is free. A test with its sign or directions turned, of another axis, in another unit, or
+    taken in another state shows up here.
     """
-    shown, wanted, spread = [], [], []
+    shown, wanted, spread, where = [], [], [], []
     for direction in Direction:
         block = test.deviations(direction)
-        if block.shape[1]:
+        if block.shape[1] and direction in expected:
+            where.append(test.targets)
             shown.append(mean_deviation(block))
             wanted.append(expected[direction])
             spread.append(
                 np.hypot(std[direction], noise / np.sqrt(np.maximum(count_readings(block), 1.0)))
             )
-    measured, meant, error = (np.concatenate(parts) for parts in (shown, wanted, spread))
+    if not shown:
+        return None
+    measured, meant, error, places = (
+        np.concatenate(parts) for parts in (shown, wanted, spread, where)
+    )
     known = np.isfinite(measured) & np.isfinite(meant)
     if np.count_nonzero(known) < _FEWEST:
         return None
     apart, size = (
-        _rms(measured[known] - meant[known]),
+        _rms(_without(measured[known] - meant[known], places[known], unknown)),
         max(_rms(measured[known]), _rms(meant[known])),
     )
     what = "the error itself"
@@ -84,6 +92,16 @@ def disagreeing_test(
         f" directions, unit, axis and state the same? Only {names[0]}"
         f" counts, {names[1]} does not.",
     )
+
+
+def _without(values: FloatArray, where: FloatArray, periods: Sequence[float]) -> FloatArray:
+    """Return the values without the waves of some periods that fit them best."""
+    if not periods or values.size <= 2 * len(periods) + 1:
+        return values
+    turns = 2.0 * np.pi * where[:, np.newaxis] / np.asarray(periods)
+    waves = np.column_stack([np.ones_like(where), np.cos(turns), np.sin(turns)])
+    weights = np.linalg.lstsq(waves, values, rcond=None)[0]
+    return np.asarray(values - waves @ weights, dtype=np.float64)
 
 
 def _rms(values: FloatArray) -> float:

@@ -7,9 +7,11 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
+from typing import Final
 
 import numpy as np
 
+from compwright.estimation.cells import visible_periods
 from compwright.evaluation.agreement import disagreeing_test
 from compwright.foundations.findings import Finding
 from compwright.planning.motions import backlash_more, with_motion
@@ -19,6 +21,9 @@ from compwright.records.axis import Axis, Direction
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import Acted, PlannedTest
 from compwright.records.positioning import PositioningTest
+
+#: Two periods found in two tests are one where they lie so close, relative to their size.
+_SAME: Final = 0.02
 
 
 def with_what_acted(
@@ -93,21 +98,57 @@ def _disagreeing(
         if other.acted is None:
             continue
         names = tests[0].test.name, other.test.name
-        finding = _doubt(other, alone(0), names) or _doubt(tests[0], alone(place), names)
+        first, second = (tests[0], alone(0)), (other, alone(place))
+        finding = _doubt(first, second, names) or _doubt(second, first, names)
         if finding is not None:
             yield place, finding
 
 
-def _doubt(test: PlannedTest, error: MeasuredError, names: tuple[str, str]) -> Finding | None:
-    """Return the doubt of a test that does not show the error that another one tells."""
+def _doubt(
+    telling: tuple[PlannedTest, MeasuredError],
+    shown: tuple[PlannedTest, MeasuredError],
+    names: tuple[str, str],
+) -> Finding | None:
+    """Return the doubt of a test (``shown``) that does not show the error that another one
+    (``telling``) tells, each with the error that it tells alone.
+
+    A test speaks only of the directions in which it was taken. Each has the noise of its own.
+    """
+    (source, error), (test, own) = telling, shown
     targets = test.test.targets
     estimate = error.own.summary(targets)
     acted = test.acted or (np.zeros_like(targets), np.zeros_like(targets))
     expected = {
-        side: estimate.mean(side) + more for side, more in zip(Direction, acted, strict=True)
+        side: estimate.mean(side) + more
+        for side, more in zip(Direction, acted, strict=True)
+        if source.test.readings(side).any()
     }
     std = {Direction.POSITIVE: estimate.std_positive, Direction.NEGATIVE: estimate.std_negative}
-    return disagreeing_test(test.test, expected, std, estimate.noise, names)
+    return disagreeing_test(
+        test.test,
+        expected,
+        std,
+        own.own.summary(targets).noise,
+        names,
+        _only_there(shown, telling),
+    )
+
+
+def _only_there(
+    shown: tuple[PlannedTest, MeasuredError], telling: tuple[PlannedTest, MeasuredError]
+) -> tuple[float, ...]:
+    """Return the periods that one test shows and another one does not know of, because its targets
+    hide them or because it found none there: it expects nothing of them.
+    """
+    one, other = (
+        visible_periods(
+            test.test.targets, [each.period for each in error.own.periods if each.named]
+        )
+        for test, error in (shown, telling)
+    )
+    return tuple(
+        period for period in one if all(abs(period - each) > _SAME * period for each in other)
+    )
 
 
 def _counted_out(tests: Sequence[PlannedTest], places: Container[int]) -> tuple[PlannedTest, ...]:

@@ -186,6 +186,12 @@ class Job:
         """
         return self.uncertainty_rotary if kind is AxisKind.ROTARY else self.uncertainty
 
+    @property
+    def budgets(self) -> dict[AxisKind, UncertaintyBudget]:
+        """The contributors by the kind of axis, of the kinds for which any are declared."""
+        every = {kind: self.budget(kind) for kind in AxisKind}
+        return {kind: budget for kind, budget in every.items() if budget is not None}
+
     def with_variation(self, kind: AxisKind, E_VE: float) -> Job:
         """Return the job with a range (µm or arcsec) of the environmental variation for axes of a
         kind.

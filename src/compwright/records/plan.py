@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from compwright.foundations.provenance import Source
-from compwright.records.axis import Axis, FloatArray, Motion
+from compwright.records.axis import Axis, AxisKind, FloatArray, Motion
 from compwright.records.circular import CircularTest
 from compwright.records.correction import (
     Assumption,
@@ -19,7 +19,7 @@ from compwright.records.correction import (
 )
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
-from compwright.records.job import Acceptance
+from compwright.records.job import Acceptance, UncertaintyBudget
 from compwright.records.positioning import PositioningTest
 
 #: What the control did at the targets of a test in + and in -, (m,) each, mm or deg.
@@ -113,9 +113,10 @@ class Plan:
     wanted between axes, written or not; ``circles``: the circular tests by name. ``results``: the
     other files of the run by their relative names, with the SHA-256 of each: by it the next run
     tells them from what the user has put or changed there. ``decision_rule``: how the limits were
-    decided; empty where the plan of an older version does not say. ``definition``: of one's own,
-    its text and what it extends; empty for a control that ships. ``untested``: axes without a test
-    of their own that ``cross`` names.
+    decided; empty where the plan of an older version does not say. ``budgets``: what the job
+    declared of uncertainty by the kind of axis; None where an older version does not say.
+    ``definition``: of one's own, its text and what it extends; empty for a control that ships.
+    ``untested``: axes without a test of their own that ``cross`` names.
     """
 
     version: str
@@ -132,5 +133,6 @@ class Plan:
     circles: Mapping[str, PlannedCircle] = field(default_factory=dict)
     results: Mapping[str, str] = field(default_factory=dict)
     decision_rule: str = ""
+    budgets: Mapping[AxisKind, UncertaintyBudget] | None = None
     definition: Texts = ()
     untested: Mapping[str, Axis] = field(default_factory=dict)

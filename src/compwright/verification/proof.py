@@ -10,7 +10,7 @@ the values larger (drift, a traverse or a reading far off) leave it.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from itertools import combinations
 from typing import Any, Final
 
@@ -18,7 +18,7 @@ from compwright.evaluation.repeats import Named, same_measurement
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import share_a_file
 from compwright.records.circular import CircularTest
-from compwright.records.job import Job
+from compwright.records.job import Job, UncertaintyBudget
 from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
@@ -52,18 +52,38 @@ class AfterTest:
 
 
 def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
-    """Yield a finding for limits, standard and decision rule that are not those of the run
-    (CW-V022).
+    """Yield a finding for limits, standard, decision rule and declared uncertainty that are not
+    those of the run (CW-V022): what is declared after the measurement explains any slope away.
     """
     if job.standard != plan.standard:
         yield _changed(f"the standard was {plan.standard}, now it is {job.standard}")
     if plan.decision_rule and job.decision_rule != plan.decision_rule:
         yield _changed(f"the decision rule was {plan.decision_rule}, now it is {job.decision_rule}")
+    yield from _changed_budgets(job, plan)
     for name, entry in plan.axes.items():
         mine = job.axes[name].accept if name in job.axes else None
         if mine != entry.accept:
             was, now = (_limits(accept) for accept in (entry.accept, mine))
             yield _changed(f"the limits of axis {name} were {was}, now they are {now}")
+
+
+def _changed_budgets(job: Job, plan: Plan) -> Iterator[Finding]:
+    for kind in {axis.axis.kind: None for axis in plan.axes.values()}:
+        if plan.budgets is None:
+            return
+        was, now = plan.budgets.get(kind), job.budget(kind)
+        if was != now:
+            of = f"the declared uncertainty of {kind} axes"
+            yield _changed(f"{of} was {_budget(was, now)}, now it is {_budget(now, was)}")
+
+
+def _budget(one: UncertaintyBudget | None, other: UncertaintyBudget | None) -> str:
+    """Return in words what of one budget is not in the other."""
+    if one is None:
+        return "none"
+    beside = asdict(other or UncertaintyBudget())
+    told = [f"{name} {value:g}" for name, value in asdict(one).items() if value != beside[name]]
+    return ", ".join(told) or "none"
 
 
 def _limits(accept: Any) -> str:

@@ -95,6 +95,7 @@ class Finished:
             options=self.fitted.control.options,
             standard=job.standard,
             decision_rule=job.decision_rule,
+            budgets=job.budgets,
             axes=axes,
             untested={name: job.axes[name].axis for name in job.axes if name in crossing - {*axes}},
             states={name: decoded.files for name, decoded in inputs.states.items()},
