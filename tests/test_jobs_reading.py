@@ -445,6 +445,14 @@ def test_fault_of_an_axis_names_its_place(keys: str, place: str, words: str) -> 
         ("apply: {backlash_from: laser}", "apply.backlash_from", "positioning"),
         ("uncertainty: {device: {U: -1}}", "uncertainty.device.U", "0 or more"),
         ("thermal: {T_m: 22}", "thermal.alpha_m", "missing"),
+        ("thermal: {T_m: 71, alpha_m: 11.5}", "thermal.T_m", "71 °F are 21.7 °C"),
+        ("thermal: {T_m: 60.1, alpha_m: 11.5}", "thermal.T_m", "-20 to 60"),
+        ("thermal: {T_m: -20.1, alpha_m: 11.5}", "thermal.T_m", "found -20.1"),
+        ("thermal: {T_m: [22, 295], alpha_m: 11.5}", "thermal.T_m[1]", "295 K are 21.9 °C"),
+        ("thermal: {T_m: 22, alpha_m: 11.5, T_d: 68}", "thermal.T_d", "68 °F are 20.0 °C"),
+        ("thermal: {T_m: 22, alpha_m: 0.0000115}", "thermal.alpha_m", "steel has about 11.5"),
+        ("thermal: {T_m: 22, alpha_m: -1}", "thermal.alpha_m", "0, or 0.01 to 40"),
+        ("thermal: {T_m: 22, alpha_m: 11.5, alpha_d: 41}", "thermal.alpha_d", "0, or 0.01 to 40"),
         (
             "thermal: {T_m: 22, alpha_m: 11, refer_to: part}",
             "thermal.refer_to",
@@ -531,3 +539,20 @@ def test_defaults_of_thermal_and_uncertainty() -> None:
         setup=0.0,
         E_VE=2.0,
     )
+
+
+@pytest.mark.parametrize(
+    "keys", ["thermal: {T_m: 71}", "before: [{files: x.csv, thermal: {T_m: 71}}]"]
+)
+def test_an_axis_and_a_test_are_not_measured_at_71_degrees_either(keys: str) -> None:
+    faults = axis_faults(keys)
+    assert any(
+        re.search(r"line \d+, axes\.X\..*thermal\.T_m: ", fault) and "71 °F are 21.7 °C" in fault
+        for fault in faults
+    ), faults
+
+
+def test_temperatures_and_expansions_at_the_ends_of_what_is_plausible_are_read() -> None:
+    read = job(SMALLEST + "thermal: {alpha_m: 40, T_m: [-20, 60], alpha_d: 0.01}\n")
+    assert read.thermal is not None
+    assert (read.thermal.alpha_m, read.thermal.rise_m) == (40.0, 80.0)

@@ -13,12 +13,10 @@ from dataclasses import replace
 from typing import Final
 
 from compwright.foundations.errors import Fault, InputError, raise_all
-from compwright.records.job import Thermal
+from compwright.records.job import PLAUSIBLE_TEMPERATURES, Thermal
 from compwright.records.positioning import PositioningTest
 
 _NUMBER: Final = re.compile(r"([+-]?\d+(?:[.,]\d+)?)\s*(?:°\s?C|C|deg ?C)?")
-#: °C in which a machine is measured; 68 is a hall in °F, 293 one in K.
-_BELIEVED: Final = (-20.0, 60.0)
 
 Temperatures = Mapping[str, tuple[float, float]]
 
@@ -73,13 +71,14 @@ def temperatures_of(parts: Sequence[PositioningTest]) -> Temperatures:
 def _number(key: str, text: str, file: str, faults: list[Fault]) -> float:
     match = _NUMBER.fullmatch(text.strip())
     value = float(match[1].replace(",", ".")) if match else None
-    if value is None or not _BELIEVED[0] <= value <= _BELIEVED[1]:
+    low, high = PLAUSIBLE_TEMPERATURES
+    if value is None or not low <= value <= high:
         faults.append(
             Fault(
                 message="is no temperature of a test in °C",
                 file=file,
                 place=f"key {key}",
-                expected=f"one number from {_BELIEVED[0]:g} to {_BELIEVED[1]:g}",
+                expected=f"one number from {low:g} to {high:g}",
                 found=text,
             )
         )

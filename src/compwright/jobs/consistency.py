@@ -16,7 +16,13 @@ from typing import Any
 from compwright.foundations.units import TO_INSIDE
 from compwright.foundations.yaml_reader import KeyPath
 from compwright.jobs.faults import number_hint, shown, suggestion, too_large
-from compwright.records.job import AS_FOUND, other_axis
+from compwright.records.job import (
+    AS_FOUND,
+    LEAST_EXPANSION,
+    MOST_EXPANSION,
+    PLAUSIBLE_TEMPERATURES,
+    other_axis,
+)
 
 NONE_WORD = "none"
 ISO_PARAMETERS = (
@@ -63,6 +69,7 @@ def contradictions(data: Mapping[str, Any]) -> list[Contradiction]:
             *_thermal(section, path, data.get("thermal")),
         ]
     found += [
+        *_implausible(data.get("thermal"), ("thermal",)),
         *_untested(data),
         *_circles(data.get("circles"), names),
         *_cross(data.get("cross"), data.get("axes"), names),
@@ -251,12 +258,48 @@ def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator
         if there and section.get("kind") == "rotary":
             yield Contradiction(here, "belongs to a linear axis", "no thermal on a rotary axis")
             continue
+        yield from _implausible(own, here)
         known = {*_mapping(of_job), *_mapping(of_axis), *_mapping(own)}
         for key in ("alpha_m", "T_m"):
             if there and isinstance(own, dict) and key not in known:
                 yield Contradiction(
                     (*here, key), "is missing", "here, or under thermal of the axis or of the job"
                 )
+
+
+def _implausible(thermal: Any, path: KeyPath) -> Iterator[Contradiction]:
+    """Temperatures in another unit than °C, and expansions that no metal, glass or ceramic has."""
+    for key in ("T_m", "T_d"):
+        value = _mapping(thermal).get(key)
+        low, high = PLAUSIBLE_TEMPERATURES
+        for place, each in enumerate(value if isinstance(value, list) else [value]):
+            number = _number(each)
+            if number is None or low <= number <= high:
+                continue
+            here = (*path, key, place) if isinstance(value, list) else (*path, key)
+            yield Contradiction(
+                here,
+                "is no temperature of a test in °C",
+                f"{low:g} to {high:g}{_in_celsius(number)}",
+                shown(each),
+            )
+    for key in ("alpha_m", "alpha_d"):
+        number, most = _number(_mapping(thermal).get(key)), MOST_EXPANSION
+        if number is not None and not (number == 0.0 or LEAST_EXPANSION <= number <= most):
+            yield Contradiction(
+                (*path, key),
+                "is no coefficient of expansion in µm/(m K)",
+                f"0, or {LEAST_EXPANSION:g} to {most:g}; steel has about 11.5",
+                shown(_mapping(thermal)[key]),
+            )
+
+
+def _in_celsius(number: float) -> str:
+    """Return what a temperature is in °C, where it would be that of a hall in °F or in K."""
+    for unit, celsius in (("°F", (number - 32.0) / 1.8), ("K", number - 273.15)):
+        if 0.0 <= celsius <= 50.0:
+            return f"; {number:g} {unit} are {celsius:.1f} °C"
+    return ""
 
 
 def _known_state(

@@ -18,6 +18,11 @@ from compwright.records.fitted import TableRequest
 NONE_STATE: tuple[str, ...] = ()
 #: The state that is in the control now.
 AS_FOUND = "as_found"
+#: °C in which a machine is measured; 68 is a hall in °F, 293 one in K.
+PLAUSIBLE_TEMPERATURES = (-20.0, 60.0)
+#: µm/(m K): below the least is a coefficient in 1/K, above the most no metal. Zerodur has 0.05,
+#: Invar 1.2, glass 8, steel 11.5, aluminium 23.8, zinc 30.
+LEAST_EXPANSION, MOST_EXPANSION = 0.01, 40.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
