@@ -1,8 +1,9 @@
-"""Measurement uncertainty of the parameters: GUM combination of the contributors of ISO 230-2:2006
-annex A, k = 2.
+"""Measurement uncertainty of the parameters, k = 2: the contributors of ISO 230-2:2006 annex A,
+their distributions propagated as in JCGM 101:2008.
 
-The coefficients are derived here from the definitions, not quoted from the standard. Only the
-measurement enters: the repeatability of the axis is part of R and A, not of U.
+Readings as the contributors would leave them are drawn and evaluated by the definitions of the
+parameters; no coefficient is quoted from the standard. Only the measurement enters: the
+repeatability of the axis is part of R and A, not of U.
 """
 
 from __future__ import annotations
@@ -249,8 +250,9 @@ def _assumptions(
         Finding(
             "CW-T020",
             "info",
-            "Uncertainty: GUM combination of the annex A contributors of ISO 230-2:2006, k = 2,"
-            " coefficients derived.",
+            "Uncertainty: U (k = 2) from the contributors of ISO 230-2:2006, annex A, as far as the"
+            " job declares them; their distributions are propagated (JCGM 101:2008), not the"
+            " coefficients of the annex.",
         )
     ]
     if test.kind is AxisKind.LINEAR and thermal is None and budget.U_theta > 0.0:
