@@ -211,13 +211,20 @@ def one_axis(seed: int, *, period: bool) -> list[float]:
     return shares
 
 
-@pytest.mark.parametrize("period", [False, True])
-def test_ninety_percent_bands_cover_a_fresh_test(period: bool) -> None:
-    shares = np.array([one_axis(seed, period=period) for seed in range(110)])
-    covered = np.mean((shares > 0.05) & (shares < 0.95), axis=0)
-    # 110 axes per case: the share of a true 90 % scatters by 2.9 %; 82-97 % is asked.
+def test_ninety_percent_bands_cover_a_fresh_test() -> None:
+    """With a known period and without one; more axes, of more kinds: benchmarks/table_quality.py."""
+    each = np.array(
+        [
+            [one_axis(seed, period=period) for seed in range(45 * period, 45 * period + 45)]
+            for period in (False, True)
+        ]
+    )
+    inside = (each > 0.05) & (each < 0.95)
+    # 45 axes of each: the share of a true 90 % scatters by 4.5 %; together by 3.2 %.
+    assert np.all(inside.mean(axis=1) >= 0.78), inside.mean(axis=1)
+    covered = inside.mean(axis=(0, 1))
     assert np.all(covered >= 0.82), covered
-    assert np.all(covered <= 0.97), covered
+    assert np.all(covered <= 0.98), covered
 
 
 def test_one_direction_holds_for_both() -> None:

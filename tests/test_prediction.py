@@ -97,8 +97,9 @@ def test_agrees_with_readings_drawn_one_by_one(runs: int) -> None:
 def test_ninety_percent_interval_holds_ninety_percent_of_fresh_tests() -> None:
     # Truth from a normal law, measured with known noise, posterior exact (normal with known
     # variances): the interval must hold 90 % of the fresh tests. 600 axes: standard error 1.2 %,
-    # bounds at about 3.3 of these.
-    axes, draws, runs, prior = 600, 1000, 5, 1.0
+    # bounds at about 3.3 of these; 400 draws put the ends of the interval 1.1 % off at random, which
+    # cancels over the axes.
+    axes, draws, runs, prior = 600, 400, 5, 1.0
     inside = dict.fromkeys(("A", "A_positive", "E", "M", "R", "R_negative", "B", "B_mean"), 0)
     generator = rng(17)
     mean_variance = NOISE**2 / runs

@@ -49,7 +49,12 @@ STRONG: Final = 3.0
 
 
 def fit_table(
-    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str
+    wanted: WantedCorrection,
+    capacity: Capacity,
+    request: TableRequest,
+    *,
+    address: str,
+    costs: bool = True,
 ) -> FittedTable:
     """Return the table that brings the control closest to ``wanted`` (totals, mm or deg) under its
     limits.
@@ -59,8 +64,9 @@ def fit_table(
     Williams 2006, section 2.4). Goals ``A``, ``E``, ``M``: least mean of that parameter over the
     tests in ``wanted.scenarios`` (ISO 230-2:1997, 2.20, 2.21, 2.23), without them least range of
     what is wanted. Zero in the zero state. A single slope takes ``expected`` whatever the goal,
-    whole increments where they undo what the goal gains, and both say so. Raises
-    CapacityError where the control cannot hold what is asked or no certified solution was found.
+    whole increments where they undo what the goal gains, and both say so. Without ``costs`` nobody
+    asks what each limit costs, which takes as long as the table itself. Raises CapacityError where
+    the control cannot hold what is asked or no certified solution was found.
     """
     _refuse(capacity, request)
     if capacity.line is not None:
@@ -91,7 +97,7 @@ def fit_table(
     usual = fit.expected()
     best = fit.best(request.goal, wanted if wanted.scenarios else aim, usual)
     table = _rounded(best.x, fit, address, aim)
-    limits = _limits(fit, usual, best, table, grid)
+    limits = _limits(fit, usual, best, table, grid) if costs else ()
     edges, losses = edge_findings(table, wanted, kept=grid.kept), loss_findings(limits, wanted)
     findings = (*grid.findings, *datum_findings, *edges, *losses)
     worst = _rounding_error(table, best.x, layout)

@@ -129,7 +129,7 @@ def _best(
     )
     request = TableRequest(mode="bidirectional")
     plain = replace(wanted, periods=())
-    return fit_table(plain, free, request, address=table.address).compensation
+    return fit_table(plain, free, request, address=table.address, costs=False).compensation
 
 
 def _curve(wanted: WantedCorrection) -> Correction:

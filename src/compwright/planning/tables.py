@@ -55,13 +55,20 @@ def fit_within(
 
 
 def fit_beside(
-    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis
+    wanted: WantedCorrection,
+    capacity: Capacity,
+    request: TableRequest,
+    axis: Axis,
+    *,
+    costs: bool = True,
 ) -> FittedTable:
-    """Return the table that does, together with those of the axis that stay, what is wanted.
+    """Return the table that does, together with those of the axis that stay, what is wanted; with
+    what each limit ``costs`` where that is asked.
 
     Raises CapacityError where the control cannot hold it.
     """
-    table = fit_table(beside(wanted, capacity.stays), capacity, request, address=axis.address)
+    own = beside(wanted, capacity.stays)
+    table = fit_table(own, capacity, request, address=axis.address, costs=costs)
     return replace(table, compensation=replace(table.compensation, others=capacity.stays))
 
 

@@ -81,7 +81,7 @@ def _table_on(
     given = replace(capacity, nodes=tuple(nodes.tolist()), there=())
     try:
         return fit_beside(
-            replace(wanted, scenarios=None), given, request, work.planned.axis
+            replace(wanted, scenarios=None), given, request, work.planned.axis, costs=False
         ).compensation.at
     except CapacityError:
         return None

@@ -62,7 +62,8 @@ def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
     )
     text = re.sub(r' xmlns(?::\w+)?="[^"]*"', "", text)
     text = text.replace("xlink:href=", "href=")
-    text = re.sub(r'(\bid="|\bhref="#|url\(#)', rf"\g<1>{prefix}-", text)
+    for before in (' id="', ' href="#', "url(#"):
+        text = text.replace(before, f"{before}{prefix}-")
     label = markupsafe.escape(_clean(description))
     text = re.sub(
         r'<svg [^>]*?(viewBox="[^"]*")[^>]*>',

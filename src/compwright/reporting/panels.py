@@ -39,6 +39,7 @@ _STYLE: Final[dict[str, object]] = {
     "text.parse_math": False,  # names of the user may hold a $
     "axes.titlesize": 8.5,
     "axes.titlelocation": "left",
+    "axes.titley": 1.0,  # nothing stands above a panel: no need to look what the title must clear
     "axes.labelsize": 8.0,
     "axes.labelcolor": _INK,
     "axes.edgecolor": "#555555",
