@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from compwright.evaluation.standards import evaluate
 from compwright.planning import fresh
 from compwright.planning.axes import AxisWork, no_gain
 from compwright.planning.outlook import predict, why_not_better
@@ -151,3 +152,28 @@ def test_what_acts_now_is_what_a_table_has_to_beat() -> None:
     work = work_of(SLOPED, as_found=by_slope(-25e-6))
     assert "gives A 10.00 µm, without it 5.00 µm" in no_gain(work, by_slope(-20e-6))
     assert no_gain(work, by_slope(-29e-6)) == ""
+
+
+@pytest.mark.parametrize("off", [100.0, 130.0, 170.0, 210.0, 260.0])
+def test_one_reading_far_off_does_not_stop_a_table(
+    off: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One reading ``off`` makes A with the table and without it, alike but for rounding: 4 s of its
+    cell, which no table moves. The others show that 30 µm/m become 2.
+    """
+    monkeypatch.setattr(fresh, "DRAWS", 5)
+    work = work_of(SLOPED)
+    result = work.results[0]
+    rng = np.random.default_rng(4)
+    plus, minus = (
+        block[:, :1] + 0.3 * UM * rng.standard_normal((block.shape[0], 5))
+        for block in (result.test.positive, result.test.negative)
+    )
+    plus[5, 2] += off * UM
+    runs = (1, 2, 3, 4, 5)
+    test = replace(
+        result.test, positive=plus, negative=minus, runs_positive=runs, runs_negative=runs
+    )
+    work = replace(work, results=(evaluate(test, result.standard),))
+    assert no_gain(work, by_slope(-28e-6)) == ""
+    assert "without it 3" in no_gain(work, by_slope(30e-6))

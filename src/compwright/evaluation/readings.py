@@ -10,14 +10,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 from itertools import permutations
 from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.residuals import pooled, robust_scale, row_medians, run_medians
-from compwright.evaluation.statistics import standard_deviation
+from compwright.evaluation.believable import (
+    BY_CHANCE,
+    chance_of_zero,
+    far_readings,
+    kept,
+    without_readings,
+)
+from compwright.evaluation.residuals import pooled
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor
 from compwright.records.axis import Direction, FloatArray
@@ -35,14 +40,9 @@ DRIFT_CHANCE: Final = 0.02
 #: reading. Simulated with five runs this calls 0.1 % of sound tests suspect when the readings
 #: scatter on their own and 1.2 % when whole runs shift together.
 TRAVERSE_LIMIT: Final = 5.0
-#: The same for one reading against its target and its traverse; below 0.1 % of sound tests with
-#: five runs.
-READING_LIMIT: Final = 8.0
 #: Ends of the travel, in root mean squares of evenly spaced places about its middle.
 _STEEPEST: Final = math.sqrt(3.0)
 _SHOWN: Final = 5
-#: Rows of exact zeros that scattering readings show less often than this are no measurement.
-_BY_CHANCE: Final = 1e-5
 #: Scatter below this is rounding of binary numbers, not a measurement: 1 pm, 1e-9 deg.
 _ROUNDING: Final = 1e-9
 _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
@@ -134,7 +134,7 @@ def zero_traverses(test: PositioningTest) -> list[Finding]:
     """
     told = any(finding.code == "CW-R010" for finding in test.findings)
     findings, filled = [], []
-    chance = _chance_of_zero(test)
+    chance = chance_of_zero(test)
     for direction in _BOTH:
         deviations = test.deviations(direction)
         for column in range(deviations.shape[1]):
@@ -152,13 +152,14 @@ def zero_traverses(test: PositioningTest) -> list[Finding]:
                         Finding(
                             "CW-T011",
                             "warning",
-                            f"{message} It is part of the result as it stands.",
+                            f"{message} It is part of the result as it stands; where the others"
+                            " scatter, table and prediction are made without it.",
                         )
                     ]
                 )
             elif (
                 row := _longest_row_of_zeros(values)
-            ) > 1 and values.size * chance**row < _BY_CHANCE:
+            ) > 1 and values.size * chance**row < BY_CHANCE:
                 filled.append((name, row))
     if filled:
         names = ", ".join(name for name, _ in filled[:_SHOWN]) + (
@@ -171,23 +172,6 @@ def zero_traverses(test: PositioningTest) -> list[Finding]:
         )
         findings.append(Finding("CW-T011", "warning", message))
     return findings
-
-
-def _chance_of_zero(test: PositioningTest) -> float:
-    """Return how often a reading that scatters about zero is exactly zero: the step of the digits
-    by the width of the scatter.
-
-    Scatter: the median of s over the targets that show one, so that the zeros themselves do not
-    count.
-    """
-    values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
-    steps = np.diff(np.unique(values[np.isfinite(values)]))
-    steps = steps[steps > _ROUNDING]
-    s = np.concatenate([standard_deviation(test.deviations(direction)) for direction in _BOTH])
-    s = s[np.isfinite(s) & (s > _ROUNDING)]
-    if not steps.size or not s.size:
-        return 1.0
-    return min(float(steps.min()) / (float(np.median(s)) * math.sqrt(2.0 * math.pi)), 1.0)
 
 
 def _longest_row_of_zeros(values: FloatArray) -> int:
@@ -304,7 +288,7 @@ def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
                         f"Traverse {_run_number(test, direction, column)} in {sign_text(direction)}"
                         f" lies {signed_text(shift, test)} off the others (robust standard"
                         f" deviation of a reading: {text_of(scale, test)})."
-                        f" {compare(_kept(test, direction, without))}".strip(),
+                        f" {compare(kept(test, direction, without))}".strip(),
                     )
                 )
     return findings
@@ -314,25 +298,10 @@ def suspect_readings(test: PositioningTest, compare: Compare) -> list[Finding]:
     """Return one finding for all readings that lie far off their target's and their traverse's
     others (CW-T014); n >= 4.
     """
-    found: list[tuple[float, Direction, int, int]] = []
-    inner = [residual - run_medians(residual) for residual in pooled(test)[0]]
-    inner = [residual - row_medians(residual) for residual in inner]
-    scale = robust_scale(inner, test)
-    for direction, residual in zip(_BOTH, inner, strict=True):
-        if residual.shape[1] < 4 or scale == 0.0:
-            continue
-        far = np.argwhere(np.abs(np.nan_to_num(residual)) > READING_LIMIT * scale)
-        found.extend((float(residual[i, j]), direction, int(i), int(j)) for i, j in far)
+    found, scale = far_readings(test)
     if not found:
         return []
-    found.sort(key=lambda entry: -abs(entry[0]))
-    changed = test
-    for direction in _BOTH:
-        keep = np.ones(test.deviations(direction).shape, dtype=bool)
-        for _, where, i, j in found:
-            if where is direction:
-                keep[i, j] = False
-        changed = _kept(changed, direction, keep)
+    changed = without_readings(test, found)
     told = ", ".join(
         f"run {_run_number(test, d, j)} in {sign_text(d)} at"
         f" {position_text(float(test.targets[i]), test)} ({signed_text(off, test)} off)"
@@ -344,19 +313,6 @@ def suspect_readings(test: PositioningTest, compare: Compare) -> list[Finding]:
         f" reading: {text_of(scale, test)}. {compare(changed)}"
     )
     return [Finding("CW-T014", "warning", message.strip())]
-
-
-def _kept(
-    test: PositioningTest,
-    direction: Direction,
-    keep: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
-) -> PositioningTest:
-    changed = np.where(keep, test.deviations(direction), np.nan)
-    return (
-        replace(test, positive=changed)
-        if direction is Direction.POSITIVE
-        else replace(test, negative=changed)
-    )
 
 
 def _run_scores(residual: FloatArray, along: FloatArray, scale: float) -> FloatArray:

@@ -188,7 +188,8 @@ def _zero_traverses(grid: Grid) -> Finding | None:
         "CW-R010",
         "warning",
         f"Every deviation of run {', '.join(name for name, _ in zero)} is exactly zero while others"
-        " are not: some programs fill runs that were not made with zeros. Take them out if so.",
+        " are not: some programs fill runs that were not made with zeros. Take them out if so. The"
+        " result holds them; where the others scatter, table and prediction are made without them.",
     )
 
 

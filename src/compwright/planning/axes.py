@@ -9,6 +9,7 @@ from typing import Literal, Protocol
 import numpy as np
 
 from compwright.estimation.reach import longer_tests
+from compwright.evaluation.believable import believable
 from compwright.evaluation.standards import evaluate
 from compwright.foundations.errors import CapacityError, CompwrightError, collect, raise_all
 from compwright.foundations.findings import Finding
@@ -344,19 +345,19 @@ def _offered(
 
 def no_gain(work: AxisWork, new: Correction) -> str:
     """Return why ``new``, the table as read back, would not improve the axis over what the control
-    does now; empty when it does.
+    does now; empty when it does. Readings far off, which no table moves, do not judge, nor do
+    traverses that were not made.
     """
     changes = [difference(each, work.active) for each in (new, work.as_found)]
     first = work.results[0]
+    test = believable(first.test)
     after, before = (
         evaluate(
-            with_change(
-                first.test, *(change(first.test.targets, direction) for direction in Direction)
-            ),
+            with_change(test, *(change(test.targets, direction) for direction in Direction)),
             first.standard,
         )
         for change in changes
     )
     drawn = fresh_tests(first, work.posterior, work.planned.axis)
-    fresh, old = (drawn.quantiles(change) for change in changes)
+    fresh, old = (drawn.quantiles(change, cured=("tails",)) for change in changes)
     return why_not_better(before, after, old, fresh)

@@ -68,7 +68,7 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting 
         now=now.median,
         then=then.median,
         least=least.median,
-        spread=(then.p95 - then.p05) / BAND,
+        spread=2.0 * (then.median - then.p05) / BAND,
         causes=tuple(sorted(worth, key=lambda cause: -cause.value)),
     )
 

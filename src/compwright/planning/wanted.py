@@ -11,6 +11,7 @@ from compwright.estimation.axis import AxisPosterior, Draws, estimate_axis
 from compwright.estimation.noise import noise_of
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed import ObservedTest
+from compwright.evaluation.believable import not_made, without_traverses
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
@@ -105,11 +106,13 @@ def observed_tests(
     tests: Sequence[PlannedTest], active: AxisCompensation | None
 ) -> tuple[ObservedTest, ...]:
     """Return the tests as the estimation takes them: each without what acted in it (``acted``),
-    the first without ``active``, and with what its repeated readings tell of their noise.
+    the first without ``active``, without the traverses that were not made, and with what its
+    repeated readings tell of their noise.
     """
     observed = []
     for place, planned in enumerate(tests):
-        test, acted = planned.test, planned.acted
+        acted = planned.acted
+        test = without_traverses(planned.test, not_made(planned.test))
         if place == 0 and active is not None:
             acted = _at(active, test)
         bare = test if acted is None else with_change(test, -acted[0], -acted[1])

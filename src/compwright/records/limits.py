@@ -25,8 +25,9 @@ class Limiting:
     deg: ``now`` with what is in the control, ``then`` with what is written, ``least`` of an axis
     without any error, by its scatter alone.
 
-    ``spread``: the standard deviation of ``then`` from test to test. ``causes``, the largest first,
-    do not add up to ``then``: the parameter is a range, and what two causes do at different places
+    ``spread``: the standard deviation of ``then`` from test to test, below its median: a few
+    readings far off stretch it above. ``causes``, the largest first, do not add up to ``then``: the
+    parameter is a range, and what two causes do at different places
     counts once.
     """
 

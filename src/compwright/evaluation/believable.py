@@ -1,0 +1,121 @@
+"""What of a test is no measurement of the axis: traverses that were not made, readings far off."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.evaluation.residuals import pooled, robust_scale, row_medians, run_medians
+from compwright.evaluation.statistics import standard_deviation
+from compwright.records.axis import Direction
+from compwright.records.positioning import PositioningTest
+
+#: Rows of exact zeros that scattering readings show less often than this are no measurement.
+BY_CHANCE: Final = 1e-5
+#: A reading is suspect when it exceeds so many robust standard deviations against its target and
+#: its traverse; below 0.1 % of sound tests with five runs.
+READING_LIMIT: Final = 8.0
+#: Scatter below this is rounding of binary numbers, not a measurement: 1 pm, 1e-9 deg.
+_ROUNDING: Final = 1e-9
+_BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
+
+
+def believable(test: PositioningTest) -> PositioningTest:
+    """Return ``test`` without the traverses that were not made (`not_made`) and without the
+    readings that lie far off (CW-T014).
+    """
+    made = without_traverses(test, not_made(test))
+    return without_readings(made, far_readings(made)[0])
+
+
+def not_made(test: PositioningTest) -> list[tuple[Direction, int]]:
+    """Return direction and column of each traverse that is exactly zero at all its targets (two or
+    more) while the others scatter so that this is no chance.
+    """
+    chance = chance_of_zero(test)
+    found = []
+    for direction in _BOTH:
+        for column, values in enumerate(test.deviations(direction).T):
+            known = values[np.isfinite(values)]
+            by_chance = known.size * chance**known.size >= BY_CHANCE
+            if known.size > 1 and not np.any(known) and not by_chance:
+                found.append((direction, column))
+    return found
+
+
+def without_traverses(
+    test: PositioningTest, traverses: Sequence[tuple[Direction, int]]
+) -> PositioningTest:
+    """Return ``test`` without some ``traverses``: direction and column of each."""
+    for direction in _BOTH:
+        keep = np.ones(test.deviations(direction).shape, dtype=bool)
+        keep[:, [column for where, column in traverses if where is direction]] = False
+        if not np.all(keep):
+            test = kept(test, direction, keep)
+    return test
+
+
+def far_readings(
+    test: PositioningTest,
+) -> tuple[list[tuple[float, Direction, int, int]], float]:
+    """Return how far off, direction, target and column of each suspect reading, the farthest first;
+    and the robust standard deviation of a reading. mm or deg.
+    """
+    found: list[tuple[float, Direction, int, int]] = []
+    inner = [residual - run_medians(residual) for residual in pooled(test)[0]]
+    inner = [residual - row_medians(residual) for residual in inner]
+    scale = robust_scale(inner, test)
+    for direction, residual in zip(_BOTH, inner, strict=True):
+        if residual.shape[1] < 4 or scale == 0.0:
+            continue
+        far = np.argwhere(np.abs(np.nan_to_num(residual)) > READING_LIMIT * scale)
+        found.extend((float(residual[i, j]), direction, int(i), int(j)) for i, j in far)
+    return sorted(found, key=lambda entry: -abs(entry[0])), scale
+
+
+def without_readings(
+    test: PositioningTest, found: Sequence[tuple[float, Direction, int, int]]
+) -> PositioningTest:
+    """Return ``test`` without the readings ``found`` by `far_readings`."""
+    for direction in _BOTH:
+        keep = np.ones(test.deviations(direction).shape, dtype=bool)
+        for _, where, i, j in found:
+            if where is direction:
+                keep[i, j] = False
+        test = kept(test, direction, keep)
+    return test
+
+
+def chance_of_zero(test: PositioningTest) -> float:
+    """Return how often a reading that scatters about zero is exactly zero: the step of the digits
+    by the width of the scatter.
+
+    Scatter: the median of s over the targets that show one, so that the zeros themselves do not
+    count.
+    """
+    values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
+    steps = np.diff(np.unique(values[np.isfinite(values)]))
+    steps = steps[steps > _ROUNDING]
+    s = np.concatenate([standard_deviation(test.deviations(direction)) for direction in _BOTH])
+    s = s[np.isfinite(s) & (s > _ROUNDING)]
+    if not steps.size or not s.size:
+        return 1.0
+    return min(float(steps.min()) / (float(np.median(s)) * math.sqrt(2.0 * math.pi)), 1.0)
+
+
+def kept(
+    test: PositioningTest,
+    direction: Direction,
+    keep: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
+) -> PositioningTest:
+    """Return ``test`` with those readings of a direction that ``keep`` (m, n) says."""
+    changed = np.where(keep, test.deviations(direction), np.nan)
+    return (
+        replace(test, positive=changed)
+        if direction is Direction.POSITIVE
+        else replace(test, negative=changed)
+    )

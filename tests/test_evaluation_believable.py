@@ -1,0 +1,62 @@
+"""What of a test is no measurement of the axis: told by tests in which it is known."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from compwright.evaluation.believable import believable, not_made
+from compwright.planning.wanted import observed_tests
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.plan import PlannedTest
+from compwright.records.positioning import PositioningTest
+from evaluation_samples import UM, axis_test
+
+TARGETS = np.linspace(10.0, 990.0, 15)
+
+
+def measured(seed: int = 1, step: float = 0.01, error: float = 8.0) -> PositioningTest:
+    """Five runs with 0.6 µm of scatter about a sine of ``error`` µm, read in steps of ``step``."""
+    rng = np.random.default_rng(seed)
+
+    def block() -> FloatArray:
+        values = error * np.sin(TARGETS / 180.0)[:, np.newaxis] + 0.6 * rng.standard_normal((15, 5))
+        rounded: FloatArray = step * np.round(values / step) * UM
+        return rounded
+
+    return axis_test(TARGETS, block(), block())
+
+
+def test_a_traverse_of_zeros_beside_others_that_scatter_was_not_made() -> None:
+    test = measured()
+    test.negative[:, 3] = 0.0
+    assert not_made(test) == [(Direction.NEGATIVE, 3)]
+    assert not_made(measured()) == []
+
+
+def test_a_display_too_coarse_to_show_the_scatter_shows_zeros_by_itself() -> None:
+    """Steps of 5 µm and an axis without error: most readings are zero, and so are whole runs."""
+    test = measured(step=5.0, error=0.0)
+    assert not np.any(test.positive[:, 0])
+    assert not_made(test) == []
+
+
+def test_readings_far_off_and_runs_not_made_are_left_out_of_what_is_believed() -> None:
+    test = measured()
+    test.negative[:, 3] = 0.0
+    test.positive[7, 2] += 30.0 * UM
+    found = believable(test)
+    assert np.all(np.isnan(found.negative[:, 3]))
+    assert np.isnan(found.positive[7, 2])
+    assert np.count_nonzero(~np.isfinite(np.hstack([found.positive, found.negative]))) == 16
+
+
+def test_a_traverse_of_zeros_does_not_count_in_the_estimate() -> None:
+    """15 targets from -8 to 8 µm with zeros in one of ten traverses: neither outliers nor a shift
+    of traverses is made of them.
+    """
+    test = measured()
+    test.negative[:, 3] = 0.0
+    (seen,) = observed_tests([PlannedTest(test=test, measured_in="as_found")], None)
+    assert np.all(np.isnan(seen.test.negative[:, 3]))
+    assert seen.noise is not None
+    assert seen.noise.findings == ()
