@@ -98,6 +98,23 @@ def test_a_drift_over_the_runs_is_found_with_sign_and_size() -> None:
     assert np.median(draws.sigma) == pytest.approx(UM, rel=0.15)  # not taken for scatter
 
 
+@pytest.mark.parametrize(("size", "shifted"), [(50.0, 0.0), (150.0, 0.0), (150.0, 2.0)])
+def test_a_large_drift_is_no_row_of_shifts(size: float, shifted: float) -> None:
+    """Of 0.1 µm of scatter a cold machine drifts by that much: told as such from whichever data,
+    with and without shifts beside it.
+    """
+    for seed in range(31, 36):
+        drift = size * (np.arange(N) / (N - 1) - 0.5)
+        moved = shifted * np.random.default_rng(seed).standard_normal((2, 1, N))
+        found = posterior(white(seed) + drift + moved)
+        assert np.all(found.draws.drift != 0.0)
+        assert np.median(found.draws.drift) == pytest.approx(
+            size * UM, abs=(1.0 + 3.0 * shifted) * UM
+        )
+        (told,) = [each.message for each in found.findings if each.code == "CW-E020"]
+        assert "odds over 1000 to 1" in told
+
+
 def test_a_drift_that_grows_along_the_travel_is_found() -> None:
     """Expansion about the middle: the mean over the targets does not move at all."""
     drift = 6.0 * U * (np.arange(N) / (N - 1) - 0.5)

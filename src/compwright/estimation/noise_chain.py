@@ -71,6 +71,7 @@ class Chain:
         self.sizes, self.spread, self.tail = Sizes(), np.zeros(len(self.shapes)), 0
         self.absent_spread = np.ones(len(self.shapes))
         self.values = readings.values
+        self.begun = False
         self.reduced: tuple[FloatArray, FloatArray, Traverses] | None = None
         never = np.zeros(readings.there.shape)
         self.latent = Latent(readings.there.astype(np.float64), never, readings.there & False)
@@ -107,6 +108,9 @@ class Chain:
         values = self.values - self.latent.shift * self.sigma * scale
         traverses = self._traverses(values, weights)
         data = traverses.data
+        if not self.begun:
+            traverses.begin(self.sizes)
+            self.begun = True
         traverses.draw_sizes(self.sizes, rng)
         variance = traverses.draw_variance(self.sizes, rng)
         drift = traverses.draw_drift(self.sizes, variance, rng)

@@ -33,6 +33,8 @@ _PATTERNS: Final = np.array([0.55, 0.2, 0.25])
 #: Time constants of warming up, in parts of the test: none (even drift), a half, a fifth.
 RATES: Final = np.array([0.0, 2.0, 5.0])
 _PACES: Final = np.array([0.6, 0.2, 0.2])
+#: Natural logarithm of the evidence from which on the sampler begins with a drift (1000 to 1).
+_CLEARLY: Final = 7.0
 
 
 @dataclass(slots=True)
@@ -141,6 +143,23 @@ class Traverses:
         # By kind, beside nothing else: most of the time there is nothing else.
         self.alone: dict[int, _Spectrum] = {}
 
+    def begin(self, sizes: Sizes) -> None:
+        """Set ``sizes``, present state nothing, to those of drifts and of what moves beside them
+        where the readings favour that clearly over traverses that move each on its own.
+
+        One size after the other, the sampler seldom leaves large offsets for the drift that they
+        imitate.
+        """
+        if not self.patterns.walks:
+            return
+        moving, drifting = Sizes(), Sizes()
+        for kind in (OFFSET, TILT):
+            without = self._climb(moving, kind)
+        for kind in (DRIFT, DRIFT_TILT, OFFSET, TILT, DRIFT, DRIFT_TILT):
+            with_drift = self._climb(drifting, kind)
+        if with_drift > without + _CLEARLY:
+            sizes.size, sizes.pattern, sizes.rate = drifting.size, drifting.pattern, drifting.rate
+
     def draw_sizes(self, sizes: Sizes, rng: np.random.Generator) -> None:
         """Draw every size of ``sizes`` anew, each given the others; pattern and rate with them."""
         for kind in (OFFSET, TILT):
@@ -226,6 +245,20 @@ class Traverses:
         sizes.size[kind] = grid[place - 1] if place else 0.0
         sizes.absent[kind] = np.sum(chances[:, 0]) / cumulative[-1]
         return form
+
+    def _climb(self, sizes: Sizes, kind: int) -> float:
+        """Set the size of ``kind`` and its form to the most likely ones beside the others; returns
+        their log evidence.
+        """
+        grid = np.concatenate([[0.0], _GRID])
+        logs = self._scan(self._spectrum(sizes, kind), grid)
+        form, place = np.unravel_index(int(np.argmax(np.round(logs, 6))), logs.shape)
+        sizes.size[kind] = grid[place]
+        if kind in (OFFSET, TILT):
+            sizes.pattern = int(form)
+        else:
+            sizes.rate = int(form)
+        return float(logs[form, place])
 
     def _spectrum(self, sizes: Sizes, kind: int) -> _Spectrum:
         """Return that of the covariances of ``kind`` beside all others (Golub and Van Loan, Matrix
