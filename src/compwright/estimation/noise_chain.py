@@ -18,7 +18,7 @@ from compwright.estimation.noise_readings import (
     reduced,
 )
 from compwright.estimation.noise_rounding import draw_unrounded, spread_out, step_of
-from compwright.estimation.noise_spread import draw_spread, shapes_of
+from compwright.estimation.noise_spread import draw_spread, powers_of, shapes_of
 from compwright.estimation.noise_tails import TAILS, Latent, chances_of, draw_latent
 from compwright.estimation.noise_traverses import Sizes, Traverses, patterns_of
 from compwright.records.axis import FloatArray
@@ -66,6 +66,7 @@ class Chain:
         self.runs = test.positive.shape[1], test.negative.shape[1]
         self.patterns = patterns_of(readings, test.cycle, self.runs)
         self.shapes = shapes_of(readings)
+        self.powers = powers_of(self.shapes)
         self.floor = LEAST_NOISE[test.kind]
         self.dof = np.maximum(np.sum(readings.there, axis=1) - 1.0, 0.0)
         self.sizes, self.spread, self.tail = Sizes(), np.zeros(len(self.shapes)), 0
@@ -169,7 +170,9 @@ class Chain:
         means = np.sum(weights * left, axis=1) / total
         squares = np.sum(weights * (left - means[:, np.newaxis]) ** 2, axis=1)
         squares = squares + self.floor**2 / squares.size
-        self.absent_spread = draw_spread(self.spread, self.shapes, squares, self.dof, rng)
+        self.absent_spread = draw_spread(
+            self.spread, self.shapes, self.powers, squares, self.dof, rng
+        )
         scale = np.exp(self.spread @ self.shapes)
         square = float(np.sum(squares / scale**2))
         self.sigma = float(np.sqrt(square / rng.chisquare(np.sum(self.dof))))

@@ -27,15 +27,25 @@ def shapes_of(readings: Readings) -> FloatArray:
     return np.vstack([np.repeat([0.5, -0.5], m), waves(readings.u, _WAVES)])
 
 
+def powers_of(shapes: FloatArray) -> FloatArray:
+    """Return by how much the precision of each cell follows each of ``shapes`` (parts, c), for
+    every value of the grid that sizes are drawn from (parts, values, c).
+    """
+    powers: FloatArray = np.exp(-2.0 * _GRID[:, np.newaxis] * shapes[:, np.newaxis])
+    return powers
+
+
 def draw_spread(
     spread: FloatArray,
     shapes: FloatArray,
+    powers: FloatArray,
     squares: FloatArray,
     dof: FloatArray,
     rng: np.random.Generator,
 ) -> FloatArray:
     """Draw ``spread`` (parts,) anew, each part given the others, from ``squares`` (c,) of the
-    readings about their cells' means with ``dof`` (c,); returns how probable each is nothing.
+    readings about their cells' means with ``dof`` (c,); ``powers`` of the ``shapes`` (`powers_of`).
+    Returns how probable each is nothing.
 
     The common scale is integrated out under its prior 1/sigma (Gelman et al., Bayesian Data
     Analysis, 3rd ed. 2013, section 3.2). Exact conditional draws from a grid: Ritter and Tanner, J.
@@ -53,7 +63,9 @@ def draw_spread(
         prior *= (1.0 - _NOTHING[part]) / np.sum(prior)
         prior[_GRID == 0.0] = _NOTHING[part]
         others = spread @ shapes - spread[part] * shapes[part]
-        scaled = np.exp(-2.0 * np.outer(values, shapes[part])) @ (squares * np.exp(-2.0 * others))
+        known = squares * np.exp(-2.0 * others)
+        scaled = powers[part] @ (known * np.exp(-2.0 * step * shapes[part]))
+        scaled[_GRID == 0.0] = np.sum(known)
         logs = -0.5 * total * np.log(scaled) - moved * values
         chances = np.exp(logs - np.max(logs)) * prior
         cumulative = np.cumsum(chances)
