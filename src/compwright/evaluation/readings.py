@@ -9,7 +9,7 @@ the result with and without.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from itertools import permutations
 from typing import Final
 
@@ -83,16 +83,19 @@ def _run_number(test: PositioningTest, direction: Direction, column: int) -> int
     return runs[column] if column < len(runs) else column + 1
 
 
-def reading_findings(test: PositioningTest, compare: Compare) -> list[Finding]:
+def reading_findings(
+    test: PositioningTest, compare: Compare, told: Collection[str] = ()
+) -> list[Finding]:
     """Return the findings about the readings of ``test``; ``compare`` words the result without some
-    of them.
+    of them. ``told``: codes of what an estimate of the noise tells: of a drift (CW-T012) nothing is
+    said again, of suspect readings (CW-T014) the result with and without them.
     """
     return [
         *missing_readings(test),
         *zero_traverses(test),
-        *drift(test),
+        *([] if "CW-T012" in told else drift(test)),
         *suspect_traverses(test, compare),
-        *suspect_readings(test, compare),
+        *suspect_readings(test, compare, told="CW-T014" in told),
     ]
 
 
@@ -294,22 +297,30 @@ def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
     return findings
 
 
-def suspect_readings(test: PositioningTest, compare: Compare) -> list[Finding]:
+def suspect_readings(
+    test: PositioningTest, compare: Compare, *, told: bool = False
+) -> list[Finding]:
     """Return one finding for all readings that lie far off their target's and their traverse's
-    others (CW-T014); n >= 4.
+    others (CW-T014); n >= 4. ``told``: which they are is said elsewhere, here the result with and
+    without them.
     """
     found, scale = far_readings(test)
     if not found:
         return []
     changed = without_readings(test, found)
-    told = ", ".join(
+    if told:
+        compared = compare(changed)
+        which = f"the {len(found)} suspect readings" if len(found) > 1 else "the suspect reading"
+        message = f"The result with {which} and without: {compared}"
+        return [Finding("CW-T014", "info", message)] if compared else []
+    named = ", ".join(
         f"run {_run_number(test, d, j)} in {sign_text(d)} at"
         f" {position_text(float(test.targets[i]), test)} ({signed_text(off, test)} off)"
         for off, d, i, j in found[:_SHOWN]
     )
     more = f" and {len(found) - _SHOWN} more" if len(found) > _SHOWN else ""
     message = (
-        f"Suspect reading{'s' * (len(found) > 1)}: {told}{more}; robust standard deviation of a"
+        f"Suspect reading{'s' * (len(found) > 1)}: {named}{more}; robust standard deviation of a"
         f" reading: {text_of(scale, test)}. {compare(changed)}"
     )
     return [Finding("CW-T014", "warning", message.strip())]

@@ -9,7 +9,7 @@ words ("error" for "deviation"); that one approach per direction leaves out s, R
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Final, Literal
@@ -161,12 +161,14 @@ def evaluate(
     periods: Sequence[float] = (),
     budget: UncertaintyBudget | None = None,
     thermal: Thermal | None = None,
+    told: Collection[str] = (),
 ) -> PositioningResult:
     """Evaluate ``test`` (mm or deg) to ``standard``; everything in the result is in mm or deg.
 
     ``spread`` "range" takes s from the range of the readings (1988 and GOST only). ``travel`` and
     ``periods`` (mm or deg, machine coordinates) serve the test checks, ``budget`` and ``thermal``
-    the uncertainty. A parameter is None where the standard does not define it, the approach
+    the uncertainty; ``told``: codes of checks of the readings that an estimate of the noise tells
+    (`reading_findings`). A parameter is None where the standard does not define it, the approach
     direction was not measured, or a target lacks the two readings that s needs; ``not_applicable``
     says which. A parameter is never formed over fewer targets than were measured; a finding tells R
     and A of the others instead.
@@ -191,7 +193,7 @@ def evaluate(
     def compare(other: PositioningTest) -> str:
         return _comparison(test, given, other, chosen, spread)
 
-    findings += reading_findings(test, compare)
+    findings += reading_findings(test, compare, told)
     uncertainty = None
     if budget is not None:
         uncertainty, remarks = expanded_uncertainties(

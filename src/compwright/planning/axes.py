@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal, Protocol
+from typing import Final, Literal, Protocol
 
 import numpy as np
 
@@ -106,8 +106,14 @@ class AxisWork:
         return longer_tests(fitted, others)
 
 
-def evaluated(job: Job, axis: Axis, test: PositioningTest) -> PositioningResult:
-    """Return a test of an axis evaluated as its job asks."""
+#: Checks of the readings that an estimate of the noise tells with its size and its odds.
+_TOLD_BY: Final = {"CW-E020": "CW-T012", "CW-E021": "CW-T012", "CW-E024": "CW-T014"}
+
+
+def evaluated(
+    job: Job, axis: Axis, test: PositioningTest, told: Collection[str] = ()
+) -> PositioningResult:
+    """Return a test of an axis evaluated as its job asks; ``told``: see `evaluate`."""
     return evaluate(
         test,
         job.standard,
@@ -115,6 +121,7 @@ def evaluated(job: Job, axis: Axis, test: PositioningTest) -> PositioningResult:
         periods=axis.screw_pitch,
         budget=job.budget(axis.kind),
         thermal=test.thermal,
+        told=told,
     )
 
 
@@ -139,6 +146,10 @@ def start_axis(
         active = held_by(states[tests[0].measured_in], axis)
     tests = with_what_acted(with_backlash(with_slopes(job, tests), axis, states), axis, states)
     tests, posterior, doubts = counted_together(tests, axis, active)
+    results = tuple(
+        evaluated(job, axis, result.test, told) if told else result
+        for result, told in zip(results, _told(posterior), strict=True)
+    )
     check_coverage(job.file, axis, [each.test for each in tests if each.acted is not None])
     planned = PlannedAxis(
         axis=axis,
@@ -160,6 +171,13 @@ def start_axis(
         as_found=as_found,
         disagreeing=doubts,
     )
+
+
+def _told(posterior: MeasuredError) -> Iterator[frozenset[str]]:
+    """Yield by test the checks of its readings that the estimate tells, if it counts there."""
+    for noise, place in zip(posterior.noises, posterior.counted, strict=True):
+        found = () if noise is None or place is None else noise.findings
+        yield frozenset(_TOLD_BY[each.code] for each in found if each.code in _TOLD_BY)
 
 
 @dataclass(frozen=True, slots=True)
