@@ -6,14 +6,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import product
+from typing import Final
 
 import numpy as np
 
 from compwright.evaluation.plausibility import pooled_scatter
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source, share_a_file
+from compwright.records.axis import Direction, FloatArray
 from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.result import PositioningResult
+
+#: Runs are compared at as many common targets at least.
+_TARGETS: Final = 5
+#: Two runs are the same by chance where this many such pairs are expected.
+_CHANCE: Final = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,12 +34,14 @@ class Named:
 
 
 def same_measurement(one: Named, other: Named) -> bool:
-    """Return whether two tests share a file by its content, or hold the same scattering readings at
-    the same targets.
+    """Return whether two tests share a file by its content, hold the same scattering readings at
+    the same targets, or share a run.
     """
     if share_a_file(one.sources, other.sources):
         return True
-    return one.test is not None and other.test is not None and same_readings(one.test, other.test)
+    if one.test is None or other.test is None:
+        return False
+    return same_readings(one.test, other.test) or share_a_run(one.test, other.test)
 
 
 def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
@@ -55,6 +65,42 @@ def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
     made = np.concatenate([(np.isfinite(a) == np.isfinite(b)).ravel() for a, b in pairs[1:]])
     known = gaps[np.isfinite(gaps)]
     return bool(made.all() and known.size and np.ptp(known) <= SAME_READING)
+
+
+def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
+    """Return whether a run of one test is a run of the other, whatever its number, but for one
+    constant: some of the runs, or all in another order, given as a test of their own.
+
+    Of the pairs of runs that differ, the share p of targets with one and the same difference tells
+    how often coarse digits agree; runs that agree at all of m targets do so with the chance
+    p^(m - 1) for each pair.
+    """
+    if one.kind is not other.kind:
+        return False
+    place = np.searchsorted(other.targets, one.targets - SAME_READING)
+    place = np.minimum(place, other.targets.size - 1)
+    at = np.flatnonzero(np.abs(other.targets[place] - one.targets) <= SAME_READING)
+    there = place[at]
+    same, shares, pairs = 0, [], 0
+    for mine, theirs in product(Direction, repeat=2):
+        for left, right in product(one.deviations(mine)[at].T, other.deviations(theirs)[there].T):
+            both = np.isfinite(left - right)
+            gap = (left - right)[both]
+            if gap.size < _TARGETS or np.ptp(left[both]) <= SAME_READING:
+                continue  # too few, or a run of zeros that was not made
+            alike = mine is theirs and bool(np.ptp(gap) <= SAME_READING)
+            pairs += mine is theirs
+            same = max(same, gap.size if alike else 0)
+            if not alike:
+                shares.append(_most_alike(gap) / gap.size)
+    return bool(same and shares and pairs * float(np.mean(shares)) ** (same - 1) < _CHANCE)
+
+
+def _most_alike(gaps: FloatArray) -> int:
+    """Return how many of the differences are one and the same."""
+    ordered = np.sort(gaps)
+    beyond = np.searchsorted(ordered, ordered + SAME_READING, side="right")
+    return int(np.max(beyond - np.arange(gaps.size)))
 
 
 def with_repeats(results: Sequence[PositioningResult]) -> list[PositioningResult]:
