@@ -175,6 +175,19 @@ def test_an_outlier_counts_little_and_leaves_the_scale_alone() -> None:
     assert np.median(found.precision[:, 7]) < 0.95 * np.median(found.precision[:, 8])
 
 
+@pytest.mark.parametrize("off", [100.0, 300.0, 1000.0])
+def test_one_gross_error_is_an_outlier_and_leaves_the_scale_of_the_others_alone(off: float) -> None:
+    """One reading of 210, a hundred to a thousand scales off, in white noise of 1 µm."""
+    readings = white(7)
+    readings[0, 4, 2] += off
+    found = posterior(readings)
+    assert [finding.code for finding in found.findings] == ["CW-E024"]
+    assert "1 of 210 readings is an outlier: run 3 in + at 200 mm" in found.findings[0].message
+    assert np.median(found.draws.sigma) == pytest.approx(UM, rel=0.15)
+    cell = found.mean[:, 4] - np.mean(np.delete(made(readings).positive[4], 2))
+    assert np.max(np.abs(cell)) < 0.5 * UM
+
+
 def test_heavy_tails_are_found() -> None:
     readings = np.random.default_rng(11).standard_t(3.0, (2, M, N))
     draws = posterior(readings).draws
@@ -352,6 +365,21 @@ def test_outliers_are_told_by_run_direction_and_place() -> None:
     told = message(found, "CW-E024")
     assert told.startswith("2 of 210 readings are outliers: run 1 in − at 200 mm (-")
     assert "run 6 in + at 350 mm (+2" in told
+
+
+def test_outliers_that_lie_together_are_told_by_what_they_have_in_common() -> None:
+    """Half a traverse 12 µm off; a loose place whose readings scatter by 15 µm."""
+    traverse, place = white(31), white(32)
+    traverse[1, :9, 4] += 12.0
+    place[:, 13] *= 15.0
+    told = [
+        next(found.message for found in posterior(each).findings if found.code == "CW-E024")
+        for each in (traverse, place)
+    ]
+    assert "all in run 5 in −" in told[0]
+    assert "find out what happened in that traverse" in told[0]
+    assert "all at 650 mm" in told[1]
+    assert "look at screw, guides and covers there" in told[1]
 
 
 @pytest.mark.parametrize(

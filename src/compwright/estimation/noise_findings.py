@@ -20,7 +20,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import FloatArray
-from compwright.records.noise import INDEPENDENT, RUNS, WALK
+from compwright.records.noise import INDEPENDENT, RUNS, WALK, IndexArray
 from compwright.records.positioning import PositioningTest
 
 #: Odds from which something is said: "strong" evidence (Kass and Raftery, J. Am. Stat. Assoc. 90,
@@ -31,6 +31,8 @@ _SURE: Final = 1000.0
 #: Parts smaller than this, in standard deviations of a reading, change s by less than a tenth.
 _MATTERS: Final = 0.4
 _SHOWN: Final = 5
+#: So many outliers with a place or a traverse in common are no chance.
+_TOGETHER: Final = 3
 _LOOK: Final = (
     "look at warm-up, clamping, reference runs and the mounting of the instrument between traverses"
 )
@@ -138,7 +140,7 @@ def _tails(test: PositioningTest, readings: Readings, draws: Sequence[Draw]) -> 
             "warning",
             f"{cells.size} of {np.count_nonzero(readings.there)} {are}: {told}{more}"
             f" ({_told(odds)}). They count little in the estimate, and a repeated test is predicted"
-            " to have as many: find their cause (beam, chips, clamping), then measure again",
+            f" to have as many: {_cause(test, cells, runs)}, then measure again",
         )
     else:
         yield Finding(
@@ -148,6 +150,20 @@ def _tails(test: PositioningTest, readings: Readings, draws: Sequence[Draw]) -> 
             f" ({_told(odds)}): far readings count less in the estimate, and a repeated test is"
             " predicted to have such readings",
         )
+
+
+def _cause(test: PositioningTest, cells: IndexArray, runs: IndexArray) -> str:
+    """Return what to look for behind outliers in ``cells`` and ``runs`` (k,): they may all lie in
+    one traverse or at one place.
+    """
+    m = test.targets.size
+    if cells.size >= _TOGETHER and np.ptp(cells % m) == 0:
+        place = _position(float(test.targets[cells[0] % m]), test)
+        return f"all at {place}, look at screw, guides and covers there"
+    if cells.size >= _TOGETHER and np.ptp(runs) == 0 and np.ptp(cells // m) == 0:
+        traverse = _traverse(test, int(cells[0]), int(runs[0]))
+        return f"all in {traverse}, find out what happened in that traverse"
+    return "find their cause (beam, chips, clamping)"
 
 
 def _places(test: PositioningTest, readings: Readings, draws: Sequence[Draw]) -> Iterator[Finding]:
@@ -211,9 +227,13 @@ def _position(position: float, test: PositioningTest) -> str:
     return f"{position:.10g} {test.kind.unit}"
 
 
-def _where(test: PositioningTest, cell: int, run: int, off: float) -> str:
+def _traverse(test: PositioningTest, cell: int, run: int) -> str:
     m = test.targets.size
     numbers = test.runs_positive if cell < m else test.runs_negative
     number = numbers[run] if run < len(numbers) else run + 1
-    place = _position(float(test.targets[cell % m]), test)
-    return f"run {number} in {'+' if cell < m else '−'} at {place} ({_signed(off, test)} off)"
+    return f"run {number} in {'+' if cell < m else '−'}"
+
+
+def _where(test: PositioningTest, cell: int, run: int, off: float) -> str:
+    place = _position(float(test.targets[cell % test.targets.size]), test)
+    return f"{_traverse(test, cell, run)} at {place} ({_signed(off, test)} off)"

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from compwright.records.axis import FloatArray
 
 #: Prior probabilities of the kinds.
-_NORMAL, _STUDENT, _SPREAD, _FIXED = 0.87, 0.1, 0.015, 0.015
+_NORMAL, _STUDENT, _SPREAD, _FIXED, _GROSS = 0.868, 0.1, 0.015, 0.015, 0.002
 _DOFS: Final = (2.5, 3.0, 3.5, 4.0, 5.0, 7.0)
 _SHARES: Final = (0.006, 0.0125, 0.025, 0.05, 0.1)
 #: Sizes of outliers in scales of a reading. Chips and air put a reading off by any amount (spread);
@@ -28,11 +28,13 @@ _SHARES: Final = (0.006, 0.0125, 0.025, 0.05, 0.1)
 _SIZES: Final = tuple(3.0 * 1.25**k for k in range(16))
 _FIXED_SIZES: Final = tuple(3.0 * 1.2**k for k in range(19))
 _FIXED_SPREAD: Final = 0.1
+#: Gross errors, by any amount: a beam that was cut, a reading typed wrongly.
+_GROSS_SIZES: Final = tuple(100.0 * 2.0**k for k in range(6))
 #: Prior of the sizes: what is seen as an outlier but not told by the instrument itself.
 _USUAL_SIZE: Final = 6.0
 _SIZE_WIDTH: Final = 0.6
 #: Sizes of residuals that are counted together: 0.03 apart at nothing, 3 % apart far out.
-_EDGES: Final = np.sinh(np.linspace(0.0, np.arcsinh(150.0), 191))
+_EDGES: Final = np.sinh(np.linspace(0.0, np.arcsinh(6000.0), 314))
 _MIDDLES: Final = 0.5 * (_EDGES[1:] + _EDGES[:-1])
 
 
@@ -96,6 +98,11 @@ def _tails() -> tuple[Tail, ...]:
         *(Tail(_STUDENT / len(_DOFS), dof=dof) for dof in _DOFS),
         *_outliers(_SPREAD, _SIZES, fixed=False),
         *_outliers(_FIXED, _FIXED_SIZES, fixed=True),
+        *(
+            Tail(_GROSS / (len(_SHARES) * len(_GROSS_SIZES)), share=share, size=size)
+            for share in _SHARES
+            for size in _GROSS_SIZES
+        ),
     )
 
 

@@ -22,8 +22,9 @@ _ADVICE: Final = {
         " (play, guides, bearings, coupling, scale)"
     ),
     OUTLIERS: (
-        "a few readings lie far off the others, which no table takes out: look for what disturbs"
-        " the measurement (a beam that is cut, settling time, dirt), and measure again"
+        "a few readings lie far off the others, which no table takes out, and hide what it does:"
+        " look for what disturbs the measurement (a beam that is cut, settling time, dirt), and"
+        " measure again"
     ),
     TRAVERSES: (
         "whole traverses lie beside each other, which no table takes out: look whether instrument,"
