@@ -39,8 +39,9 @@ _NO_EXCESS: Final = 1e-3
 #: Nodes count that come so near to the best one (natural logarithm).
 _MATTERS: Final = 4.0
 
-#: Numbers that are worked on at a time: they stay in the processor's cache.
-_CHUNK: Final = 60_000
+#: Numbers that are worked on at a time: about ten arrays of them stay in the cache of a processor
+#: that has other work too, and are not asked of the system anew each time.
+_CHUNK: Final = 30_000
 
 IntArray = np.ndarray[tuple[int], np.dtype[np.intp]]
 
