@@ -79,3 +79,16 @@ def test_runs_that_were_not_made_in_either_test_are_no_shared_run() -> None:
     for test in (one, other):
         test.negative[:, 4] = 0.0
     assert not share_a_run(one, other)
+
+
+def test_another_reversal_is_another_measurement() -> None:
+    """The same readings in + and 3 µm more in −: another backlash acted, at rapid traverse."""
+    test = measured(1)
+    assert not share_a_run(test, replace(test, negative=test.negative + 3.0 * UM))
+
+
+def test_one_direction_of_a_test_is_no_second_test() -> None:
+    test = measured(1)
+    up = replace(test, negative=np.empty((TARGETS.size, 0)), runs_negative=())
+    assert share_a_run(test, up)
+    assert share_a_run(up, test)

@@ -68,8 +68,9 @@ def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
 
 
 def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
-    """Return whether a run of one test is a run of the other, whatever its number, but for one
-    constant: some of the runs, or all in another order, given as a test of their own.
+    """Return whether a run of one test is a run of the other, whatever its number, in every
+    direction that both have, but for one constant: some of the runs, or all in another order, given
+    as a test of their own.
 
     Of the pairs of runs that differ, the share p of targets with one and the same difference tells
     how often coarse digits agree; runs that agree at all of m targets do so with the chance
@@ -81,19 +82,33 @@ def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
     place = np.minimum(place, other.targets.size - 1)
     at = np.flatnonzero(np.abs(other.targets[place] - one.targets) <= SAME_READING)
     there = place[at]
-    same, shares, pairs = 0, [], 0
+    zeros: dict[Direction, list[float]] = {}
+    shares, chances = [], []
     for mine, theirs in product(Direction, repeat=2):
         for left, right in product(one.deviations(mine)[at].T, other.deviations(theirs)[there].T):
             both = np.isfinite(left - right)
             gap = (left - right)[both]
             if gap.size < _TARGETS or np.ptp(left[both]) <= SAME_READING:
                 continue  # too few, or a run of zeros that was not made
-            alike = mine is theirs and bool(np.ptp(gap) <= SAME_READING)
-            pairs += mine is theirs
-            same = max(same, gap.size if alike else 0)
-            if not alike:
+            if mine is theirs:
+                zeros.setdefault(mine, [])
+                chances.append(gap.size - 1)
+            if mine is theirs and np.ptp(gap) <= SAME_READING:
+                zeros[mine].append(float(gap[0]))
+            else:
                 shares.append(_most_alike(gap) / gap.size)
-    return bool(same and shares and pairs * float(np.mean(shares)) ** (same - 1) < _CHANCE)
+    if not (zeros and shares and _in_common(list(zeros.values()))):
+        return False
+    return float(np.sum(np.mean(shares) ** np.asarray(chances))) < _CHANCE
+
+
+def _in_common(zeros: Sequence[Sequence[float]]) -> bool:
+    """Return whether one constant is among those of every direction."""
+    first, *others = zeros
+    return any(
+        all(any(abs(zero - each) <= SAME_READING for each in other) for other in others)
+        for zero in first
+    )
 
 
 def _most_alike(gaps: FloatArray) -> int:
