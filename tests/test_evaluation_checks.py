@@ -129,6 +129,23 @@ def test_long_linear_axes_have_two_tests() -> None:
     assert codes(planned(dithered(2000, 11), 5)) == []
 
 
+def test_the_other_test_of_a_long_axis_is_missed_only_where_it_is_missing() -> None:
+    whole = planned(dithered(4000, 17), 1)
+    part = planned(500.0 + dithered(2000, 11), 5)
+    over_all = planned(dithered(4000, 21), 5)
+
+    def said(test: PositioningTest, *beside: PositioningTest) -> list[str]:
+        found = plan_findings(test, "iso230-2:2014", (0.0, 4000.0), (), beside)
+        return [finding.message for finding in found if finding.code == "CW-T005"]
+
+    assert said(whole, part) == said(part, whole) == []
+    assert "n = 5" in said(whole)[0]
+    assert "n = 5" in said(whole, whole)[0]
+    assert "whole length" in said(part)[0]
+    assert "whole length" in said(part, part)[0]
+    assert "Repeated approaches" in said(over_all, whole)[0]  # whatever there is beside it
+
+
 def test_long_rotary_axes_by_edition() -> None:
     turns = planned(
         np.arange(0.0, 721.0, 45.0) + np.tile([0.0, 2.0], 9)[:17] * (np.arange(17) % 2),

@@ -34,12 +34,13 @@ def plan_findings(
     standard: str,
     travel: tuple[float, float] | None,
     periods: Sequence[float],
+    beside: Sequence[PositioningTest] = (),
 ) -> list[Finding]:
     """Return the findings about how the test was planned, by ``standard`` (an id such as
     ``iso230-2:2014``).
 
-    ``travel`` of the axis and ``periods`` of known periodic errors in mm or deg. VDI 3441 is
-    checked by the rules of ISO 230-2.
+    ``travel`` of the axis and ``periods`` of known periodic errors in mm or deg; ``beside``: other
+    tests of the axis. VDI 3441 is checked by the rules of ISO 230-2.
     """
     findings = [*_runs(test)]
     if test.kind is AxisKind.LINEAR:
@@ -47,7 +48,7 @@ def plan_findings(
     else:
         findings += _rotary_targets(test, standard)
     findings += [
-        *_long_axis(test, standard, travel),
+        *_long_axis(test, standard, travel, beside),
         *_travel_covered(test, travel),
         *_spacing(test, periods),
     ]
@@ -178,25 +179,28 @@ def _has(targets: FloatArray, principal: float) -> bool:
 
 
 def _long_axis(
-    test: PositioningTest, standard: str, travel: tuple[float, float] | None
+    test: PositioningTest,
+    standard: str,
+    travel: tuple[float, float] | None,
+    beside: Sequence[PositioningTest],
 ) -> list[Finding]:
     """CW-T005: axes over 2 000 mm or 360° have two tests: n = 1 over the whole length, n = 5 over 2
-    000 mm or 360°.
+    000 mm or 360°. Nothing is said of the other one where it is ``beside``.
     """
     if not _is_long(test, travel) or (test.kind is AxisKind.ROTARY and standard == _FIRST_EDITION):
         return []
     limit = "2 000 mm" if test.kind is AxisKind.LINEAR else "360°"
-    single = approaches(test) == 1
     findings = []
-    if single and _length(test) > LONG[test.kind]:
-        findings.append(
-            Finding(
-                "CW-T005",
-                "info",
-                f"The axis is longer than {limit}; beside this test with one approach per direction"
-                f" a test with n = 5 over {limit} belongs to it.",
+    if _is_single(test):
+        if all(approaches(other) == 1 for other in beside):
+            findings.append(
+                Finding(
+                    "CW-T005",
+                    "info",
+                    f"The axis is longer than {limit}; beside this test with one approach per"
+                    f" direction a test with n = 5 over {limit} belongs to it.",
+                )
             )
-        )
         findings += _long_interval(test, standard)
     elif _length(test) > LONG[test.kind] * (1.0 + 1e-9):
         findings.append(
@@ -208,7 +212,7 @@ def _long_axis(
                 " area, as two tests. Evaluated as measured.",
             )
         )
-    else:
+    elif not any(_is_single(other) for other in beside):
         findings.append(
             Finding(
                 "CW-T005",
@@ -218,6 +222,11 @@ def _long_axis(
             )
         )
     return findings
+
+
+def _is_single(test: PositioningTest) -> bool:
+    """Whether a test is that of a long axis with one approach per direction."""
+    return approaches(test) == 1 and _length(test) > LONG[test.kind]
 
 
 def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:

@@ -162,16 +162,17 @@ def evaluate(
     budget: UncertaintyBudget | None = None,
     thermal: Thermal | None = None,
     told: Collection[str] = (),
+    beside: Sequence[PositioningTest] = (),
 ) -> PositioningResult:
     """Evaluate ``test`` (mm or deg) to ``standard``; everything in the result is in mm or deg.
 
-    ``spread`` "range" takes s from the range of the readings (1988 and GOST only). ``travel`` and
-    ``periods`` (mm or deg, machine coordinates) serve the test checks, ``budget`` and ``thermal``
-    the uncertainty; ``told``: codes of checks of the readings that an estimate of the noise tells
-    (`reading_findings`). A parameter is None where the standard does not define it, the approach
-    direction was not measured, or a target lacks the two readings that s needs; ``not_applicable``
-    says which. A parameter is never formed over fewer targets than were measured; a finding tells R
-    and A of the others instead.
+    ``spread`` "range" takes s from the range of the readings (1988 and GOST only). ``travel``,
+    ``periods`` (mm or deg, machine coordinates) and other tests of the axis (``beside``) serve the
+    test checks, ``budget`` and ``thermal`` the uncertainty; ``told``: codes of checks of the
+    readings that an estimate of the noise tells (`reading_findings`). A parameter is None where the
+    standard does not define it, the approach direction was not measured, or a target lacks the two
+    readings that s needs; ``not_applicable`` says which. A parameter is never formed over fewer
+    targets than were measured; a finding tells R and A of the others instead.
 
     Raises UsageError for an unknown standard or a range method that does not exist for it or this
     n, InputError when the test holds no reading or its arrays do not fit together.
@@ -188,7 +189,8 @@ def evaluate(
     }
     given = {name: None if name in reasons else float(value) for name, value in values.items()}
     findings = [*test.findings, *_target_findings(test, columns, chosen, measured)]
-    findings += [*plausibility_findings(test), *plan_findings(test, chosen.id, travel, periods)]
+    findings += plausibility_findings(test)
+    findings += plan_findings(test, chosen.id, travel, periods, beside)
 
     def compare(other: PositioningTest) -> str:
         return _comparison(test, given, other, chosen, spread)

@@ -111,9 +111,15 @@ _TOLD_BY: Final = {"CW-E020": "CW-T012", "CW-E021": "CW-T012", "CW-E024": "CW-T0
 
 
 def evaluated(
-    job: Job, axis: Axis, test: PositioningTest, told: Collection[str] = ()
+    job: Job,
+    axis: Axis,
+    test: PositioningTest,
+    told: Collection[str] = (),
+    beside: Sequence[PositioningTest] = (),
 ) -> PositioningResult:
-    """Return a test of an axis evaluated as its job asks; ``told``: see `evaluate`."""
+    """Return a test of an axis evaluated as its job asks; ``told``: see `evaluate`; ``beside``:
+    other tests of the axis.
+    """
     return evaluate(
         test,
         job.standard,
@@ -122,6 +128,7 @@ def evaluated(
         budget=job.budget(axis.kind),
         thermal=test.thermal,
         told=told,
+        beside=beside,
     )
 
 
@@ -139,7 +146,12 @@ def start_axis(
     less than half of the travel.
     """
     axis = entry.axis
-    results = tuple(evaluated(job, axis, planned.test) for planned in tests)
+    measured = [planned.test for planned in tests]
+    others = [[other for other in measured if other is not test] for test in measured]
+    results = tuple(
+        evaluated(job, axis, test, beside=beside)
+        for test, beside in zip(measured, others, strict=True)
+    )
     check_limits(job, entry, results)
     active = None
     if tests[0].measured_in in states:
@@ -147,8 +159,8 @@ def start_axis(
     tests = with_what_acted(with_backlash(with_slopes(job, tests), axis, states), axis, states)
     tests, posterior, doubts = counted_together(tests, axis, active)
     results = tuple(
-        evaluated(job, axis, result.test, told) if told else result
-        for result, told in zip(results, _told(posterior), strict=True)
+        evaluated(job, axis, result.test, told, beside) if told else result
+        for result, told, beside in zip(results, _told(posterior), others, strict=True)
     )
     check_coverage(job.file, axis, [each.test for each in tests if each.acted is not None])
     planned = PlannedAxis(
