@@ -44,10 +44,11 @@ def test_what_is_not_settled_is_one_finding() -> None:
     first, second = said(
         AxisPeriod(12.0, 0.6, "found"),
         AxisPeriod(10.0, 0.2, "found"),
-        AxisPeriod(8.0, 0.07, "found"),
+        AxisPeriod(8.0, 0.22, "found"),
+        AxisPeriod(6.0, 0.07, "found"),
     )
     assert "every 12 mm (probability 60 %" in first.message
-    assert "10 mm (20 %), 8 mm (7 %)" in second.message
+    assert "10 mm (20 %), 8 mm (22 %): these" in second.message
     assert {first.code, second.code} == {"CW-E012"}
 
 
@@ -70,6 +71,11 @@ def test_nothing_found_says_why_that_may_be() -> None:
         in said()[0].message
     )
     assert said(known=(10.0,), fitted=(10.0,)) == []
+
+
+def test_a_few_per_cent_are_no_news() -> None:
+    (finding,) = said(AxisPeriod(8.0, 0.07, "found"))
+    assert finding.code == "CW-E014"
 
 
 def test_what_may_be_hidden_is_said_as_a_chance() -> None:

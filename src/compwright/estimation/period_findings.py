@@ -17,6 +17,9 @@ from compwright.records.targets import told_targets
 
 #: A period is a usual one within this part of it.
 _NEAR = 0.004
+#: Periods of less probability stand in the prediction alone: of nothing that is there some are
+#: always left at a few per cent.
+_SAID = 0.2
 
 
 def period_findings(
@@ -34,7 +37,9 @@ def period_findings(
     unit = kind.unit
     found: list[Finding] = []
     grouped = {period for group in search.sure for period in group}
-    told = [each for each in search.found if each.period not in grouped]
+    told = [
+        each for each in search.found if each.period not in grouped and each.probability >= _SAID
+    ]
     found += [
         Finding(
             "CW-E012",
@@ -72,7 +77,7 @@ def period_findings(
                 f" {told_targets(low, high, targets.size, unit)}",
             )
         )
-    if not search.found and not search.sure and not known:
+    if not told and not search.sure and not known:
         found.append(Finding("CW-E014", "info", _nothing(search, targets, unit)))
     found += _left_out(known, fitted, unit)
     return found

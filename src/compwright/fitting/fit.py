@@ -75,7 +75,7 @@ def fit_table(
             line,
             findings=(
                 *line.findings,
-                *goal_finding(request.goal, "a control that holds one slope"),
+                *goal_finding(request.goal, "this control holds one slope and no table"),
             ),
         )
     if capacity.zero is not None:
@@ -205,7 +205,13 @@ def _whole_goal(
     """
     scenarios = wanted.scenarios
     if scenarios is None or capacity.lattice is None:
-        return replace(usual, findings=(*usual.findings, *goal_finding(goal, "whole increments")))
+        return replace(
+            usual,
+            findings=(
+                *usual.findings,
+                *goal_finding(goal, "this control holds whole increments only"),
+            ),
+        )
     free = replace(capacity, lattice=None)
     fit = _Fit(sampled(aim, grid.nodes, free), layout, free, aim)
     wish = as_wish(fit.best(goal, wanted, fit.expected()).x, layout, free, aim)
@@ -217,7 +223,7 @@ def _whole_goal(
     )
     if with_it < without:
         return replace(usual, compensation=whole.compensation, certificate=whole.certificate)
-    said = goal_finding(goal, "whole increments, which undo what it gains")
+    said = goal_finding(goal, "rounded to whole increments, what gains it shows no gain in tests")
     return replace(usual, findings=(*usual.findings, *said))
 
 

@@ -288,15 +288,15 @@ def _magnification_finding(
     return (Finding("CW-F009", "info", message),)
 
 
-def goal_finding(goal: Goal, what: str) -> tuple[Finding, ...]:
+def goal_finding(goal: Goal, why: str) -> tuple[Finding, ...]:
     """Return what to say where a goal other than the expected square is asked of a control with few
-    numbers.
+    numbers, and ``why`` it is not followed.
     """
     if goal == "expected":
         return ()
     message = (
-        f"The job asks for the least {goal}; for {what} the table of least expected square is taken"
-        " instead"
+        f"The job asks for the least {goal}. The table of least expected square is taken instead:"
+        f" {why}"
     )
     return (Finding(GOAL_LEFT, "info", message),)
 
