@@ -127,11 +127,12 @@ def draw(found: Mapping[str, Mapping[int, Cost]], path: Path) -> None:
         column[0].plot(sizes, [one.processor for one in costs.values()], "x:", markersize=3)
         column[1].plot(sizes, [one.megabytes for one in costs.values()], "s-", markersize=3)
         column[1].set_xlabel(series)
-        for panel in column:
-            panel.set_xlim(left=0)
-            panel.set_ylim(bottom=0)
-            panel.grid(visible=True, linewidth=0.4)
-    panels[0][0].set_ylabel("seconds (dotted: of processors)")
+    # A limit that is set ends the search for the others: only once everything is drawn.
+    for panel in panels.flat:
+        panel.set_xlim(left=0)
+        panel.set_ylim(bottom=0)
+        panel.grid(visible=True, linewidth=0.4)
+    panels[0][0].set_ylabel("seconds\n(dotted: of processors)")
     panels[1][0].set_ylabel("MB, largest process")
     figure.suptitle("run, whole process with report: 1 axis, 41 targets, else as named")
     figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
