@@ -394,3 +394,13 @@ def test_outliers_that_lie_together_are_told_by_what_they_have_in_common() -> No
 )
 def test_each_deviation_from_white_noise_has_its_finding(code: str, readings: FloatArray) -> None:
     assert code in codes(posterior(readings))
+
+
+@pytest.mark.parametrize("seed", [1, 2, 5])
+def test_a_reading_one_step_beside_the_others_is_no_outlier(seed: int) -> None:
+    """Steps of 1 µm and a scatter of 0.1: readings of a cell near the limit between two numbers."""
+    true = 30.0 * np.random.default_rng(seed).random((2, M, 1))
+    curve = 20.0 * np.sin(np.linspace(0.0, 1000.0, M) / 150.0)[:, np.newaxis]
+    read = np.round(true + 0.1 * white(seed)) - curve
+    read[1] -= 3.0
+    assert posterior(read).findings == ()

@@ -89,12 +89,13 @@ def spread_out(
     sizes = step * np.geomspace(_QUIET, 1.0, _TRIED)
     scatter = np.array([rounded_std(float(size), step) for size in sizes])
     sigma = float(sizes[np.argmin(np.abs(scatter - seen))])
-    count = np.maximum(np.sum(readings.there, axis=1), 1)
-    middle = np.sum(readings.values, axis=1) / count
-    same = np.all(
-        ~readings.there | (np.abs(readings.values - middle[:, np.newaxis]) < 0.1 * step), 1
-    )
-    middle = middle + same * rng.uniform(-0.5 * step, 0.5 * step, middle.size)
+    known = zip(readings.values, readings.there, strict=True)
+    usual = np.array([np.median(row[there]) if np.any(there) else 0.0 for row, there in known])
+    off = readings.values - usual[:, np.newaxis]
+    beside = readings.there & (np.abs(off) < 1.5 * step)
+    lean = np.sign(np.round(np.sum(off * beside, axis=1) / step, 1))  # to the number beside it
+    place = np.where(lean == 0.0, rng.uniform(-0.5, 0.5, usual.size), 0.5 * lean)
+    middle = usual + step * place
     wanted = middle[:, np.newaxis] + sigma * rng.standard_normal(readings.values.shape)
     half = 0.5 * step
     within = np.clip(wanted, readings.values - half, readings.values + half)
