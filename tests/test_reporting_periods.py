@@ -43,10 +43,20 @@ def test_the_curve_stands_at_its_periods_and_odds() -> None:
     assert min(y for _, y in drawn) == drawn[2][1]
     # A million to one is six steps of ten above even, on the same scale as the levels.
     levels = {level["text"]: level["y"] for level in picture["levels"]}
-    per_ten = (levels["1"] - levels["1e2"]) / 2
+    per_ten = (levels["1"] - levels["100"]) / 2
     assert drawn[1][1] - drawn[2][1] == pytest.approx(6 * per_ten, abs=0.3)
+    assert "10\u00a0000" in levels
     # Cut off below.
     assert drawn[0][1] <= picture["bottom"]
+
+
+def test_high_odds_are_written_as_powers_that_can_be_read() -> None:
+    high = {**SEARCH, "log_odds": [0.0, 0.0, 30 * math.log(10.0), 0.0]}
+    block = periods_block({"periods": FOUND, "period_search": high}, "um")
+    assert block is not None
+    texts = [level["text"] for level in block["picture"]["levels"]]
+    assert texts[0] == "1"
+    assert texts[-1] == "10²⁸"
 
 
 def test_rows_say_who_tells_a_period_and_only_what_counts_is_marked() -> None:

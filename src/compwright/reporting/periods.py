@@ -20,13 +20,16 @@ _SOURCES: Final = {
 #: The picture, in its own units: width and height of the curve's field, margin on the left, above.
 _WIDTH: Final = 620.0
 _HEIGHT: Final = 150.0
-_LEFT: Final = 46.0
+_LEFT: Final = 64.0
 _TOP: Final = 16.0
 _TICKS: Final = (0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500)
 #: Odds that are drawn at least: a thousand to one either way.
 _LEAST_ODDS: Final = 3.0
 #: Below this the curve is cut off: how clearly a period is not there is no news.
 _LOWEST: Final = -2.0
+#: Zeros of a number that is written out, at most.
+_LONGEST: Final = 6
+_RAISED: Final = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def periods_block(predicted: Document, unit: object) -> dict[str, Any] | None:
@@ -92,8 +95,7 @@ def _picture(search: Document, periods: Sequence[Document]) -> dict[str, Any]:
             if sizes[0] <= tick <= sizes[-1]
         ],
         "levels": [
-            {"y": up(level), "text": "1" if level == 0 else f"1e{level}"}
-            for level in range(0, int(top) + 1, step)
+            {"y": up(level), "text": _power(level)} for level in range(0, int(top) + 1, step)
         ],
         "found": [
             {"x": across(each["period"]), "text": f"{each['period']:.4g}"}
@@ -101,3 +103,10 @@ def _picture(search: Document, periods: Sequence[Document]) -> dict[str, Any]:
             if sizes[0] <= each["period"] <= sizes[-1] and each["probability"] > 0.5
         ],
     }
+
+
+def _power(exponent: int) -> str:
+    """Return 10 to the ``exponent`` as it is read: 1 000 000, beyond that 10⁷."""
+    if exponent > _LONGEST:
+        return "10" + str(exponent).translate(_RAISED)
+    return f"{10**exponent:,}".replace(",", "\u00a0")
