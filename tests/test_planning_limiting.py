@@ -416,6 +416,29 @@ def test_a_backlash_value_that_may_hold_a_drift_is_doubted(sign: float, play: fl
     assert "before the backlash value is loaded" in message
 
 
+class Even(KnownAxis):
+    """A reversal of 7 µm everywhere, on an axis that drifts by 6 µm from run to run."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            lambda x: np.full_like(x, -3.5 * UM), lambda x: np.full_like(x, 3.5 * UM), odds=-9.0
+        )
+
+    def draw(self, positions: Floats, count: int, rng: np.random.Generator, test: int = 0) -> Draws:
+        draws = super().draw(positions, count, rng, test)
+        return replace(draws, noise=replace(draws.noise, drift=np.full(count, 6.0 * UM)))
+
+
+def test_a_constant_between_two_curves_is_doubted_like_a_backlash_value() -> None:
+    """A control of two curves without a backlash value holds the same constant in them."""
+    work = fitted(Even())
+    assert work.planned.fitted is not None
+    assert work.planned.fitted.mode == "single"
+    (message,) = drift_told(Even())
+    assert "mean reversal is -7.00 µm" in message
+    assert "moves it by -3.00 µm" in message
+
+
 def test_a_backlash_value_that_no_drift_explains_is_not_doubted() -> None:
     centre = axis_of(reference=500.0)
     assert drift_told(Warming(1.0, 0.0), axis=centre, **ONE_CURVE) == []

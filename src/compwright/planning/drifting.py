@@ -31,7 +31,8 @@ _OF_THE_NOISE: Final = 0.5
 
 def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
     """Yield that what is written may hold the drift of the test, where its readings drift: the
-    second table (CW-P153), or the backlash value beside a single one (CW-P154).
+    second table (CW-P153), or the constant between the directions (CW-P154): the backlash value, or
+    that of two curves where the control has none.
     """
     planned, test = work.planned, work.results[0].test
     runs = min(int(np.max(test.readings(way), initial=0.0)) for way in Direction)
@@ -41,7 +42,9 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
     drift = settled_number(np.median(noise.drift))
     if planned.fitted.mode == "bidirectional":
         yield from _second_table(work, drift, drift / (runs - 1))
-    elif work.capacity is not None and work.capacity.backlash_quantum is not None:
+    elif work.capacity is not None and (
+        work.capacity.curves == 2 or work.capacity.backlash_quantum is not None
+    ):
         along = (test.targets - noise.centre) / noise.half
         each = (drift + np.median(noise.drift_tilt) * along) / (runs - 1)
         m = test.targets.size
