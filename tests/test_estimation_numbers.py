@@ -28,6 +28,7 @@ from compwright.estimation.circle_model import (
 from compwright.estimation.circle_noise import grid_of
 from compwright.estimation.circle_report import _condition, shrink_doubt
 from compwright.estimation.hyperparameters import _log_student, draw_hyperparameters
+from compwright.estimation.peaks import peaks_of
 
 Array = NDArray[np.float64]
 R = 150.0
@@ -283,7 +284,7 @@ def test_evidence_is_the_mass_of_the_posterior_and_draws_follow_it(mass: float) 
     known: Any = Normal(mass)
     drawn = draw_hyperparameters(
         known,
-        np.array([0.0, -2.0, 0.0]),
+        [np.array([[0.0, -2.0, 0.0]])],
         proposals=4000,
         draws=2000,
         rng=np.random.default_rng(1),
@@ -295,3 +296,44 @@ def test_evidence_is_the_mass_of_the_posterior_and_draws_follow_it(mass: float) 
     assert np.mean(drawn.values, axis=0) == pytest.approx(known.centre, abs=0.05)
     spread = np.cov(drawn.values[:, [0, 2]].T)
     assert spread == pytest.approx(known.root @ known.root.T, abs=0.03)
+
+
+class Peaks(Normal):
+    """A mixture of normal densities that is known: (mass, centre of the first number), the others
+    as `Normal` has them.
+    """
+
+    def __init__(self, *peaks: tuple[float, float]) -> None:
+        super().__init__(1.0)
+        self.parts = [Normal(mass) for mass, _ in peaks]
+        for part, (_, place) in zip(self.parts, peaks, strict=True):
+            part.centre = np.array([place, -2.0, 0.5])
+
+    def log_posterior(self, h: Array, _draw: int = 0) -> float:
+        return float(np.logaddexp.reduce([part.log_posterior(h) for part in self.parts]))
+
+    def with_gradient(self, h: Array) -> tuple[float, Array]:
+        level = self.log_posterior(h)
+        slopes = [np.exp(p.log_posterior(h) - level) * p.with_gradient(h)[1] for p in self.parts]
+        return level, np.asarray(np.sum(slopes, axis=0))
+
+
+def test_every_peak_of_the_posterior_is_drawn_from_as_far_as_its_mass_goes() -> None:
+    known: Any = Peaks((0.7, 1.0), (0.3, 9.0))
+    starts = [np.array([[place, -2.0, 0.0]]) for place in (0.0, 8.0, 1.5)]
+    drawn = draw_hyperparameters(
+        known, starts, proposals=4000, draws=2000, rng=np.random.default_rng(1)
+    )
+    # As for one peak: 6000 points, 0.01; a share of 0.3 among 2000 draws: 0.01; four of these
+    assert drawn.log_evidence == pytest.approx(0.0, abs=0.04)
+    assert np.mean(drawn.values[:, 0] > 5.0) == pytest.approx(0.3, abs=0.04)
+
+
+def test_peaks_are_told_apart_and_those_without_mass_left_out() -> None:
+    known: Any = Peaks((0.7, 1.0), (0.3, 9.0), (1e-9, -9.0))
+    starts = [np.array([[x, -2.0, 0.0] for x in some]) for some in ((0.0,), (1.5,), (-8.0, 8.0))]
+    # Of a kind the best start alone is climbed from: 8, not -8.
+    assert [peak.place[0] for peak in peaks_of(known, starts)] == pytest.approx([1.0, 9.0])
+    assert [
+        peak.place[0] for peak in peaks_of(known, [*starts, np.array([[-8.0, -2.0, 0.0]])])
+    ] == pytest.approx([1.0, 9.0])

@@ -257,7 +257,8 @@ class Evidence:
         """
         scaled = self._scaled(h, draw)
         cells, weights = scaled.rows.shape
-        few = cells < weights and VAGUE**2 * cells * np.max(scaled.precision) < _CONDITION
+        largest = max(float(np.max(scaled.deviations)) ** 2, scaled.local)
+        few = cells < weights and largest * cells * np.max(scaled.precision) < _CONDITION
         marginal = (_by_cells if few else _by_weights)(scaled, derivatives=derivatives)
         spread = self.data.dof * np.log(scaled.noise) + self.data.squares / scaled.noise
         return scaled, replace(marginal, log=marginal.log - 0.5 * float(spread))

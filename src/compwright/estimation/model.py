@@ -17,9 +17,13 @@ from numpy.typing import NDArray
 from compwright.estimation.basis import Basis
 from compwright.estimation.cells import Cells, visible_harmonics
 from compwright.estimation.evidence import (
+    LENGTH,
+    LOCAL,
     NOISE,
+    PERIODIC,
     REVERSAL,
     REVERSAL_LENGTH,
+    SMOOTH,
     Evidence,
     Prior,
     Weights,
@@ -29,6 +33,9 @@ from compwright.estimation.hyperparameters import HyperparameterDraws, draw_hype
 from compwright.records.axis import FloatArray
 from compwright.records.noise import NoiseDraws
 
+#: Lengths, in half travels, from which a climb starts: that of a rough smooth part, of a calm one.
+_SHORT: Final = (0.08, 0.16)
+_LONG: Final = (0.8, 1.6)
 _REVERSAL_PART: Final = [REVERSAL, REVERSAL_LENGTH]
 _SEED: Final = 230  # the same tests give the same posterior
 
@@ -126,12 +133,35 @@ def fitted(cells: Cells, travel: Travel, periods: Periods, *, varying: bool, dra
         evidence,
         draw_hyperparameters(
             evidence,
-            evidence.prior.centre,
+            _starts(cells, evidence.prior),
             proposals=proposals,
             draws=draws,
             rng=np.random.default_rng(_SEED),
         ),
     )
+
+
+def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
+    """Return where the posterior of the hyperparameters is climbed from, (k, h) of a kind: the
+    middle of the prior, and what leaves the roughness to a short length, to the local part, to the
+    periods.
+    """
+    rough = float(np.log(cells.roughness))
+    # As steep as ever where it is longer.
+    slow = [{LENGTH: np.log(each), SMOOTH: rough + np.log(2.0 * each)} for each in _LONG]
+    kinds: list[list[dict[int, float]]] = [
+        [{}],
+        [{LENGTH: np.log(length), SMOOTH: rough - 0.7} for length in _SHORT],
+        [{**calm, LOCAL: rough - 1.5} for calm in slow],
+    ]
+    if prior.centre.size > PERIODIC:
+        waves = dict.fromkeys(range(PERIODIC, prior.centre.size), rough - 0.7)
+        kinds.append([{**calm, **waves} for calm in slow])
+    starts = [np.tile(prior.centre, (len(kind), 1)) for kind in kinds]
+    for places, kind in zip(starts, kinds, strict=True):
+        for place, own in zip(places, kind, strict=True):
+            place[list(own)] = list(own.values())
+    return starts
 
 
 def moved(fit: Fitted, cells: Cells, periods: Periods) -> Fitted:
