@@ -37,8 +37,9 @@ def side_by_side(items: int, ready: Callable[[], None]) -> Iterator[Each]:
         yield in_turn
         return
     try:
-        for _ in range(others):
-            pool.submit(ready)
+        with _ctrl_c_later():
+            for _ in range(others):
+                pool.submit(ready)
         yield _Several(pool)
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
@@ -51,9 +52,26 @@ def _pool(others: int) -> ProcessPoolExecutor | None:
         return None
 
 
+@contextmanager
+def _ctrl_c_later() -> Iterator[None]:
+    """Hold Ctrl-C back, also in processes that are started meanwhile, which would else answer with
+    a traceback from the midst of their imports; where the system can hold signals back.
+    """
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 def _end_when_told() -> None:
     """End at Ctrl-C without a word: the first process says it."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
 
 
 class _Several:

@@ -1,0 +1,41 @@
+"""Ctrl-C while other processes start: one word of the first process, no traceback of the others."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PROGRAM = """
+from time import sleep
+from compwright.foundations.processes import side_by_side
+def ready(): pass
+if __name__ == "__main__":
+    try:
+        with side_by_side(4, ready):
+            print("started", flush=True)
+            sleep(20)
+    except KeyboardInterrupt:
+        print("stopped", flush=True)
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="a group of processes is told otherwise there")
+def test_processes_that_are_starting_end_without_a_word(tmp_path: Path) -> None:
+    file = tmp_path / "program.py"
+    file.write_text(PROGRAM)
+    with subprocess.Popen(
+        [sys.executable, str(file)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        start_new_session=True,
+        text=True,
+    ) as running:
+        assert running.stdout is not None
+        assert running.stdout.readline() == "started\n"
+        os.killpg(running.pid, signal.SIGINT)
+        assert running.communicate(timeout=30)[0] == "stopped\n"
