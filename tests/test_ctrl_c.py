@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
+from time import sleep
 
 import pytest
 
@@ -25,7 +26,8 @@ if __name__ == "__main__":
 
 
 @pytest.mark.skipif(os.name == "nt", reason="a group of processes is told otherwise there")
-def test_processes_that_are_starting_end_without_a_word(tmp_path: Path) -> None:
+@pytest.mark.parametrize("wait", [0.03, 0.05, 0.08])  # s: in the midst of their imports
+def test_processes_that_are_starting_end_without_a_word(tmp_path: Path, wait: float) -> None:
     file = tmp_path / "program.py"
     file.write_text(PROGRAM)
     with subprocess.Popen(
@@ -37,5 +39,6 @@ def test_processes_that_are_starting_end_without_a_word(tmp_path: Path) -> None:
     ) as running:
         assert running.stdout is not None
         assert running.stdout.readline() == "started\n"
+        sleep(wait)
         os.killpg(running.pid, signal.SIGINT)
         assert running.communicate(timeout=30)[0] == "stopped\n"
