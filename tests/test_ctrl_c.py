@@ -12,6 +12,8 @@ from time import sleep
 import pytest
 
 PROGRAM = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)  # also where a shell had it ignored
 from time import sleep
 from compwright.foundations.processes import side_by_side
 def ready(): pass

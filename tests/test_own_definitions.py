@@ -87,7 +87,7 @@ def assert_same(one: Any, other: Any) -> None:
         for mine, theirs in zip(one, other, strict=True):
             assert_same(mine, theirs)
     else:
-        assert one == (pytest.approx(other, abs=1e-6) if isinstance(other, float) else other)
+        assert one == (pytest.approx(other, abs=2e-6) if isinstance(other, float) else other)
 
 
 def told(capsys: pytest.CaptureFixture[str]) -> list[str]:

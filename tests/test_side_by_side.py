@@ -104,7 +104,8 @@ def test_an_error_is_copied_with_its_faults() -> None:
 
 
 LONG = """
-import sys, time
+import signal, sys, time
+signal.signal(signal.SIGINT, signal.default_int_handler)  # also where a shell had it ignored
 sys.path.insert(0, {source!r})
 from compwright.foundations import processes
 

@@ -323,7 +323,7 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     covariance = scaled.rows @ scaled.rows.T
     covariance += scaled.local * (data.seats[:, np.newaxis] == data.seats)
     covariance.flat[:: y.size + 1] += 1.0 / scaled.precision
-    factor = np.linalg.cholesky(covariance)
+    factor = _factored(covariance)[1]
     log = -float(np.sum(np.log(np.diag(factor))))
     if not derivatives:
         z = np.linalg.solve(factor, y)
@@ -346,6 +346,20 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     )
 
 
+def _factored(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return a symmetric matrix and its Cholesky factor; where rounding has left it indefinite
+    (readings without any scatter), the matrix with as much more on its diagonal as that takes
+    (Rasmussen and Williams 2006, section 3.4.3: a jitter for numerical stability).
+    """
+    for exponent in range(-15, -3):
+        try:
+            return matrix, np.asarray(np.linalg.cholesky(matrix), dtype=np.float64)
+        except np.linalg.LinAlgError:
+            more = 10.0**exponent * float(np.max(np.diag(matrix)))
+            matrix = matrix + more * np.eye(matrix.shape[0])
+    return matrix, np.asarray(np.linalg.cholesky(matrix), dtype=np.float64)
+
+
 def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     """Return the density by the weights (j, j): the covariance of the cells is noise, local part
     and a sum of low rank (Rasmussen and Williams 2006, eq. A.9 and A.10).
@@ -353,7 +367,7 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     data, y = scaled.data, scaled.values
     weighted = scaled.removed(scaled.rows)
     matrix, moment = _normal(scaled, weighted)
-    factor = np.linalg.cholesky(matrix)
+    matrix, factor = _factored(matrix)
     total, local = scaled.total, scaled.local
     log_determinant = (
         -float(np.sum(np.log(scaled.precision)))
@@ -389,4 +403,4 @@ def _normal(scaled: _Scaled, weighted: FloatArray) -> tuple[FloatArray, FloatArr
 
 def _inverse_factor(matrix: FloatArray) -> FloatArray:
     """Return the inverse of the factor of Cholesky of a ``matrix`` (j, j)."""
-    return np.asarray(np.linalg.inv(np.linalg.cholesky(matrix)), dtype=np.float64)
+    return np.asarray(np.linalg.inv(_factored(matrix)[1]), dtype=np.float64)

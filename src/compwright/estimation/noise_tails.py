@@ -23,11 +23,11 @@ _NORMAL, _STUDENT, _SPREAD, _FIXED, _GROSS = 0.868, 0.1, 0.015, 0.015, 0.002
 _DOFS: Final = (2.5, 3.0, 3.5, 4.0, 5.0, 7.0)
 _SHARES: Final = (0.006, 0.0125, 0.025, 0.05, 0.1)
 #: Sizes of outliers in scales of a reading. Chips and air put a reading off by any amount (spread);
-#: a lost fringe or a missed increment by about the same one each time (fixed, on either side), give
-#: or take a tenth.
+#: a lost fringe or a missed increment by the same one each time (fixed, on either side); what
+#: lies between two sizes is covered by their spread.
 _SIZES: Final = tuple(3.0 * 1.25**k for k in range(16))
-_FIXED_SIZES: Final = tuple(3.0 * 1.2**k for k in range(19))
-_FIXED_SPREAD: Final = 0.1
+_FIXED_SIZES: Final = tuple(3.0 * 1.1**k for k in range(36))
+_FIXED_SPREAD: Final = 0.04
 #: Gross errors, by any amount: a beam that was cut, a reading typed wrongly.
 _GROSS_SIZES: Final = tuple(100.0 * 2.0**k for k in range(6))
 #: Prior of the sizes: what is seen as an outlier but not told by the instrument itself.
