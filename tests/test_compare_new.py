@@ -190,6 +190,9 @@ def test_each_loading_fault_is_named(fault: str, done: Path, tmp_path: Path) -> 
     assert answer["axes"]["X"]["verdict"] == verdict, answer["axes"]["X"]["message"]
     assert entry in {difference["quantity"] for difference in answer["differences"]}
     assert set(answer["differences"][0]) == {"axis", "quantity", "planned", "loaded", "unit"}
+    look = " ".join(answer["axes"]["X"]["look_at"])
+    number = re.search(r"N0(\d{4})Q1", entry or "")  # of points: that they are to be looked at
+    assert (not look) if verdict == "other" else ((number[1] if number else "points") in look)
 
 
 # --- the rest of the backup

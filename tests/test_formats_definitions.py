@@ -14,9 +14,11 @@ from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import found_in, merged, texts_of
 from compwright.formats.definition.options import describe_options, resolve_options
+from compwright.formats.definition.schema import LOOKED_AT, Definition
 from compwright.formats.definitions import definition_in, definitions_from, load_definition
 from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.gate.gate import check_definition
+from compwright.formats.look_at import look_at
 from compwright.formats.text.patching import Change, apply_changes, set_field
 from compwright.formats.text.texts import TextReader
 from compwright.foundations.errors import InputError, UsageError
@@ -55,6 +57,7 @@ def test_every_missing_key_is_named_with_its_place(name: str) -> None:
     texts = texts_of(CONTENT[name], "mine.yaml", found_in(CONTENT))
     whole = merged(texts)
     paths = _one_of_each(key_paths(whole.data))
+    paths.remove(("look_at",))  # may be missing as a whole
     assert len(paths) > 60
     for path in paths:
         with pytest.raises(InputError) as caught:
@@ -236,6 +239,20 @@ def _without(data: Any, path: tuple[str, ...]) -> Any:
             "  type: integer",
             "type of the addresses",
         ),
+        (
+            "a verdict of which it does not say where to look",
+            "linuxcnc.yaml",
+            "  mirrored:\n",
+            "  asleep:\n",
+            "key is missing",
+        ),
+        (
+            "an unknown field in what to look at",
+            "linuxcnc.yaml",
+            "The HAL pin joint.{address}",
+            "The HAL pin joint.{joint}",
+            "has no field joint",
+        ),
         ("alias", "siemens-840d-sl.yaml", "proven: []", "proven: &a []\nagain: *a", "alias"),
     ],
 )
@@ -412,6 +429,44 @@ def test_the_card_is_filled_in_with_its_evidence() -> None:
     assert UNKNOWN in "".join(step.text for step in card_steps(SIEMENS, axis, {}))
 
 
+@pytest.mark.parametrize("definition", DEFINITIONS.values(), ids=list(DEFINITIONS))
+def test_every_control_says_where_to_look_for_every_verdict(definition: Definition) -> None:
+    axis = axis_of("3" if definition.addresses.type == "integer" else "AX3")
+    one = table(axis.address, [0.0, 100.0], [0.0, 1e-3])
+    for compensation in (one, replace(one, negative=-one.negative)):
+        said = look_at(control_format(definition, {}), axis, compensation)
+        assert set(said) == set(LOOKED_AT)
+        for verdict, sentences in said.items():
+            assert all(sentences), verdict
+            assert not any(mark in sentence for sentence in sentences for mark in "{}"), verdict
+            told = [sentence.endswith("(unconfirmed)") for sentence in sentences]
+            rules = definition.look_at[verdict]
+            assert told == [rule.evidence.state == "unconfirmed" for rule in rules]
+    assert any(axis.address in sentence for rules in said.values() for sentence in rules)
+
+
+def test_a_pair_of_tables_has_switches_of_its_own() -> None:
+    axis = axis_of("AX3")
+    one = table(axis.address, [0.0, 100.0], [0.0, 1e-3])
+    control = control_format(DEFINITIONS["siemens-840d-sl"], {})
+    (single, *_), (pair, *_) = (
+        look_at(control, axis, each)["not_active"]
+        for each in (one, replace(one, negative=-one.negative))
+    )
+    assert "MD32700 $MA_ENC_COMP_ENABLE[0,AX3]" in single
+    assert "MD32710 $MA_CEC_ENABLE[AX3]" in pair
+
+
+def test_where_to_look_is_said_for_all_verdicts_or_for_none() -> None:
+    whole = merged(texts_of(CONTENT["linuxcnc.yaml"], "mine.yaml", found_in(CONTENT)))
+    silent = definition_in(replace(whole, data=_without(whole.data, ("look_at",))))
+    table_of_x = table("0", [0.0, 100.0], [0.0, 1e-3])
+    assert look_at(control_format(silent, {}), axis_of("0"), table_of_x) == {}
+    empty = {**whole.data, "look_at": {**whole.data["look_at"], "partial": []}}
+    with pytest.raises(InputError, match=r"look_at\.partial: says nothing"):
+        definition_in(replace(whole, data=empty))
+
+
 def test_list_show_and_check(tmp_path: Path) -> None:
     assert [line.split()[0] for line in list_formats()] == sorted(DEFINITIONS)
     shown = "\n".join(show_format("siemens-840d-sl"))
@@ -421,6 +476,8 @@ def test_list_show_and_check(tmp_path: Path) -> None:
         "max points: upper limit",
         "cec (default absent",
         "S1 p240",
+        "not active: one table: MD32700 $MA_ENC_COMP_ENABLE[<index>,<address>] must be 1",
+        "look at, partial: ",
     ):
         assert words in shown
     with pytest.raises(UsageError, match=r"linuxcnc or pmac or .*siemens-840d-sl"):

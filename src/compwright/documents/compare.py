@@ -35,13 +35,15 @@ class Difference:
 @dataclass(frozen=True, slots=True)
 class ComparedAxis:
     """One axis: its address and kind, the comparison of the corrections, and what differs. A
-    ``read_back`` in words: why the correction of what was read back cannot be told.
+    ``read_back`` in words: why the correction of what was read back cannot be told. ``look_at``:
+    sentences on what to look at on the control.
     """
 
     address: str
     kind: AxisKind
     read_back: ReadBack | str
     differences: tuple[Difference, ...]
+    look_at: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,5 +116,6 @@ def _axis(axis: ComparedAxis) -> dict[str, Any]:
         "address": axis.address,
         **compared,
         "unit": outside_unit(unit),
+        "look_at": list(axis.look_at),
         "differences": len(axis.differences),
     }

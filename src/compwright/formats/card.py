@@ -49,7 +49,7 @@ def card_steps_of_all(
     "(not known)". What is the same for all axes stands once; where short values differ, they stand
     in a table with a row per axis.
     """
-    known = [{**_axis_values(definition, axis), **values} for axis, values in axes]
+    known = [{**axis_values(definition, axis), **values} for axis, values in axes]
     return tuple(
         CardStep(rule.title, text, rule.evidence.state, rule.evidence.source, heads, rows)
         for rule in definition.card
@@ -89,7 +89,10 @@ def _for_all(
     return "\n".join(lines), (), ()
 
 
-def _axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
+def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
+    """Return what texts of a definition may say of an axis, by field: name, address, measuring
+    system, reference, names of files.
+    """
     address, _ = normal_address(definition, axis)
     files = {
         f"file_{number}": name for number, name in enumerate(file_names(definition, axis), start=1)

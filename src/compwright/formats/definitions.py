@@ -47,8 +47,9 @@ _TOP = (
     "sample",
     "expect",
 )
-#: Keys of some shapes only: what needs them says so (`consistency`).
-_OF_SHAPES = ("parameters",)
+#: Keys that may be missing: of some shapes only, where what needs them says so (`consistency`); and
+#: what `verify` then says only as far as it holds for every control.
+_MAY_LACK = ("parameters", "look_at")
 
 
 def load_definition(
@@ -80,7 +81,7 @@ def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
     faults: list[Fault] = []
     root = Node(text, faults, (), text.data)
     _check_version(root)
-    part = root.keys(*_TOP, besides=_OF_SHAPES)
+    part = root.keys(*_TOP, besides=_MAY_LACK)
     part["compwright_format"].integer(SCHEMA_VERSION, SCHEMA_VERSION)
     definition = definition_of_sections(part, text, own)
     raise_all(InputError, faults)

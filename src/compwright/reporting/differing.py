@@ -39,6 +39,7 @@ def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
                 f"; largest difference {number(axis['largest_difference'])} {unit} at {place}"
             )
         shown.append(Text(f"axis {name}: {message}", style="green" if same else "bold red"))
+        shown += [Text(f"  look at: {sentence}") for sentence in axis["look_at"]]
     rows = document["differences"]
     if rows:
         table = plain_table()

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping
 from compwright.formats.definition.schema import (
     CHOICES,
     CROSS,
+    LOOKED_AT,
     PLAIN,
     Choice,
     Definition,
@@ -57,6 +58,10 @@ _NUMBERED = (
     "cross_tables",
     "cross_points",
 )
+#: What sentences on where to look may say of an axis.
+_LOOK_FIELDS = frozenset(
+    {"name", "address", "system", "index", "reference", "reference_return", "unit"}
+)
 _FILE_NAME = re.compile(r"[A-Za-z0-9_.{}-]+")
 _ID = re.compile(r"(?!(?:con|prn|aux|nul|com\d|lpt\d)$)[a-z0-9][a-z0-9_-]{0,63}", re.IGNORECASE)
 
@@ -101,6 +106,7 @@ def contradictions(definition: Definition, shapes: Mapping[str, ShapeRules]) -> 
             _limits(definition, rules),
             _parameters(definition, rules),
             _writing(definition, rules),
+            _look_at(definition),
         )
         for path, message in found_by
     )
@@ -369,3 +375,15 @@ def _writing(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPat
         for line in (file.name, *file.header, *file.footer):
             if set(field_names(line)) - {"axis", "system", "program"}:
                 yield path, f"only {{axis}}, {{system}} and {{program}} can stand in {line}"
+
+
+def _look_at(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+    for verdict in LOOKED_AT if definition.look_at else ():
+        rules = definition.look_at[verdict]
+        if not rules:
+            yield ("look_at", verdict), "says nothing: at least one sentence"
+        for index, rule in enumerate(rules):
+            fields = {*field_names(rule.text), *field_names(rule.two_curves)}
+            for name in sorted(fields - _LOOK_FIELDS):
+                known = ", ".join(sorted(_LOOK_FIELDS))
+                yield ("look_at", verdict, index), f"has no field {name}; known are {known}"

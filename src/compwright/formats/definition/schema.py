@@ -13,6 +13,7 @@ from compwright.formats.definition.extends import DefinitionText
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import Beyond, Evidence, Judged
 from compwright.records.plan import Texts
+from compwright.records.verification import LoadingName
 
 #: Version of the schema; a definition that names another one is refused.
 SCHEMA_VERSION = 2
@@ -99,6 +100,20 @@ PLAIN = (
 #: What a control has or has not as a whole: tables by which one axis corrects another, or itself in
 #: one direction only.
 CROSS = tuple(name for name in (*MEASURES, *CHOICES, *PLAIN) if name.startswith("cross_"))
+
+#: The verdicts of `verify` and `compare` of which a definition says what to look at on the control.
+LOOKED_AT: tuple[LoadingName, ...] = (
+    "loaded",
+    "not_active",
+    "inverted",
+    "scaled",
+    "shifted",
+    "mirrored",
+    "wrong_axis",
+    "one_direction",
+    "backlash",
+    "partial",
+)
 
 AddressType = Literal["integer", "name"]
 Case = Literal["ignored", "kept"]
@@ -409,6 +424,17 @@ class CardRule:
 
 
 @dataclass(frozen=True, slots=True)
+class LookRule:
+    """A sentence on what to look at on the control, with ``{name}`` fields. ``two_curves``: its
+    text where each direction has its table.
+    """
+
+    text: str
+    two_curves: str
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
 class Expected:
     """Corrections worked by hand, in the unit of the expectation."""
 
@@ -440,6 +466,7 @@ class Definition:
     Equal only to itself: what is made of it (its compiled forms) is kept by it.
 
     ``parameters``: those beside the table, by the names that the family of its shape gives them.
+    ``look_at``: by verdict of loading, what to look at; empty where the definition does not say it.
     ``text``: where each key stands, for faults. ``own``: of a definition that a user brought,
     its text and what it extends; empty for those that ship.
     """
@@ -462,6 +489,7 @@ class Definition:
     options: Mapping[str, OptionRule]
     writing: tuple[WrittenFile, ...]
     card: tuple[CardRule, ...]
+    look_at: Mapping[LoadingName, tuple[LookRule, ...]]
     sample_files: Mapping[str, str]
     sample_options: Mapping[str, object]
     expect: tuple[Expectation, ...]

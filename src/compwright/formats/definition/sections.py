@@ -9,6 +9,7 @@ from compwright.formats.definition.extends import DefinitionText
 from compwright.formats.definition.required import Required
 from compwright.formats.definition.schema import (
     CHOICES,
+    LOOKED_AT,
     MEASURES,
     PLAIN,
     Absent,
@@ -30,6 +31,7 @@ from compwright.formats.definition.schema import (
     Here,
     Layout,
     LimitRule,
+    LookRule,
     Measure,
     OptionRule,
     OptionType,
@@ -51,6 +53,7 @@ from compwright.formats.definition.yaml_fields import Node
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import Beyond, Evidence
 from compwright.records.plan import Texts
+from compwright.records.verification import LoadingName
 
 _NEWLINES = {"lf": "\n", "crlf": "\r\n", "lfcrcr": "\n\r\r"}
 _UNITS = ("mm", "um", "inch", "pulse", "mm/m")
@@ -108,6 +111,7 @@ def definition_of_sections(
         ),
         writing=tuple(_written(node) for node in part["writing"].items()),
         card=tuple(_card(node) for node in part["card"].items()),
+        look_at=_look_at(part["look_at"]) if "look_at" in part else {},
         sample_files=sample_files,
         sample_options={name: node.data for name, node in sample["options"].entries()},
         expect=tuple(_expectation(node, sample_files) for node in part["expect"].items()),
@@ -401,19 +405,31 @@ def _written(node: Node) -> WrittenFile:
 
 def _card(node: Node) -> CardRule:
     part = node.keys("title", "text", "evidence")
-    by_curves = (
-        part["text"].keys("one_curve", "two_curves") if isinstance(part["text"].data, dict) else {}
-    )
+    one_curve, two_curves = _by_curves(part["text"])
     return CardRule(
         title=part["title"].text(),
-        text=by_curves.get("one_curve", part["text"]).text(),
-        two_curves=(
-            by_curves.get("two_curves", part["text"]).text()
-            if by_curves
-            else part["text"].data or ""
-        ),
+        text=one_curve,
+        two_curves=two_curves,
         evidence=_evidence(part["evidence"]),
     )
+
+
+def _by_curves(node: Node) -> tuple[str, str]:
+    """Return a text for one table and for one of each direction: the same, unless it names both."""
+    if not isinstance(node.data, dict):
+        return (text := node.text()), text
+    part = node.keys("one_curve", "two_curves")
+    return part["one_curve"].text(), part["two_curves"].text()
+
+
+def _look_at(node: Node) -> dict[LoadingName, tuple[LookRule, ...]]:
+    part = node.keys(*LOOKED_AT)
+    return {name: tuple(_look(each) for each in part[name].items()) for name in LOOKED_AT}
+
+
+def _look(node: Node) -> LookRule:
+    part = node.keys("text", "evidence")
+    return LookRule(*_by_curves(part["text"]), _evidence(part["evidence"]))
 
 
 def _expectation(node: Node, sample: Mapping[str, str]) -> Expectation:

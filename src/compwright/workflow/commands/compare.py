@@ -12,6 +12,7 @@ import numpy as np
 from compwright.documents.compare import ComparedAxis, Difference, compare_document
 from compwright.documents.plan import read_plan
 from compwright.formats.families.between import in_place
+from compwright.formats.look_at import look_at
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.units import outside_factor, outside_unit
@@ -77,7 +78,9 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     if refused is not None and not (differs and _speak_of(control, back, axes)):
         raise refused
     compared = {
-        entry.axis.name: _compared(entry, wish, found[entry.axis.address], as_found, read_back.own)
+        entry.axis.name: _compared(
+            control, entry, wish, found[entry.axis.address], as_found, read_back.own
+        )
         for entry in planned
     }
     states = [one.state for one in found.values() if isinstance(one, DecodedState)]
@@ -150,6 +153,7 @@ def _written(
 
 
 def _compared(
+    control: Control,
     entry: PlannedAxis,
     wish: DecodedState | None,
     found: DecodedState | InputError,
@@ -170,7 +174,23 @@ def _compared(
     )
     texts = own.get(axis.name, ())
     values = tuple(_values(entry, wish, found)) if read_back.verdict != "loaded" or texts else ()
-    return ComparedAxis(axis.address, axis.kind, read_back, (*texts, *values))
+    return ComparedAxis(
+        axis.address,
+        axis.kind,
+        read_back,
+        (*texts, *values),
+        _look_at(control, entry, read_back.verdict),
+    )
+
+
+def _look_at(control: Control, entry: PlannedAxis, verdict: str) -> tuple[str, ...]:
+    """Return what to look at on the control; nothing where it holds what was planned, or where no
+    single mistake explains what differs.
+    """
+    if entry.fitted is None or verdict == "loaded":
+        return ()
+    sentences = look_at(control.format, entry.axis, entry.fitted.compensation)
+    return {str(name): said for name, said in sentences.items()}.get(verdict, ())
 
 
 def _unsaid(axes: Sequence[Axis], found: DecodedState, loaded: Sequence[Path]) -> Iterator[Fault]:

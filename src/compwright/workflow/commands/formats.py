@@ -18,6 +18,7 @@ from compwright.formats.definition.schema import (
     Measure,
     OptionValue,
 )
+from compwright.formats.definition.statements import readable
 from compwright.formats.definitions import (
     definitions_from,
     given_twice,
@@ -80,6 +81,7 @@ def show_format(name: str) -> tuple[str, ...]:
         ("Limits", _limits(definition)),
         ("Options", describe_options(definition)),
         ("Files that are written", _files(definition)),
+        ("What to look at on the control, by verdict", _look_at(definition)),
         ("What is unconfirmed", _unconfirmed(definition)),
         ("Proven on", _proven(definition)),
         ("Sources", (f"{name}: {text}" for name, text in definition.sources.items())),
@@ -230,6 +232,18 @@ def _files(definition: Definition) -> Iterator[str]:
         yield f"{file.name.replace('{axis}', '<axis>')} [{file.evidence}]"
 
 
+def _look_at(definition: Definition) -> Iterator[str]:
+    if not definition.look_at:
+        yield "the definition does not say it (look_at): verify and compare name the verdict alone"
+    for verdict, rules in definition.look_at.items():
+        for rule in rules:
+            texts = dict.fromkeys((rule.text, rule.two_curves))
+            both = len(texts) > 1
+            for which, text in zip(("one table: ", "two tables: "), texts, strict=False):
+                words = readable(f"{which if both else ''}{text}")
+                yield f"{verdict.replace('_', ' ')}: {words} [{rule.evidence}]"
+
+
 def _proven(definition: Definition) -> Iterator[str]:
     if not definition.proven:
         yield "no machine yet; a good `compwright verify` on a real machine is the proof"
@@ -265,3 +279,5 @@ def _evidence(definition: Definition) -> Iterator[tuple[str, EvidenceNote]]:
         yield f"file {file.name}", file.evidence
     for step in definition.card:
         yield f"card, {step.title}", step.evidence
+    for verdict, looks in definition.look_at.items():
+        yield from ((f"look at, {verdict.replace('_', ' ')}", look.evidence) for look in looks)
