@@ -69,10 +69,14 @@ def job_of(machine: Machine) -> str:
     )
 
 
-def csv_of(machine: Machine, x: Floats, readings: Floats) -> str:
-    """Return the measurement file."""
+def csv_of(machine: Machine, x: Floats, readings: Floats, name: str = "X") -> str:
+    """Return the measurement file of axis ``name``."""
     target, unit = ("deg", "arcsec") if machine.rotary else ("mm", "um")
-    lines = ["# axis: X", "# cycle: standard", f"target_{target},direction,run,deviation_{unit}"]
+    lines = [
+        f"# axis: {name}",
+        "# cycle: standard",
+        f"target_{target},direction,run,deviation_{unit}",
+    ]
     for word, block in zip("+-", readings, strict=True):
         for i, row in enumerate(block):
             lines += [

@@ -1,0 +1,223 @@
+"""Loading faults of a table: what the control then adds to the command at given positions.
+
+Once from what ``decode`` says of the files as they were written, once by changing the files and
+decoding those. Corrections (2, m) in µm (arcsec), for + and -; `names`: those of the contract.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from loaded_controls import (
+    Change,
+    Control,
+    Files,
+    Loaded,
+    files_of,
+    with_backlash,
+    with_file_of,
+    with_values,
+    write_files,
+)
+from machines import Floats, Machine
+from numpy.random import Generator
+
+FACTORS = (2.0, 0.5, 0.1, 10.0)
+SHIFTS = (1, -1, 2, -2, 3, -3)
+NAMES = (
+    *("loaded", "not_active", "inverted", "scaled", "shifted", "mirrored", "wrong_axis"),
+    *("one_direction", "backlash", "partial", "thermal"),
+)
+
+
+@dataclass(frozen=True)
+class Fault:
+    """One fault and what it makes the control add; ``plain``: as the list of names has it, not a
+    variant under the same name. ``value``: factor, nodes, axis, whatever the name asks for.
+    """
+
+    name: str
+    words: str
+    value: float | str
+    correction: Floats
+    plain: bool = True
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What was written for an axis, and what was in the control before (``old``; None: nothing)."""
+
+    name: str
+    machine: Machine
+    new: Loaded
+    old: Loaded | None
+    others: tuple[str, ...]
+
+    @property
+    def control(self) -> Control:
+        """The control that is loaded."""
+        return self.new.control
+
+    def at(self, x: Floats) -> Floats:
+        """The planned correction."""
+        return self.new.at(self.name, self._within(x))
+
+    def before(self, x: Floats) -> Floats:
+        """What acted in the test before."""
+        return np.zeros((2, x.size)) if self.old is None else self.old.at(self.name, x)
+
+    def nodes(self) -> tuple[Floats, Floats]:
+        """Nodes of the planned table and its corrections."""
+        return self.new.nodes(self.name)
+
+    def _within(self, x: Floats) -> Floats:
+        turn = self.machine.turn
+        return np.asarray(self.machine.low + np.mod(x - self.machine.low, turn)) if turn else x
+
+
+def faults_of(plan: Plan, x: Floats, slopes: Sequence[float]) -> Iterator[Fault]:
+    """Yield every fault of the list with its variants, from the decoded tables as they are."""
+    full, old = plan.at(x), plan.before(x)
+    yield Fault("loaded", "", 1.0, full)
+    yield Fault("not_active", "the old one acts", 0.0, old)
+    if plan.old is not None:
+        yield Fault("not_active", "nothing acts", 0.0, 0 * old, plain=False)
+    yield from _sizes(plan, full)
+    yield from _places(plan, x)
+    for row, word in enumerate("+-"):
+        rests = [("nothing", 0 * old)] + [("the old one", old)] * (plan.old is not None)
+        for what, rest in rests:
+            one = rest.copy()
+            one[row] = full[row]
+            yield Fault("one_direction", f"{word}, else {what}", word, one, what == "nothing")
+    for cut in (0.3, 0.5, 0.7):
+        yield from _partial(plan, x, cut)
+    middle = (plan.machine.low + plan.machine.high) / 2
+    for slope in slopes:
+        yield Fault("thermal", f"{slope:+.0f}", slope, full + slope * (x - middle) / 1000)
+
+
+def _sizes(plan: Plan, full: Floats) -> Iterator[Fault]:
+    """Inverted, scaled, another backlash."""
+    _, totals = plan.nodes()
+    reversal = float((totals[1] - totals[0]).mean())
+    backlash = np.array([[0.0], [reversal]])
+    for name, factor in [("inverted", -1.0), *(("scaled", factor) for factor in FACTORS)]:
+        yield Fault(name, f"{factor:g}", factor, factor * full)
+        if not plan.control.two_curves and reversal:
+            rest = factor * full + (1 - factor) * backlash
+            yield Fault(name, f"{factor:g}, not its backlash", factor, rest, plain=False)
+    if reversal:
+        for word, factor in (("missing", -1.0), ("twice", 1.0), ("wrong sign", -2.0)):
+            yield Fault("backlash", word, word, full + factor * backlash)
+
+
+def _places(plan: Plan, x: Floats) -> Iterator[Fault]:
+    """Shifted, mirrored, the table of another axis."""
+    nodes, _ = plan.nodes()
+    step = float(np.median(np.diff(nodes)))
+    for k in SHIFTS:
+        yield Fault("shifted", f"{k:+d}", float(k), plan.at(x - k * step))
+    yield Fault("mirrored", "", 0.0, plan.at(nodes[0] + nodes[-1] - x))
+    for other in plan.others:
+        yield Fault("wrong_axis", f"of {other}", other, plan.new.at(other, x))
+        theirs = plan.new.nodes(other)[0]
+        places = theirs[0] + (x - nodes[0]) / step * float(np.median(np.diff(theirs)))
+        by_number = plan.new.at(other, places)
+        yield Fault("wrong_axis", f"of {other}, by number", other, by_number, plain=False)
+
+
+def _partial(plan: Plan, x: Floats, cut: float) -> Iterator[Fault]:
+    """The table up to a node or from it on; the rest holds zeros, the old table, or (steps) the
+    last total.
+    """
+    nodes, totals = plan.nodes()
+    place, plain = nodes[int(cut * nodes.size)], cut == 0.5
+    rests = [("nothing", np.zeros_like(totals))]
+    if plan.old is not None:
+        rests.append(("the old one", plan.old.at(plan.name, nodes)))
+    for word, there in (("up to", nodes <= place), ("from", nodes >= place)):
+        if plan.control.increments:
+            clipped = np.minimum(x, place) if word == "up to" else np.maximum(x, place)
+            yield Fault("partial", f"{word} {place:g}", place, plan.at(clipped), plain)
+        for what, rest in rests:
+            kept = np.where(there, totals, rest)
+            curve = np.stack([np.interp(x, nodes, one, period=plan.machine.turn) for one in kept])
+            words = f"{word} {place:g}, else {what}"
+            yield Fault("partial", words, place, curve, plain and not plan.control.increments)
+
+
+# ---- the written files, changed
+
+
+def entered(plan: Plan, name: str, x: Floats, rng: Generator, folder: Path) -> Fault | None:
+    """Return a fault of this name made by changing the files; None where no change makes it."""
+    files = files_of(plan.new.folder)
+    try:
+        changed, words, value = _changed(plan, name, files, rng)
+    except ValueError:
+        return None
+    try:
+        correction = Loaded(plan.control, write_files(folder, changed)).at(plan.name, x)
+    except ValueError:  # the control refuses the values, or a reader the files
+        return None
+    return Fault(name, f"files: {words}", value, correction, plain=False)
+
+
+def _changed(plan: Plan, name: str, files: Files, rng: Generator) -> tuple[Files, str, float | str]:
+    control, axis = plan.control, plan.name
+
+    def values(change: Change) -> Files:
+        return with_values(control, files, axis, change)
+
+    if name == "inverted":
+        return values(lambda v: -v), "every value negated", -1.0
+    if name == "scaled":
+        factor = float(rng.choice((2.0, 10.0) if control.increments else FACTORS))
+        return values(lambda v: factor * v), f"every value times {factor:g}", factor
+    if name == "shifted":
+        k = int(rng.choice(SHIFTS))
+        return values(lambda v: _moved(v, k, control)), f"{k:+d} rows", float(k)
+    if name == "mirrored":
+        return values(lambda v: v[:, ::-1]), "rows from last to first", 0.0
+    if name == "wrong_axis" and plan.others:
+        other = str(rng.choice(plan.others))
+        return with_file_of(control, files, axis, other), f"file of {other}", other
+    if name == "one_direction" and control.two_curves:
+        row = int(rng.integers(2))
+        keep = np.array([[1.0], [0.0]] if row == 0 else [[0.0], [1.0]])
+        return values(lambda v: keep * v), f"only column {'+-'[row]}", "+-"[row]
+    if name == "backlash":
+        word, factor = [("missing", 0.0), ("twice", 2.0), ("wrong sign", -1.0)][rng.integers(3)]
+        return with_backlash(control, files, axis, factor), word, word
+    if name == "partial":
+        share = float(rng.uniform(0.25, 0.75))
+        return values(lambda v: _cut(v, share)), f"the first {100 * share:.0f} %", share
+    raise ValueError(name)
+
+
+def _moved(values: Floats, k: int, control: Control) -> Floats:
+    """Values k rows later; the end value, or steps of zero, come in."""
+    places = np.arange(values.shape[1]) - k
+    moved = values[:, np.clip(places, 0, values.shape[1] - 1)]
+    if control.increments:
+        moved = np.where((places >= 0) & (places < values.shape[1]), moved, 0.0)
+    return np.asarray(moved)
+
+
+def _cut(values: Floats, share: float) -> Floats:
+    return np.where(np.arange(values.shape[1]) < share * values.shape[1], values, 0.0)
+
+
+# ---- how far apart
+
+
+def apart(one: Floats, other: Floats, error: float, rows: Sequence[int]) -> float:
+    """Return the contract's standard errors between two noise-free after-tests: the norm, over
+    targets and directions ``rows``, of their difference less its mean; ``error``: s·√(2/n).
+    """
+    difference = (one - other)[list(rows)]
+    return float(np.linalg.norm(difference - difference.mean()) / error)
