@@ -388,7 +388,9 @@ def test_without_the_state_of_the_control_there_are_no_tables(
     )
     assert sorted(path.name for path in (folder / "job").iterdir()) == [
         "evaluation.json",
+        "inputs",
         "prediction.json",
+        "record.json",
         "report.html",
     ]
     assert (
@@ -415,6 +417,9 @@ def test_without_the_report_extra_the_rest_is_written(
         "card.md",
         "AX1_EEC.INI",
         "AX1_MD.INI",
+        "record.json",
+        "job.yaml",  # the copies of job and measurement
+        "x.csv",
     } == names
 
 

@@ -283,7 +283,7 @@ def test_existing_files_are_one_line(folder: Path, capsys: pytest.CaptureFixture
     assert compwright(["run", "job.yaml"]) == 5
     (line,) = [line for line in capsys.readouterr().err.splitlines() if line.startswith("error")]
     assert line.startswith(
-        "error: job: 8 files exist already; expected new files, another folder, or --force to"
+        "error: job: 11 files exist already; expected new files, another folder, or --force to"
         " replace them"
     )
     assert line.endswith(

@@ -149,17 +149,21 @@ def is_folder(path: Path) -> bool:
         return False
 
 
-def refuse_overwriting(targets: Mapping[Path, bytes], *, force: bool) -> None:
+def refuse_overwriting(
+    targets: Mapping[Path, bytes], *, force: bool, completed: Sequence[Path] = ()
+) -> None:
     """Raise StorageError, naming every file that may not be written.
 
-    Those that exist already, unless ``force``. With ``force`` too: what this command has read
-    (unless the same bytes go there), folders in the place of a file, what is no file at all (a
-    device, a pipe), and a file that would be written twice.
+    Those that exist already, unless ``force`` or among those ``completed``. With ``force`` too:
+    what this command has read (unless the same bytes go there), folders in the place of a file,
+    what is no file at all (a device, a pipe), and a file that would be written twice.
     """
     faults = dict.fromkeys(
         fault for path, content in targets.items() for fault in _hindrances(path, content)
     )
-    existing = [path for path in targets if not force and _is_existing_file(path)]
+    existing = [
+        path for path in targets if not force and path not in completed and _is_existing_file(path)
+    ]
     faults |= dict.fromkeys(_twice(targets))
     if existing:
         faults[_exist_already(existing)] = None
@@ -288,6 +292,7 @@ def write_files(
     elsewhere: Mapping[Path, bytes] | None = None,
     whole: Sequence[str] = (),
     renewed: Sequence[str] = (),
+    completed: Sequence[str] = (),
     known: Known = lambda _name, _content: True,
 ) -> list[Path]:
     """Write ``files`` (relative name with ``/`` -> bytes) below ``folder``, and those of
@@ -296,7 +301,8 @@ def write_files(
     ``known`` tells of a file that stands below ``folder`` in the place of one of ``files`` whether
     an earlier run wrote it; one that it does not know is the user's and is not replaced. ``whole``:
     folders below ``folder`` that hold exactly these files afterwards; ``renewed``: folders in which
-    the user may keep files of his own. What else lies directly in either is removed with ``force``
+    the user may keep files of his own; ``completed``: files that an earlier command began and this
+    one replaces without ``force``. What else lies directly in either is removed with ``force``
     where it is known; else it stays, and in a ``whole`` folder nothing is written. Returns the
     paths in the order given. Raises StorageError when a file exists (unless ``force``), was read by
     this command or is not known, for missing permission, for a full disk and for a name that leads
@@ -304,7 +310,7 @@ def write_files(
     """
     below = {_below(folder, name): name for name in files}
     targets = _merged({path: files[name] for path, name in below.items()}, dict(elsewhere or {}))
-    refuse_overwriting(targets, force=force)
+    refuse_overwriting(targets, force=force, completed=[_below(folder, name) for name in completed])
     gone = _strangers(folder, [*whole, *renewed], targets)
     lost = {
         path: known(name, earlier_bytes(path))

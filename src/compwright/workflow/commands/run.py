@@ -9,15 +9,18 @@ from typing import Any
 
 from compwright.documents.decode import assumed_documents, finding_documents
 from compwright.documents.plan import listed_files
+from compwright.documents.record import RECORD, listed_in_record
 from compwright.foundations import storage
 from compwright.foundations.errors import UsageError
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.foundations.utf8 import encoded
 from compwright.records.job import Job
+from compwright.workflow.showing.recorded import folders_of_copies, recorded_run
 from compwright.workflow.showing.results import NO_STATE, result_files
 from compwright.workflow.stages.finished import Finished
 from compwright.workflow.stages.fitted import fitted
+from compwright.workflow.stages.handed_over import files_of_job
 from compwright.workflow.stages.measured import measured
 from compwright.workflow.stages.predicted import predicted
 from compwright.workflow.stages.wanted import wanted
@@ -73,7 +76,9 @@ def run_job(
     """
     finished = _work_through(job, folder, out, accept_worse=accept_worse, each=each)
     results = result_files(finished, each)
-    files = results.files
+    earlier = listed_in_record(storage.earlier_bytes(out / RECORD))
+    given = files_of_job(job, folder, finished.measured.control.definition.carried)
+    files = {**results.files, **recorded_run(finished, results, given, out)}
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
     sets = [f"{name}/{finished.measured.control.id}" for name in ("tables", "rollback")]
     paths = storage.write_files(
@@ -82,8 +87,8 @@ def run_job(
         force=force,
         elsewhere=elsewhere,
         whole=sets,
-        renewed=["card"],
-        known=_known_results(out),
+        renewed=["card", *folders_of_copies(earlier)],
+        known=_known_results(out, earlier),
     )
     return RunOutcome(
         exit_code=_exit_code(finished),
@@ -108,11 +113,11 @@ def _work_through(job: Job, folder: Path, out: Path, *, accept_worse: bool, each
     return Finished(start, wish, table, files, predicted(start, wish, table, files, each))
 
 
-def _known_results(out: Path) -> storage.Known:
+def _known_results(out: Path, recorded: Mapping[str, str]) -> storage.Known:
     """Return what tells the results of an earlier run in ``out`` from what the user has put or
-    changed below it.
+    changed below it. ``recorded``: what the record of that run lists.
     """
-    listed = listed_files(storage.earlier_bytes(out / "plan.json"))
+    listed = {**listed_files(storage.earlier_bytes(out / "plan.json")), **recorded}
     return lambda name, content: (
         "/" not in name or listed.get(encoded(name).decode()) == fingerprint(content)
     )

@@ -8,9 +8,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from compwright.documents.decode import finding_documents
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import read_plan
+from compwright.documents.record import RECORD
 from compwright.documents.verification import (
     VerifiedAxis,
     VerifiedCircle,
@@ -24,6 +24,11 @@ from compwright.records.plan import Plan
 from compwright.verification.acceptance import OverallVerdict, overall_verdict
 from compwright.verification.proof import changed_limits, copies, not_measured, old_circles
 from compwright.verification.same_job import stale, stale_plan
+from compwright.workflow.showing.recorded import (
+    RunResult,
+    known_to_record,
+    recorded_verification,
+)
 from compwright.workflow.showing.view import evaluations, verify_view
 from compwright.workflow.stages.after_tests import after_tests, read_again
 from compwright.workflow.stages.control import (
@@ -35,6 +40,7 @@ from compwright.workflow.stages.control import (
     plan_origin,
     read_files,
 )
+from compwright.workflow.stages.handed_over import BY_VERIFY, INPUTS, files_of_verify
 from compwright.workflow.stages.settled import named_axes, settled_by_files
 from compwright.workflow.stages.verified_axis import verified_axis
 from compwright.workflow.stages.verify_circles import (
@@ -108,9 +114,28 @@ def verify_job(
     verdict = _verdict(axes, circles, general)
     said = [*control.findings, *general]
     document = verification_document(plan.format, axes, verdict, circles, said)
-    files, notes = _files(job, control, axes, circles, document)
+    evaluated = _evaluated(axes, circles)
+    files, notes = _files(job, control, document, *evaluated)
+    before, after_loading = evaluated
+    files |= recorded_verification(
+        RunResult(plan, control, plan_file),
+        out,
+        files_of_verify(job, others, circle_files, loaded),
+        files,
+        document=document,
+        before=before,
+        after=after_loading,
+    )
     elsewhere = {} if json_path is None else {json_path: files["verification.json"]}
-    written = storage.write_files(out, files, force=force, elsewhere=elsewhere)
+    written = storage.write_files(
+        out,
+        files,
+        force=force,
+        elsewhere=elsewhere,
+        renewed=[f"{INPUTS}/{BY_VERIFY}"],
+        completed=[RECORD],
+        known=known_to_record(out),
+    )
     return VerifyOutcome(
         exit_code=0 if verdict == "good" else 1,
         document=document,
@@ -166,12 +191,28 @@ def _verdict(
     )
 
 
+def _evaluated(
+    axes: Mapping[str, VerifiedAxis], circles: Mapping[str, VerifiedCircle]
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return the evaluations of the tests before and after loading."""
+    return (
+        evaluations(
+            [axis.before for axis in axes.values()],
+            [circle.prediction.before for circle in circles.values()],
+        ),
+        evaluations(
+            [axis.after for axis in axes.values()],
+            [circle.after for circle in circles.values()],
+        ),
+    )
+
+
 def _files(
     job: Job,
     control: Control,
-    axes: Mapping[str, VerifiedAxis],
-    circles: Mapping[str, VerifiedCircle],
     document: Mapping[str, Any],
+    before: Mapping[str, Any],
+    after: Mapping[str, Any],
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     files = {"verification.json": to_json(document).encode()}
     try:
@@ -182,17 +223,11 @@ def _files(
             control,
             document["axes"],
             verification=document,
-            evaluation_before=evaluations(
-                [axis.before for axis in axes.values()],
-                [circle.prediction.before for circle in circles.values()],
-            ),
-            evaluation_after=evaluations(
-                [axis.after for axis in axes.values()],
-                [circle.after for circle in circles.values()],
-            ),
+            evaluation_before=before,
+            evaluation_after=after,
             findings=[
                 *document["findings"],
-                *finding_documents(finding for axis in axes.values() for finding in axis.findings),
+                *(finding for axis in document["axes"].values() for finding in axis["findings"]),
             ],
         )
         files["verification.html"] = verify_report(view)

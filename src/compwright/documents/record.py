@@ -1,0 +1,289 @@
+"""``record.json`` (``compwright/record/1``): what a result folder was made from, with what, what
+was decided and what came of it. Deviations in µm or arcsec.
+
+It carries no dates but those that the measurement files state: same input, same bytes.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.provenance import fingerprint
+from compwright.foundations.utf8 import encoded
+from compwright.records.record import RecordedInput
+
+SCHEMA = "compwright/record/1"
+RECORD = "record.json"
+#: What a record tells of the parameters of a test, the rest stands in the evaluation.
+PARAMETERS = ("A", "E", "M", "R", "B", "B_mean")
+CIRCLE_PARAMETERS = ("G_bidirectional", "G_ccw", "G_cw")
+
+
+def definition_told(definition_id: str, data: Any, files: Iterable[str], *, own: bool) -> Any:
+    """Return how a definition is named: its id, the hash of all that it says, the files it stands
+    in.
+    """
+    text = json.dumps(data, sort_keys=True, ensure_ascii=False, default=str)
+    return {
+        "id": definition_id,
+        "sha256": fingerprint(encoded(text)),
+        "files": sorted(set(files)),
+        "own": own,
+    }
+
+
+def run_record(
+    about: Mapping[str, Any],
+    inputs: Sequence[RecordedInput],
+    files: Mapping[str, bytes],
+    *,
+    evaluation: Mapping[str, Any],
+    prediction: Mapping[str, Any],
+    measured_in: Mapping[str, str],
+) -> dict[str, Any]:
+    """Return the record of a run. ``about``: software, machine, control and rules; ``files``: all
+    that it writes; ``measured_in``: the state of each test, by ``axis test`` or the circle's name.
+    """
+    plan = files.get("plan.json")
+    return {
+        "schema": SCHEMA,
+        **about,
+        "inputs": [asdict(entry) for entry in inputs],
+        "plan": None if plan is None else {"file": "plan.json", "sha256": fingerprint(plan)},
+        "files": files_listed(files),
+        "tests": [measured_test(result, "before", measured_in) for result in evaluation["results"]],
+        "decisions": {
+            "axes": {name: _decided(axis) for name, axis in prediction["axes"].items()},
+        },
+        "doubts": list(prediction["doubts"]),
+        "verification": None,
+    }
+
+
+def planned_record(
+    about: Mapping[str, Any], plan: str, evaluation: Mapping[str, Any]
+) -> dict[str, Any]:
+    """Return what a plan (its SHA-256) alone says of its run, which left no record."""
+    return {
+        "schema": SCHEMA,
+        **about,
+        "inputs": [],
+        "plan": {"file": "plan.json", "sha256": plan},
+        "files": [],
+        "tests": [measured_test(result, "before", {}) for result in evaluation["results"]],
+        "decisions": {"axes": {}},
+        "doubts": [],
+        "verification": None,
+    }
+
+
+def elsewhere(record: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the record of a run for another folder, which holds none of its files."""
+    inputs = [{**entry, "copy": None} for entry in record["inputs"]]
+    return {**record, "inputs": inputs, "files": []}
+
+
+def files_listed(files: Mapping[str, bytes]) -> list[dict[str, Any]]:
+    """Return the files of a result folder by relative name, with hash and size."""
+    return [
+        {"file": _text(name), "sha256": fingerprint(content), "size": len(content)}
+        for name, content in sorted(files.items())
+    ]
+
+
+def _text(name: str) -> str:
+    return encoded(name).decode("utf-8")
+
+
+def _decided(axis: Mapping[str, Any]) -> dict[str, Any]:
+    predicted = axis.get("predicted") or {}
+    return {
+        "table": "written" if axis["table"] is not None else "none",
+        "judged": axis.get("judged"),
+        "predicted": {name: predicted[name] for name in PARAMETERS if name in predicted},
+        "accept": dict(axis["accept"]),
+        "limits": list(axis["limits"]),
+    }
+
+
+def verified_record(
+    record: Mapping[str, Any],
+    inputs: Sequence[RecordedInput],
+    files: Mapping[str, bytes],
+    *,
+    verification: Mapping[str, Any],
+    evaluation: Mapping[str, Any],
+    version: str,
+) -> dict[str, Any]:
+    """Return the record of a run with its verification; an earlier one is replaced.
+
+    ``evaluation``: of the tests after loading; ``files``: all that ``verify`` writes.
+    """
+    before = [entry for entry in record["tests"] if entry["taken"] == "before"]
+    after = [measured_test(result, "after", {}) for result in evaluation["results"]]
+    listed = {entry["file"]: entry for entry in record["files"] if entry.get("by") != "verify"}
+    own = {entry["file"]: {**entry, "by": "verify"} for entry in files_listed(files)}
+    axes = {name: _verified(axis) for name, axis in verification["axes"].items()}
+    circles = {
+        name: circle["squareness"]
+        for name, circle in verification["circles"].items()
+        if circle["squareness"] is not None
+    }
+    return {
+        **record,
+        "inputs": [
+            *(entry for entry in record["inputs"] if entry["by"] != "verify"),
+            *(asdict(entry) for entry in inputs),
+        ],
+        "files": [listed[name] for name in sorted(listed.keys() - own.keys())]
+        + [own[name] for name in sorted(own)],
+        "tests": [*before, *after],
+        "verification": {
+            "version": version,
+            "verdict": verification["verdict"],
+            "read_back": any(entry.role == "loaded" for entry in inputs),
+            "axes": axes,
+            "squareness": circles,
+            "doubts": list(verification["doubts"]),
+        },
+    }
+
+
+def _verified(axis: Mapping[str, Any]) -> dict[str, Any]:
+    return {
+        "unit": axis["unit"],
+        **{
+            what: {name: axis[what][name] for name in PARAMETERS if name in axis[what]}
+            for what in ("before", "predicted", "after")
+        },
+        "loading": dict(axis["loading"]),
+        "accept": dict(axis["accept"]),
+        "read_back": _read_back(axis["findings"]),
+    }
+
+
+def _read_back(findings: Iterable[Mapping[str, str]]) -> str:
+    """Return what was read back from the control was: ``equal``, ``other`` or ``none``."""
+    codes = {finding["code"] for finding in findings}
+    return "other" if "CW-V011" in codes else "equal" if "CW-V010" in codes else "none"
+
+
+def measured_test(
+    result: Mapping[str, Any], taken: str, measured_in: Mapping[str, str]
+) -> dict[str, Any]:
+    """Return what a record tells of one test, from its evaluation (`compwright/evaluation/1`).
+
+    ``date`` is what the file says, empty where it says none; ``s`` the pooled standard deviation
+    of a reading with its degrees of freedom ``dof``.
+    """
+    header = {str(key).lower(): str(value) for key, value in result.get("header", {}).items()}
+    told = {
+        "kind": result["kind"],
+        "name": result["name"],
+        "taken": taken,
+        "date": header.get("date", ""),
+        "simulated": "simulated" in header,
+        "standard": result["standard"],
+        "unit": result["unit"],
+        "sources": [source["sha256"] for source in result["sources"]],
+    }
+    if result["kind"] == "circular":
+        return {**told, **_circle(result), "measured_in": measured_in.get(result["name"], "")}
+    place = f"{result['axis']} {result['name']}"
+    return {**told, **_axis(result), "measured_in": measured_in.get(place, "")}
+
+
+def _axis(result: Mapping[str, Any]) -> dict[str, Any]:
+    stated = result["uncertainty"] or {}
+    s, dof = pooled(result["targets"])
+    return {
+        "axis": result["axis"],
+        "axis_kind": result["axis_kind"],
+        "n_targets": result["n_targets"],
+        "n_runs": dict(result["n_runs"]),
+        "parameters": {
+            name: result["parameters"][name] for name in PARAMETERS if name in result["parameters"]
+        },
+        "uncertainty": {name: stated[name] for name in PARAMETERS if name in stated},
+        "s": s,
+        "dof": dof,
+    }
+
+
+def _circle(result: Mapping[str, Any]) -> dict[str, Any]:
+    squareness = (result.get("diagnosis") or {}).get("squareness")
+    return {
+        "plane": result["plane"],
+        "axes": list(result["axes"]),
+        "parameters": {
+            name: result["parameters"][name]
+            for name in CIRCLE_PARAMETERS
+            if name in result["parameters"]
+        },
+        "squareness": (
+            None
+            if squareness is None
+            else {key: squareness[key] for key in ("value", "std_error", "unit")}
+        ),
+    }
+
+
+def pooled(targets: Iterable[Mapping[str, Any]]) -> tuple[float | None, int]:
+    """Return the pooled standard deviation of a reading and its degrees of freedom; None without
+    repeats.
+    """
+    total, dof = 0.0, 0
+    for target in targets:
+        for direction in ("positive", "negative"):
+            s, n = target[f"s_{direction}"], target[f"n_{direction}"]
+            if s is not None and n > 1:
+                total += (n - 1) * s * s
+                dof += n - 1
+    return (round(math.sqrt(total / dof), 9), dof) if dof else (None, 0)
+
+
+def read_record(content: bytes, file: str) -> dict[str, Any]:
+    """Return a record. Raises InputError when it is none, or of a newer schema."""
+    try:
+        data = json.loads(content.decode("utf-8"))
+    except (ValueError, RecursionError) as error:
+        raise InputError(
+            Fault(message="is not JSON", file=file, expected=f"{RECORD} of a run", found=str(error))
+        ) from error
+    schema = data.get("schema") if isinstance(data, dict) else None
+    if schema != SCHEMA:
+        raise InputError(
+            Fault(
+                message="is not a record that this version reads",
+                file=file,
+                place="schema",
+                expected=SCHEMA,
+                found=repr(schema),
+            )
+        )
+    return dict(data)
+
+
+def is_record(content: bytes) -> bool:
+    """Whether these bytes are a record of this schema."""
+    try:
+        read_record(content, RECORD)
+    except InputError:
+        return False
+    return True
+
+
+def listed_in_record(content: bytes) -> dict[str, str]:
+    """Return the files (relative name -> SHA-256) that an earlier record lists, empty where there
+    is no such list.
+    """
+    try:
+        listed = json.loads(content)["files"]
+        return {str(entry["file"]): str(entry["sha256"]) for entry in listed}
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        return {}

@@ -1,0 +1,27 @@
+"""What a result folder says of itself: the files that went in, with where each lies in it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+InputRole = Literal[
+    "job", "definition", "test", "profile", "circle", "drift", "state", "after", "loaded"
+]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RecordedInput:
+    """A file that a command read: ``file`` as the job or the command line names it, ``copy`` where
+    the same bytes lie below the result folder (None: not in it), ``of`` the test or state.
+
+    ``by``: ``run`` or ``verify``.
+    """
+
+    role: InputRole
+    of: str
+    file: str
+    sha256: str
+    size: int
+    copy: str | None
+    by: str

@@ -1,0 +1,185 @@
+"""The record of a result folder: of a run, and completed by its verification."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path, PurePath
+from typing import Any
+
+from compwright import __version__
+from compwright.documents.json_text import to_json
+from compwright.documents.record import (
+    RECORD,
+    definition_told,
+    elsewhere,
+    is_record,
+    listed_in_record,
+    planned_record,
+    read_record,
+    run_record,
+    verified_record,
+)
+from compwright.foundations import storage
+from compwright.foundations.errors import InputError
+from compwright.foundations.provenance import fingerprint
+from compwright.records.plan import Plan
+from compwright.workflow.showing.results import Results
+from compwright.workflow.stages.control import Control
+from compwright.workflow.stages.finished import Finished
+from compwright.workflow.stages.handed_over import (
+    BY_VERIFY,
+    INPUTS,
+    GivenFile,
+    kept,
+)
+
+
+def recorded_run(
+    finished: Finished,
+    results: Results,
+    given: Sequence[GivenFile],
+    out: Path,
+    beside: Mapping[str, bytes] | None = None,
+) -> dict[str, bytes]:
+    """Return the copies of what a run was made from and its record, by their relative names.
+
+    ``given``: what it was made from (`files_of_job`); ``out``: the result folder; ``beside``: what
+    else is written there, by relative name, so that it is not copied once more.
+    """
+    job, control = finished.measured.job, finished.measured.control
+    more = dict(beside or {})
+    there = {
+        name: content for name, content in results.files.items() if name.startswith("rollback/")
+    } | more
+    inputs, copies = kept(given, out, by="run", there=there, written={**results.files, **more})
+    about = {
+        "version": __version__,
+        "machine": dict(job.machine),
+        "format": control.id,
+        "definition": _definition(control),
+        "options": dict(finished.fitted.control.options),
+        "axis_options": {
+            name: dict(entry.axis.options) for name, entry in job.axes.items() if entry.axis.options
+        },
+        "standard": job.standard,
+        "decision_rule": job.decision_rule,
+        "states": sorted(finished.measured.inputs.states),
+    }
+    measured_in = {
+        f"{name} {planned.test.name}": planned.measured_in
+        for name, tests in finished.measured.inputs.tests.items()
+        for planned in tests
+    } | {circle.name: circle.planned.measured_in for circle in finished.wanted.circles}
+    files = {**results.files, **more, **copies}
+    record = run_record(
+        about,
+        inputs,
+        files,
+        evaluation=results.evaluation,
+        prediction=results.prediction,
+        measured_in=measured_in,
+    )
+    return {**copies, RECORD: to_json(record).encode()}
+
+
+def _definition(control: Control) -> Any:
+    definition = control.definition
+    files = {PurePath(file).name for file, _ in definition.text.places.values()}
+    return definition_told(
+        definition.id, definition.text.data, files, own=definition.judged != "independent"
+    )
+
+
+def known_to_record(out: Path) -> storage.Known:
+    """Return what tells the results in a folder from what the user has put or changed there."""
+    content = storage.earlier_bytes(out / RECORD)
+    listed = listed_in_record(content)
+
+    def known(name: str, found: bytes) -> bool:
+        if name == RECORD:
+            return is_record(found)
+        return "/" not in name or listed.get(name) == fingerprint(found)
+
+    return known
+
+
+def folders_of_copies(names: Mapping[str, Any] | Sequence[str]) -> list[str]:
+    """Return the folders below `INPUTS` in which files of these names lie."""
+    return list(
+        dict.fromkeys(name.rpartition("/")[0] for name in names if name.startswith(f"{INPUTS}/"))
+    )
+
+
+def recorded_verification(
+    run: RunResult,
+    out: Path,
+    given: Sequence[GivenFile],
+    files: Mapping[str, bytes],
+    *,
+    document: Mapping[str, Any],
+    before: Mapping[str, Any],
+    after: Mapping[str, Any],
+) -> dict[str, bytes]:
+    """Return the copies of what ``verify`` was given and the record completed by it, by their
+    relative names.
+
+    ``files``: what else it writes; ``document``: the verification; ``before``, ``after``:
+    evaluations of its tests.
+    """
+    inputs, copies = kept(given, out, by=BY_VERIFY, there={}, written=files)
+    record = verified_record(
+        _begun(run, out, before),
+        inputs,
+        {**files, **copies},
+        verification=document,
+        evaluation=after,
+        version=__version__,
+    )
+    return {**copies, RECORD: to_json(record).encode()}
+
+
+@dataclass(frozen=True, slots=True)
+class RunResult:
+    """The plan that is verified, its control, and its file."""
+
+    plan: Plan
+    control: Control
+    file: Path
+
+
+def _begun(run: RunResult, out: Path, before: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the record that the run of a plan left: as it stands where the verification goes into
+    its folder, else without what does not lie there. A run of an older version left none: its plan
+    says what it can.
+    """
+    digest = fingerprint(storage.earlier_bytes(run.file))
+    try:
+        record = read_record(storage.earlier_bytes(run.file.parent / RECORD), RECORD)
+        own = (record["plan"] or {}).get("sha256") == digest
+    except (InputError, KeyError, AttributeError):
+        record, own = {}, False
+    if not own:
+        return planned_record(_about_plan(run), digest, before)
+    if storage.resolved(run.file.parent) == storage.resolved(out):
+        return record
+    return elsewhere(record)
+
+
+def _about_plan(run: RunResult) -> dict[str, Any]:
+    plan = run.plan
+    return {
+        "version": plan.version,
+        "machine": dict(plan.machine),
+        "format": plan.format,
+        "definition": _definition(run.control),
+        "options": dict(plan.options),
+        "axis_options": {
+            name: dict(entry.axis.options)
+            for name, entry in plan.axes.items()
+            if entry.axis.options
+        },
+        "standard": plan.standard,
+        "decision_rule": plan.decision_rule,
+        "states": sorted(plan.states),
+    }
