@@ -141,8 +141,8 @@ def test_tests_in_one_state_are_fitted_together_and_each_is_predicted(folder: Pa
         for name in ("both", "first")
     ]
     # 26 targets instead of 17, five readings each: sqrt(17/26) = 0.81 of the noise; what is not
-    # known of the shape of the error lessens more slowly, what is not known of the noise faster.
-    assert 0.5 * std[1] < std[0] < 0.95 * std[1]
+    # known of the shape of the error lessens more slowly.
+    assert 0.75 * std[1] < std[0] < 0.95 * std[1]
     # What verify estimates again from the plan alone is what the run estimated.
     content = (folder / "both" / "plan.json").read_bytes()
     axis = read_plan(content, "plan.json").axes["X"]
@@ -753,7 +753,7 @@ def test_a_guarded_prediction_uses_the_uncertainty(
         "U": pytest.approx(19.0),
         "rule": "guarded",
     }
-    assert axis["predicted"]["A"]["p95"] < 20.0  # by itself within the limit
+    assert axis["predicted"]["A"]["p95"] < 4.0  # by itself within the limit of 20
     for name in ("card/card.md", "card/card.html", "report.html"):
         assert "Guarded decision (ISO 14253-1)" in (folder / "job" / name).read_text(
             encoding="utf-8"

@@ -21,7 +21,7 @@ from compwright.estimation.noise_findings import noise_findings
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.noise_readings import Readings, readings_of
 from compwright.estimation.noise_rounding import rounded_std
-from compwright.estimation.noise_tails import TAILS
+from compwright.estimation.noise_tails import REACH, TAILS
 from compwright.estimation.noise_traverses import RATES
 from compwright.records.axis import FloatArray
 from compwright.records.noise import NoiseDraws
@@ -32,7 +32,7 @@ LEAST_DOF: Final = 10
 _SEED: Final = 3
 _SETTLING: Final = 32  # sweeps that are thrown away
 _DRAWS: Final = 48
-_BETWEEN: Final = 3  # sweeps from one draw to the next
+_BETWEEN: Final = 3  # sweeps for each draw
 
 
 def noise_of(test: PositioningTest) -> NoisePosterior | None:
@@ -48,8 +48,9 @@ def noise_of(test: PositioningTest) -> NoisePosterior | None:
     for _ in range(_SETTLING):
         chain.sweep()
     sweeps = [chain.sweep() for _ in range(_BETWEEN * _DRAWS)]
-    draws = sweeps[::_BETWEEN]
-    cells = [cell_means(draw, chain.step) for draw in draws]
+    reach = [draw.sigma * REACH[draw.tail] for draw in sweeps]
+    draws = [sweeps[place] for place in np.argsort(reach, kind="stable")[_BETWEEN // 2 :: _BETWEEN]]
+    cells = [cell_means(draw, readings, chain.shapes, chain.step) for draw in draws]
     sigma = np.array([draw.sigma for draw in draws])
     if chain.step:
         sigma = np.array([rounded_std(each, chain.step) for each in sigma])

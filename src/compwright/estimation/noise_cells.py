@@ -8,14 +8,21 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.estimation.noise_chain import Draw
+from compwright.estimation.noise_readings import Readings, at_traverses
 from compwright.estimation.noise_rounding import common_std, rounded_std
+from compwright.estimation.noise_tails import KINDS, NORMAL, TAILS, Tail
 from compwright.estimation.noise_traverses import OFFSET
 from compwright.records.axis import FloatArray
 
 #: Cells at which what is common to the means is told apart: places along the travel.
 _PLACES: Final = (0.0, 1.0, 0.5, 0.25)
+#: The mean of a cell is looked for about its readings, at so many of them, at these distances in
+#: scales of a reading.
+_ABOUT: Final = 6
+_AWAY: Final = np.linspace(-3.0, 3.0, 13)
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,27 +36,61 @@ class CellMeans:
     columns: FloatArray
 
 
-def cell_means(draw: Draw, step: float) -> CellMeans:
-    """Return what the readings say of the cells under one draw of the noise: a flat prior on the
-    means, normal effects of the traverses (Searle, Casella and McCulloch, Variance Components,
-    1992, section 7.4).
+def cell_means(draw: Draw, readings: Readings, shapes: FloatArray, step: float) -> CellMeans:
+    """Return what the ``readings`` say of the cells under one draw of the noise: a flat prior on
+    the means, normal effects of the traverses (Searle, Casella and McCulloch, Variance Components,
+    1992, section 7.4); heavy tails and outliers integrated out, whichever readings the sampler took
+    for such (Rao-Blackwell: Gelfand and Smith, J. Am. Stat. Assoc. 85, 1990).
 
-    ``step``: to which a coarse instrument rounds, mm or deg; 0 where that is no matter. What
-    rounding does to all readings of a cell alike no repetition takes out.
+    ``shapes``: of the spread. ``step``: to which a coarse instrument rounds, mm or deg; 0 where
+    that is no matter. What rounding does to all readings of a cell alike no repetition takes out.
     """
     data = draw.data
     there = data.weights > 0.0
     columns, rest = _columns(draw)
-    single = draw.variance
+    sigma = rounded_std(draw.sigma, step) if step else draw.sigma
     if step:
-        single = rounded_std(draw.sigma, step) ** 2
         rest = rest + common_std(float(np.hypot(draw.sigma, draw.size[OFFSET])), step) ** 2
-    variance = np.where(there, single / np.maximum(data.weights, 1e-300) + rest, np.inf)
+    mean = data.means - data.shares @ draw.effects
+    square = sigma**2 / np.maximum(data.weights, 1e-300)
+    if KINDS[draw.tail] != NORMAL:
+        scale = sigma * np.exp(draw.spread @ shapes)
+        values = readings.values - at_traverses(readings, draw.effects)
+        mean[there], square[there] = located(
+            TAILS[draw.tail], values[there], readings.there[there], scale[there]
+        )
     return CellMeans(
-        mean=np.where(there, data.means - data.shares @ draw.effects, 0.0),
-        precision=1.0 / variance,
+        mean=np.where(there, mean, 0.0),
+        precision=np.where(there, 1.0 / (square + rest), 0.0),
         columns=columns,
     )
+
+
+def located(
+    tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Return mean and variance (c,) of the place of each cell, given its readings ``values`` (c, n)
+    where they are ``there``, each off by an error that follows ``tail`` times ``scale`` (c,): a
+    flat prior, by the trapezoidal rule over places about the readings.
+    """
+    known = np.sort(np.where(there, values, np.inf), axis=1)
+    last = np.count_nonzero(there, axis=1) - 1
+    about = np.round(np.outer(last, np.linspace(0.0, 1.0, min(_ABOUT, values.shape[1])))).astype(
+        int
+    )
+    chosen = np.take_along_axis(known, about, axis=1) / scale[:, np.newaxis]
+    places = np.sort((chosen[:, :, np.newaxis] + _AWAY).reshape(scale.size, -1), axis=1)
+    z = (values / scale[:, np.newaxis])[:, :, np.newaxis] - places[:, np.newaxis]
+    logs = np.sum(np.where(there[:, :, np.newaxis], tail.log_density(z), 0.0), axis=1)
+    gaps = np.diff(places, axis=1)
+    width = np.zeros_like(places)
+    width[:, 1:] += 0.5 * gaps
+    width[:, :-1] += 0.5 * gaps
+    mass = width * np.exp(logs - np.max(logs, axis=1, keepdims=True))
+    mass /= np.sum(mass, axis=1, keepdims=True)
+    mean = np.sum(mass * places, axis=1)
+    square = np.sum(mass * (places - mean[:, np.newaxis]) ** 2, axis=1)
+    return mean * scale, square * scale**2
 
 
 def _columns(draw: Draw) -> tuple[FloatArray, FloatArray]:

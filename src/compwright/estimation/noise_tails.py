@@ -21,13 +21,17 @@ from compwright.records.axis import FloatArray
 #: Prior probabilities of the kinds.
 _NORMAL, _STUDENT, _SPREAD, _FIXED, _GROSS = 0.868, 0.1, 0.015, 0.015, 0.002
 _DOFS: Final = (2.5, 3.0, 3.5, 4.0, 5.0, 7.0)
+#: Of Student's: how probable degrees of freedom about each are, beside the others, under a gamma
+#: law of shape 2 and rate 0.1 (Juárez and Steel, J. Bus. Econ. Stat. 28, 2010), up to 10; beyond
+#: that hardly anything tells them from a normal law.
+_DOF_SHARES: Final = (0.057, 0.045, 0.05, 0.083, 0.188, 0.577)
 _SHARES: Final = (0.006, 0.0125, 0.025, 0.05, 0.1)
 #: Sizes of outliers in scales of a reading. Chips and air put a reading off by any amount (spread);
-#: a lost fringe or a missed increment by the same one each time (fixed, on either side); what
-#: lies between two sizes is covered by their spread.
+#: a loose screw, a grain that comes and goes by about the same one each time (fixed, on either
+#: side), give or take a tenth: nothing that is loose comes to rest more exactly than that.
 _SIZES: Final = tuple(3.0 * 1.25**k for k in range(16))
-_FIXED_SIZES: Final = tuple(3.0 * 1.1**k for k in range(36))
-_FIXED_SPREAD: Final = 0.04
+_FIXED_SIZES: Final = tuple(3.0 * 1.2**k for k in range(19))
+_FIXED_SPREAD: Final = 0.1
 #: Gross errors, by any amount: a beam that was cut, a reading typed wrongly.
 _GROSS_SIZES: Final = tuple(100.0 * 2.0**k for k in range(6))
 #: Prior of the sizes: what is seen as an outlier but not told by the instrument itself.
@@ -78,6 +82,13 @@ class Tail:
         return logs
 
     @property
+    def reach(self) -> float:
+        """Root mean square of the errors, without what lies further out than 99 % of them."""
+        density = np.exp(self.log_density(_MIDDLES)) * np.diff(_EDGES)
+        inner = np.cumsum(density) <= 0.99 * np.sum(density)
+        return float(np.sqrt(np.sum((density * _MIDDLES**2)[inner]) / np.sum(density[inner])))
+
+    @property
     def scale(self) -> float:
         """Scale of an outlier about where it lies."""
         return float(np.hypot(1.0, _FIXED_SPREAD * self.size)) if self.fixed else self.size
@@ -95,7 +106,7 @@ def _outliers(kind: float, sizes: tuple[float, ...], *, fixed: bool) -> Iterator
 def _tails() -> tuple[Tail, ...]:
     return (
         Tail(_NORMAL),
-        *(Tail(_STUDENT / len(_DOFS), dof=dof) for dof in _DOFS),
+        *(Tail(_STUDENT * share, dof=dof) for dof, share in zip(_DOFS, _DOF_SHARES, strict=True)),
         *_outliers(_SPREAD, _SIZES, fixed=False),
         *_outliers(_FIXED, _FIXED_SIZES, fixed=True),
         *(
@@ -109,6 +120,8 @@ def _tails() -> tuple[Tail, ...]:
 TAILS: Final = _tails()
 _TABLE: Final = np.stack([tail.log_density(_MIDDLES) for tail in TAILS])
 _LOG_PRIOR: Final = np.log([tail.prior for tail in TAILS])
+#: How far the errors of each reach.
+REACH: Final = np.array([tail.reach for tail in TAILS])
 NORMAL, STUDENT, OUTLIERS = range(3)
 #: Which of them each member is.
 KINDS: Final = np.array(
