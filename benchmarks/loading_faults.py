@@ -78,7 +78,7 @@ def job_of(number: int, seed: int, words: argparse.Namespace, folder: Path) -> J
     tests = {}
     for name, axis in axes.items():
         acting = None if old is None else old.at(name, axis.before.targets)
-        tests[name] = _test(axis.before, rng, acting)
+        tests[name] = a_test(axis.before, rng, acting)
     state = None if old is None else old.folder
     tables = _run(axes, control, tests, folder / "job", state)
     new = Loaded(control, folder / "job" / "out" / "tables" / control.format)
@@ -91,14 +91,16 @@ def _old_tables(
     axes: Mapping[str, Axis], control: Control, rng: Generator, folder: Path
 ) -> Loaded | None:
     """Tables of an earlier error; None unless every axis has one."""
-    tests = {name: _test(earlier(axis, rng), rng) for name, axis in axes.items()}
+    tests = {name: a_test(earlier(axis, rng), rng) for name, axis in axes.items()}
     tables = _run(axes, control, tests, folder / "earlier", None)
     if len(tables) < len(axes):
         return None
     return Loaded(control, folder / "earlier" / "out" / "tables" / control.format)
 
 
-def _test(machine: Machine, rng: Generator, acting: Floats | None = None) -> tuple[Machine, Floats]:
+def a_test(
+    machine: Machine, rng: Generator, acting: Floats | None = None
+) -> tuple[Machine, Floats]:
     """Readings at the machine's targets, with what acts added."""
     warm = machine.temperature(rng)
     readings = measured(machine, rng, warm)
@@ -158,7 +160,7 @@ def cases_of(job: Job, seed: int, words: argparse.Namespace) -> Iterator[Record]
         files = []
         for name, fault in chosen.items():
             after = job.axes[name].after
-            machine, readings = _test(after, rng, fault.correction)
+            machine, readings = a_test(after, rng, fault.correction)
             path = folder / f"{name}_after.csv"
             path.write_text(csv_of(machine, machine.targets, readings, name), encoding="utf-8")
             files += ["--after", f"{name}={path}"]
