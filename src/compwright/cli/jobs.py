@@ -146,19 +146,28 @@ def new(
     help="What was read back from the control.",
 )
 @click.option("--out", type=PATH, help="Folder for the results; default: that of the run.")
+@click.option(
+    "--update",
+    is_flag=True,
+    help="Write the next round into next/ below the results; needs --loaded.",
+)
 @json_option
 @force_option
 @exiting
+@click.pass_obj
 def verify(
+    crew: Crew,
+    /,
     job_file: Path,
     after: tuple[str, ...],
     plan: Path | None,
     loaded: tuple[Path, ...],
     out: Path | None,
     json_path: Path | None,
-    force: bool,  # noqa: FBT001 - a flag of the command line
+    **words: bool,
 ) -> int:
     """Judge the test after loading against the plan."""
+    from compwright.workflow.commands.run import ready_for_axes
     from compwright.workflow.commands.verify import plan_path, verify_job
     from compwright.workflow.showing.answers import verify_summary
     from compwright.workflow.stages.jobs import default_folder, read_job_file
@@ -166,15 +175,18 @@ def verify(
     folder = default_folder(job_file)
     plan_file = plan_path(plan, folder)
     job = read_job_file(job_file, plan_file)
-    outcome = verify_job(
-        job,
-        after,
-        plan_file=plan_file,
-        out=out or folder,
-        loaded=loaded,
-        force=force,
-        json_path=json_file(json_path),
-    )
+    with crew(len(job.axes) if words["update"] else 1, ready_for_axes) as each:
+        outcome = verify_job(
+            job,
+            after,
+            plan_file=plan_file,
+            out=out or folder,
+            loaded=loaded,
+            force=words["force"],
+            json_path=json_file(json_path),
+            update=words["update"],
+            each=each,
+        )
     answer(outcome.document, json_path, lambda: verify_summary(outcome))
     for note in outcome.notes:
         tell(f"note: {note}")

@@ -278,6 +278,17 @@ def is_record(content: bytes) -> bool:
     return True
 
 
+def copied_by_record(content: bytes) -> dict[str, str]:
+    """Return the inputs (relative name of the copy -> SHA-256) that an earlier record lists, empty
+    where there is no such list.
+    """
+    try:
+        listed = json.loads(content)["inputs"]
+        return {str(entry["copy"]): str(entry["sha256"]) for entry in listed if entry["copy"]}
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        return {}
+
+
 def listed_in_record(content: bytes) -> dict[str, str]:
     """Return the files (relative name -> SHA-256) that an earlier record lists, empty where there
     is no such list.

@@ -21,6 +21,7 @@ from pathlib import Path, PurePosixPath
 
 from compwright.foundations.command_inputs import Identity, is_input, remember
 from compwright.foundations.errors import Fault, InputError, StorageError, raise_all
+from compwright.foundations.foreseen import foreseen_bytes
 
 _MOST_BYTES = 256 * 1024 * 1024  # no measurement or control file comes near it
 _MOST_NAMED = 4  # files named in a line about several
@@ -41,11 +42,15 @@ def _reason(error: OSError | ValueError) -> str:
 
 
 def read_bytes(path: Path) -> bytes:
-    """Return the bytes of a file, and remember that it was read.
+    """Return the bytes of a file, and remember that it was read; of one that is to be written with
+    what is made of it (`foreseen`) the bytes that it will have.
 
     Raises InputError when it is missing, cannot be read, is no ordinary file (a pipe or device
     could be waited for without end) or is larger than 256 MiB.
     """
+    expected = foreseen_bytes(path)
+    if expected is not None:
+        return expected
     try:
         refused = _not_to_be_read(path.stat())
         if refused is None:
@@ -138,7 +143,7 @@ def is_there(path: Path) -> bool:
     """Whether there is a file, folder or link at ``path``; False for a name that no file can
     have.
     """
-    return os.path.lexists(path)
+    return foreseen_bytes(path) is not None or os.path.lexists(path)
 
 
 def is_folder(path: Path) -> bool:

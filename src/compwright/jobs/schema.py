@@ -169,13 +169,16 @@ class TestSection(Section):
 
 
 class TableSection(Section):
-    """Wishes for the grid; None: as it is in the control, or as compwright chooses."""
+    """Wishes for the grid; None: as it is in the control, or as compwright chooses. ``gain``: from
+    which gain on a table is written.
+    """
 
     start: float | None = None
     end: float | None = None
     spacing: Spacing | None = None
     mode: Literal["auto", "single", "bidirectional"] = "auto"
     goal: Literal["expected", "A", "E", "M"] = "expected"
+    gain: Literal["any", "seen"] = "any"
 
 
 class AxisSection(Section):

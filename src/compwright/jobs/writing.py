@@ -1,5 +1,5 @@
-"""A job file as text, prefilled: what is known stands in it with its source, what is not is left
-open and said.
+"""A job file as text. Prefilled: what is known stands in it with its source, what is not is left
+open and said. Or whole, from plain data.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,13 +70,72 @@ def _plain(value: object) -> str:
     """Return a value as YAML on one line: words as they are, everything else as JSON, which YAML
     reads too.
     """
-    if (
-        isinstance(value, str)
-        and re.fullmatch(r"[A-Za-z][A-Za-z0-9_.-]*", value)
-        and value.lower() not in _RESERVED
-    ):
+    if isinstance(value, str) and _is_word(value):
         return value
     return json.dumps(value, ensure_ascii=False)
+
+
+def data_text(data: Mapping[str, Any], heading: Sequence[str]) -> str:
+    """Return a whole job as YAML that reads back as the same plain data. ``heading``: comment lines
+    above it.
+    """
+    lines = [f"# {line}" for line in heading]
+    for key, value in data.items():
+        if key in _SPREAD and isinstance(value, Mapping):
+            lines.append(f"{_word(key)}:")
+            for name, inner in value.items():
+                lines += _spread(name, inner, 2)
+        else:
+            lines += _entry(key, value, 0)
+    return "\n".join(lines) + "\n"
+
+
+#: Keys under which every name gets lines of its own.
+_SPREAD = frozenset({"axes", "states"})
+
+
+def _spread(name: str, value: object, indent: int) -> list[str]:
+    """Return a mapping with a line for each of its keys; anything else on one line."""
+    if not isinstance(value, Mapping):
+        return _entry(name, value, indent)
+    lines = [f"{' ' * indent}{_word(name)}:"]
+    for key, inner in value.items():
+        lines += _entry(key, inner, indent + 2)
+    return lines
+
+
+def _entry(key: str, value: object, indent: int) -> list[str]:
+    """Return one key with its value on its line; a list of mappings has a line for each."""
+    start = f"{' ' * indent}{_word(key)}:"
+    if isinstance(value, list) and value and all(isinstance(each, Mapping) for each in value):
+        return [start, *(f"{' ' * indent}  - {_flow(each)}" for each in value)]
+    return [f"{start} {_flow(value)}"]
+
+
+def _flow(value: object) -> str:
+    """Return a value on one line, words and numbers as they are."""
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{_word(key)}: {_flow(each)}" for key, each in value.items()) + "}"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(_flow, value)) + "]"
+    return _word(value) if isinstance(value, str) else json.dumps(value)
+
+
+def _word(text: str) -> str:
+    """Return text as a plain word, or in quotes with everything escaped that no line can show."""
+    if _is_word(text):
+        return text
+    quoted = text.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{"".join(map(_shown, quoted))}"'
+
+
+def _shown(character: str) -> str:
+    return character if character.isprintable() else f"\\U{ord(character):08x}"
+
+
+def _is_word(text: str) -> bool:
+    known = re.fullmatch(r"[A-Za-z][A-Za-z0-9_.-]*", text) is not None
+    return known and text.lower() not in _RESERVED
 
 
 _RESERVED = frozenset({"true", "false", "yes", "no", "on", "off", "null", "y", "n"})

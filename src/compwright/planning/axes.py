@@ -18,7 +18,7 @@ from compwright.planning.declared import fresh_slope, with_slopes
 from compwright.planning.fresh import FreshTests, Like, fresh_tests
 from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
 from compwright.planning.motions import with_backlash, with_motion
-from compwright.planning.outlook import predict, why_not_better
+from compwright.planning.outlook import predict, why_not_better, why_not_seen
 from compwright.planning.scenarios import alike, gains, scenarios_of
 from compwright.planning.sharing import shared_fairly
 from compwright.planning.tables import fit_within, freely_chosen, offer
@@ -92,7 +92,7 @@ class AxisWork:
                 *own,
                 Finding(
                     "CW-P001",
-                    "error",
+                    "info" if self.planned.request.gain == "seen" else "error",
                     f"No table is written for axis {self.entry.axis.name}: {self.refused}.",
                 ),
             )
@@ -375,8 +375,8 @@ def _offered(
 
 def no_gain(work: AxisWork, new: Correction) -> str:
     """Return why ``new``, the table as read back, would not improve the axis over what the control
-    does now; empty when it does. Readings far off, which no table moves, do not judge, nor do
-    traverses that were not made.
+    does now, or not by as much as the job asks for; empty when it does. Readings far off, which no
+    table moves, do not judge, nor do traverses that were not made.
     """
     changes = [difference(each, work.active) for each in (new, work.as_found)]
     first = work.results[0]
@@ -390,4 +390,7 @@ def no_gain(work: AxisWork, new: Correction) -> str:
     )
     drawn = fresh_tests(first, work.posterior, work.planned.axis)
     fresh, old = (drawn.quantiles(change, cured=("tails",)) for change in changes)
-    return why_not_better(before, after, old, fresh)
+    why = why_not_better(before, after, old, fresh)
+    if why or work.planned.request.gain == "any":
+        return why
+    return why_not_seen(before, old, fresh)

@@ -10,8 +10,8 @@ from typing import Final
 import numpy as np
 
 from compwright.planning.axes import AxisWork
-from compwright.planning.fresh import BAND, FreshTests
-from compwright.planning.outlook import yardstick
+from compwright.planning.fresh import FreshTests
+from compwright.planning.outlook import spread_of, yardstick
 from compwright.planning.shortfalls import shortfalls
 from compwright.prediction.acting import Correction, difference
 from compwright.records.limits import Cause, Limiting
@@ -68,7 +68,7 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting 
         now=now.median,
         then=then.median,
         least=least.median,
-        spread=2.0 * (then.median - then.p05) / BAND,
+        spread=spread_of(then),
         causes=tuple(sorted(worth, key=lambda cause: -cause.value)),
     )
 

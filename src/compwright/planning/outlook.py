@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.fresh import DRAWS, FIRST, FreshTests, Like, fresh_tests, generator
+from compwright.planning.fresh import BAND, DRAWS, FIRST, FreshTests, Like, fresh_tests, generator
 from compwright.planning.wanted import MeasuredError
 from compwright.prediction.acting import Correction
 from compwright.prediction.positioning import fresh_slopes, predict_test
@@ -94,6 +94,38 @@ def why_not_better(
             f" the table, {old[name].median * factor:.2f} {unit} without it"
         )
     return ""
+
+
+def why_not_seen(
+    before: PositioningResult, old: Mapping[str, Quantiles], new: Mapping[str, Quantiles]
+) -> str:
+    """Return why no test would show what a table gains, or an empty text when one does: the
+    parameter that judges tables falls by no more than one standard deviation by which it differs
+    from test to test.
+
+    Arguments as of `why_not_better`, which has found the table better.
+    """
+    name = yardstick(before)
+    if name is None or name not in new or name not in old:
+        return ""
+    factor = outside_factor(before.test.kind.unit)
+    unit = shown_unit(before.test.kind.unit)
+    was, becomes = (abs(each[name].median) for each in (old, new))
+    spread = spread_of(new[name])
+    if was - becomes > spread:
+        return ""
+    return (
+        f"at new targets {name} is expected to be {becomes * factor:.2f} {unit} with a further"
+        f" table, {was * factor:.2f} {unit} without it, and differs by {spread * factor:.2f} {unit}"
+        " from one test to the next: the gain is within the uncertainty"
+    )
+
+
+def spread_of(shown: Quantiles) -> float:
+    """Return the standard deviation of a parameter from test to test, below its median: a few
+    readings far off stretch it above.
+    """
+    return 2.0 * (shown.median - shown.p05) / BAND
 
 
 def yardstick(result: PositioningResult) -> str | None:

@@ -76,6 +76,28 @@ def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> I
     )
 
 
+def stopped(axis: Axis, limiting: Limiting) -> Finding:
+    """Return that an axis whose table gains nothing that a test would show is left as it is
+    (CW-P155), and what makes most of what is left.
+    """
+    factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
+    name, left = limiting.parameter, limiting.now
+    main = _main_cause(limiting, 0.0)
+    if main is not None and main.cause != NOISE:
+        cause, value = main.cause, main.value
+    elif limiting.least >= _DOMINATES * left:
+        cause, value = NOISE, limiting.least
+    else:
+        cause, value = "what no table of this control takes away", left - limiting.least
+    return Finding(
+        "CW-P155",
+        "info",
+        f"Axis {axis.name}: stop here: what is left is {cause} ({value * factor:.2f} {unit} of"
+        f" {name} {left * factor:.2f} {unit} at new targets). A further table would change less"
+        " than one test differs from the next.",
+    )
+
+
 def _what_remains(axis: Axis, limiting: Limiting, scatter: float) -> Iterator[Finding]:
     """Yield what makes most of the parameter although the table helps."""
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)

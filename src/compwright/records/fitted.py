@@ -13,6 +13,7 @@ from compwright.records.correction import AxisCompensation
 
 Mode = Literal["auto", "single", "bidirectional"]
 Goal = Literal["expected", "A", "E", "M"]
+Gain = Literal["any", "seen"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -20,7 +21,8 @@ class TableRequest:
     """What the job asks of the grid, mm or deg: all optional.
 
     ``spacing``: a number names it, "auto" lets compwright choose, None keeps the grid that is in
-    the control (and chooses where there is none).
+    the control (and chooses where there is none). ``gain``: "any" writes every table that improves
+    the axis, "seen" only one whose gain is more than the parameter differs from test to test.
     """
 
     start: float | None = None
@@ -28,6 +30,7 @@ class TableRequest:
     spacing: float | Literal["auto"] | None = None
     mode: Mode = "auto"
     goal: Goal = "expected"
+    gain: Gain = "any"
 
     @property
     def named_spacing(self) -> float | None:

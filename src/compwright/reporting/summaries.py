@@ -274,6 +274,18 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     ]
 
 
+def next_lines(then: Mapping[str, Any] | None) -> list[RenderableType]:
+    """Return what becomes of the next round; nothing where none was asked for."""
+    if then is None:
+        return []
+    heading = "Next round: " if then["written"] else "No next round: "
+    return [
+        Text.assemble((heading, "bold"), f"{then['reason']}."),
+        *(Text(f"  axis {name}: {axis['reason']}") for name, axis in then["axes"].items()),
+        *(Text(f"  {line}") for line in then["between"]),
+    ]
+
+
 def plain_table() -> Table:
     """Return an empty table without frames."""
     return Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold")

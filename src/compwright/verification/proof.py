@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from itertools import combinations
+from pathlib import Path
 from typing import Any, Final
 
 from compwright.evaluation.repeats import Named, same_measurement
@@ -44,11 +45,12 @@ _OF_UNCERTAINTY: Final = frozenset({"CW-T023"})
 
 @dataclass(frozen=True, slots=True)
 class AfterTest:
-    """A test after loading: its axis, and the name of the test that it repeats."""
+    """A test after loading: its axis, the name of the test that it repeats, and its files."""
 
     axis: str
     test: PositioningTest
     repeats: str
+    files: tuple[Path, ...] = ()
 
 
 def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:

@@ -19,12 +19,8 @@ from compwright.records.job import Job
 from compwright.workflow.showing.recorded import folders_of_copies, recorded_run
 from compwright.workflow.showing.results import NO_STATE, result_files
 from compwright.workflow.stages.finished import Finished
-from compwright.workflow.stages.fitted import fitted
 from compwright.workflow.stages.handed_over import files_of_job
-from compwright.workflow.stages.measured import measured
-from compwright.workflow.stages.predicted import predicted
-from compwright.workflow.stages.wanted import wanted
-from compwright.workflow.stages.written import written
+from compwright.workflow.stages.worked_through import worked_through
 
 NO_STATE_OPTION = (
     "--state: no table is written without the state of the control; add --state none, or --state"
@@ -74,7 +70,7 @@ def run_job(
     StorageError (5); nothing is written then. Without a state of the control, evaluation,
     prediction and report are written but no table (exit 2).
     """
-    finished = _work_through(job, folder, out, accept_worse=accept_worse, each=each)
+    finished = worked_through(job, folder, out, accept_worse=accept_worse, each=each)
     results = result_files(finished, each)
     earlier = listed_in_record(storage.earlier_bytes(out / RECORD))
     given = files_of_job(job, folder, finished.measured.control.definition.carried)
@@ -103,14 +99,6 @@ def run_job(
         refused={name: work.refused for name, work in finished.works.items() if work.refused},
         notes=results.notes,
     )
-
-
-def _work_through(job: Job, folder: Path, out: Path, *, accept_worse: bool, each: Each) -> Finished:
-    start = measured(job, folder, out)
-    wish = wanted(start, each)
-    table = fitted(start, wish, each)
-    files = written(start, wish, table, accept_worse=accept_worse, each=each)
-    return Finished(start, wish, table, files, predicted(start, wish, table, files, each))
 
 
 def _known_results(out: Path, recorded: Mapping[str, str]) -> storage.Known:

@@ -17,13 +17,15 @@ from compwright.documents.verification import (
     verification_document,
 )
 from compwright.foundations import storage
-from compwright.foundations.errors import InputError, UsageError, raise_all
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.side_by_side import Each, in_turn
 from compwright.records.job import AS_FOUND, Job
 from compwright.records.plan import Plan
 from compwright.verification.acceptance import OverallVerdict, overall_verdict
 from compwright.verification.proof import changed_limits, copies, not_measured, old_circles
 from compwright.verification.same_job import stale, stale_plan
+from compwright.workflow.commands.compare import compare_plan
 from compwright.workflow.showing.recorded import (
     RunResult,
     known_to_record,
@@ -41,6 +43,15 @@ from compwright.workflow.stages.control import (
     read_files,
 )
 from compwright.workflow.stages.handed_over import BY_VERIFY, INPUTS, files_of_verify
+from compwright.workflow.stages.next_round import (
+    FOLDER,
+    LACKING,
+    Round,
+    Verified,
+    known_with_rounds,
+    next_round,
+    refuse_later_rounds,
+)
 from compwright.workflow.stages.settled import named_axes, settled_by_files
 from compwright.workflow.stages.verified_axis import verified_axis
 from compwright.workflow.stages.verify_circles import (
@@ -49,8 +60,12 @@ from compwright.workflow.stages.verify_circles import (
     verify_circles,
 )
 
-#: Findings of an axis that say what its test does not prove: the verdict is undecided.
-_LACKING = frozenset({"CW-V020", "CW-V021", "CW-V024", "CW-E010"})
+VERIFICATION = "verification.json"
+NOT_READ_BACK = Fault(
+    message="needs what was read back from the control: the next round starts from that",
+    place="--update",
+    expected="--loaded with the files that the control holds now",
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,14 +96,53 @@ def verify_job(
     loaded: Sequence[Path] = (),
     force: bool = False,
     json_path: Path | None = None,
+    update: bool = False,
+    each: Each = in_turn,
 ) -> VerifyOutcome:
     """Judge the tests after loading and write ``verification.json`` and ``verification.html`` into
-    ``out``.
+    ``out``, and with ``update`` the next round into ``next`` below it, all of it or nothing.
 
     ``after``: ``FILE`` or ``TEST=FILE``, relative to the working directory; ``loaded``:
-    what was read back from the control; ``json_path``: the verification once more. Raises
-    UsageError (2), InputError (3) and StorageError (5); nothing is written then.
+    what was read back from the control; ``json_path``: the verification once more; ``each`` works
+    on the axes of the next round. Raises UsageError (2; ``update`` without ``loaded``), InputError
+    (3) and StorageError (5); nothing is written then. A next round that cannot be made makes the
+    exit code 1.
     """
+    if update and not loaded:
+        raise UsageError(NOT_READ_BACK)
+    if update:
+        refuse_later_rounds(out)
+    found, verdict = _verified(job, after, plan_file, loaded)
+    document = verification_document(
+        found.plan.format, found.axes, verdict, found.circles, found.findings
+    )
+    then = next_round(found, _compared(plan_file, loaded), out, each) if update else None
+    if then is not None:
+        document = {**document, "next": then.document}
+    evaluated = _evaluated(found.axes, found.circles)
+    files, notes = _files(found.job, found.control, document, *evaluated)
+    before, after_loading = evaluated
+    files |= recorded_verification(
+        RunResult(found.plan, found.control, plan_file),
+        out,
+        files_of_verify(found.job, found.specs, found.circle_files, loaded),
+        files,
+        document=document,
+        before=before,
+        after=after_loading,
+    )
+    return VerifyOutcome(
+        exit_code=0 if verdict == "good" and (then is None or then.files) else 1,
+        document=document,
+        files=_stored(out, files, then, json_path, force=force),
+        notes=(*notes, *(then.notes if then is not None else ()), *_left_over(out, then)),
+    )
+
+
+def _verified(
+    job: Job, after: Sequence[str], plan_file: Path, loaded: Sequence[Path]
+) -> tuple[Verified, OverallVerdict]:
+    """Return what the tests after loading show, and the verdict of all of it."""
     plan, control, job, states = _planned(job, plan_file)
     known = [entry.axis for entry in plan.axes.values()]
     others, circle_files = split_after(plan, after)
@@ -111,37 +165,58 @@ def verify_job(
         ),
         *old_circles(plan, measured),
     ]
-    verdict = _verdict(axes, circles, general)
-    said = [*control.findings, *general]
-    document = verification_document(plan.format, axes, verdict, circles, said)
-    evaluated = _evaluated(axes, circles)
-    files, notes = _files(job, control, document, *evaluated)
-    before, after_loading = evaluated
-    files |= recorded_verification(
-        RunResult(plan, control, plan_file),
-        out,
-        files_of_verify(job, others, circle_files, loaded),
-        files,
-        document=document,
-        before=before,
-        after=after_loading,
+    found = Verified(
+        job=job,
+        plan=plan,
+        control=control,
+        specs=others,
+        tests=tests,
+        axes=axes,
+        circles=circles,
+        circle_files=circle_files,
+        findings=(*control.findings, *general),
+        read_back=() if read_back is None else read_back.files,
     )
-    elsewhere = {} if json_path is None else {json_path: files["verification.json"]}
-    written = storage.write_files(
-        out,
-        files,
-        force=force,
-        elsewhere=elsewhere,
-        renewed=[f"{INPUTS}/{BY_VERIFY}"],
-        completed=[RECORD],
-        known=known_to_record(out),
+    return found, _verdict(axes, circles, general)
+
+
+def _compared(plan_file: Path, loaded: Sequence[Path]) -> Mapping[str, Any] | str:
+    """Return what ``compare`` answers, or why it cannot."""
+    try:
+        return compare_plan(plan_file, loaded).document
+    except (InputError, UsageError) as error:
+        return "; ".join(str(fault) for fault in error.faults)
+
+
+def _stored(
+    out: Path,
+    files: Mapping[str, bytes],
+    then: Round | None,
+    json_path: Path | None,
+    *,
+    force: bool,
+) -> tuple[Path, ...]:
+    """Write the verification and the next round, all of it or nothing."""
+    below = {} if then is None else then.files
+    return tuple(
+        storage.write_files(
+            out,
+            {**files, **below},
+            force=force,
+            elsewhere={} if json_path is None else {json_path: files[VERIFICATION]},
+            whole=() if then is None else then.whole,
+            renewed=[f"{INPUTS}/{BY_VERIFY}", *(() if then is None else then.renewed)],
+            completed=[RECORD],
+            known=known_with_rounds(out, known_to_record(out)),
+        )
     )
-    return VerifyOutcome(
-        exit_code=0 if verdict == "good" else 1,
-        document=document,
-        files=tuple(written),
-        notes=notes,
-    )
+
+
+def _left_over(out: Path, then: Round | None) -> tuple[str, ...]:
+    """Return that a next round lies there which this verification does not stand behind."""
+    if then is None or then.files or not storage.is_folder(out / FOLDER):
+        return ()
+    return (f"{out / FOLDER} is of an earlier verification; do not load anything of it",)
 
 
 def _planned(job: Job, file: Path) -> tuple[Plan, Control, Job, dict[str, DecodedState]]:
@@ -187,7 +262,7 @@ def _verdict(
             *squareness,
         ],
         [axis.loading["verdict"] for axis in axes.values()] or ["loaded" for _ in squareness],
-        still_open=bool(general) or any(finding.code in _LACKING for finding in findings),
+        still_open=bool(general) or any(finding.code in LACKING for finding in findings),
     )
 
 
@@ -214,7 +289,7 @@ def _files(
     before: Mapping[str, Any],
     after: Mapping[str, Any],
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
-    files = {"verification.json": to_json(document).encode()}
+    files = {VERIFICATION: to_json(document).encode()}
     try:
         from compwright.reporting.report import verify_report
 

@@ -95,6 +95,7 @@ def verify_summary(outcome: Any) -> list[Any]:
     return [
         *summaries.doubt_lines(outcome.document["doubts"]),
         *summaries.verification_tables(outcome.document),
+        *summaries.next_lines(outcome.document.get("next")),
         *summaries.file_lines("Written", [str(path) for path in outcome.files]),
     ]
 

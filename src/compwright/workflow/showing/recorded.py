@@ -44,8 +44,8 @@ def recorded_run(
 ) -> dict[str, bytes]:
     """Return the copies of what a run was made from and its record, by their relative names.
 
-    ``given``: what it was made from (`files_of_job`); ``out``: the result folder; ``beside``: what
-    else is written there, by relative name, so that it is not copied once more.
+    ``given``: what it was made from (`files_of_job`); ``out``: the result folder; ``beside``: those
+    of them that are written there with the results, by relative name: they are not copied again.
     """
     job, control = finished.measured.job, finished.measured.control
     more = dict(beside or {})
@@ -71,7 +71,7 @@ def recorded_run(
         for name, tests in finished.measured.inputs.tests.items()
         for planned in tests
     } | {circle.name: circle.planned.measured_in for circle in finished.wanted.circles}
-    files = {**results.files, **more, **copies}
+    files = {**results.files, **copies}
     record = run_record(
         about,
         inputs,

@@ -58,7 +58,9 @@ def after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[AfterTest]:
             errors.append(error)
             continue
         errors.extend(_without_temperature(request, plan, test, axis))
-        found.append(AfterTest(axis=axis, test=replace(test, name=name), repeats=name))
+        found.append(
+            AfterTest(axis, replace(test, name=name), name, tuple(Path(path) for path in paths))
+        )
     if errors:
         raise max((type(error) for error in errors), key=lambda kind: kind.exit_code)(
             *collect(errors)

@@ -119,7 +119,9 @@ def kept(
     holds what was in the control), or lies in ``out`` already and is none of those ``written``, is
     named where it lies.
     """
-    places = {fingerprint(content): name for name, content in there.items()}
+    places: dict[str, str] = {}
+    for name, content in there.items():
+        places.setdefault(fingerprint(content), name)
     copies: dict[str, bytes] = {}
     recorded = []
     for file in given:

@@ -30,6 +30,7 @@ from compwright.records.plan import Texts
 from compwright.workflow.stages.control import Control, Origin, open_control
 
 _YAML = {".yaml", ".yml"}
+PLAN = "plan.json"
 
 
 def read_job_file(path: Path, plan: Path | None = None) -> Job:
@@ -141,12 +142,16 @@ def _wrong_axis_options(
 
 
 def default_folder(job_file: Path) -> Path:
-    """Return the folder of a job's results: the job file's name without its ending, beside it."""
-    return (
+    """Return the folder of a job's results: the job file's name without its ending, beside it. A
+    job that lies among the results of its own run, as that of a next round does, has them there.
+    """
+    own = (
         job_file.with_suffix("")
         if job_file.suffix
         else job_file.with_name(f"{job_file.name}-results")
     )
+    among = storage.is_there(job_file.parent / PLAN) and not storage.is_folder(own)
+    return job_file.parent if among else own
 
 
 def job_of(

@@ -12,7 +12,7 @@ from compwright.planning.circles import CircleWork, predicted_circle
 from compwright.planning.drifting import drift_or_reversal
 from compwright.planning.goals import goal_told
 from compwright.planning.limiting import what_limits
-from compwright.planning.verdict import verdict
+from compwright.planning.verdict import stopped, verdict
 from compwright.planning.worth import worth_of_points
 from compwright.prediction.acting import IDLE, Acting, Correction
 from compwright.records.correction import AxisCompensation
@@ -72,7 +72,11 @@ def _predicted(
     if limits is None:
         return replace(prediction, findings=findings)
     tabled = work.planned.fitted is not None
-    said = verdict(axis, limits, tabled=tabled, refused=bool(work.refused))
+    said = (
+        (stopped(axis, limits),)
+        if work.refused and work.planned.request.gain == "seen"
+        else tuple(verdict(axis, limits, tabled=tabled, refused=bool(work.refused)))
+    )
     return replace(
         prediction,
         limits=limits,

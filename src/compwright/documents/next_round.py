@@ -1,0 +1,39 @@
+"""What ``verify --update`` says of the next round: the key ``next`` of ``verification.json``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NextAxis:
+    """One axis of the plan. ``updated``: it is worked on in the next round; ``table``: it gets a
+    further table there; ``reason``: in plain words, why or why not.
+    """
+
+    reason: str
+    updated: bool = False
+    table: bool = False
+
+
+def next_document(
+    reason: str,
+    axes: Mapping[str, NextAxis],
+    between: Sequence[str] = (),
+    *,
+    written: bool = False,
+) -> dict[str, Any]:
+    """Return the key ``next``. ``between``: what becomes of corrections between axes, in
+    sentences; ``written``: the folder of the next round is.
+    """
+    return {
+        "written": written,
+        "reason": reason,
+        "axes": {
+            name: {"updated": axis.updated, "table": axis.table, "reason": axis.reason}
+            for name, axis in axes.items()
+        },
+        "between": list(between),
+    }

@@ -1,0 +1,177 @@
+"""The job of the next round, from that of the last one: what was read back is what is in the
+control, and the tests after loading come first.
+
+Works on the plain data of a job file, so that whatever the engineer wrote there is kept as he wrote
+it: axes, options, wishes for the grid, uncertainty, expansion, limits.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from compwright.jobs.consistency import default_name
+from compwright.records.job import AS_FOUND
+
+#: What stands for a round that is over: its state, and behind the names of its tests.
+_ROUND = re.compile(r"round_(\d+)")
+#: A job says the temperature of a test by itself, or the files of the test do.
+TEMPERATURES = ("T_m", "T_d")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NextAxis:
+    """What the next round says of an axis otherwise than the last one.
+
+    ``before``: its tests, the one after loading first. ``settled``: keys of the axis that the files
+    of the last round answered, as far as the job leaves them open. ``limited``: the test that the
+    limits speak of, where that is not the first one any more.
+    """
+
+    before: Sequence[Mapping[str, Any]]
+    settled: Mapping[str, Any] = field(default_factory=dict)
+    limited: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NextRound:
+    """What the next round says otherwise. ``paths``: where copies of profiles and stand-still tests
+    lie, by the path in the last job; ``squareness``: the planes that are looked at again.
+    """
+
+    format: str
+    states: Mapping[str, Any]
+    axes: Mapping[str, NextAxis]
+    circles: Sequence[Mapping[str, Any]] = ()
+    squareness: Sequence[str] = ()
+    paths: Mapping[str, str] = field(default_factory=dict)
+
+
+def name_of_round(states: Sequence[str]) -> str:
+    """Return the name for the state that was in the control until now: ``round_1``, then
+    ``round_2``.
+    """
+    numbers = [int(found[1]) for name in states if (found := _ROUND.fullmatch(name))]
+    return f"round_{max(numbers, default=0) + 1}"
+
+
+def test_sections(section: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Return the tests of an axis as mappings with ``files`` (a list) and ``name``, however the job
+    writes them.
+    """
+    before = section.get("before", [])
+    entries = before if isinstance(before, list) else [before]
+    found = []
+    for entry in entries:
+        test = {"files": entry} if isinstance(entry, str) else dict(entry)
+        files = test["files"] if isinstance(test["files"], list) else [test["files"]]
+        found.append({"name": default_name(files[0]), **test, "files": files})
+    return found
+
+
+def earlier_test(
+    section: Mapping[str, Any], files: Sequence[str], name: str, was: str, paths: Mapping[str, str]
+) -> dict[str, Any]:
+    """Return a test of the last round: under ``name``, in the state in which it was taken (``was``:
+    what the state that was in the control then is called now).
+    """
+    measured_in = str(section.get("measured_in", AS_FOUND))
+    return {
+        **_copied(section, files, paths),
+        "name": name,
+        "measured_in": was if measured_in == AS_FOUND else measured_in,
+    }
+
+
+def test_after(
+    section: Mapping[str, Any],
+    files: Sequence[str],
+    temperatures: Mapping[str, Sequence[float]],
+    paths: Mapping[str, str],
+) -> dict[str, Any]:
+    """Return the test after loading, as that of ``section`` was taken, with its own
+    ``temperatures`` (°C, at the start and at the end).
+    """
+    test = {**_copied(section, files, paths), "measured_in": AS_FOUND}
+    own = test.get("thermal")
+    if isinstance(own, dict):
+        test["thermal"] = {
+            key: list(temperatures[key]) if key in temperatures else value
+            for key, value in own.items()
+        }
+    return test
+
+
+def _copied(
+    section: Mapping[str, Any], files: Sequence[str], paths: Mapping[str, str]
+) -> dict[str, Any]:
+    test = {**section, "files": list(files)}
+    if "profile" in test:
+        test["profile"] = paths.get(test["profile"], test["profile"])
+    return test
+
+
+def next_job(data: Mapping[str, Any], then: NextRound) -> dict[str, Any]:
+    """Return the data of the next job. ``data``: that of the last one.
+
+    Direct measurements between axes are left out: they were taken before, and what corrects them
+    is in the control. Of ``apply`` remains what ``then`` looks at again.
+    """
+    job = {key: value for key, value in data.items() if key not in {"cross", "circles", "apply"}}
+    job["controller"] = {**data["controller"], "format": then.format}
+    job["states"] = dict(then.states)
+    job["axes"] = {
+        name: _axis(section, then.axes[name])
+        for name, section in data["axes"].items()
+        if name in then.axes
+    }
+    if "uncertainty" in job:
+        job["uncertainty"] = _uncertainty(job["uncertainty"], then.paths)
+    if then.circles:
+        job["circles"] = [dict(circle) for circle in then.circles]
+        job |= _applied(data.get("apply", {}), then)
+    return job
+
+
+def _axis(section: Mapping[str, Any], then: NextAxis) -> dict[str, Any]:
+    axis = {key: value for key, value in section.items() if key != "table"}
+    for key, value in then.settled.items():
+        axis[key] = {**value, **axis.get(key, {})} if isinstance(value, Mapping) else value
+    axis["before"] = [dict(test) for test in then.before]
+    if not then.before:
+        axis.pop("accept", None)
+        return axis
+    if then.limited is not None:
+        axis["accept"] = {"test": then.limited, **axis["accept"]}
+    # A grid that was chosen is in the control now, and stays.
+    table = dict(section.get("table", {}))
+    if table.get("spacing") == "auto":
+        del table["spacing"]
+    return {**axis, "table": {**table, "gain": "seen"}}
+
+
+def _uncertainty(section: Mapping[str, Any], paths: Mapping[str, str]) -> dict[str, Any]:
+    """Return the declared uncertainty with the copies of its stand-still tests."""
+    found = dict(section)
+    if isinstance(found.get("rotary"), dict):
+        found["rotary"] = _uncertainty(found["rotary"], paths)
+    variation = found.get("E_VE")
+    if isinstance(variation, str):
+        found["E_VE"] = paths.get(variation, variation)
+    elif isinstance(variation, dict):
+        found["E_VE"] = {**variation, "file": paths.get(variation["file"], variation["file"])}
+    return found
+
+
+def _applied(section: Mapping[str, Any], then: NextRound) -> dict[str, Any]:
+    """Return ``apply`` with what circles still decide: squareness of planes that were measured
+    again, and where lost motion comes from.
+    """
+    planes = section.get("squareness", {})
+    kept = {plane: bent for plane, bent in planes.items() if plane in then.squareness}
+    found: dict[str, Any] = {"squareness": kept} if kept else {}
+    if "backlash_from" in section:
+        found["backlash_from"] = section["backlash_from"]
+    return {"apply": found} if found else {}
