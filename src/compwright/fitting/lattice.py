@@ -219,6 +219,26 @@ def _better(new: Solution, best: Solution | None, unit: float) -> bool:
     return new.objective < best.objective - tolerance
 
 
+@dataclass(frozen=True, slots=True)
+class _Relaxed:
+    """The best lower bound of a part by so many ``pushes``, and its ``least`` over all reversal
+    values.
+    """
+
+    relaxation: Relaxation
+    least: float
+    pushes: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Whole:
+    """The least bound with whole numbers among those within ``room``, from a ``relaxation``."""
+
+    bound: float
+    room: float
+    relaxation: Relaxation
+
+
 class _Search:
     """Bounds and solutions of all parts. ``pushes`` grow as magnifications are looked at; each
     serves all magnifications.
@@ -228,7 +248,8 @@ class _Search:
         self.parts, self.unit, self.increments = parts, unit, increments
         self.pushes: list[list[tuple[Push, Relaxation]]] = [[] for _ in parts]
         self.sharpened: set[int] = set()
-        self.bounds: dict[int, tuple[tuple[float, ...], float]] = {}
+        self.best: dict[tuple[int, int], _Relaxed] = {}
+        self.wholes: dict[tuple[int, int], _Whole] = {}
         for index, part in enumerate(parts):
             self._add(index, no_push(part.chain))
 
@@ -238,14 +259,21 @@ class _Search:
     def limits(self, part: Part, magnification: int) -> Limits:
         return part.limits(self.unit, magnification, self.increments)
 
-    def relaxation(self, index: int, magnification: int) -> Relaxation:
+    def relaxed(self, index: int, magnification: int) -> _Relaxed:
         """Return the best lower bound that the multipliers so far give."""
-        part = self.parts[index]
-        limits = self.limits(part, magnification)
-        relaxations = [
-            priced(relaxation, push, part.chain, limits) for push, relaxation in self.pushes[index]
-        ]
-        return max(relaxations, key=lambda one: _continuous(part, one))
+        part, pushes = self.parts[index], self.pushes[index]
+        best = self.best.get((index, magnification))
+        if best is None or best.pushes < len(pushes):
+            limits = self.limits(part, magnification)
+            for push, relaxation in pushes[0 if best is None else best.pushes :]:
+                one = priced(relaxation, push, part.chain, limits)
+                least = _continuous(part, one)
+                if best is None or least > best.least:
+                    best = _Relaxed(one, least, 0)
+            if best is None:
+                raise ValueError("no multipliers")
+            best = self.best[index, magnification] = replace(best, pushes=len(pushes))
+        return best
 
     def first_ceiling(self, magnifications: tuple[int, ...]) -> float:
         """Return the value of some solution: the best of rounding at a few magnifications, each
@@ -275,7 +303,7 @@ class _Search:
         binds = False
         for index, part in enumerate(self.parts):
             limits = self.limits(part, magnification)
-            if _binding(part, self.relaxation(index, magnification), limits):
+            if _binding(part, self.relaxed(index, magnification).relaxation, limits):
                 self._add(index, limiting_push(part.chain, limits, part.constant_range()))
                 binds = True
         return binds
@@ -284,38 +312,36 @@ class _Search:
         """Return a lower bound of the objective at one magnification; any number above ``ceiling``
         where it lies above.
         """
-        rests_on = (ceiling, *(len(pushes) for pushes in self.pushes))
-        known = self.bounds.get(magnification)
-        if known is None or known[0] != rests_on:
-            known = self.bounds[magnification] = (rests_on, self._bound(magnification, ceiling))
-        return known[1]
-
-    def _bound(self, magnification: int, ceiling: float) -> float:
-        relaxations = [self.relaxation(index, magnification) for index in range(len(self.parts))]
-        least = [_continuous(part, one) for part, one in zip(self.parts, relaxations, strict=True)]
+        least = [self.relaxed(index, magnification).least for index in range(len(self.parts))]
         total = sum(least)
-        for index, part in enumerate(self.parts):
-            room = ceiling - sum(least) + least[index]
-            counts = _counts(part, relaxations[index], room)
-            if counts.size * part.shifts(self.unit, magnification).size > _MANY:
-                continue  # too rough a ceiling yet: the bound without whole numbers will do
-            variants = _variants(
-                part,
-                relaxations[index],
-                self.limits(part, magnification),
-                self.shifts(part, magnification),
-                room,
-            )
-            total += float(np.min(variants.bound, initial=np.inf)) - least[index]
+        for index, one in enumerate(least):
+            total += self._whole(index, magnification, ceiling - sum(least) + one) - one
         return total
+
+    def _whole(self, index: int, magnification: int, room: float) -> float:
+        """Return the least bound of one part with whole numbers that is not above ``room``;
+        infinite where all are.
+
+        Known from a larger room it is known for a smaller one.
+        """
+        part, relaxed = self.parts[index], self.relaxed(index, magnification)
+        relaxation = relaxed.relaxation
+        known = self.wholes.get((index, magnification))
+        if known is None or known.relaxation is not relaxation or known.room < room:
+            counts = _counts(part, relaxation, room)
+            shifts = self.shifts(part, magnification)
+            if counts.size * shifts.size > _MANY:
+                return relaxed.least  # too rough a ceiling yet: without whole numbers will do
+            limits = self.limits(part, magnification)
+            variants = _variants(part, relaxation, limits, shifts, room)
+            bound = float(np.min(variants.bound, initial=np.inf))
+            known = self.wholes[index, magnification] = _Whole(bound, room, relaxation)
+        return known.bound if known.bound <= _roomy(room) else np.inf
 
     def without_whole_numbers(self, magnification: int) -> float:
         """Return a lower bound of the objective from the limits alone."""
         self.sharpen(magnification)
-        return sum(
-            _continuous(part, self.relaxation(index, magnification))
-            for index, part in enumerate(self.parts)
-        )
+        return sum(self.relaxed(index, magnification).least for index in range(len(self.parts)))
 
     def shifts(self, part: Part, magnification: int) -> FloatArray:
         return part.shifts(self.unit, magnification)
@@ -323,7 +349,7 @@ class _Search:
     def first_solution(self, index: int, magnification: int) -> Found | None:
         """Return some solution of one part: the relaxed one rounded, or the best near it."""
         part, limits = self.parts[index], self.limits(self.parts[index], magnification)
-        relaxation = self.relaxation(index, magnification)
+        relaxation = self.relaxed(index, magnification).relaxation
         variants = _variants(part, relaxation, limits, self.shifts(part, magnification), np.inf)
         return _first(part, relaxation, limits, variants.take(slice(0, 1)))
 
@@ -331,14 +357,14 @@ class _Search:
         """Return the best solution at one magnification; None: there is none of value ``ceiling``
         or less.
         """
-        relaxations = [self.relaxation(index, magnification) for index in range(len(self.parts))]
-        least = [_continuous(part, one) for part, one in zip(self.parts, relaxations, strict=True)]
+        relaxed = [self.relaxed(index, magnification) for index in range(len(self.parts))]
+        least = [one.least for one in relaxed]
         found: list[Found] = []
         for index, part in enumerate(self.parts):
             others = sum(one.objective for one in found) + sum(least[index + 1 :])
             one = _solve_part(
                 part,
-                relaxations[index],
+                relaxed[index].relaxation,
                 self.limits(part, magnification),
                 self.shifts(part, magnification),
                 ceiling - others,

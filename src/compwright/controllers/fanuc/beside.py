@@ -251,8 +251,10 @@ def _naming(machine: Machine, numbers: Iterable[int], axis: int) -> Iterator[Ent
     """Yield the values that are an axis number and may mean this axis."""
     for number in numbers:
         for owner, entry in machine.entries.get(number, {}).items():
+            if entry.zero:
+                continue
             axes = () if entry.whole is None else machine.named(owner, entry.whole)
-            if not entry.zero and (not axes or axis in axes):
+            if not axes or axis in axes:
                 yield entry
 
 

@@ -19,9 +19,10 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from compwright.controllers.fanuc.series import Series
-from compwright.controllers.fanuc.text import Setting
+from compwright.controllers.fanuc.text import KEPT_FILES, Setting
 from compwright.foundations.errors import Fault
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.correction import ControlFile
@@ -220,20 +221,29 @@ class Machine:
 def read_machine(files: Iterable[ControlFile], series: Series) -> Machine:
     """Return what all files say; sheets and pitch data say nothing here."""
     machine = Machine(series)
-    kept = _KEPT if not series.own else {1001, *series.unknown}
     for file in files:
-        for match in _ROW.finditer(file.content):
-            number = int(match[1])
-            if number not in kept or match[2] not in (None, b"1"):
-                continue
-            line = file.content.count(b"\n", 0, match.start()) + 1
-            rest = re.sub(r"\([^()]*\)", " ", match[3].decode("latin-1"))
-            for letter, index, keyword, text in _GROUP.findall(rest):
-                if number >= _POINTS_FROM and match[2] is None and not letter:
-                    continue  # without Q1 and without an owner this is a point
-                entry = Entry(number, keyword, text, file.name, line)
-                machine.take((letter, int(index or 0)), entry)
+        for owner, entry in _values(file, series):
+            machine.take(owner, entry)
     return machine
+
+
+@lru_cache(maxsize=KEPT_FILES)
+def _values(file: ControlFile, series: Series) -> tuple[tuple[Owner, Entry], ...]:
+    """Return the values of a file that say something here, in its order."""
+    kept = _KEPT if not series.own else {1001, *series.unknown}
+    found: list[tuple[Owner, Entry]] = []
+    for match in _ROW.finditer(file.content):
+        number = int(match[1])
+        if number not in kept or match[2] not in (None, b"1"):
+            continue
+        line = file.content.count(b"\n", 0, match.start()) + 1
+        rest = re.sub(r"\([^()]*\)", " ", match[3].decode("latin-1"))
+        for letter, index, keyword, text in _GROUP.findall(rest):
+            if number >= _POINTS_FROM and match[2] is None and not letter:
+                continue  # without Q1 and without an owner this is a point
+            entry = Entry(number, keyword, text, file.name, line)
+            found.append(((letter, int(index or 0)), entry))
+    return tuple(found)
 
 
 def _numeral(text: str) -> float | str:

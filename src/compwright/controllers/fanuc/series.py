@@ -26,7 +26,7 @@ PITCH = range(3620, 3628)
 _COMMON = frozenset({1001, 1851, 1852})
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)  # one object for each series
 class Series:
     """``whole_lengths``: 3624 without a point counts least input increments (16i and older).
 

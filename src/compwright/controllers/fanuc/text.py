@@ -20,6 +20,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import Literal
 
 from compwright.controllers.fanuc.series import Series
@@ -49,6 +50,8 @@ _PROGRAM_WORDS = re.compile(r"[O:]\s*[0-9]+|M\s*(?:30|0?2|99)")
 # Looks like one of our blocks with damage: never passed over in silence.
 _SUSPECT = re.compile(r"(?<![0-9])[0-9]{3,}\s*[QALPR]\s*[-+]?[0-9]|\AN\s*[0-9]", re.IGNORECASE)
 _LONGEST_VALUE = 24
+#: Files whose content is kept, as many as a job has in all its states.
+KEPT_FILES = 64
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,9 +122,11 @@ class FileContent:
     faults: list[Fault] = field(default_factory=list)
 
 
+@lru_cache(maxsize=KEPT_FILES)
 def read_file(file: ControlFile, series: Series) -> FileContent:
     """Return what one file of the control says (bytes, ASCII, lines ended by LF, CR LF, LF CR CR or
-    CR), parameters by the numbers that this room has for them. Nothing is raised.
+    CR), parameters by the numbers that this room has for them. Nothing is raised. What was read is
+    kept by content: it is not to be changed.
     """
     if b"\x00" in file.content:
         fault = Fault(

@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from compwright.controllers.sinumerik.units import UnitLines
 from compwright.foundations.errors import Fault
@@ -68,6 +69,13 @@ _NAME_LISTS = re.compile(
         \[\s*(?P<place>[0-9]{1,3})\s*\]\s*=\s*(?:"(?P<name>[^"]*)"|(?P<number>[0-9]{1,3}))""",
     re.VERBOSE | re.IGNORECASE,
 )
+#: What stands in every line that `_NAME_LISTS` matches, and in every one of `FACTS`: most lines of
+#: an archive hold neither.
+_NAMED_LIST = "_AXCONF_"
+_FACT = re.compile("|".join(sorted(FACTS)), re.IGNORECASE)
+_QUOTED = re.compile(r'"[^"]*"')
+#: Files whose content is kept: the members of the archives that a job has as states.
+_KEPT = 64
 #: Variables whose value is an axis.
 _NAMING = frozenset({"AN_CEC_INPUT_AXIS", "AN_CEC_OUTPUT_AXIS"})
 
@@ -189,13 +197,14 @@ class _Program:
     ended: bool = False
 
 
+@lru_cache(maxsize=_KEPT)
 def read_file(file: ControlFile) -> FileContent:
     """Return the assignments of one file (bytes, ASCII with any comment). Faults are collected,
     nothing is raised.
 
     A file may hold several programs, as an archive does: a line ``%_N_...`` opens the next one.
     What stands behind the end of a program (M17, M30, M02) and before the next header is a fault,
-    because the control does not read it.
+    because the control does not read it. What was read is kept by content: it is not to be changed.
     """
     found = FileContent(file.name)
     if b"\x00" in file.content:
@@ -216,10 +225,12 @@ def read_file(file: ControlFile) -> FileContent:
             _note_end(program, file.name, found, last=False)
             program = _Program(number, len(found.assignments))
             continue
-        _read_names(code, found)
+        if _NAMED_LIST in code.upper():
+            _read_names(code, found)
         found.units.read(code.split(";", 1)[0], number)
-        code = re.sub(r'"[^"]*"', '""', code).split(";", 1)[0].rstrip()
-        _read_fact(code, file.name, number, found)
+        code = _QUOTED.sub('""', code).split(";", 1)[0].rstrip()
+        if _FACT.search(code):
+            _read_fact(code, file.name, number, found)
         if _MENTION.search(code) and not _PATH.match(code):
             _read_line(code, file.name, number, found, ended=program.ended)
         program.ended = program.ended or _END.match(code) is not None

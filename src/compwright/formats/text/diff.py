@@ -8,6 +8,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from compwright.formats.definition.schema import Definition, Statement
 from compwright.formats.definition.statements import Occurrence, print_form
@@ -15,12 +16,13 @@ from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.container import unpacked
 from compwright.formats.text.entry_sheet import is_entry_sheet, read_sheet
 from compwright.formats.text.gathering import same_value
-from compwright.formats.text.texts import text_reader
-from compwright.foundations.errors import Fault
+from compwright.formats.text.texts import TextReader, text_reader
 from compwright.records.correction import ControlFile
 
 #: Fields that say which entry a line is; all others hold its values.
 _IDENTITY = ("axis", "system", "index", "number", "table", "position", "line")
+#: Files whose values are kept by content: a run compares the same ones several times.
+_KEPT = 32
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +54,10 @@ class Entry:
     label: str
     address: str | None
     text: str
+
+
+#: What tells a value from all others, and the value.
+_Told = tuple[tuple[str, ...], Entry]
 
 
 def compare_files(
@@ -89,34 +95,39 @@ def _untouched(old: Sequence[ControlFile], new: Sequence[ControlFile]) -> int:
     return count
 
 
-def entries_of(
-    definition: Definition, files: Sequence[ControlFile]
-) -> Iterator[tuple[tuple[str, ...], Entry]]:
+def entries_of(definition: Definition, files: Sequence[ControlFile]) -> Iterator[_Told]:
     """Yield the values of all statements, each with what tells it from all others: its scope and
     its statement first.
     """
-    faults: list[Fault] = []
     reader = text_reader(definition)
-    for file in unpacked(files, faults):
-        if is_entry_sheet(file):
-            sheet = read_sheet(file, faults)
-            for row in sheet.rows if sheet else ():
-                label = f"{row.point} at {row.position}" if row.position else row.point
-                yield (
-                    (file.name, row.point),
-                    Entry(f"{file.name}: {label}", sheet.axis if sheet else None, row.value),
-                )
-            continue
-        text = reader.read(file, faults)
-        rows: Counter[str] = Counter()
-        for occurrence in text.occurrences if text else ():
-            rows[occurrence.statement] += 1
-            yield from _values(definition, occurrence, rows[occurrence.statement])
+    for file in unpacked(files, []):
+        yield from _entries(reader, file)
 
 
-def _values(
-    definition: Definition, occurrence: Occurrence, row: int
-) -> Iterator[tuple[tuple[str, ...], Entry]]:
+@lru_cache(maxsize=_KEPT)
+def _entries(reader: TextReader, file: ControlFile) -> tuple[_Told, ...]:
+    if is_entry_sheet(file):
+        return tuple(_sheet_entries(file))
+    text = reader.read(file, [])
+    rows: Counter[str] = Counter()
+    found: list[_Told] = []
+    for occurrence in text.occurrences if text else ():
+        rows[occurrence.statement] += 1
+        found += _values(reader.definition, occurrence, rows[occurrence.statement])
+    return tuple(found)
+
+
+def _sheet_entries(file: ControlFile) -> Iterator[_Told]:
+    sheet = read_sheet(file, [])
+    for row in sheet.rows if sheet else ():
+        label = f"{row.point} at {row.position}" if row.position else row.point
+        yield (
+            (file.name, row.point),
+            Entry(f"{file.name}: {label}", sheet.axis if sheet else None, row.value),
+        )
+
+
+def _values(definition: Definition, occurrence: Occurrence, row: int) -> Iterator[_Told]:
     """Yield the values of a statement, the ``row``-th of its kind in its file: a bare number is
     known by that alone.
     """

@@ -159,8 +159,11 @@ def _with_data(
     kept: list[ControlFile] = []
     idle: list[str] = []
     for file in files:
-        own = {} if file.name in acting else control.format.entered([file])
-        if file.name in acting or is_container(file) or any(one.acts for one in own.values()):
+        if file.name in acting or is_container(file):
+            kept.append(file)
+            continue
+        own = control.format.entered([file])
+        if any(one.acts for one in own.values()):
             kept.append(file)
         elif file.name not in used and not own:
             idle.append(file.name)

@@ -7,6 +7,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 
 from compwright.formats.text.entered import Entered, same_text, texts_of
 from compwright.formats.text.texts import BY_HAND
@@ -86,11 +87,10 @@ def entered(files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) ->
     found = {entry.name: entry for entry in _units(lines)}
     channel = "1"
     for file, number, line in lines:
-        scope = _CHANNEL.fullmatch(line)
-        if scope is not None:
-            channel = scope[1]
-        match = _LINE.fullmatch(line.replace(f";{BY_HAND}", "", 1))
+        match = _LINE.fullmatch(line.replace(f";{BY_HAND}", "", 1)) if "=" in line else None
         if match is None:
+            scope = _CHANNEL.fullmatch(line)
+            channel = channel if scope is None else scope[1]
             continue
         entry = _entry(match, file, number, channel, names)
         known = found.get(entry.name)
@@ -148,9 +148,14 @@ def _entry(
         index = index[:1]
     scope = f"CHANDATA({channel}) " if channel != "1" and group.startswith(_OF_CHANNEL) else ""
     name = f"{scope}{group}[{','.join(index)}]" if match["index"] is not None else scope + group
-    meaning = next((words for start, words in _MEANINGS.items() if group.startswith(start)), "")
+    meaning = _meaning(group)
     acts = bool(meaning) and not group.startswith(_SILENT)
     return Entered(name, group, match["text"], file, line, axis, acts, meaning)
+
+
+@lru_cache(maxsize=4096)  # an archive has a thousand values of each of a thousand variables
+def _meaning(group: str) -> str:
+    return next((words for start, words in _MEANINGS.items() if group.startswith(start)), "")
 
 
 def whereabouts(
