@@ -51,7 +51,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "planning": {
         *("foundations", "records", "evaluation", "estimation", "fitting", "prediction"),
     },
-    "verification": {"foundations", "records", "evaluation"},
+    "verification": {"foundations", "records", "evaluation", "estimation"},
     "simulation": {"foundations", "records"},
     "documents": {"foundations", "records"},
     "reporting": {"foundations"},

@@ -4,6 +4,7 @@ turned readings. Readings are made by hand.
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Any
 
@@ -13,10 +14,10 @@ import pytest
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import PositioningTest
 from compwright.records.verification import LoadingVerdict
-from compwright.verification.loading import judge_loading
 from compwright.verification.measurement import copied_scatter, measurement_fault, proof_lacking
 from compwright.verification.read_back import judge_read_back
 from evaluation_samples import axis_test
+from loadings import judged as judged_loading
 
 UM = 1e-3  # mm
 TARGETS = np.linspace(0.0, 1000.0, 11)
@@ -127,15 +128,18 @@ def judged(
     positive: FloatArray, negative: FloatArray, loaded: tuple[FloatArray, FloatArray]
 ) -> LoadingVerdict:
     """One reading per target and direction, noise 1 µm known exactly, expectations known exactly."""
-    return judge_loading(
-        positive[:, None],
-        negative[:, None],
-        *loaded,
-        INACTIVE,
-        INACTIVE - 3 * UM,
-        np.zeros((18, 18)),
+    return judged_loading(
+        (positive[:, None], negative[:, None]),
+        np.stack(loaded),
+        np.stack([INACTIVE, INACTIVE - 3 * UM]),
+        None,
         UM,
+        turned=True,
     )
+
+
+#: A fault of measurement is 20 times less to be expected than a good measurement.
+PRIOR = math.log(0.05)
 
 
 def test_a_turned_sign_is_told_with_its_likelihood() -> None:
@@ -146,7 +150,9 @@ def test_a_turned_sign_is_told_with_its_likelihood() -> None:
     verdict = judged(-loaded[0], -loaded[1], loaded)
     both = np.concatenate(loaded)
     assert (verdict.verdict, verdict.of) == ("measurement", "sign")
-    assert verdict.margin == pytest.approx(0.5 * np.sum((2 * (both - both.mean()) / UM) ** 2))
+    assert verdict.margin == pytest.approx(
+        0.5 * np.sum((2 * (both - both.mean()) / UM) ** 2) + PRIOR
+    )
 
 
 def test_exchanged_directions_are_told_with_their_likelihood() -> None:
@@ -154,7 +160,7 @@ def test_exchanged_directions_are_told_with_their_likelihood() -> None:
     loaded = LOADED, LOADED + 8 * UM
     verdict = judged(loaded[1], loaded[0], loaded)
     assert (verdict.verdict, verdict.of) == ("measurement", "direction")
-    assert verdict.margin == pytest.approx(0.5 * 18 * 8.0**2)
+    assert verdict.margin == pytest.approx(0.5 * 18 * 8.0**2 + PRIOR)
 
 
 @pytest.mark.parametrize("datum", [0.0, 12 * UM, -5 * UM])

@@ -78,7 +78,9 @@ def cell_means(
         by_draw = np.broadcast_to(means[kept], (order.size, size))
         precision = np.zeros((order.size, size))
         columns = (
-            np.zeros((order.size, size, 0)) if donor is None else _moved(donor, positions, signs)
+            np.zeros((order.size, size, 0))
+            if donor is None
+            else traverse_columns(donor, positions, signs)
         )
     else:
         by_draw = own.mean[order][:, kept]
@@ -98,7 +100,7 @@ def cell_means(
     )
 
 
-def _moved(donor: NoiseDraws, positions: FloatArray, signs: FloatArray) -> FloatArray:
+def traverse_columns(donor: NoiseDraws, positions: FloatArray, signs: FloatArray) -> FloatArray:
     """Return columns (n, c, 4) of unit variance: how one traverse in each direction is offset and
     tilted. What moves both alike is the datum of the test and its slope.
     """

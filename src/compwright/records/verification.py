@@ -28,14 +28,24 @@ MeasurementFault = Literal["sign", "direction", "unit", "wrong_axis", "copied", 
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Candidate:
+    """A name with its probability, and ``detail``: the likeliest variant of it in words."""
+
+    verdict: LoadingName
+    probability: float
+    detail: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LoadingVerdict:
     """Did the loaded table act as planned?
 
-    ``margin``: log-likelihood of what the data favour less that of the next candidate (natural
-    logarithm; 4.6 is odds of 100:1). ``message``: one or two plain sentences with numbers.
-    ``equivalent``: names that no test could tell from the verdict. ``of``: for ``measurement``,
-    what is wrong with it. ``factor``: for ``scaled``; ``shift_nodes`` > 0: the loaded table sits so
-    many nodes too far to +. ``slope``: of the after test beside the expected, with its standard
+    ``margin``: natural logarithm of the odds for what the data favour over the next candidate (4.6
+    is 100:1). ``message``: plain sentences with numbers. ``equivalent``: names that no test could
+    tell from the verdict. ``candidates``: the likeliest names, first the likeliest. ``detail``:
+    which variant of the verdict, in words. ``of``: for ``measurement``, what is wrong with it; for
+    ``wrong_axis``, the axis. ``factor``: for ``scaled``; ``shift_nodes`` > 0: the loaded table sits
+    so many nodes too far to +. ``slope``: of the after test beside the expected, with its standard
     error, mm/mm; None where none was found.
     """
 
@@ -45,7 +55,9 @@ class LoadingVerdict:
     equivalent: tuple[LoadingName, ...] = ()
     factor: float = 1.0
     shift_nodes: int = 0
-    of: MeasurementFault | None = None
+    of: str | None = None
+    detail: str = ""
+    candidates: tuple[Candidate, ...] = ()
     slope: tuple[float, float] | None = None
     findings: tuple[Finding, ...] = ()
 

@@ -1,314 +1,416 @@
-"""Did the loaded table act? The test after loading against what it would show with the table active
-and with it not active.
+"""What did the control do after loading? The test after it against every way in which a table may
+be loaded (`verification.hypotheses`), by joint likelihood of the tests before and after.
 
-Both expectations come from the same estimate of the error, so its uncertainty is common to them and
-stands in one covariance together with the noise of the after test (a plain regression of after
-minus before on the correction is biased, because the noise of the before test is in both). The
-instrument's datum is free, once per test: an offset of its own for each direction would hide a
-fault in the backlash.
+The deviation before stands as a belief that the tests before left, with its uncertainty; so the
+noise of both sides counts (a plain regression of after minus before on the correction is biased,
+because the noise of the before test is in both). The instrument's datum is free, once per test: an
+offset of its own for each direction would hide a fault in the backlash. Whatever is not known is
+integrated, never chosen to fit (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995): a name wins by
+probability, not by having more to adjust.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.statistics import count_readings, mean_deviation
 from compwright.foundations.findings import Finding
-from compwright.foundations.units import PositionUnit
 from compwright.records.axis import FloatArray
-from compwright.records.verification import LoadingName, LoadingVerdict, MeasurementFault
-from compwright.verification.comparison import Comparison, after_noise, compare_readings
+from compwright.records.verification import Candidate, LoadingName, LoadingVerdict
+from compwright.verification.hypotheses import Hypothesis
+from compwright.verification.likelihood import (
+    AfterMeans,
+    Curves,
+    ErrorBelief,
+    fits_of,
+)
 from compwright.verification.loading_words import (
-    Words,
-    inactive_message,
-    inactive_slope_message,
-    loaded_message,
+    Shown,
+    named_message,
     neither_message,
     open_message,
-    open_slope_message,
     slope_text,
     straight_line_message,
     thermal_message,
 )
 
-__all__ = ["LoadingVerdict", "judge_loading"]
+__all__ = ["LoadingVerdict", "View", "judge_loading", "measurement_views"]
 
-# Odds of 100:1. With equal doubt before, the wrong one of two candidates passes in less than 0.2 %
-# of the tests.
-_CLEAR: Final = math.log(100.0)
-# A test that fits is refused in about 1 of 1000 cases by its residuals, in 1 of 1000 by the size of
-# the effect.
-_FITS: Final = 3.09
-# No fault of loading changes the effect by so little; a machine that has warmed up by a fraction of
-# a degree does.
-_AS_PLANNED: Final = 0.05
-#: A slope is named where it is so many of its standard errors, and 100 times likelier than none.
-_SLOPE: Final = 3.0
+#: A name is given from this probability on, those that no test could tell from it counted with it.
+CLEAR: Final = 0.99
+#: A test that fits is refused in 1 of 1000 cases by what is left over, and by a slope beyond what
+#: is declared: probability, and normal score.
+_REFUSED: Final = 1e-3
+_BEYOND: Final = 3.09
+#: Standard deviation of a slope of any size, mm/mm: 3 K of steel.
+_ANY_SLOPE: Final = 35e-6
+#: No two tests are closer in temperature, mm/mm: 0.03 K of steel.
+_LEAST_SLOPE: Final = 0.3e-6
+#: Prior odds of a fault on an axis that is longer or shorter now against the fault alone, and of
+#: a loaded table on one.
+_SLOPED: Final = 0.02
+_THERMAL: Final = 0.2
+#: Prior odds of a fault of measurement against a loaded table well measured.
+_MEASURED_WRONG: Final = 0.05
+_OTHER_AXIS: Final = 0.01
+#: Units that are mixed up, as factors on the readings.
+_UNITS: Final = (1000.0, 0.001, 25.4, 1.0 / 25.4)
+#: Logarithm of odds beyond which nobody asks: a second name there is none.
+_CERTAIN: Final = 1e6
+#: From which probability on a candidate is told.
+_TOLD: Final = 0.005
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class View:
+    """Ways of loading beside one belief of what the test would show without any change."""
+
+    belief: ErrorBelief
+    hypotheses: tuple[Hypothesis, ...]
+
+
+def measurement_views(view: View, *, both: bool = True) -> tuple[View, ...]:
+    """Return the faults of measurement: the loaded table, or the old control, read with the wrong
+    sign, with exchanged directions (``both`` are measured) or in another unit.
+    """
+    stood = [each for each in view.hypotheses if each.name == "loaded"]
+    stood += [each for each in view.hypotheses if each.name == "not_active"][:1]
+    views = [_read(view.belief.scaled(-1.0), stood, -1.0, "sign")]
+    if both:
+        turned = [replace(each, positive=each.negative, negative=each.positive) for each in stood]
+        views.append(_read(view.belief.turned(), turned, 1.0, "direction"))
+    views += [_read(view.belief.scaled(unit), stood[:1], unit, "unit") for unit in _UNITS]
+    return tuple(views)
+
+
+def of_other_axis(name: str, view: View) -> View:
+    """Return that the test is one of another axis ``name``, whose ``view`` this is."""
+    stood = [each for each in view.hypotheses if each.name in ("loaded", "not_active")][:2]
+    read = _read(view.belief, stood, 1.0, "wrong_axis").hypotheses
+    share = _OTHER_AXIS / _MEASURED_WRONG
+    named = (replace(each, weight=share * each.weight, detail=f"axis {name}") for each in read)
+    return View(belief=view.belief, hypotheses=tuple(named))
+
+
+def _read(belief: ErrorBelief, stood: Sequence[Hypothesis], factor: float, of: str) -> View:
+    return View(
+        belief=belief,
+        hypotheses=tuple(
+            replace(
+                each,
+                name="measurement",
+                positive=factor * each.positive,
+                negative=factor * each.negative,
+                weight=_MEASURED_WRONG * each.weight,
+                of=of,
+                detail="the table acts" if each.name == "loaded" else "the table does not act",
+                factor=factor,
+                free=None,
+            )
+            for each in stood
+        ),
+    )
 
 
 def judge_loading(
-    after_positive: FloatArray,
-    after_negative: FloatArray,
-    expected_loaded_positive: FloatArray,
-    expected_loaded_negative: FloatArray,
-    expected_inactive_positive: FloatArray,
-    expected_inactive_negative: FloatArray,
-    covariance: FloatArray,
-    noise: float,
-    *,
-    noise_dof: float = math.inf,
-    positions: FloatArray | None = None,
-    unit: PositionUnit = "mm",
-    declared_slope: float | None = None,
+    after: AfterMeans, views: Sequence[View], *, declared_slope: float | None
 ) -> LoadingVerdict:
-    """Return whether the after test shows the table as loaded, as not active, as loaded on an axis
-    that is longer or shorter now (``thermal``), or cannot tell.
+    """Return what the test ``after`` shows of the loading, by the hypotheses of all ``views``.
 
-    ``after_*`` (m, n): deviations of the after test, NaN for readings not made, width 0 for a
-    direction not measured. ``expected_*`` (m,): mean deviations expected with the new table active
-    and with the control as it was before. ``covariance`` (2m, 2m): uncertainty of the expected
-    means, + then -, common to both; whatever else may change between the tests (set-up,
-    temperature) belongs in it. ``noise``: standard deviation of a single reading, with
-    ``noise_dof`` degrees of freedom; used where the after test has too few repeats of its own. All
-    in mm or deg by ``unit``; ``positions`` (m,) for the slope and the message; ``declared_slope``:
-    standard deviation (mm/mm) of a slope between the tests beside ``covariance``, by what is
-    declared of temperature; None where no temperature makes a slope (angles).
+    The first view is the test as it stands; its first hypothesis of the name ``loaded`` and of the
+    name ``not_active`` are what the message measures by. ``declared_slope``: standard deviation,
+    mm/mm, of a slope between the tests by what is declared of temperature; None where no
+    temperature makes a slope (angles).
 
-    ``loaded`` (``not_active``) needs all of: the measured part of the effect is 1 (0) within its
-    error or within 0.05, what is left besides is noise alone, and it is 100 times likelier than the
-    other and than a table that acts by half. Where the test contradicts both, the same is asked of
-    the test without a slope over the positions (`_with_slope`). Anything else is ``undecided``;
-    when the test contradicts every name, a finding CW-V001 says by how much and where.
+    A name is given where its variants, with those within one standard error of it (norm of the
+    difference of the noise-free tests, each less its mean, over s √(2/n)), have `CLEAR` of the
+    probability and the test fits it. Else the verdict is ``undecided``; where nothing fits, with
+    the finding CW-V001.
     """
-    loaded = np.concatenate([expected_loaded_positive, expected_loaded_negative])
-    inactive = np.concatenate([expected_inactive_positive, expected_inactive_negative])
-    means = np.concatenate([mean_deviation(after_positive), mean_deviation(after_negative)])
-    used = np.isfinite(means) & np.isfinite(loaded) & np.isfinite(inactive)
-    if (
-        np.count_nonzero(used) < 3
-    ):  # one value is the datum's, one the effect's: nothing would be left to contradict
+    if after.count < 3:  # one value is the datum's: too little would be left to contradict
         return LoadingVerdict(
             verdict="undecided",
             margin=0.0,
             message="Cannot tell: the after test has fewer than 3 measured means.",
         )
-    sigma, dof = after_noise(after_positive, after_negative, noise, noise_dof)
-    tilted = covariance
-    if positions is not None and declared_slope:
-        tilt = declared_slope * np.tile(positions - positions.mean(), 2)
-        tilted = covariance + np.outer(tilt, tilt)
-
-    def compare(up: FloatArray, down: FloatArray) -> Comparison:
-        return compare_readings(up, down, loaded, inactive, tilted, sigma, dof)
-
-    compared = compare(after_positive, after_negative)
-    words = Words(np.flatnonzero(used), after_positive.shape[0], positions, unit)
-    verdict = _verdict(compared, words)
-    turned = _turned(after_positive, after_negative, compare)
-    if positions is None or declared_slope is None:
-        return verdict if turned is None else _turned_verdict(verdict, *turned)
-    along = np.tile(positions, 2)
-    # two positions are a straight line whatever they show
-    if np.unique(along[used]).size > 2 and compared.count > 3:
-        sloped = compare_readings(
-            after_positive, after_negative, loaded, inactive, covariance, sigma, dof, along
-        )
-        readings = np.concatenate([count_readings(after_positive), count_readings(after_negative)])
-        error = sigma * math.sqrt(2.0 / float(readings[used].mean()))
-        acts_by = _acts_by((loaded - inactive)[used], sloped.slope[0] * along[used], error)
-        found = _with_slope(verdict, compared, sloped, acts_by, declared_slope)
-        gain = sloped.log_likelihood(1.0) - compared.log_likelihood(1.0)
-        if found is not verdict and (turned is None or turned[1] - gain < _CLEAR):
-            return found
-    return verdict if turned is None else _turned_verdict(verdict, *turned)
+    slope = None if declared_slope is None else math.hypot(declared_slope, _LEAST_SLOPE)
+    rated, effect = _rated(after, views, slope)
+    return _decided(after, views[0], rated, effect, declared_slope)
 
 
-def _beyond(sloped: Comparison, declared_slope: float) -> bool:
-    """Return whether the slope is more than the job declares, by 1 in 1000.
-
-    Only where it declares something: what a test shows that fits as it stands needs no name.
+@dataclass(frozen=True, slots=True)
+class _Rated:
+    """One hypothesis with what a test says of it: ``expected`` (2, m) the noise-free test by what
+    fits best, ``probability``, ``chance`` of what is left over, slope and factor with their
+    standard errors.
     """
-    slope, own = sloped.slope
-    error = math.hypot(own, declared_slope)
-    return declared_slope > 0.0 and normal_score((slope / error) ** 2, 1.0, sloped.dof) > _FITS
+
+    hypothesis: Hypothesis
+    name: LoadingName
+    expected: FloatArray
+    probability: float
+    log: float
+    chance: float
+    slope: tuple[float, float]
+    amount: tuple[float, float]
+    base: FloatArray
 
 
-def _with_slope(
-    verdict: LoadingVerdict,
-    plain: Comparison,
-    sloped: Comparison,
-    acts_by: float | None,
-    declared_slope: float,
-) -> LoadingVerdict:
-    """Return the verdict ``thermal`` where the test is the loaded table's but for a slope over the
-    positions, ``not_active`` where it is the old control's but for one; else ``verdict``.
-
-    ``plain``, ``sloped``: without and with the slope removed; ``acts_by``: by how much of itself a
-    table would act whose test is the same (the correction is a straight line), None where there is
-    none. A table that acts by any part of itself has to be 100 times less likely.
+def _rated(
+    after: AfterMeans, views: Sequence[View], slope: float | None
+) -> tuple[list[_Rated], tuple[float, float]]:
+    """Return all hypotheses with what the test says of them, and the part of the planned effect
+    that it shows, 1 loaded and 0 not active, with its standard error (inf: there is none).
     """
-    stands = _fits(plain, 1.0) or _fits(plain, 0.0)
-    if stands and not _beyond(sloped, declared_slope):
-        return verdict
-    slope, own_error = sloped.slope
-    if abs(slope) < _SLOPE * math.hypot(own_error, declared_slope):
-        return verdict
-    found = replace(verdict, slope=(slope, own_error))
-    text = slope_text(slope, own_error, declared_slope)
-    if acts_by is not None and _fits(sloped, 1.0):
-        return _thermal(
-            found,
-            sloped.log_likelihood(1.0) - plain.log_likelihood(1.0),
-            straight_line_message(text, acts_by),
-            equivalent=("scaled",),
-        )
-    first, margin = _likeliest(sloped)
-    scaled = plain.log_likelihood(plain.factor) if _fits(plain, plain.factor) else -math.inf
-    if first == "half" or not _fits(sloped, 1.0 if first == "loaded" else 0.0):
-        return verdict
-    margin = min(margin, sloped.log_likelihood(1.0 if first == "loaded" else 0.0) - scaled)
-    if margin < _CLEAR:
-        return replace(found, findings=(), message=open_slope_message(sloped, text))
-    if first == "loaded":
-        return _thermal(found, margin, thermal_message(sloped, text))
-    message = f"{inactive_slope_message(sloped)} {text}"
-    return replace(found, verdict="not_active", margin=margin, message=message, findings=())
+    found: list[_Rated] = []
+    effect = (0.0, math.inf)
+    along = after.targets - after.targets.mean()
+    for view in views:
+        ways = _with_slopes(view.hypotheses, slope)
+        part = _effect(view.hypotheses)
+        measured = ways if part is None else [*ways, part]
+        fits = fits_of(after, view.belief, curves_of(measured), slope or 0.0)
+        if part is not None and fits.amount[-1, 1] > 0.0:
+            effect = (float(fits.amount[-1, 0]), float(fits.amount[-1, 1]))
+        for index, way in enumerate(ways):
+            expected = view.belief.mean + way.change
+            amount = float(fits.amount[index, 0]) if way.free is not None else 0.0
+            if way.free is not None:
+                expected = expected + amount * way.free
+            if way.sloped:
+                expected = expected + fits.slope[index, 0] * along
+            found.append(
+                _Rated(
+                    hypothesis=way,
+                    name="thermal" if way.sloped and way.name == "loaded" else way.name,
+                    expected=expected,
+                    probability=0.0,
+                    log=math.log(way.weight) + float(fits.log_likelihood[index]),
+                    chance=float(fits.chance[index]),
+                    slope=(float(fits.slope[index, 0]), float(fits.slope[index, 1])),
+                    amount=(amount, float(fits.amount[index, 1])),
+                    base=view.belief.mean,
+                )
+            )
+    logs = np.array([each.log for each in found])
+    shares = np.exp(logs - logs.max())
+    shares = shares / shares.sum()
+    rated = [replace(each, probability=float(p)) for each, p in zip(found, shares, strict=True)]
+    return rated, effect
 
 
-def _thermal(
-    found: LoadingVerdict,
-    margin: float,
-    message: str,
-    equivalent: tuple[LoadingName, ...] = (),
-) -> LoadingVerdict:
-    finding = Finding("CW-V027", "warning", message)
-    return replace(
-        found,
-        verdict="thermal",
-        margin=margin,
-        message=message,
-        equivalent=equivalent,
-        findings=(finding,),
-    )
-
-
-def _acts_by(step: FloatArray, tilt: FloatArray, error: float) -> float | None:
-    """Return by how much of itself a table would act whose test, free of noise, is that of the
-    loaded table with ``tilt`` within one standard ``error``; None where none is.
-
-    ``step`` (k,): loaded less inactive; both less their means.
-    """
-    step, tilt = step - step.mean(), tilt - tilt.mean()
-    square = float(step @ step)
-    if square <= 0.0:
+def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
+    """Return the old control with any part of the planned effect; None where it is not asked."""
+    loaded = next((each for each in ways if each.name == "loaded"), None)
+    inactive = next((each for each in ways if each.name == "not_active"), None)
+    if loaded is None or inactive is None:
         return None
-    more = float(step @ tilt) / square
-    return 1.0 + more if float(np.linalg.norm(tilt - more * step)) <= error else None
+    return replace(inactive, free=loaded.change - inactive.change, slack=0.0)
 
 
-def _turned(
-    positive: FloatArray,
-    negative: FloatArray,
-    compare: Callable[[FloatArray, FloatArray], Comparison],
-) -> tuple[MeasurementFault, float] | None:
-    """Return what was turned in the readings, and by which log-likelihood the loaded table explains
-    them better turned back.
-
-    None where the readings fit the loaded table as they stand, or are not 100 times less likely
-    than turned back: what a well fitted table leaves may be too little to tell, and the noise of
-    the first test then favours either way by chance.
-    """
-
-    def likelihood(up: FloatArray, down: FloatArray) -> tuple[float, bool]:
-        compared = compare(up, down)
-        # Without the factor 1 of the loaded table nothing else may be turned: the size of the
-        # effect counts in the likelihood.
-        return compared.log_likelihood(1.0), _fits(compared, 1.0)
-
-    straight, stands = likelihood(positive, negative)
-    if stands:
-        return None
-    ways: list[tuple[MeasurementFault, FloatArray, FloatArray]] = [("sign", -positive, -negative)]
-    if np.isfinite(positive).any() and np.isfinite(negative).any():
-        ways.append(("direction", negative, positive))
-    found = [(of, *likelihood(up, down)) for of, up, down in ways]
-    fitting = [
-        (value - straight, of) for of, value, fits in found if fits and value - straight >= _CLEAR
+def _with_slopes(ways: Sequence[Hypothesis], slope: float | None) -> list[Hypothesis]:
+    if slope is None:
+        return list(ways)
+    sloped = [
+        replace(
+            each,
+            sloped=True,
+            weight=each.weight * (_THERMAL if each.name == "loaded" else _SLOPED),
+        )
+        for each in ways
+        if each.name != "measurement"
     ]
-    if not fitting:
-        return None
-    margin, of = max(fitting)
-    return of, margin
+    return [*ways, *sloped]
 
 
-def _turned_verdict(verdict: LoadingVerdict, of: MeasurementFault, margin: float) -> LoadingVerdict:
-    what = (
-        "the sign of its deviations is turned"
-        if of == "sign"
-        else "its directions + and − are exchanged"
-    )
-    message = (
-        f"The after test fits the loaded table when {what}, and not as it stands (log-likelihood"
-        f" better by {margin:.1f}). Check sign and directions of the instrument and export the test"
-        " again."
-    )
-    return replace(
-        verdict, verdict="measurement", of=of, margin=margin, message=message, findings=()
+def curves_of(ways: Sequence[Hypothesis]) -> Curves:
+    """Return the curves of hypotheses as the likelihood takes them."""
+    change = np.stack([each.change for each in ways], axis=2)
+    nothing = np.zeros(change.shape[:2])
+    return Curves(
+        change=change,
+        free=np.stack([nothing if each.free is None else each.free for each in ways], axis=2),
+        slope=np.array([_ANY_SLOPE if each.sloped else 0.0 for each in ways]),
+        slack=np.array([each.slack for each in ways]),
     )
 
 
-def _fits(compared: Comparison, factor: float) -> bool:
-    """Return whether a table that acts by ``factor`` explains the after test but for noise."""
-    off, dof = abs(compared.factor - factor), compared.dof
-    size_fits = off <= _AS_PLANNED or normal_score((compared.effect * off) ** 2, 1.0, dof) <= _FITS
-    free = compared.count - compared.removed - 1
-    return size_fits and normal_score(compared.chi2 / free, free, dof) <= _FITS
+# ---------------------------------------------------------------- names
 
 
-def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
-    """Return the standard normal value as improbable as a variance ratio F of ``dof`` and
-    ``noise_dof`` degrees of freedom.
-
-    Paulson, Ann. Math. Statist. 13 (1942) 233: the cube root of F is nearly normal. With exactly
-    known noise this is the approximation of Wilson and Hilferty for chi-square / dof.
-    """
-    a, b = 2.0 / (9.0 * dof), 2.0 / (9.0 * noise_dof)
-    root = math.cbrt(max(ratio, 0.0))
-    return ((1.0 - b) * root - (1.0 - a)) / math.sqrt(b * root**2 + a)
-
-
-def _likeliest(compared: Comparison) -> tuple[str, float]:
-    """Return ``loaded``, ``half`` or ``not_active``, and its log-likelihood less that of the
-    next.
-    """
-    likelihoods = {
-        "loaded": compared.log_likelihood(1.0),
-        "half": compared.log_likelihood(0.5),
-        "not_active": compared.log_likelihood(0.0),
-    }
-    first, second = sorted(likelihoods, key=lambda name: likelihoods[name], reverse=True)[:2]
-    return first, likelihoods[first] - likelihoods[second]
-
-
-def _verdict(compared: Comparison, words: Words) -> LoadingVerdict:
-    first, margin = _likeliest(compared)
-    fits_loaded, fits_inactive = _fits(compared, 1.0), _fits(compared, 0.0)
-    verdict: LoadingName = "undecided"
-    findings: tuple[Finding, ...] = ()
-    if margin >= _CLEAR and first == "loaded" and fits_loaded:
-        verdict, message = "loaded", loaded_message(compared, words)
-    elif margin >= _CLEAR and first == "not_active" and fits_inactive:
-        verdict, message = "not_active", inactive_message(compared, words)
-    elif fits_loaded or fits_inactive:
-        message = open_message(
-            compared, words, fits_loaded=fits_loaded, fits_inactive=fits_inactive
-        )
+def _decided(
+    after: AfterMeans,
+    view: View,
+    rated: Sequence[_Rated],
+    effect: tuple[float, float],
+    declared_slope: float | None,
+) -> LoadingVerdict:
+    totals: dict[LoadingName, float] = {}
+    for each in rated:
+        totals[each.name] = totals.get(each.name, 0.0) + each.probability
+    name = max(totals, key=lambda one: totals[one])
+    if name in ("loaded", "thermal"):
+        name = _acting(rated, declared_slope)
+    best = max((each for each in rated if each.name == name), key=lambda each: each.log)
+    far = _distances(after, best, rated)
+    counted: set[LoadingName] = {name} | (
+        {"loaded", "thermal"} if name in ("loaded", "thermal") else set()
+    )
+    together = sum(
+        each.probability
+        for each, off in zip(rated, far, strict=True)
+        if each.name in counted or off <= 1.0
+    )
+    equivalent = _equivalent(best, far, rated)
+    fits = best.chance >= _REFUSED
+    hidden = {"loaded", "not_active"} <= {name, *equivalent}
+    candidates = _candidates(rated, totals)
+    told: set[LoadingName] = {*counted, *equivalent}
+    margin = 0.0 if hidden else _margin(rated, counted, told)
+    shown = Shown.of(after, view.belief, view.hypotheses, effect)
+    clear = together >= CLEAR and fits and not hidden
+    verdict: LoadingName = name if clear else "undecided"
+    nothing_fits = not any(each.chance >= _REFUSED for each in rated)
+    if nothing_fits:
+        text = neither_message(shown)
+    elif clear:
+        text = _named(shown, best, rated, equivalent, declared_slope or 0.0)
     else:
-        message = neither_message(compared, words)
-        findings = (Finding("CW-V001", "warning", message),)
-    return LoadingVerdict(verdict=verdict, margin=margin, message=message, findings=findings)
+        text = open_message(shown, candidates)
+    found: list[Finding] = []
+    if nothing_fits:
+        found.append(Finding("CW-V001", "warning", text))
+    if verdict == "thermal":
+        found.append(Finding("CW-V027", "warning", text))
+    way = best.hypothesis
+    return LoadingVerdict(
+        verdict=verdict,
+        margin=margin,
+        message=text,
+        equivalent=equivalent if clear else (),
+        factor=_factor(best) if clear else 1.0,
+        shift_nodes=way.shift_nodes if clear else 0,
+        of=way.of if clear else None,
+        detail=way.detail if clear else "",
+        candidates=candidates,
+        slope=best.slope if way.sloped else None,
+        findings=tuple(found),
+    )
+
+
+def _margin(
+    rated: Sequence[_Rated], names: Collection[LoadingName], told: Collection[LoadingName]
+) -> float:
+    """Return the logarithm of the odds for these names over the likeliest that is not ``told`` with
+    them.
+    """
+
+    def together(chosen: Collection[LoadingName]) -> float:
+        logs = np.array([each.log for each in rated if each.name in chosen])
+        return float(logs.max() + np.log(np.sum(np.exp(logs - logs.max()))))
+
+    others = {each.name for each in rated} - set(told)
+    return (
+        min(together(names) - max(map(together, ((one,) for one in others))), _CERTAIN)
+        if (others)
+        else _CERTAIN
+    )
+
+
+def _named(
+    shown: Shown,
+    best: _Rated,
+    rated: Sequence[_Rated],
+    equivalent: Sequence[LoadingName],
+    declared: float,
+) -> str:
+    """Return what is said of a name that is given."""
+    slope = slope_text(*best.slope, declared) if best.hypothesis.sloped else ""
+    if best.name == "thermal":
+        if "scaled" in equivalent:
+            free = [each for each in rated if each.hypothesis.free is not None]
+            return straight_line_message(slope, _factor(max(free, key=lambda each: each.log)))
+        return thermal_message(shown, best.expected, slope)
+    text = named_message(
+        shown, best.name, best.hypothesis, best.expected, _factor(best), equivalent
+    )
+    return f"{text} {slope}".strip()
+
+
+def _acting(rated: Sequence[_Rated], declared_slope: float | None) -> LoadingName:
+    """Return ``loaded`` or ``thermal`` for a table that acts: thermal where the slope beside it is
+    beyond what is declared.
+    """
+    plain = next(each for each in rated if each.name == "loaded")
+    if declared_slope is None:
+        return "loaded"
+    slope, error = plain.slope
+    beyond = abs(slope) > _BEYOND * math.hypot(error, math.hypot(declared_slope, _LEAST_SLOPE))
+    return "thermal" if beyond else "loaded"
+
+
+def _factor(best: _Rated) -> float:
+    way = best.hypothesis
+    if way.name != "scaled" or way.free is None:
+        return way.factor
+    size = float(np.sum(way.free**2))
+    return 1.0 + best.amount[0] * 0.7 if size > 0.0 else 1.0
+
+
+def _distances(after: AfterMeans, best: _Rated, rated: Sequence[_Rated]) -> FloatArray:
+    """Return how far (H,) the noise-free tests of the hypotheses lie from that of the best, in
+    standard errors; what is free in them takes the value that comes nearest.
+    """
+    used = np.isfinite(after.plain)
+    along = np.broadcast_to(after.targets - after.targets.mean(), after.plain.shape)
+
+    def flat(values: FloatArray) -> FloatArray:
+        kept: FloatArray = values[used] - values[used].mean()
+        return kept
+
+    goal = flat(best.expected)
+    off = []
+    for each in rated:
+        way = each.hypothesis
+        left = goal - flat(each.base + way.change)
+        columns = [] if way.free is None else [flat(way.free)]
+        columns += [flat(along)] if way.sloped else []
+        if columns:
+            matrix = np.column_stack(columns)
+            left = left - matrix @ np.linalg.lstsq(matrix, left, rcond=None)[0]
+        off.append(float(np.linalg.norm(left)))
+    return np.array(off) / after.std_error
+
+
+def _equivalent(best: _Rated, far: FloatArray, rated: Sequence[_Rated]) -> tuple[LoadingName, ...]:
+    """Return the names that no test could tell from the best. What has the loaded table, or none,
+    as its limit (a factor near one, a cut near an end, a small slope) is no other name there.
+    """
+    limit = best.name in ("loaded", "not_active")
+    found: dict[LoadingName, None] = {}
+    for each, off in zip(rated, far, strict=True):
+        if each.name in (best.name, "measurement") or off > 1.0:
+            continue
+        if limit and (each.hypothesis.inner or each.hypothesis.sloped):
+            continue
+        if each.hypothesis.sloped and each.name != "thermal":
+            continue
+        found[each.name] = None
+    return tuple(found)
+
+
+def _candidates(rated: Sequence[_Rated], totals: dict[LoadingName, float]) -> tuple[Candidate, ...]:
+    ordered = sorted(totals, key=lambda one: -totals[one])
+    told = [one for one in ordered if totals[one] >= _TOLD] or ordered[:1]
+    return tuple(
+        Candidate(
+            verdict=one,
+            probability=totals[one],
+            detail=max((e for e in rated if e.name == one), key=lambda e: e.log).hypothesis.detail,
+        )
+        for one in told
+    )

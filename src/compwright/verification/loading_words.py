@@ -1,19 +1,22 @@
-"""What a verdict about the loading says: where the test after loading lies, how much of the planned
-effect it shows, and what would explain it.
+"""What a verdict about the loading says: what was seen and where, in µm or arcsec, and what would
+explain it.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from compwright.foundations.numerals import significant
 from compwright.foundations.units import PositionUnit, outside_factor
 from compwright.records.axis import FloatArray
-from compwright.verification.comparison import Comparison
+from compwright.records.verification import Candidate, LoadingName
+from compwright.verification.hypotheses import Hypothesis
+from compwright.verification.likelihood import AfterMeans, ErrorBelief
 
 _PPM: Final = 1e6
 #: Expansion of steel, µm/(m K).
@@ -24,15 +27,48 @@ VISIBLE: Final = 10.2
 
 
 @dataclass(frozen=True, slots=True)
-class Words:
-    """What the message needs to name a place: index (k,) of each mean in + then -, m targets, their
-    positions.
+class Shown:
+    """What a test shows: its ``means`` (2, m) in + and -, NaN where there is none, at ``targets``;
+    ``noise`` of a reading; the means expected with the new table and without it; ``effect``: which
+    part of their difference it shows, with its standard error. mm or deg by ``unit``.
     """
 
-    index: NDArray[np.intp]
-    m: int
-    positions: FloatArray | None
+    means: FloatArray
+    targets: FloatArray
     unit: PositionUnit
+    noise: float
+    loaded: FloatArray | None
+    inactive: FloatArray | None
+    effect: tuple[float, float]
+
+    @classmethod
+    def of(
+        cls,
+        after: AfterMeans,
+        belief: ErrorBelief,
+        hypotheses: Sequence[Hypothesis],
+        effect: tuple[float, float],
+    ) -> Shown:
+        """Return what ``after`` shows beside the expectations of its first hypotheses."""
+        expected = {
+            name: next((belief.mean + h.change for h in hypotheses if h.name == name), None)
+            for name in ("loaded", "not_active")
+        }
+        return cls(
+            means=after.plain,
+            targets=after.targets,
+            unit=after.kind.unit,
+            noise=after.sigma,
+            loaded=expected["loaded"],
+            inactive=expected["not_active"],
+            effect=effect,
+        )
+
+    def left(self, expected: FloatArray) -> FloatArray:
+        """Return what is left (2, m) beside what is ``expected``, the datum removed."""
+        left = self.means - expected
+        removed: FloatArray = left - np.nanmean(left)
+        return removed
 
     def length(self, value: float) -> str:
         """Return a deviation with its unit, in µm or arcsec, two significant digits or more."""
@@ -40,100 +76,186 @@ class Words:
         decimals = 1 if outside >= 1.0 else 2
         return f"{outside:.{decimals}f} {'µm' if self.unit == 'mm' else 'arcsec'}"
 
-    def place(self, which: int) -> str:
-        """Return where the ``which``-th mean was measured."""
-        index = int(self.index[which])
-        direction = "+" if index < self.m else "-"
-        target = index % self.m
-        where = (
-            f"target {target + 1}"
-            if self.positions is None
-            else f"{self.positions[target]:g} {self.unit}"
-        )
-        return f"{where} approached in {direction}"
+    def rms(self, values: FloatArray) -> str:
+        """Return the root mean square of what is there."""
+        return f"{self.length(float(np.sqrt(np.nanmean(values**2))))} rms"
 
-    def between_directions(self, residual: FloatArray) -> float:
-        """Return mean(+) minus mean(-) of a residual (k,), 0 when one direction alone was
+    def worst(self, values: FloatArray) -> str:
+        """Return the largest value and where it was measured."""
+        side, target = np.unravel_index(int(np.nanargmax(np.abs(values))), values.shape)
+        where = f"{self.targets[target]:g} {self.unit}"
+        direction = "+" if side == 0 else "-"
+        return f"{self.length(float(values[side, target]))} ({where} approached in {direction})"
+
+    def between_directions(self, values: FloatArray) -> float:
+        """Return mean(+) minus mean(-) of what is left (2, m), 0 where one direction alone was
         measured.
         """
-        positive = self.index < self.m
-        if positive.all() or not positive.any():
+        there = np.isfinite(values).any(axis=1)
+        return float(np.nanmean(values[0]) - np.nanmean(values[1])) if there.all() else 0.0
+
+    @property
+    def effect_text(self) -> str:
+        """Which part of the planned effect was measured; empty where there is none."""
+        part, error = self.effect
+        return f"{part:.2f} ± {error:.2f} of the planned effect" if math.isfinite(error) else ""
+
+    @property
+    def size(self) -> float:
+        """Root mean square of the planned effect at the means that there are, mm or deg."""
+        if self.loaded is None or self.inactive is None:
             return 0.0
-        return float(residual[positive].mean() - residual[~positive].mean())
+        step = (self.loaded - self.inactive)[np.isfinite(self.means)]
+        return float(np.std(step))
 
 
-def _rms(values: FloatArray) -> float:
-    return float(np.sqrt(np.mean(values**2)))
+def words_of(candidate: LoadingName, detail: str = "") -> str:
+    """Return a name as it is told, with its variant."""
+    name = candidate.replace("_", " ")
+    return f"{name}: {detail}" if detail else name
 
 
-def _effect_text(compared: Comparison) -> str:
-    return f"{compared.factor:.2f} ± {1.0 / compared.effect:.2f} of the planned effect"
+# ---------------------------------------------------------------- names that are given
 
 
-def loaded_message(compared: Comparison, words: Words) -> str:
-    """Return what is said of a table that acts as planned."""
-    return (
-        f"The table acts as planned: the after test shows {_effect_text(compared)} and lies within "
-        f"{words.length(_rms(compared.residual_loaded))} rms of the prediction."
-    )
-
-
-def inactive_message(compared: Comparison, words: Words) -> str:
-    """Return what is said of a table that does not act."""
-    return (
-        f"The table does not act: the after test shows {_effect_text(compared)} and lies within "
-        f"{words.length(_rms(compared.residual_inactive))} rms of what the control did before."
-    )
-
-
-def open_message(
-    compared: Comparison, words: Words, *, fits_loaded: bool, fits_inactive: bool
+def named_message(
+    shown: Shown,
+    name: LoadingName,
+    way: Hypothesis,
+    expected: FloatArray,
+    factor: float,
+    equivalent: Sequence[LoadingName],
 ) -> str:
+    """Return what is said of a verdict: what was seen, by how much and where; ``expected`` (2, m):
+    the test that the verdict would show.
+    """
+    text = f"{_sentence(shown, name, way, factor)} {_evidence(shown, name, expected)}"
+    if equivalent:
+        others = ", ".join(words_of(other) for other in equivalent)
+        text += (
+            f" The same test would come from: {others}. No measurement of this axis tells them"
+            " apart; read the values back from the control (--loaded)."
+        )
+    return text
+
+
+def _sentence(shown: Shown, name: LoadingName, way: Hypothesis, factor: float) -> str:
+    detail = f" ({way.detail})" if way.detail else ""
+    effect = f": the after test shows {shown.effect_text}" if shown.effect_text else ""
+    nodes = "node" if abs(way.shift_nodes) == 1 else "nodes"
+    if name == "measurement":
+        return _measured_wrong(way, factor)
+    sentences: dict[LoadingName, str] = {
+        "loaded": f"The table acts as planned{effect}.",
+        "not_active": f"The table does not act{detail}{effect}.",
+        "inverted": f"The table acts with the opposite sign{detail}: it adds to the error.",
+        "scaled": f"The table acts by {significant(factor, 3)} of what was planned{detail}.",
+        "shifted": (
+            f"The table sits {abs(way.shift_nodes)} {nodes} too far to"
+            f" {'+' if way.shift_nodes > 0 else '-'}{detail}."
+        ),
+        "mirrored": f"The table is loaded back to front, its last value first{detail}.",
+        "wrong_axis": f"The table that acts is the one of axis {way.of}{detail}.",
+        "one_direction": f"The table acts in one direction only: {way.detail}.",
+        "backlash": f"The table acts, and its backlash is wrong: {way.detail}.",
+        "partial": f"A part of the table acts: {way.detail}.",
+    }
+    return sentences[name]
+
+
+def _measured_wrong(way: Hypothesis, factor: float) -> str:
+    what = {
+        "sign": "the sign of its deviations is turned",
+        "direction": "its directions + and − are exchanged",
+        "unit": f"its readings are multiplied by {significant(1.0 / factor, 4)}",
+        "wrong_axis": f"it is one of {way.detail}",
+    }[way.of or "sign"]
+    advice = {
+        "wrong_axis": "Measure this axis, or give the file to its own axis.",
+        "unit": "Export it in the unit that its file states.",
+    }
+    told = advice.get(
+        way.of or "",
+        "Check sign and directions of the instrument and export the test again.",
+    )
+    return f"The after test is explained when {what}, and not as it stands. {told}"
+
+
+def _evidence(shown: Shown, name: LoadingName, expected: FloatArray) -> str:
+    mine = shown.rms(shown.left(expected))
+    if name == "loaded":
+        return f"It lies within {mine} of the prediction."
+    if name == "not_active":
+        return f"It lies within {mine} of what the control did before."
+    if shown.loaded is None:
+        return ""
+    off = shown.left(shown.loaded)
+    measured = f" Measured: {shown.effect_text}." if shown.effect_text else ""
+    return (
+        f"Against the prediction the test is off by {shown.rms(off)} and at worst by"
+        f" {shown.worst(off)}; with this explanation {mine} are left, and the noise of a reading is"
+        f" {shown.length(shown.noise)}.{measured}"
+    )
+
+
+# ---------------------------------------------------------------- nothing clear
+
+
+def open_message(shown: Shown, candidates: Sequence[Candidate]) -> str:
     """Return what is said where more than one name fits, and which correction would be seen."""
     text = (
         "Cannot tell: with and without the new table the targets differ by"
-        f" {words.length(compared.size)} rms, and the noise of a reading is"
-        f" {words.length(compared.noise)}"
+        f" {shown.length(shown.size)} rms, and the noise of a reading is"
+        f" {shown.length(shown.noise)}"
     )
-    if compared.effect > 0.0:
-        needed = compared.size * VISIBLE / compared.effect
-        if needed > compared.size:
+    error = shown.effect[1]
+    if math.isfinite(error):
+        needed = shown.size * VISIBLE * error
+        if needed > shown.size:
             text += (
-                f"; the correction is smaller than the {words.length(needed)} rms that this test"
+                f"; the correction is smaller than the {shown.length(needed)} rms that this test"
                 " can tell for sure"
             )
-        text += f". Measured: {_effect_text(compared)}"
-    candidates = [
-        name for name, fits in (("loaded", fits_loaded), ("not active", fits_inactive)) if fits
-    ]
-    return f"{text}. Possible: {', '.join([*candidates, 'acting in part'])}."
+        text += f". Measured: {shown.effect_text}"
+    told = ", ".join(
+        f"{words_of(each.verdict, each.detail)} ({_percent(each.probability)})"
+        for each in candidates
+    )
+    return f"{text}. Possible: {told}."
 
 
-def neither_message(compared: Comparison, words: Words) -> str:
-    """Return by how much, and where, a test contradicts both expectations."""
-    parts = [
-        "The after test fits neither the loaded table nor the control as it was before.",
-        _off_text("Against the prediction", compared.residual_loaded, words),
-        _off_text("Against no change", compared.residual_inactive, words),
-    ]
-    offset = words.between_directions(compared.residual_loaded)
+def _percent(probability: float) -> str:
+    return f"{100.0 * probability:.2g} %" if probability < 0.995 else "more than 99 %"
+
+
+def neither_message(shown: Shown) -> str:
+    """Return by how much, and where, a test contradicts every way of loading."""
+    text = (
+        "The after test fits neither the loaded table nor the control as it was before, nor any"
+        " known fault of loading."
+    )
+    parts = [text]
+    if shown.loaded is not None:
+        parts.append(_off_text("Against the prediction", shown.left(shown.loaded), shown))
+    if shown.inactive is not None:
+        parts.append(_off_text("Against no change", shown.left(shown.inactive), shown))
+    offset = 0.0 if shown.loaded is None else shown.between_directions(shown.left(shown.loaded))
     if offset:
         sign = "above" if offset > 0.0 else "below"
         parts.append(
-            f"Against the prediction the + approaches lie {words.length(offset)} {sign} the -"
+            f"Against the prediction the + approaches lie {shown.length(offset)} {sign} the -"
             " approaches on average."
         )
-    if compared.effect > 0.0:
-        parts.append(f"Measured: {_effect_text(compared)}.")
+    if shown.effect_text:
+        parts.append(f"Measured: {shown.effect_text}.")
     return " ".join(parts)
 
 
-def _off_text(against: str, residual: FloatArray, words: Words) -> str:
-    worst = int(np.argmax(np.abs(residual)))
-    return (
-        f"{against} it is off by {words.length(_rms(residual))} rms and at worst by"
-        f" {words.length(float(residual[worst]))} ({words.place(worst)})."
-    )
+def _off_text(what: str, left: FloatArray, shown: Shown) -> str:
+    return f"{what} it is off by {shown.rms(left)} and at worst by {shown.worst(left)}."
+
+
+# ---------------------------------------------------------------- slopes
 
 
 def slope_text(slope: float, error: float, declared: float) -> str:
@@ -151,9 +273,12 @@ def slope_text(slope: float, error: float, declared: float) -> str:
     )
 
 
-def thermal_message(sloped: Comparison, text: str) -> str:
+def thermal_message(shown: Shown, expected: FloatArray, text: str) -> str:
     """Return what is said of a table that acts on an axis that is longer or shorter now."""
-    return f"The table acts: beside a slope the after test shows {_effect_text(sloped)}. {text}"
+    return (
+        "The table acts: beside a slope the after test lies within"
+        f" {shown.rms(shown.left(expected))} of the prediction. {text}"
+    )
 
 
 def straight_line_message(text: str, acts_by: float) -> str:
@@ -162,20 +287,4 @@ def straight_line_message(text: str, acts_by: float) -> str:
         f"The after test is that of the loaded table and a slope. {text} The correction is a"
         f" straight line itself: a table that acts by {acts_by:.2f} of itself would show the same;"
         " read the values back from the control (--loaded)."
-    )
-
-
-def inactive_slope_message(sloped: Comparison) -> str:
-    """Return what is said of a table that does not act, on an axis that is longer or shorter
-    now.
-    """
-    return f"The table does not act: beside a slope the after test shows {_effect_text(sloped)}."
-
-
-def open_slope_message(sloped: Comparison, text: str) -> str:
-    """Return what is said where a slope explains the test, and leaves open what the table does."""
-    shown = f" Measured beside it: {_effect_text(sloped)}." if sloped.effect > 0.0 else ""
-    return (
-        f"Cannot tell: a slope beside the expected explains the after test.{shown} {text} Possible:"
-        " thermal, scaled, not active."
     )

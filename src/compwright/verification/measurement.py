@@ -29,7 +29,6 @@ from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.verification import MeasurementFault
-from compwright.verification.loading import normal_score
 
 #: Honest tests of one axis scatter differently: another day, another averaging of the instrument.
 #: Up to three times as quiet or as loud is believed; beyond, the ratio of the pooled variances has
@@ -213,6 +212,18 @@ def noise_odds(
     return (
         "loud" if normal_score((s / _BELIEVED / s_first) ** 2, dof, dof_first) > _IMPROBABLE else ""
     )
+
+
+def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
+    """Return the standard normal value as improbable as a variance ratio F of ``dof`` and
+    ``noise_dof`` degrees of freedom.
+
+    Paulson, Ann. Math. Statist. 13 (1942) 233: the cube root of F is nearly normal. With exactly
+    known noise this is the approximation of Wilson and Hilferty for chi-square / dof.
+    """
+    a, b = 2.0 / (9.0 * dof), 2.0 / (9.0 * noise_dof)
+    root = math.cbrt(max(ratio, 0.0))
+    return ((1.0 - b) * root - (1.0 - a)) / math.sqrt(b * root**2 + a)
 
 
 def proof_lacking(after: PositioningTest, first: PositioningTest) -> list[Finding]:

@@ -152,7 +152,13 @@ def _verified(
     twice = copies(tests)
     axes = {
         test.axis: verified_axis(
-            job, plan.axes[test.axis], test, as_found, read_back, twice.get(test.axis)
+            job,
+            plan.axes[test.axis],
+            test,
+            as_found,
+            read_back,
+            twice.get(test.axis),
+            {name: axis for name, axis in plan.axes.items() if name != test.axis},
         )
         for test in tests
     }

@@ -2,37 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis
 from compwright.estimation.cells import folded_findings
-from compwright.estimation.observed import ObservedTest
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import evaluated
-from compwright.planning.declared import beside_first, fresh_slope, slope_after
-from compwright.planning.fresh import DRAWS, Like
+from compwright.planning.declared import fresh_slope
+from compwright.planning.fresh import Like
 from compwright.planning.limits import lacking_guard, measured_decisions
 from compwright.planning.motions import with_motion
 from compwright.planning.outlook import predict_same_targets
 from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
 from compwright.prediction.acting import Correction, difference, nothing
-from compwright.records.axis import AxisKind, Direction
+from compwright.records.axis import Direction
 from compwright.records.job import Job
 from compwright.records.plan import PlannedAxis
-from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
 from compwright.records.settled import LOGARITHM, settled_number
 from compwright.records.verification import LoadingVerdict
-from compwright.verification.loading import judge_loading
 from compwright.verification.measurement import NamedFault, measurement_fault, proof_lacking
 from compwright.verification.proof import AfterTest, doubted
 from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.control import DecodedState
+from compwright.workflow.stages.judged_loading import judged_loading
 from compwright.workflow.stages.two_readers import probe_positions
 
 
@@ -43,11 +40,13 @@ def verified_axis(
     as_found: DecodedState,
     read_back: DecodedState | None,
     twice: NamedFault | None,
+    others: Mapping[str, PlannedAxis],
 ) -> VerifiedAxis:
     """Return what the test after loading shows of an axis, beside what was expected.
 
     ``as_found``: what was in the control before; ``read_back``: what was read back from it since,
-    if anything; ``twice``: that the test is a copy of another one.
+    if anything; ``twice``: that the test is a copy of another one; ``others``: the other axes of
+    the plan.
     """
     axis, guarded = planned.axis, job.decision_rule == "guarded"
     names = [entry.test.name for entry in planned.tests]
@@ -60,29 +59,14 @@ def verified_axis(
     active = nothing if planned.active is None else planned.active.at
     table = None if planned.fitted is None else planned.fitted.compensation.at
     # The test after loading was taken at the motion of the one that it repeats.
-    unchanged, new = (
-        with_motion(each, axis, repeated.backlash_more)
-        for each in (correction_of(as_found, axis), table or correction_of(as_found, axis))
-    )
+    new = with_motion(table or correction_of(as_found, axis), axis, repeated.backlash_more)
     change = difference(new, active)
     fault = twice or measurement_fault(after.test, before_test, axis.travel)
     loading = (
-        _judge(
-            after.test,
-            _judged_against(planned, observed, posterior),
-            change,
-            difference(unchanged, active),
-            slope_after(job, planned.tests, after.test),
-        )
+        judged_loading(job, planned, after.test, place, observed, posterior, as_found.state, others)
         if fault is None
         else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
     )
-    if planned.fitted is None and fault is None:
-        loading = replace(
-            loading,
-            verdict="undecided",
-            message="The plan holds no table for this axis: nothing was to be loaded.",
-        )
     waves = folded_findings(after.test.targets, axis.screw_pitch, axis.kind.unit)
     accept = measured_decisions(
         job.axes[axis.name],
@@ -124,6 +108,15 @@ def _told(loading: LoadingVerdict) -> dict[str, Any]:
         "factor": settled_number(loading.factor),
         "shift_nodes": loading.shift_nodes,
         "margin": settled_number(loading.margin, LOGARITHM),
+        "detail": loading.detail,
+        "candidates": [
+            {
+                "verdict": each.verdict,
+                "probability": settled_number(each.probability, LOGARITHM),
+                "detail": each.detail,
+            }
+            for each in loading.candidates
+        ],
         **({"slope": _slope_told(*loading.slope)} if loading.slope is not None else {}),
         "message": loading.message,
     }
@@ -148,53 +141,6 @@ def _expected(
         for direction in Direction
     )
     return ExpectedMeans(positions=targets, positive=positive, negative=negative, s=estimate.noise)
-
-
-def _judged_against(
-    planned: PlannedAxis, observed: Sequence[ObservedTest], posterior: MeasuredError
-) -> MeasuredError:
-    """Return the error without the uncertain slope of the first test: between the tests that slope
-    is one number together with that of the test after loading.
-    """
-    beside = beside_first(planned.tests)
-    if all(one.slope_std == each.slope_std for one, each in zip(beside, observed, strict=True)):
-        return posterior
-    sloped = [
-        replace(each, slope_std=one.slope_std) for one, each in zip(beside, observed, strict=True)
-    ]
-    return measured_error(beside, sloped, planned.axis, planned.active)
-
-
-def _judge(
-    test: PositioningTest,
-    posterior: MeasuredError,
-    loaded: Correction,
-    inactive: Correction,
-    slope_std: float,
-) -> LoadingVerdict:
-    draws = posterior.draw(test.targets, DRAWS, np.random.default_rng(0))
-    estimate = posterior.summary(test.targets)
-    expected = {
-        direction: (
-            estimate.mean(direction) + loaded(test.targets, direction),
-            estimate.mean(direction) + inactive(test.targets, direction),
-        )
-        for direction in Direction
-    }
-    return judge_loading(
-        test.positive,
-        test.negative,
-        expected[Direction.POSITIVE][0],
-        expected[Direction.NEGATIVE][0],
-        expected[Direction.POSITIVE][1],
-        expected[Direction.NEGATIVE][1],
-        np.cov(np.hstack([draws.positive, draws.negative]), rowvar=False),
-        posterior.noise,
-        noise_dof=posterior.noise_dof,
-        positions=test.targets,
-        unit=test.kind.unit,
-        declared_slope=slope_std if test.kind is AxisKind.LINEAR else None,
-    )
 
 
 def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:

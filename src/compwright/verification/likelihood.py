@@ -1,0 +1,358 @@
+"""How likely the means of a test are under curves that it might show.
+
+    mean of cell i = deviation before + change of the correction + datum (+ slope) + noise
+
+The deviation before is a normal belief (`ErrorBelief`), the noise a mixture of equally likely draws
+(`AfterMeans`). The datum is common to both directions, with a flat prior; everything else that is
+not known has a normal prior and is integrated (Rasmussen and Williams, Gaussian Processes for
+Machine Learning, 2006, section 2.7). Covariances are blocks of both directions at one target and a
+matrix of low rank (Woodbury; Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 2.1.4):
+time and memory grow in proportion to the targets. mm or deg.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.noise import noise_of
+from compwright.estimation.observed import traverse_columns
+from compwright.evaluation.statistics import count_readings, mean_deviation
+from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.noise import NoiseDraws
+from compwright.records.positioning import PositioningTest
+
+#: Most directions in which a belief hangs together over the travel; the rest is left to each
+#: target.
+_RANK: Final = 60
+#: Most numbers that the draws of a belief may hold.
+_NUMBERS: Final = 4_000_000
+_MOST_DRAWS: Final = 2000
+#: Repeated readings that are all equal show the instrument's resolution, not a perfect axis.
+_LEAST_NOISE: Final = {AxisKind.LINEAR: 1e-5, AxisKind.ROTARY: 1e-6}
+#: Draws of the noise beyond which nothing changes where there are many targets.
+_FEW: Final = 16
+_MANY_CELLS: Final = 800
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ErrorBelief:
+    """What is known of the deviation at m targets: normal with ``mean`` (2, m) in + and -, and
+    covariance ``root`` root' (root (2, m, r)) and ``blocks`` (m, 2, 2), of both directions at one
+    target.
+    """
+
+    mean: FloatArray
+    root: FloatArray
+    blocks: FloatArray
+
+    def turned(self) -> ErrorBelief:
+        """Return the belief with the directions exchanged."""
+        return ErrorBelief(
+            mean=self.mean[::-1], root=self.root[::-1], blocks=self.blocks[:, ::-1, ::-1]
+        )
+
+    def scaled(self, factor: float) -> ErrorBelief:
+        """Return the belief in ``factor`` times the deviation."""
+        return ErrorBelief(
+            mean=factor * self.mean, root=factor * self.root, blocks=factor**2 * self.blocks
+        )
+
+
+def draws_for(targets: int) -> int:
+    """Return how many draws tell a belief at so many ``targets``."""
+    return int(np.clip(_NUMBERS // max(2 * targets, 1), 400, _MOST_DRAWS))
+
+
+def belief_of(positive: FloatArray, negative: FloatArray) -> ErrorBelief:
+    """Return the belief that joint draws of the deviation tell, (n, m) in + and in -."""
+    both = np.hstack([positive, negative])
+    mean = both.mean(axis=0)
+    left = (both - mean) / math.sqrt(max(both.shape[0] - 1, 1))
+    values, vectors = np.linalg.eigh(left @ left.T)
+    largest = np.argsort(values)[::-1][: min(_RANK, both.shape[1])]
+    largest = largest[values[largest] > 1e-12 * max(float(values.max()), 1e-300)]
+    root = left.T @ vectors[:, largest]
+    rest = left - vectors[:, largest] @ root.T
+    up, down = np.split(rest, 2, axis=1)
+    m = positive.shape[1]
+    blocks = np.empty((m, 2, 2))
+    blocks[:, 0, 0], blocks[:, 1, 1] = np.sum(up**2, axis=0), np.sum(down**2, axis=0)
+    blocks[:, 0, 1] = blocks[:, 1, 0] = np.sum(up * down, axis=0)
+    return ErrorBelief(
+        mean=mean.reshape(2, m), root=root.reshape(2, m, largest.size), blocks=blocks
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AfterMeans:
+    """The means of a test of m targets under each of J equally likely noises.
+
+    ``mean``, ``precision`` (J, 2, m): weighted means and their inverse variances, 0 where there is
+    no reading; ``columns`` (J, 2, m, q): what else is common to them, of unit variance. ``plain``
+    (2, m): the means as the standard has them, NaN where there is none. ``sigma``: standard
+    deviation of one reading; ``readings``: their mean number per cell; ``targets`` (m,).
+    """
+
+    targets: FloatArray
+    kind: AxisKind
+    plain: FloatArray
+    mean: FloatArray
+    precision: FloatArray
+    columns: FloatArray
+    sigma: float
+    readings: float
+
+    @property
+    def used(self) -> FloatArray:
+        """Where there is a mean (2, m): 1, else 0."""
+        return np.isfinite(self.plain).astype(np.float64)
+
+    @property
+    def count(self) -> int:
+        """How many means there are."""
+        return int(np.sum(np.isfinite(self.plain)))
+
+    @property
+    def std_error(self) -> float:
+        """Standard error of the difference of two means, s √(2/n), mm or deg."""
+        return self.sigma * math.sqrt(2.0 / self.readings)
+
+
+def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
+    """Return the means of a ``test`` with the noise that its readings tell, or, where they are too
+    few, with ``fallback``: that of a test of the same axis.
+    """
+    blocks = (test.positive, test.negative)
+    plain = np.stack([_means(block) for block in blocks])
+    counts = np.stack([count_readings(block) for block in blocks])
+    own = noise_of(test)
+    if own is None:
+        return _as_before(test, plain, counts, fallback)
+    m, floor = test.targets.size, _LEAST_NOISE[test.kind]
+    taken = np.arange(own.mean.shape[0])
+    if 2 * m > _MANY_CELLS:
+        taken = taken[:: max(taken.size // _FEW, 1)]
+    return AfterMeans(
+        targets=test.targets,
+        kind=test.kind,
+        plain=plain,
+        mean=own.mean[taken].reshape(taken.size, 2, m),
+        precision=np.minimum(own.precision[taken].reshape(taken.size, 2, m), counts / floor**2),
+        columns=own.columns[taken].reshape(taken.size, 2, m, -1),
+        sigma=max(own.sigma, floor),
+        readings=float(counts[counts > 0].mean()),
+    )
+
+
+def _means(block: FloatArray) -> FloatArray:
+    return mean_deviation(block) if block.size else np.full(block.shape[0], np.nan)
+
+
+def _as_before(
+    test: PositioningTest, plain: FloatArray, counts: FloatArray, noise: NoiseDraws
+) -> AfterMeans:
+    """Return the means with the noise of another test: its scatter, with what its tails add, and
+    its traverses.
+    """
+    taken = noise.taken(np.unique(np.linspace(0, noise.count - 1, 48).astype(np.intp)))
+    m = test.targets.size
+    floor = _LEAST_NOISE[test.kind]
+    # Student's law has the variance dof / (dof - 2); below three degrees that of three is taken
+    dof = np.maximum(taken.dof, 3.0)
+    tails = np.where(np.isinf(dof), 1.0, dof / np.maximum(dof - 2.0, 1.0))
+    far = taken.outlier_size**2 / np.where(taken.outlier_fixed, taken.sigma.mean(axis=1) ** 2, 1.0)
+    tails = tails + taken.outlier_share * np.maximum(far - 1.0, 0.0)
+    scale = np.maximum(taken.scale_at(test.targets), floor)
+    variance = scale**2 * tails[:, np.newaxis, np.newaxis]
+    signs = np.repeat([1.0, -1.0], m)
+    columns = traverse_columns(taken, np.tile(test.targets, 2), signs)
+    runs = float(counts[counts > 0].mean()) if np.any(counts > 0) else 1.0
+    return AfterMeans(
+        targets=test.targets,
+        kind=test.kind,
+        plain=plain,
+        mean=np.broadcast_to(np.where(np.isfinite(plain), plain, 0.0), (taken.count, 2, m)),
+        precision=counts / variance,
+        columns=columns.reshape(taken.count, 2, m, -1) / math.sqrt(runs),
+        sigma=float(np.exp(np.mean(np.log(np.sqrt(np.mean(variance, axis=(1, 2))))))),
+        readings=runs,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Curves:
+    """H curves that a test might show beside the belief, (2, m, H) each, mm or deg.
+
+    ``change``: by how much the correction differs from what acted behind the belief. ``free``: a
+    direction in which it may differ further by a standard normal amount (0: none). ``slope`` (H,):
+    standard deviation of a further slope over the positions, mm/mm.
+    """
+
+    change: FloatArray
+    free: FloatArray
+    slope: FloatArray
+    slack: FloatArray
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fits:
+    """How H curves fit a test.
+
+    ``log_likelihood`` (H,): of the means, all that is not known integrated. ``chance`` (H,):
+    probability that what is left over is as large or larger. ``slope`` (H, 2): of the test beside
+    the curve, with its standard error, mm/mm; ``amount`` (H, 2): of the free direction, with its
+    standard error, both 0 where there is none.
+    """
+
+    log_likelihood: FloatArray
+    chance: FloatArray
+    slope: FloatArray
+    amount: FloatArray
+
+
+def fits_of(after: AfterMeans, belief: ErrorBelief, curves: Curves, declared_slope: float) -> Fits:
+    """Return how the ``curves`` fit the test ``after`` beside the ``belief``.
+
+    ``declared_slope``: standard deviation of the slope, mm/mm, by which every test may differ.
+    """
+    draws = [_one_noise(after, belief, curves, declared_slope, j) for j in range(len(after.mean))]
+    log = np.stack([each.log_likelihood for each in draws])
+    top = log.max(axis=0)
+    weights = np.exp(log - top)
+    total = weights.sum(axis=0)
+    weights = weights / total
+    mean = np.sum(weights[..., np.newaxis] * np.stack([each.slope for each in draws]), axis=0)
+    amount = np.sum(weights[..., np.newaxis] * np.stack([each.amount for each in draws]), axis=0)
+    return Fits(
+        log_likelihood=top + np.log(total / len(draws)),
+        chance=np.sum(weights * np.stack([each.chance for each in draws]), axis=0),
+        slope=mean,
+        amount=amount,
+    )
+
+
+def _one_noise(
+    after: AfterMeans, belief: ErrorBelief, curves: Curves, declared_slope: float, j: int
+) -> Fits:
+    """Return how the curves fit under one draw of the noise."""
+    used = after.used
+    along = np.broadcast_to(_along(after), used.shape)
+    columns = np.concatenate(
+        [belief.root, after.columns[j], declared_slope * along[..., np.newaxis]], axis=2
+    )
+    white = _Whitener.of(after.precision[j], used, belief.blocks, columns)
+    datum = white(np.ones((*used.shape, 1)))
+    length = float(np.sum(datum**2))
+    unit = datum / math.sqrt(length)
+
+    def seen(values: FloatArray) -> FloatArray:
+        whitened = white(values)
+        projected: FloatArray = whitened - unit @ (unit.T @ whitened)
+        return projected
+
+    change = seen(curves.change)
+    left = seen((after.mean[j] - belief.mean)[..., np.newaxis]) - change
+    slope = seen(along[..., np.newaxis])
+    free = seen(curves.free) if np.any(curves.free) else np.zeros_like(change)
+    extra = np.stack([curves.slack * change, free, slope * curves.slope], axis=2)
+    inner = np.einsum("nha,nhb->hab", extra, extra) + np.eye(extra.shape[2])
+    score = np.einsum("nha,nh->ha", extra, left)
+    solved = np.linalg.solve(inner, score[..., np.newaxis])[..., 0]
+    chi2 = np.sum(left**2, axis=0) - np.sum(score * solved, axis=1)
+    log = -0.5 * (chi2 + np.linalg.slogdet(inner)[1] + white.log_det + math.log(length))
+    dof = max(after.count - 1.0, 1.0)
+    return Fits(
+        log_likelihood=log,
+        chance=np.array([_tail(value, dof) for value in chi2]),
+        slope=_estimate(slope, left, declared_slope),
+        amount=_amounts(free, left),
+    )
+
+
+def _along(after: AfterMeans) -> FloatArray:
+    """Return the positions (m,) less their middle."""
+    along: FloatArray = after.targets - after.targets.mean()
+    return along
+
+
+def _estimate(slope: FloatArray, left: FloatArray, declared: float) -> FloatArray:
+    """Return the slope (H, 2) by generalised least squares with its standard error, as if nothing
+    was declared of it: a'V a = g / (1 + g s²) where V holds s² already (Sherman and Morrison).
+    """
+    square = float(np.sum(slope**2))
+    if square <= 0.0:
+        return np.zeros((left.shape[1], 2))
+    own = 1.0 / square - declared**2
+    error = math.sqrt(max(own, 1e-12 / square))
+    value = (slope[:, 0] @ left) / square
+    return np.column_stack([value, np.full(left.shape[1], error)])
+
+
+def _amounts(free: FloatArray, left: FloatArray) -> FloatArray:
+    """Return the amount (H, 2) of the free direction with its standard error, both 0 where there is
+    none.
+    """
+    square = np.sum(free**2, axis=0)
+    there = square > 0.0
+    safe = np.where(there, square, 1.0)
+    value = np.where(there, np.sum(free * left, axis=0) / safe, 0.0)
+    return np.column_stack([value, np.where(there, 1.0 / np.sqrt(safe), 0.0)])
+
+
+def _tail(chi2: float, dof: float) -> float:
+    """Return the probability of a larger chi-square (Wilson and Hilferty, Proc. Natl. Acad. Sci. 17
+    (1931) 684: its cube root is nearly normal).
+    """
+    spread = 2.0 / (9.0 * dof)
+    score = (math.cbrt(max(chi2, 0.0) / dof) - 1.0 + spread) / math.sqrt(spread)
+    return 0.5 * math.erfc(score / math.sqrt(2.0))
+
+
+@dataclass(frozen=True, slots=True)
+class _Whitener:
+    """The inverse root of a covariance of blocks (Cholesky factors ``low`` (m, 3) of 2 x 2) and low
+    rank: ``base`` (2m, r) orthonormal, ``shrink`` (r,). ``log_det``: logarithm of its determinant.
+    """
+
+    low: FloatArray
+    used: FloatArray
+    base: FloatArray
+    shrink: FloatArray
+    log_det: float
+
+    @classmethod
+    def of(
+        cls, precision: FloatArray, used: FloatArray, blocks: FloatArray, columns: FloatArray
+    ) -> _Whitener:
+        """Return that of blocks + 1 / precision + columns columns' where ``used`` (2, m)."""
+        noise = np.where(used > 0.0, 1.0 / np.where(used > 0.0, precision, 1.0), 0.0)
+        up, down = used
+        first = np.where(up > 0.0, blocks[:, 0, 0] + noise[0], 1.0)
+        second = np.where(down > 0.0, blocks[:, 1, 1] + noise[1], 1.0)
+        between = blocks[:, 0, 1] * up * down
+        l11 = np.sqrt(first)
+        l21 = between / l11
+        l22 = np.sqrt(second - l21**2)
+        plain = cls(np.stack([l11, l21, l22]), used, np.zeros((2 * l11.size, 0)), np.zeros(0), 0.0)
+        spread = plain(columns)
+        values, vectors = np.linalg.eigh(spread.T @ spread)
+        kept = values > 1e-12 * max(float(values.max(initial=0.0)), 1e-300)
+        values = values[kept]
+        base = spread @ (vectors[:, kept] / np.sqrt(values))
+        log_det = 2.0 * float(np.sum(np.log(l11) + np.log(l22))) + float(np.sum(np.log1p(values)))
+        return replace(plain, base=base, shrink=1.0 / np.sqrt(1.0 + values) - 1.0, log_det=log_det)
+
+    def __call__(self, values: FloatArray) -> FloatArray:
+        """Return ``values`` (2, m, c) whitened, (2m, c)."""
+        l11, l21, l22 = self.low[:, :, np.newaxis]
+        up = self.used[0][:, np.newaxis] * values[0] / l11
+        down = (self.used[1][:, np.newaxis] * values[1] - l21 * up) / l22
+        flat = np.concatenate([up, down * self.used[1][:, np.newaxis]])
+        whitened: FloatArray = flat + self.base @ (
+            self.shrink[:, np.newaxis] * (self.base.T @ flat)
+        )
+        return whitened

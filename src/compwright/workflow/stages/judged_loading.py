@@ -1,0 +1,130 @@
+"""The judgement of a test after loading: from a plan and what was in the control to the hypotheses
+of `verification`, and back with a verdict.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from compwright.estimation.observed import ObservedTest
+from compwright.planning.declared import beside_first, slope_after
+from compwright.planning.motions import with_motion
+from compwright.planning.wanted import (
+    MeasuredError,
+    held_by,
+    measured_error,
+    observed_tests,
+)
+from compwright.prediction.acting import nothing
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.correction import ControlState, no_compensation
+from compwright.records.job import Job
+from compwright.records.noise import NoiseDraws
+from compwright.records.plan import PlannedAxis
+from compwright.records.positioning import PositioningTest
+from compwright.records.verification import LoadingVerdict
+from compwright.verification.hypotheses import Loading, loading_hypotheses
+from compwright.verification.likelihood import after_means, belief_of, draws_for
+from compwright.verification.loading import (
+    View,
+    judge_loading,
+    measurement_views,
+    of_other_axis,
+)
+
+
+def judged_loading(
+    job: Job,
+    planned: PlannedAxis,
+    test: PositioningTest,
+    place: int,
+    observed: Sequence[ObservedTest],
+    posterior: MeasuredError,
+    as_found: ControlState,
+    others: Mapping[str, PlannedAxis],
+) -> LoadingVerdict:
+    """Return what the ``test`` after loading, which repeats that at ``place`` of the axis, says of
+    the loading.
+
+    ``observed``, ``posterior``: the tests before and the error as they tell it; ``as_found``: what
+    was in the control; ``others``: the other axes of the plan.
+    """
+    if planned.fitted is None:
+        return LoadingVerdict(
+            verdict="undecided",
+            margin=0.0,
+            message="The plan holds no table for this axis: nothing was to be loaded.",
+        )
+    error = _judged_against(planned, observed, posterior)
+    view, noise = _view(planned, test, place, error, as_found, others)
+    after = after_means(test, noise)
+    slope = slope_after(job, planned.tests, test) if test.kind is AxisKind.LINEAR else None
+    views = [view, *measurement_views(view, both=test.bidirectional)]
+    verdict = judge_loading(after, views, declared_slope=slope)
+    if verdict.verdict in ("loaded", "thermal") or not others:
+        return verdict
+    mistaken = [
+        of_other_axis(name, _view(other, test, 0, _error_of(other), as_found, {})[0])
+        for name, other in others.items()
+        if other.tests and other.fitted is not None and other.axis.kind is test.kind
+    ]
+    return judge_loading(after, [*views, *mistaken], declared_slope=slope)
+
+
+def _view(
+    planned: PlannedAxis,
+    test: PositioningTest,
+    place: int,
+    error: MeasuredError,
+    as_found: ControlState,
+    others: Mapping[str, PlannedAxis],
+) -> tuple[View, NoiseDraws]:
+    axis, fitted = planned.axis, planned.fitted
+    draws = error.draw(test.targets, draws_for(test.targets.size), np.random.default_rng(0), place)
+    none = no_compensation(axis.address, axis.kind, axis.reference_return)
+    loading = Loading(
+        new=none if fitted is None else fitted.compensation,
+        old=held_by(as_found, axis),
+        acted=none if planned.active is None else planned.active,
+        others={
+            name: other.fitted.compensation
+            for name, other in others.items()
+            if other.fitted is not None
+        },
+        reference=axis.reference,
+        beside=_motion(planned, place, test.targets),
+    )
+    view = View(
+        belief=belief_of(draws.positive, draws.negative),
+        hypotheses=loading_hypotheses(loading, test.targets),
+    )
+    return view, draws.noise
+
+
+def _motion(planned: PlannedAxis, place: int, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return what acts at the targets at the motion of the test that is repeated."""
+    more = with_motion(nothing, planned.axis, planned.tests[place].backlash_more)
+    return more(targets, Direction.POSITIVE), more(targets, Direction.NEGATIVE)
+
+
+def _error_of(planned: PlannedAxis) -> MeasuredError:
+    observed = observed_tests(planned.tests, planned.active)
+    return measured_error(planned.tests, observed, planned.axis, planned.active)
+
+
+def _judged_against(
+    planned: PlannedAxis, observed: Sequence[ObservedTest], posterior: MeasuredError
+) -> MeasuredError:
+    """Return the error without the uncertain slope of the first test: between the tests that slope
+    is one number together with that of the test after loading.
+    """
+    beside = beside_first(planned.tests)
+    if all(one.slope_std == each.slope_std for one, each in zip(beside, observed, strict=True)):
+        return posterior
+    sloped = [
+        replace(each, slope_std=one.slope_std) for one, each in zip(beside, observed, strict=True)
+    ]
+    return measured_error(beside, sloped, planned.axis, planned.active)
