@@ -61,7 +61,7 @@ class Hypothesis:
     ``weight``: prior odds against the loaded table. ``slack``: standard deviation of the factor
     by which the change may differ. ``sloped``: with a slope over the positions of any size.
     ``inner``: it has the loaded table as its limit (a cut near the end, a factor near one): no name
-    of its own where it is the same.
+    of its own where it is the same. ``read``: of a fault of measurement, what the table does.
     """
 
     name: LoadingName
@@ -76,6 +76,7 @@ class Hypothesis:
     slack: float = 0.0
     sloped: bool = False
     inner: bool = False
+    read: LoadingName | None = None
 
     @property
     def change(self) -> FloatArray:

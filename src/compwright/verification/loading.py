@@ -110,6 +110,7 @@ def _read(belief: ErrorBelief, stood: Sequence[Hypothesis], factor: float, of: s
                 detail="the table acts" if each.name == "loaded" else "the table does not act",
                 factor=factor,
                 free=None,
+                read=each.name,
             )
             for each in stood
         ),
@@ -257,19 +258,22 @@ def _decided(
         name = _acting(rated, declared_slope)
     best = max((each for each in rated if each.name == name), key=lambda each: each.log)
     far = _distances(after, best, rated)
-    counted: set[LoadingName] = {name} | (
-        {"loaded", "thermal"} if name in ("loaded", "thermal") else set()
-    )
+    fits = best.chance >= _REFUSED
+    counted: set[LoadingName] = {name}
+    if name in ("loaded", "thermal"):
+        counted = {"loaded", "thermal"}
+    # A test that fits as it stands, and better than turned, has values that turning hardly changes.
     together = sum(
         each.probability
         for each, off in zip(rated, far, strict=True)
-        if each.name in counted or off <= 1.0
+        if each.name in counted or off <= 1.0 or (fits and each.hypothesis.read in counted)
     )
     equivalent = _equivalent(best, far, rated)
-    fits = best.chance >= _REFUSED
     hidden = {"loaded", "not_active"} <= {name, *equivalent}
     candidates = _candidates(rated, totals)
     told: set[LoadingName] = {*counted, *equivalent}
+    if fits and any(each.hypothesis.read in counted for each in rated):
+        told.add("measurement")
     margin = 0.0 if hidden else _margin(rated, counted, told)
     shown = Shown.of(after, view.belief, view.hypotheses, effect)
     clear = together >= CLEAR and fits and not hidden
