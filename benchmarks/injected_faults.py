@@ -6,7 +6,7 @@ decoding those. Corrections (2, m) in µm (arcsec), for + and -; `names`: those 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -48,13 +48,17 @@ class Fault:
 
 @dataclass(frozen=True)
 class Plan:
-    """What was written for an axis, and what was in the control before (``old``; None: nothing)."""
+    """What was written for an axis, and what was in the control before (``old``; None: nothing).
+
+    ``numbers_of``: the other axes; what their corrections (µm, arcsec) become where their numbers
+    are taken for those of this axis.
+    """
 
     name: str
     machine: Machine
     new: Loaded
     old: Loaded | None
-    others: tuple[str, ...]
+    numbers_of: Mapping[str, float]
 
     @property
     def control(self) -> Control:
@@ -122,32 +126,40 @@ def _places(plan: Plan, x: Floats) -> Iterator[Fault]:
     for k in SHIFTS:
         yield Fault("shifted", f"{k:+d}", float(k), plan.at(x - k * step))
     yield Fault("mirrored", "", 0.0, plan.at(nodes[0] + nodes[-1] - x))
-    for other in plan.others:
-        yield Fault("wrong_axis", f"of {other}", other, plan.new.at(other, x))
+    for other in plan.numbers_of:
+        factor = plan.numbers_of[other]
+        yield Fault("wrong_axis", f"of {other}", other, factor * plan.new.at(other, x))
         theirs = plan.new.nodes(other)[0]
         places = theirs[0] + (x - nodes[0]) / step * float(np.median(np.diff(theirs)))
-        by_number = plan.new.at(other, places)
+        by_number = factor * plan.new.at(other, places)
         yield Fault("wrong_axis", f"of {other}, by number", other, by_number, plain=False)
 
 
 def _partial(plan: Plan, x: Floats, cut: float) -> Iterator[Fault]:
-    """The table up to a node or from it on; the rest holds zeros, the old table, or (steps) the
-    last total.
+    """The table up to a node or from it on; the rest holds zeros (the backlash acts everywhere, or
+    only there too), the old table, or (steps) the last total.
     """
     nodes, totals = plan.nodes()
     place, plain = nodes[int(cut * nodes.size)], cut == 0.5
-    rests = [("nothing", np.zeros_like(totals))]
+    nothing = np.zeros_like(totals)
+    rests = [("nothing at all", nothing)]
+    if not plan.control.two_curves:
+        nothing[1] = (totals[1] - totals[0]).mean()
+        rests = [("zeros", nothing), ("nothing at all", 0 * totals)]
     if plan.old is not None:
         rests.append(("the old one", plan.old.at(plan.name, nodes)))
     for word, there in (("up to", nodes <= place), ("from", nodes >= place)):
+        words = f"{word} {place:g}"
         if plan.control.increments:
             clipped = np.minimum(x, place) if word == "up to" else np.maximum(x, place)
-            yield Fault("partial", f"{word} {place:g}", place, plan.at(clipped), plain)
+            yield Fault("partial", words, place, plan.at(clipped), plain)
         for what, rest in rests:
             kept = np.where(there, totals, rest)
             curve = np.stack([np.interp(x, nodes, one, period=plan.machine.turn) for one in kept])
-            words = f"{word} {place:g}, else {what}"
-            yield Fault("partial", words, place, curve, plain and not plan.control.increments)
+            first = plain and not plan.control.increments and rest is rests[0][1]
+            yield Fault("partial", f"{words}, else {what}", place, curve, first)
+        beside = x <= place if word == "up to" else x >= place
+        yield Fault("partial", f"{words}, a jump", place, beside * plan.at(x), plain=False)
 
 
 # ---- the written files, changed
@@ -183,8 +195,8 @@ def _changed(plan: Plan, name: str, files: Files, rng: Generator) -> tuple[Files
         return values(lambda v: _moved(v, k, control)), f"{k:+d} rows", float(k)
     if name == "mirrored":
         return values(lambda v: v[:, ::-1]), "rows from last to first", 0.0
-    if name == "wrong_axis" and plan.others:
-        other = str(rng.choice(plan.others))
+    if name == "wrong_axis" and plan.numbers_of:
+        other = str(rng.choice(list(plan.numbers_of)))
         return with_file_of(control, files, axis, other), f"file of {other}", other
     if name == "one_direction" and control.two_curves:
         row = int(rng.integers(2))

@@ -221,11 +221,13 @@ def with_values(control: Control, files: Files, name: str, change: Change) -> Fi
 def with_backlash(control: Control, files: Files, name: str, factor: float) -> Files:
     """Return the files with the backlash value of an axis times ``factor``."""
     form, words = _form(control), {"a": control.addresses[name], "n": name}
+    if not form.backlash:
+        raise ValueError("the table holds the reversal itself")
     file = form.backlash_file.format(**words)
     text = files[file].decode("latin-1")
     found = list(re.finditer(form.backlash.format(**words), text))
-    if not form.backlash or len(found) != 1:
-        raise ValueError(f"no backlash value of {name} in {file or 'any file'}")
+    if len(found) != 1:
+        raise ValueError(f"no backlash value of {name} in {file}")
     numbers = np.array([float(found[0][1]) * factor])
     return {**files, file: _replaced(text, found, numbers, form.decimals).encode("latin-1")}
 

@@ -82,8 +82,11 @@ def job_of(number: int, seed: int, words: argparse.Namespace, folder: Path) -> J
     state = None if old is None else old.folder
     tables = _run(axes, control, tests, folder / "job", state)
     new = Loaded(control, folder / "job" / "out" / "tables" / control.format)
-    others = {name: tuple(o for o in tables if o != name) for name in tables}
-    plans = {name: Plan(name, axes[name].before, new, old, others[name]) for name in tables}
+    size = {name: 3.6 if axes[name].before.rotary else 1.0 for name in tables}  # 0.001 deg, mm
+    plans = {}
+    for name in tables:
+        others = {other: size[name] / size[other] for other in tables if other != name}
+        plans[name] = Plan(name, axes[name].before, new, old, others)
     return Job(number, folder, axes, plans)
 
 
