@@ -68,7 +68,7 @@ def told(
     if tests[0].measured_in in given:
         active = given[tests[0].measured_in].axes.get("X")
     acted = with_what_acted(tests, axis, given)
-    counted, error, doubts = counted_together(acted, axis, active)
+    counted, error, doubts = counted_together(acted, observed_tests(acted, active), axis, active)
     return [test.acted is not None for test in counted], error, [each.code for each in doubts]
 
 

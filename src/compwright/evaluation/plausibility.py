@@ -14,10 +14,12 @@ import numpy as np
 
 from compwright.evaluation.copies import same_runs_findings
 from compwright.evaluation.readings import position_text, text_of
-from compwright.evaluation.statistics import count_readings, mean_deviation, standard_deviation
+from compwright.evaluation.scatter import pooled_scatter, spread_of
+from compwright.evaluation.statistics import mean_deviation
+from compwright.evaluation.usual import turned_odds, unit_odds
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
-from compwright.records.axis import AxisKind, Direction
+from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
 
 #: Readings that all lie within this per metre (and within a tenth of it on short axes) are no
@@ -43,34 +45,18 @@ _ROUNDING: Final = 1e-9
 #: standard errors.
 _TURNED: Final = {AxisKind.LINEAR: 3e-3, AxisKind.ROTARY: 3.0 / 3600.0}
 _SURE: Final = 4.0
+#: Units that are taken for each other: their factor, the finer and the coarser one; and how much
+#: more usual the other one has to be.
+_CONFUSED: Final = {
+    AxisKind.LINEAR: (1000.0, "µm", "mm"),
+    AxisKind.ROTARY: (3600.0, "arcsec", "deg"),
+}
+_UNUSUAL: Final = 20.0
 _INCH: Final = 25.4
 #: Targets in inches with four decimals are whole millimetres to within this, mm.
 _WHOLE: Final = 2e-3
 #: The fewest targets that any edition asks for.
 FEWEST_TARGETS: Final = {AxisKind.LINEAR: 5, AxisKind.ROTARY: 3}
-_DIRECTIONS: Final = (Direction.POSITIVE, Direction.NEGATIVE)
-
-
-def pooled_scatter(test: PositioningTest) -> tuple[float, float]:
-    """Return the pooled standard deviation of a reading about its target's mean (mm or deg) and its
-    degrees of freedom.
-    """
-    squares, dof = 0.0, 0.0
-    for direction in _DIRECTIONS:
-        block = test.deviations(direction)
-        s = standard_deviation(block)
-        known = np.isfinite(s)
-        degrees = np.where(known, count_readings(block) - 1.0, 0.0)
-        squares += float(np.sum(degrees * np.where(known, s, 0.0) ** 2))
-        dof += float(degrees.sum())
-    return (float(np.sqrt(squares / dof)) if dof else 0.0), dof
-
-
-def spread_of(test: PositioningTest) -> float:
-    """Return the largest less the smallest reading of a test, mm or deg."""
-    values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
-    made = values[np.isfinite(values)]
-    return float(np.ptp(made)) if made.size else 0.0
 
 
 def certain_fault(test: PositioningTest) -> str:
@@ -140,6 +126,9 @@ def _small(test: PositioningTest) -> list[Finding]:
     if certain:
         return [Finding("CW-T030", "warning", f"This cannot be right: {certain}.")]
     spread = spread_of(test)
+    unusual = _other_unit(test)
+    if unusual:
+        return [Finding("CW-T030", "warning", unusual)]
     if not 0.0 < spread < _RARE[test.kind]:
         return []
     message = (
@@ -147,6 +136,28 @@ def _small(test: PositioningTest) -> list[Finding]:
         " right?"
     )
     return [Finding("CW-T030", "warning", message)]
+
+
+def _other_unit(test: PositioningTest) -> str:
+    """Return that size and scatter are far more usual of another unit, with the odds; else
+    nothing.
+    """
+    factor, finer, coarser = _CONFUSED[test.kind]
+    small, large = unit_odds(test, factor), unit_odds(test, 1.0 / factor)
+    if max(small, large) < _UNUSUAL:
+        return ""
+    odds = significant(max(small, large), 1)
+    times, read = (
+        (f"{factor:g} times as large", f"{coarser} read as {finer}")
+        if small >= large
+        else (f"{factor:g} times smaller", f"{finer} read as {coarser}")
+    )
+    s = pooled_scatter(test)[0]
+    return (
+        f"The readings spread over {text_of(spread_of(test), test)} and scatter by"
+        f" {text_of(s, test)}: of machine tools it is {odds} times more usual {times} ({read}). Is"
+        " the unit right? Compare one reading with the instrument."
+    )
 
 
 def _turned(test: PositioningTest) -> list[Finding]:
@@ -163,8 +174,9 @@ def _turned(test: PositioningTest) -> list[Finding]:
             "CW-T032",
             "warning",
             f"The mean reversal value is +{text_of(mean, test)}, while lost motion gives a negative"
-            " one: are the directions + and − swapped, is the sign of the deviations turned, or is"
-            " the backlash compensation too large? A table made from swapped directions doubles"
+            f" one: {significant(turned_odds(mean, test.kind), 1)} to 1 that the directions + and −"
+            " are swapped or the sign of the deviations is turned, unless the backlash compensation"
+            " is too large. A table made from swapped directions doubles"
             " the lost motion. Check at one target: with lost motion the deviation of an approach"
             " in + is the smaller one.",
         )

@@ -11,7 +11,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.plausibility import pooled_scatter
+from compwright.evaluation.scatter import pooled_scatter
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source, share_a_file
 from compwright.records.axis import Direction, FloatArray

@@ -23,6 +23,7 @@ DOUBTS: Final = frozenset(
         *("CW-R055", "CW-R056", "CW-R058"),
         *("CW-P131", "CW-P153", "CW-P154"),
         *("CW-T030", "CW-T031", "CW-T032", "CW-T033", "CW-T034", "CW-T035", "CW-T036"),
+        *("CW-T037", "CW-T038"),
         *("CW-E003", "CW-E010", "CW-E011", "CW-S005", "CW-S018", "CW-S045"),
         *("CW-S060", "CW-S061"),
         *("CW-V020", "CW-V021", "CW-V022", "CW-V023", "CW-V024", "CW-V025", "CW-V026", "CW-V027"),

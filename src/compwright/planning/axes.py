@@ -17,6 +17,7 @@ from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.declared import fresh_slope, with_slopes
 from compwright.planning.fresh import FreshTests, Like, fresh_tests
 from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
+from compwright.planning.misread import misread_tests
 from compwright.planning.motions import with_backlash, with_motion
 from compwright.planning.outlook import predict, why_not_better, why_not_seen
 from compwright.planning.scenarios import alike, gains, scenarios_of
@@ -28,6 +29,7 @@ from compwright.planning.wanted import (
     check_coverage,
     dense_positions,
     held_by,
+    observed_tests,
     wanted_correction,
     with_change,
 )
@@ -56,7 +58,8 @@ class AxisWork:
     """One axis of a run. ``as_found``: what the control does now, by the judge; ``refused``: why
     its table is not written; ``chosen``: the table on a grid of our own choice, where that of the
     control stays and may lose something by it; ``beside``: where the job has another goal than the
-    least expected square, the one of the two tables that was not taken.
+    least expected square, the one of the two tables that was not taken. ``doubts``:
+    of tests that contradict the first, or look like something else than what they say.
     """
 
     entry: AxisJob
@@ -68,7 +71,7 @@ class AxisWork:
     refused: str = ""
     chosen: FittedTable | None = None
     beside: FittedTable | None = None
-    disagreeing: tuple[Finding, ...] = ()
+    doubts: tuple[Finding, ...] = ()
 
     @property
     def active(self) -> Correction:
@@ -82,7 +85,7 @@ class AxisWork:
         fitted = self.planned.fitted
         own = (
             *self._longer_tests(),
-            *self.disagreeing,
+            *self.doubts,
             *self.planned.estimate.findings,
             *self.posterior.findings,
             *(fitted.findings if fitted else ()),
@@ -157,7 +160,9 @@ def start_axis(
     if tests[0].measured_in in states:
         active = held_by(states[tests[0].measured_in], axis)
     tests = with_what_acted(with_backlash(with_slopes(job, tests), axis, states), axis, states)
-    tests, posterior, doubts = counted_together(tests, axis, active)
+    observed = observed_tests(tests, active)
+    misread = misread_tests(tests, observed, axis, states)
+    tests, posterior, contradicting = counted_together(tests, observed, axis, active)
     results = tuple(
         evaluated(job, axis, result.test, told, beside) if told else result
         for result, told, beside in zip(results, _told(posterior), others, strict=True)
@@ -181,7 +186,7 @@ def start_axis(
         posterior=posterior,
         planned=planned,
         as_found=as_found,
-        disagreeing=doubts,
+        doubts=(*misread, *contradicting),
     )
 
 

@@ -12,10 +12,11 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.cells import visible_periods
+from compwright.estimation.observed import ObservedTest
 from compwright.evaluation.agreement import disagreeing_test
 from compwright.foundations.findings import Finding
 from compwright.planning.motions import backlash_more, with_motion
-from compwright.planning.wanted import MeasuredError, held_by, measured_error, observed_tests
+from compwright.planning.wanted import MeasuredError, held_by, measured_error
 from compwright.prediction.acting import Correction, nothing
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import AxisCompensation, ControlState
@@ -43,6 +44,18 @@ def with_what_acted(
     )
 
 
+def acted_at(
+    test: PlannedTest, axis: Axis, states: Mapping[str, ControlState]
+) -> Correction | None:
+    """Return what the control did in a test by position and direction; None where nobody says
+    it.
+    """
+    state = states.get(test.measured_in)
+    if state is None:
+        return None
+    return with_motion(held_by(state, axis).at, axis, backlash_more(axis, test.motion, state))
+
+
 def _tells_something(test: PositioningTest) -> bool:
     read = sum(test.readings(direction) for direction in Direction)
     return int(np.count_nonzero(read)) > 1
@@ -51,26 +64,28 @@ def _tells_something(test: PositioningTest) -> bool:
 def _acted(
     test: PlannedTest, first: PlannedTest, axis: Axis, states: Mapping[str, ControlState]
 ) -> Acted | None:
-    state = states.get(test.measured_in)
-    correction: Correction = nothing
     if first.measured_in in states:
-        if state is None:
-            return None
-        more = backlash_more(axis, test.motion, state)
-        correction = with_motion(held_by(state, axis).at, axis, more)
-    elif (test.measured_in, test.motion) != (first.measured_in, first.motion):
+        correction = acted_at(test, axis, states)
+    elif (test.measured_in, test.motion) == (first.measured_in, first.motion):
+        correction = nothing
+    else:
+        correction = None
+    if correction is None:
         return None
     targets = test.test.targets
     return correction(targets, Direction.POSITIVE), correction(targets, Direction.NEGATIVE)
 
 
 def counted_together(
-    tests: tuple[PlannedTest, ...], axis: Axis, active: AxisCompensation | None
+    tests: tuple[PlannedTest, ...],
+    observed: Sequence[ObservedTest],
+    axis: Axis,
+    active: AxisCompensation | None,
 ) -> tuple[tuple[PlannedTest, ...], MeasuredError, tuple[Finding, ...]]:
     """Return the tests, those that contradict the first left out of the count; the error that the
-    others tell together; and the doubts of those left out. ``active``: what acted in the first.
+    others tell together; and the doubts of those left out. ``observed``: the same tests without
+    what acted in them; ``active``: what acted in the first.
     """
-    observed = observed_tests(tests, active)
 
     @cache
     def alone(place: int) -> MeasuredError:

@@ -18,11 +18,10 @@ from compwright.evaluation.copies import same_runs
 from compwright.evaluation.plausibility import (
     FEWEST_TARGETS,
     certain_fault,
-    pooled_scatter,
-    spread_of,
     wrong_target_unit,
 )
 from compwright.evaluation.readings import position_text, text_of
+from compwright.evaluation.scatter import pooled_scatter, spread_of
 from compwright.evaluation.statistics import mean_deviation
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant

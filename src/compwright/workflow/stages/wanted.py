@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from compwright.evaluation.same_error import same_error_findings
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.axes import AxisWork, start_axis
@@ -16,6 +17,7 @@ from compwright.prediction.acting import nothing
 from compwright.records.correction import ControlState
 from compwright.records.job import AxisJob, Job
 from compwright.records.plan import PlannedTest
+from compwright.records.positioning import PositioningTest
 from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.measured import Measured
 
@@ -58,8 +60,26 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
         works=with_circles,
         circles=circles,
         checks=checks,
-        findings=(*measured.findings, *places, *checks.findings(circles), *taken),
+        findings=(
+            *measured.findings,
+            *same_error_findings(_not_alike(measured)),
+            *places,
+            *checks.findings(circles),
+            *taken,
+        ),
     )
+
+
+def _not_alike(measured: Measured) -> dict[str, list[PositioningTest]]:
+    """Return the tests by axis; without the synchronised axes of gantries, which are measured as
+    one.
+    """
+    followers = {axis.gantry for axis in measured.axes.values() if axis.gantry is not None}
+    return {
+        name: [entry.test for entry in tests]
+        for name, tests in measured.inputs.tests.items()
+        if measured.axes[name].address not in followers
+    }
 
 
 def _started(

@@ -1,0 +1,84 @@
+"""How likely the means of one test are, whatever the error of the axis: to hold readings of a test
+against the same readings read otherwise (sign turned, places exchanged, another table acting).
+
+Marginal likelihood of the means under the model of `estimation.axis` with a constant reversal and
+no periods but those that are known (Rasmussen and Williams, Gaussian Processes for Machine
+Learning, 2006, section 5.2). Offset, slope and mean reversal are free: they count for nothing, as
+in restricted likelihood (Patterson and Thompson, Biometrika 58, 1971).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.cells import Cells, cells_of, visible_periods
+from compwright.estimation.model import Fitted, Periods, Travel, fitted
+from compwright.estimation.observed import ObservedTest
+from compwright.records.axis import FloatArray
+
+_DRAWS: Final = 12  # of the hyperparameters: the evidence is then good to a few tenths
+_FREE_LINES: Final = 3  # offset, slope, mean reversal
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """A curve (``positive``, ``negative``, (m,) mm or deg at the targets of a test) that the error
+    may hold times a factor of mean 0 and standard deviation ``std``.
+    """
+
+    positive: FloatArray
+    negative: FloatArray
+    std: float
+
+
+def log_likelihood(
+    observed: ObservedTest, travel: Travel, periods: Sequence[float], shape: Shape | None = None
+) -> float:
+    """Return the natural logarithm of the density of the means of a test (mm or deg), but for a
+    constant that depends on its targets and counts alone. Raises InputError for readings at fewer
+    than two targets.
+    """
+    cells = cells_of([observed], endless=travel.turn is not None)
+    if shape is not None:
+        cells = _with(cells, observed, shape)
+    drawn = _fitted(cells, travel, periods).drawn
+    free = cells.data.signs.size - (_FREE_LINES if cells.bidirectional else _FREE_LINES - 1)
+    return drawn.log_evidence - free * float(np.log(cells.data.scale))
+
+
+def smooth_part(observed: ObservedTest, travel: Travel) -> tuple[FloatArray, FloatArray]:
+    """Return of the means of a test what the model holds at its targets (m,), approached in + and
+    in -: without noise and without what changes from target to target.
+    """
+    cells = cells_of([observed], endless=travel.turn is not None)
+    part = _fitted(cells, travel, ()).part(np.array([cells.data.typical()]))
+    weights = part.weights[0].mean[: part.basis.size]
+    where = observed.test.targets
+    first, second = (
+        line + cells.data.scale * rows @ weights
+        for line, rows in zip(cells.line_at(where), part.basis.design(where), strict=True)
+    )
+    return first, second
+
+
+def _fitted(cells: Cells, travel: Travel, periods: Sequence[float]) -> Fitted:
+    known = Periods.of(cells, visible_periods(cells.targets, periods))
+    return fitted(cells, travel, known, varying=False, draws=_DRAWS)
+
+
+def _with(cells: Cells, observed: ObservedTest, shape: Shape) -> Cells:
+    data = cells.data
+    seats = np.searchsorted(observed.test.targets, cells.targets[data.seats] - 1e-9)
+    curve = np.where(data.signs > 0, shape.positive[seats], shape.negative[seats]) / data.scale
+    return replace(
+        cells,
+        data=replace(
+            data,
+            extra=np.hstack([data.extra, curve[:, np.newaxis]]),
+            extra_std=np.append(data.extra_std, shape.std),
+        ),
+    )
