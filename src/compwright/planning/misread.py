@@ -95,7 +95,7 @@ def misread_tests(
     axis: Axis,
     states: Mapping[str, ControlState],
 ) -> tuple[Finding, ...]:
-    """Return the doubts (CW-T038) of the tests of an axis; ``observed``: the same without what
+    """Return the doubts (CW-P160) of the tests of an axis; ``observed``: the same without what
     acted in them, as far as ``states`` (by name) say it.
     """
     known = states if tests[0].measured_in in states else {}
@@ -107,7 +107,7 @@ def misread_tests(
 
 
 def misread_findings(bare: ObservedTest, axis: Axis, acted: ActedAt | None) -> tuple[Finding, ...]:
-    """Return the doubt (CW-T038) of a test whose readings are far more likely taken otherwise than
+    """Return the doubt (CW-P160) of a test whose readings are far more likely taken otherwise than
     as stated, with how much more.
 
     ``bare``: the test without what acted in it; ``acted``: what that was by position and direction,
@@ -153,7 +153,7 @@ def _doubt(logs: Mapping[WayOfReading, float], name: str) -> tuple[Finding, ...]
     checks = " ".join(_WORDS[way][1] for way in others)
     return (
         Finding(
-            "CW-T038",
+            "CW-P160",
             "warning",
             f"The readings of test {name} do not look like what its file and state say: they are"
             f" {', or '.join(said)}. A table made from them would be wrong. {checks}",
