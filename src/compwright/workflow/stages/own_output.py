@@ -21,7 +21,7 @@ from compwright.foundations.provenance import fingerprint, share_a_file
 from compwright.records.axis import Axis, Direction
 from compwright.records.circular import CircularTest
 from compwright.records.job import Job
-from compwright.records.plan import Plan, PlannedAxis
+from compwright.records.plan import Plan, PlannedAxis, PlannedTest
 from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.verification.read_back import SAME
 from compwright.workflow.stages.control import DecodedState, judged
@@ -91,6 +91,7 @@ def _near(job: Job, folder: Path, out: Path) -> Iterator[Path]:
     state, beside job and results.
     """
     yield out / PLAN
+    yield storage.resolved(out).parent / PLAN  # that of the round before
     for texts in job.states.values():
         for text in texts:
             path = folder / text
@@ -136,15 +137,16 @@ def _counted_twice(
     for name, tests in inputs.tests.items():
         for planned in tests:
             state = inputs.states.get(planned.measured_in)
-            axes = [
-                axis
+            pairs = [
+                (axis, old)
                 for axis in plan.axes.values()
-                if any(_same(planned.test, old.test) for old in axis.tests)
+                for old in axis.tests
+                if _same(planned.test, old.test)
             ]
-            if state is None or not axes:
+            if state is None or not pairs:
                 continue
             made = any(fingerprint(file.content) in earlier.made for file in state.files)
-            if any(_acts_again(axis, state, job.axes[name].axis, made=made) for axis in axes):
+            if any(_acts_again(*each, state, job.axes[name].axis, made=made) for each in pairs):
                 yield _fault(
                     job, f"axes.{name}.before", planned.test.name, planned.measured_in, earlier
                 )
@@ -188,14 +190,16 @@ def _readings(test: PositioningTest) -> dict[tuple[Direction, float, int], float
     return found
 
 
-def _acts_again(planned: PlannedAxis, state: DecodedState, axis: Axis, *, made: bool) -> bool:
-    """Whether a state does something else to an axis than what acted while the plan's test was
+def _acts_again(
+    planned: PlannedAxis, test: PlannedTest, state: DecodedState, axis: Axis, *, made: bool
+) -> bool:
+    """Whether a state does something else to an axis than what acted while the plan's ``test`` was
     taken, and what the plan asked for.
 
     ``made``: the files of the state are the plan's own byte for byte; others may do the same in
     another form (a whole backup).
     """
-    if planned.fitted is None or planned.active is None:
+    if planned.fitted is None:
         return False
     new = planned.fitted.compensation
     where = (
@@ -203,15 +207,27 @@ def _acts_again(planned: PlannedAxis, state: DecodedState, axis: Axis, *, made: 
         if new.positions.size > 1
         else np.linspace(*planned.axis.travel, 11)
     )
-    acts = {direction: judged(state, axis.address, where, direction) for direction in Direction}
-    fresh, planned_now = (
-        max(
-            float(np.max(np.abs(acts[direction] - table.at(where, direction))))
-            for direction in Direction
-        )
-        for table in (planned.active, new)
+    gaps = (
+        judged(state, axis.address, where, direction) - new.at(where, direction)
+        for direction in Direction
     )
-    return fresh > SAME and (made or planned_now <= SAME)
+    asked = max(float(np.max(np.abs(gap))) for gap in gaps)
+    return _fresh(planned, test, state, axis) > SAME and (made or asked <= SAME)
+
+
+def _fresh(planned: PlannedAxis, test: PlannedTest, state: DecodedState, axis: Axis) -> float:
+    """Return by how much a state does something else than what acted during the ``test`` of a plan,
+    mm or deg, at the targets of the test; nothing where the plan does not know what acted.
+    """
+    targets, acted, active = test.test.targets, test.acted, planned.active
+    if acted is None and active is not None and test.measured_in == planned.tests[0].measured_in:
+        acted = active.at(targets, Direction.POSITIVE), active.at(targets, Direction.NEGATIVE)
+    if acted is None:
+        return 0.0
+    return max(
+        float(np.max(np.abs(judged(state, axis.address, targets, direction) - then)))
+        for direction, then in zip(Direction, acted, strict=True)
+    )
 
 
 def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fault:
