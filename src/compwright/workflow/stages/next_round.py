@@ -161,7 +161,8 @@ def _doubted(axis: VerifiedAxis) -> str:
     """Return why the test after loading does not show that the table acts as it should."""
     verdict = axis.loading["verdict"]
     if verdict != "loaded":
-        return f"it is {verdict.replace('_', ' ')}, not loaded"
+        of = f" ({axis.loading['of']})" if axis.loading.get("of") else ""
+        return f"the verdict is {verdict.replace('_', ' ')}{of}, not loaded"
     doubts = [one for one in axis.findings if one.code in LACKING or one.severity == "error"]
     if doubts:
         return f"its test after loading is in doubt ({doubts[0].code}: {doubts[0].message})"
