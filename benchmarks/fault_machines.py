@@ -71,21 +71,22 @@ FLEET = [
 FLEET += ["pitch unknown"]
 
 
-def axis_of(kind: str, number: int, name: str) -> Axis:
-    """Return an axis of a kind with both its tests; always the same one."""
+def axis_of(kind: str, number: int, name: str, size: float | None = None) -> Axis:
+    """Return an axis of a kind with both its tests, always the same one; its error has ``size`` µm
+    from lowest to highest, else what its kind has, or 1 to 60.
+    """
     rng = name_seed(f"{kind}, loaded", number, ord(name))
-    machine = _sized((OWN.get(kind) or KINDS[kind])(rng), rng)
-    machine = replace(machine, mode="auto")
+    machine = replace((OWN.get(kind) or KINDS[kind])(rng), mode="auto")
+    if size or rng.uniform() < 0.5:  # half of the others are as large as their kind is
+        machine = sized(machine, size or float(np.exp(rng.uniform(np.log(1.0), np.log(60.0)))))
     after = _measured_later(machine, rng)
     return Axis(name, kind, machine, after, _spacing(machine, rng), _spread(after, rng))
 
 
-def _sized(machine: Machine, rng: Generator) -> Machine:
-    """Half of them as large as they are, the others 1 to 60 µm from lowest to highest."""
-    if rng.uniform() < 0.5:
-        return machine
+def sized(machine: Machine, size: float) -> Machine:
+    """Return the machine with an error of ``size`` µm from lowest to highest."""
     x = np.linspace(machine.low, machine.high, 500)
-    factor = float(np.exp(rng.uniform(np.log(1.0), np.log(60.0)))) / np.ptp(machine.error(x))
+    factor = size / float(np.ptp(machine.error(x)))
     return replace(
         machine, mean=_times(machine.mean, factor), reversal=_times(machine.reversal, factor)
     )
