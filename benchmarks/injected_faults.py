@@ -173,7 +173,8 @@ def entered(plan: Plan, name: str, x: Floats, rng: Generator, folder: Path) -> F
     except ValueError:
         return None
     try:
-        correction = Loaded(plan.control, write_files(folder, changed)).at(plan.name, x)
+        loaded = Loaded(plan.control, write_files(folder, changed), plan.new.rotary)
+        correction = loaded.at(plan.name, x)
     except ValueError:  # the control refuses the values, or a reader the files
         return None
     return Fault(name, f"files: {words}", value, correction, plain=False)

@@ -149,11 +149,13 @@ def option_words(options: Mapping[str, Any]) -> list[str]:
 
 
 class Loaded:
-    """What a control does with a folder of files, as ``decode`` says."""
+    """What a control does with a folder of files, as ``decode`` says; ``rotary``: the axes whose
+    numbers are degrees, also where the files do not say so.
+    """
 
-    def __init__(self, control: Control, folder: Path) -> None:
+    def __init__(self, control: Control, folder: Path, rotary: frozenset[str]) -> None:
         """Nothing is read before it is asked for."""
-        self.control, self.folder = control, folder
+        self.control, self.folder, self.rotary = control, folder, rotary
 
     def _decoded(self, *words: str) -> Mapping[str, Any]:
         command = ["decode", str(self.folder), "--format", self.control.format, *words]
@@ -167,7 +169,8 @@ class Loaded:
         axes = self._decoded("--axis", self.control.addresses[name], *words)
         axis = axes[self.control.addresses[name]]
         both = [axis["correction_positive"], axis["correction_negative"]]
-        return np.array(axis["positions"], dtype=float), np.array(both, dtype=float)
+        factor = 3.6 if name in self.rotary and axis["unit"] == "um" else 1.0  # 0.001 deg, not mm
+        return np.array(axis["positions"], dtype=float), factor * np.array(both, dtype=float)
 
     def nodes(self, name: str) -> tuple[Floats, Floats]:
         """Positions (k,) and corrections (2, k) at the nodes."""

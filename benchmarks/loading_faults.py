@@ -81,7 +81,7 @@ def job_of(number: int, seed: int, words: argparse.Namespace, folder: Path) -> J
         tests[name] = a_test(axis.before, rng, acting)
     state = None if old is None else old.folder
     tables = _run(axes, control, tests, folder / "job", state)
-    new = Loaded(control, folder / "job" / "out" / "tables" / control.format)
+    new = _loaded(axes, control, folder / "job")
     size = {name: 3.6 if axes[name].before.rotary else 1.0 for name in tables}  # 0.001 deg, mm
     plans = {}
     for name in tables:
@@ -98,7 +98,12 @@ def _old_tables(
     tables = _run(axes, control, tests, folder / "earlier", None)
     if len(tables) < len(axes):
         return None
-    return Loaded(control, folder / "earlier" / "out" / "tables" / control.format)
+    return _loaded(axes, control, folder / "earlier")
+
+
+def _loaded(axes: Mapping[str, Axis], control: Control, folder: Path) -> Loaded:
+    rotary = frozenset(name for name, axis in axes.items() if axis.before.rotary)
+    return Loaded(control, folder / "out" / "tables" / control.format, rotary)
 
 
 def a_test(

@@ -51,8 +51,9 @@ def loop(control: Control, axis: Axis, rng: Generator, rounds: int, sign: float 
         if code not in {0, 1} or not tables.exists():
             return {**record, "end": f"run {code}", "why": why.strip()[-200:]}
         job, out = folder / "job.yaml", folder / "out"
+        rotary = frozenset(axis.name if axis.before.rotary else "")
         for number in range(1, rounds + 1):
-            acting = sign * Loaded(control, tables).at(axis.name, axis.after.targets)
+            acting = sign * Loaded(control, tables, rotary).at(axis.name, axis.after.targets)
             a, document, why = _verify(axis, acting, tables, job, out, number, rng)
             record["A"].append(a / floor)
             if document is None:

@@ -105,6 +105,7 @@ FAULTS: dict[str, tuple[Callable[[Readings], Readings], set[str]]] = {
         lambda _: turned(before("X"), lambda b: b / 10),
         {"copied"},
     ),
+    "the other axis' test from before": (lambda _: before("Y"), {"wrong_axis", "copied"}),
     "three times the test from before": (
         lambda _: turned(before("X"), lambda b: 3 * b),
         {"copied"},
