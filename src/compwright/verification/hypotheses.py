@@ -46,7 +46,13 @@ _FREE: Final = 0.7
 # up most easily, passes for it in less than 1 % of the tests.
 _COMMON: Final = 0.2
 _RARE: Final = 0.05
-_FAMILY: Final = 0.2  # of a whole family of cuts
+_FAMILY: Final = 0.05  # of a whole family of cuts of one kind
+#: Where the values that were read back from the control are those of the plan, a fault of the
+#: values is this much less likely.
+_READ_BACK: Final = 0.01
+_OF_VALUES: Final = frozenset[LoadingName](
+    ("scaled", "shifted", "mirrored", "wrong_axis", "one_direction", "backlash", "partial")
+)
 #: Of each way in which another axis's table may act: tables of axes that are alike are no fault
 #: that anybody would notice.
 _OTHER: Final = 0.01
@@ -90,7 +96,8 @@ class Loading:
 
     ``new``: planned; ``old``: in the control before; ``acted``: behind the belief of the deviation
     (in the tests before); ``others``: tables planned for other axes, by name. ``beside``: by
-    direction, what acts in the test in any case (m,).
+    direction, what acts in the test in any case (m,). ``read_back``: what was read back from the
+    control is what was planned.
     """
 
     new: AxisCompensation
@@ -99,11 +106,18 @@ class Loading:
     others: Mapping[str, AxisCompensation] = field(default_factory=dict)
     reference: float = 0.0
     beside: tuple[FloatArray, FloatArray] | None = None
+    read_back: bool = False
 
 
 def loading_hypotheses(loading: Loading, targets: FloatArray) -> tuple[Hypothesis, ...]:
     """Return every way in which the table may have been loaded, at ``targets`` (m,)."""
-    return tuple(_Ways(loading, targets).all())
+    ways = _Ways(loading, targets).all()
+    if not loading.read_back:
+        return tuple(ways)
+    return tuple(
+        replace(way, weight=_READ_BACK * way.weight) if way.name in _OF_VALUES else way
+        for way in ways
+    )
 
 
 _Curve = FloatArray  # (2, m): in + and in -
@@ -171,6 +185,7 @@ class _Ways:
         yield from self.one_direction()
         yield from self.wrong_backlash()
         yield from self.partial()
+        yield from self.cut_off()
 
     # ------------------------------------------------------------ the whole table
 
@@ -368,6 +383,32 @@ class _Ways:
                         self.values(curves),
                         _FAMILY / len(cuts),
                         f"{where}, {told}",
+                        inner=not 0.25 <= share <= 0.75,
+                    )
+
+    def cut_off(self) -> Iterator[Hypothesis]:
+        """Yield a table that ends between two nodes all at once, its backlash with it."""
+        nodes, targets = self.table.positions, self.targets
+        if nodes.size < 3 or targets.size < 3:
+            return
+        new = self.total(self.own)
+        beyond = [("nothing beyond, no backlash either", self.stay - self.acted)]
+        if self.has_old:
+            beyond.append(("all as before beyond", self.old - self.acted))
+        gaps = np.arange(1, targets.size)
+        gaps = gaps[np.unique(np.linspace(0, gaps.size - 1, min(gaps.size, _CUTS)).astype(int))]
+        for told, rest in beyond:
+            for gap in gaps:
+                last = int(np.clip(np.searchsorted(nodes, targets[gap - 1]), 0, nodes.size - 1))
+                for first in (True, False):
+                    inside = (np.arange(targets.size) < gap) == first
+                    number = f"up to node {last + 1}" if first else f"from node {last + 1} on"
+                    share = float(np.mean(inside))
+                    yield self.made(
+                        "partial",
+                        np.where(inside, new, rest),
+                        _FAMILY / gaps.size,
+                        f"{number} ({nodes[last]:g}), {told}",
                         inner=not 0.25 <= share <= 0.75,
                     )
 

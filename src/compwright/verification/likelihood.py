@@ -72,11 +72,14 @@ def belief_of(positive: FloatArray, negative: FloatArray) -> ErrorBelief:
     both = np.hstack([positive, negative])
     mean = both.mean(axis=0)
     left = (both - mean) / math.sqrt(max(both.shape[0] - 1, 1))
-    values, vectors = np.linalg.eigh(left @ left.T)
+    narrow = both.shape[1] <= both.shape[0]
+    values, vectors = np.linalg.eigh(left.T @ left if narrow else left @ left.T)
     largest = np.argsort(values)[::-1][: min(_RANK, both.shape[1])]
     largest = largest[values[largest] > 1e-12 * max(float(values.max()), 1e-300)]
-    root = left.T @ vectors[:, largest]
-    rest = left - vectors[:, largest] @ root.T
+    size = np.sqrt(values[largest])
+    # of the covariance itself, or from the products of the draws
+    root = vectors[:, largest] * size if narrow else left.T @ vectors[:, largest]
+    rest = left - (left @ (root / size**2)) @ root.T
     up, down = np.split(rest, 2, axis=1)
     m = positive.shape[1]
     blocks = np.empty((m, 2, 2))
@@ -202,14 +205,14 @@ class Curves:
 class Fits:
     """How H curves fit a test.
 
-    ``log_likelihood`` (H,): of the means, all that is not known integrated. ``chance`` (H,):
-    probability that what is left over is as large or larger. ``slope`` (H, 2): of the test beside
+    ``log_likelihood`` (H,): of the means, all that is not known integrated. ``score`` (H,): the
+    standard normal value as improbable as what is left over. ``slope`` (H, 2): of the test beside
     the curve, with its standard error, mm/mm; ``amount`` (H, 2): of the free direction, with its
     standard error, both 0 where there is none.
     """
 
     log_likelihood: FloatArray
-    chance: FloatArray
+    score: FloatArray
     slope: FloatArray
     amount: FloatArray
 
@@ -229,7 +232,7 @@ def fits_of(after: AfterMeans, belief: ErrorBelief, curves: Curves, declared_slo
     amount = np.sum(weights[..., np.newaxis] * np.stack([each.amount for each in draws]), axis=0)
     return Fits(
         log_likelihood=top + np.log(total / len(draws)),
-        chance=np.sum(weights * np.stack([each.chance for each in draws]), axis=0),
+        score=np.sum(weights * np.stack([each.score for each in draws]), axis=0),
         slope=mean,
         amount=amount,
     )
@@ -267,7 +270,7 @@ def _one_noise(
     dof = max(after.count - 1.0, 1.0)
     return Fits(
         log_likelihood=log,
-        chance=np.array([_tail(value, dof) for value in chi2]),
+        score=_score(chi2, dof),
         slope=_estimate(slope, left, declared_slope),
         amount=_amounts(free, left),
     )
@@ -303,13 +306,13 @@ def _amounts(free: FloatArray, left: FloatArray) -> FloatArray:
     return np.column_stack([value, np.where(there, 1.0 / np.sqrt(safe), 0.0)])
 
 
-def _tail(chi2: float, dof: float) -> float:
-    """Return the probability of a larger chi-square (Wilson and Hilferty, Proc. Natl. Acad. Sci. 17
-    (1931) 684: its cube root is nearly normal).
+def _score(chi2: FloatArray, dof: float) -> FloatArray:
+    """Return the standard normal value as improbable as a chi-square (Wilson and Hilferty, Proc.
+    Natl. Acad. Sci. 17 (1931) 684: its cube root is nearly normal).
     """
     spread = 2.0 / (9.0 * dof)
-    score = (math.cbrt(max(chi2, 0.0) / dof) - 1.0 + spread) / math.sqrt(spread)
-    return 0.5 * math.erfc(score / math.sqrt(2.0))
+    score: FloatArray = (np.cbrt(np.maximum(chi2, 0.0) / dof) - 1.0 + spread) / math.sqrt(spread)
+    return score
 
 
 @dataclass(frozen=True, slots=True)

@@ -38,25 +38,29 @@ from compwright.verification.loading_words import (
     thermal_message,
 )
 
-__all__ = ["LoadingVerdict", "View", "judge_loading", "measurement_views"]
+__all__ = ["LoadingVerdict", "View", "judge_loading", "measurement_views", "unit_views"]
 
 #: A name is given from this probability on, those that no test could tell from it counted with it.
 CLEAR: Final = 0.99
 #: A test that fits is refused in 1 of 1000 cases by what is left over, and by a slope beyond what
-#: is declared: probability, and normal score.
-_REFUSED: Final = 1e-3
-_BEYOND: Final = 3.09
+#: is declared: normal score.
+_REFUSED: Final = 3.09
 #: Standard deviation of a slope of any size, mm/mm: 3 K of steel.
 _ANY_SLOPE: Final = 35e-6
 #: No two tests are closer in temperature, mm/mm: 0.03 K of steel.
 _LEAST_SLOPE: Final = 0.3e-6
 #: Prior odds of a fault on an axis that is longer or shorter now against the fault alone, and of
 #: a loaded table on one.
-_SLOPED: Final = 0.02
+_SLOPED: Final = 0.005
 _THERMAL: Final = 0.2
 #: Prior odds of a fault of measurement against a loaded table well measured.
-_MEASURED_WRONG: Final = 0.05
+_MEASURED_WRONG: Final = 0.02
 _OTHER_AXIS: Final = 0.01
+#: Two faults at once, of measurement and of loading, beside one.
+_BOTH: Final = 0.1
+#: Standard deviation of the logarithm of the ratio of two honest noises of one axis.
+_OTHER_NOISE: Final = 0.7
+_NEVER: Final = 1e-300
 #: Units that are mixed up, as factors on the readings.
 _UNITS: Final = (1000.0, 0.001, 25.4, 1.0 / 25.4)
 #: Logarithm of odds beyond which nobody asks: a second name there is none.
@@ -75,7 +79,7 @@ class View:
 
 def measurement_views(view: View, *, both: bool = True) -> tuple[View, ...]:
     """Return the faults of measurement: the loaded table, or the old control, read with the wrong
-    sign, with exchanged directions (``both`` are measured) or in another unit.
+    sign or with exchanged directions (``both`` are measured).
     """
     stood = [each for each in view.hypotheses if each.name == "loaded"]
     stood += [each for each in view.hypotheses if each.name == "not_active"][:1]
@@ -83,8 +87,29 @@ def measurement_views(view: View, *, both: bool = True) -> tuple[View, ...]:
     if both:
         turned = [replace(each, positive=each.negative, negative=each.positive) for each in stood]
         views.append(_read(view.belief.turned(), turned, 1.0, "direction"))
-    views += [_read(view.belief.scaled(unit), stood[:1], unit, "unit") for unit in _UNITS]
     return tuple(views)
+
+
+def unit_views(view: View, louder: float) -> tuple[View, ...]:
+    """Return the loaded table read in another unit.
+
+    ``louder``: the noise of the test over that of the tests before. Readings in another unit
+    scatter by as much more: honest noises differ by a factor of two or so (normal law of its
+    logarithm).
+    """
+    stood = [each for each in view.hypotheses if each.name == "loaded"]
+    views = []
+    for unit in _UNITS:
+        read = _read(view.belief.scaled(unit), stood, unit, "unit")
+        odds = math.exp(_honest(louder / unit) - _honest(louder))
+        ways = (replace(each, weight=max(odds * each.weight, _NEVER)) for each in read.hypotheses)
+        views.append(View(belief=read.belief, hypotheses=tuple(ways)))
+    return tuple(views)
+
+
+def _honest(ratio: float) -> float:
+    """Return the logarithm of the density of a ratio of honest noises, up to a constant."""
+    return -0.5 * (math.log(ratio) / _OTHER_NOISE) ** 2
 
 
 def of_other_axis(name: str, view: View) -> View:
@@ -105,7 +130,7 @@ def _read(belief: ErrorBelief, stood: Sequence[Hypothesis], factor: float, of: s
                 name="measurement",
                 positive=factor * each.positive,
                 negative=factor * each.negative,
-                weight=_MEASURED_WRONG * each.weight,
+                weight=_MEASURED_WRONG * (1.0 if each.name == "loaded" else _BOTH) * each.weight,
                 of=of,
                 detail="the table acts" if each.name == "loaded" else "the table does not act",
                 factor=factor,
@@ -146,7 +171,7 @@ def judge_loading(
 @dataclass(frozen=True, slots=True)
 class _Rated:
     """One hypothesis with what a test says of it: ``expected`` (2, m) the noise-free test by what
-    fits best, ``probability``, ``chance`` of what is left over, slope and factor with their
+    fits best, ``probability``, ``score`` of what is left over, slope and factor with their
     standard errors.
     """
 
@@ -155,7 +180,7 @@ class _Rated:
     expected: FloatArray
     probability: float
     log: float
-    chance: float
+    score: float
     slope: tuple[float, float]
     amount: tuple[float, float]
     base: FloatArray
@@ -191,7 +216,7 @@ def _rated(
                     expected=expected,
                     probability=0.0,
                     log=math.log(way.weight) + float(fits.log_likelihood[index]),
-                    chance=float(fits.chance[index]),
+                    score=float(fits.score[index]),
                     slope=(float(fits.slope[index, 0]), float(fits.slope[index, 1])),
                     amount=(amount, float(fits.amount[index, 1])),
                     base=view.belief.mean,
@@ -258,7 +283,7 @@ def _decided(
         name = _acting(rated, declared_slope)
     best = max((each for each in rated if each.name == name), key=lambda each: each.log)
     far = _distances(after, best, rated)
-    fits = best.chance >= _REFUSED
+    fits = best.score <= _REFUSED
     counted: set[LoadingName] = {name}
     if name in ("loaded", "thermal"):
         counted = {"loaded", "thermal"}
@@ -278,7 +303,7 @@ def _decided(
     shown = Shown.of(after, view.belief, view.hypotheses, effect)
     clear = together >= CLEAR and fits and not hidden
     verdict: LoadingName = name if clear else "undecided"
-    nothing_fits = not any(each.chance >= _REFUSED for each in rated)
+    nothing_fits = not any(each.score <= _REFUSED for each in rated)
     if nothing_fits:
         text = neither_message(shown)
     elif clear:
@@ -353,7 +378,7 @@ def _acting(rated: Sequence[_Rated], declared_slope: float | None) -> LoadingNam
     if declared_slope is None:
         return "loaded"
     slope, error = plain.slope
-    beyond = abs(slope) > _BEYOND * math.hypot(error, math.hypot(declared_slope, _LEAST_SLOPE))
+    beyond = abs(slope) > _REFUSED * math.hypot(error, math.hypot(declared_slope, _LEAST_SLOPE))
     return "thermal" if beyond else "loaded"
 
 

@@ -33,6 +33,7 @@ from compwright.verification.loading import (
     judge_loading,
     measurement_views,
     of_other_axis,
+    unit_views,
 )
 
 
@@ -45,12 +46,15 @@ def judged_loading(
     posterior: MeasuredError,
     as_found: ControlState,
     others: Mapping[str, PlannedAxis],
+    *,
+    read_back: bool,
 ) -> LoadingVerdict:
     """Return what the ``test`` after loading, which repeats that at ``place`` of the axis, says of
     the loading.
 
     ``observed``, ``posterior``: the tests before and the error as they tell it; ``as_found``: what
-    was in the control; ``others``: the other axes of the plan.
+    was in the control; ``others``: the other axes of the plan; ``read_back``: what was read back
+    from the control is the plan's table.
     """
     if planned.fitted is None:
         return LoadingVerdict(
@@ -59,19 +63,23 @@ def judged_loading(
             message="The plan holds no table for this axis: nothing was to be loaded.",
         )
     error = _judged_against(planned, observed, posterior)
-    view, noise = _view(planned, test, place, error, as_found, others)
+    view, noise = _view(planned, test, place, error, as_found, others, read_back=read_back)
     after = after_means(test, noise)
     slope = slope_after(job, planned.tests, test) if test.kind is AxisKind.LINEAR else None
-    views = [view, *measurement_views(view, both=test.bidirectional)]
+    views = [
+        view,
+        *measurement_views(view, both=test.bidirectional),
+    ]
     verdict = judge_loading(after, views, declared_slope=slope)
-    if verdict.verdict in ("loaded", "thermal") or not others:
+    if verdict.verdict in ("loaded", "thermal", "not_active"):
         return verdict
-    mistaken = [
+    views += unit_views(view, after.sigma / error.noise)
+    views += [
         of_other_axis(name, _view(other, test, 0, _error_of(other), as_found, {})[0])
         for name, other in others.items()
         if other.tests and other.fitted is not None and other.axis.kind is test.kind
     ]
-    return judge_loading(after, [*views, *mistaken], declared_slope=slope)
+    return judge_loading(after, views, declared_slope=slope)
 
 
 def _view(
@@ -81,6 +89,8 @@ def _view(
     error: MeasuredError,
     as_found: ControlState,
     others: Mapping[str, PlannedAxis],
+    *,
+    read_back: bool = False,
 ) -> tuple[View, NoiseDraws]:
     axis, fitted = planned.axis, planned.fitted
     draws = error.draw(test.targets, draws_for(test.targets.size), np.random.default_rng(0), place)
@@ -96,6 +106,7 @@ def _view(
         },
         reference=axis.reference,
         beside=_motion(planned, place, test.targets),
+        read_back=read_back,
     )
     view = View(
         belief=belief_of(draws.positive, draws.negative),
