@@ -631,6 +631,7 @@ def _loading(loading: Document) -> dict[str, Any]:
     return {
         "mark": sections.loading_mark(verdict),
         "message": plain(loading.get("message") or ""),
+        "look_at": [plain(sentence) for sentence in loading.get("look_at") or ()],
         "facts": sections.pairs(facts),
     }
 

@@ -264,6 +264,7 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
             ),
             table,
             Text.assemble("Loading: ", _word(loading["verdict"]), f". {loading['message']}"),
+            *(Text(f"  look at: {sentence}") for sentence in loading.get("look_at", ())),
             *finding_lines(axis["findings"]),
             Text(),
         ]

@@ -153,6 +153,7 @@ def _verified(
     axes = {
         test.axis: verified_axis(
             job,
+            control,
             plan.axes[test.axis],
             test,
             as_found,

@@ -9,6 +9,7 @@ import numpy as np
 
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis
 from compwright.estimation.cells import folded_findings
+from compwright.formats.look_at import look_at
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import evaluated
@@ -24,17 +25,18 @@ from compwright.records.job import Job
 from compwright.records.plan import PlannedAxis
 from compwright.records.result import PositioningResult
 from compwright.records.settled import LOGARITHM, settled_number
-from compwright.records.verification import LoadingVerdict
+from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.measurement import NamedFault, measurement_fault, proof_lacking
 from compwright.verification.proof import AfterTest, doubted
 from compwright.workflow.stages.acting import correction_of
-from compwright.workflow.stages.control import DecodedState
+from compwright.workflow.stages.control import Control, DecodedState
 from compwright.workflow.stages.judged_loading import judged_loading
 from compwright.workflow.stages.two_readers import probe_positions
 
 
 def verified_axis(
     job: Job,
+    control: Control,
     planned: PlannedAxis,
     after: AfterTest,
     as_found: DecodedState,
@@ -62,8 +64,19 @@ def verified_axis(
     new = with_motion(table or correction_of(as_found, axis), axis, repeated.backlash_more)
     change = difference(new, active)
     fault = twice or measurement_fault(after.test, before_test, axis.travel)
+    compared = _compare_loaded(planned, read_back)
     loading = (
-        judged_loading(job, planned, after.test, place, observed, posterior, as_found.state, others)
+        judged_loading(
+            job,
+            planned,
+            after.test,
+            place,
+            observed,
+            posterior,
+            as_found.state,
+            others,
+            read_back=any(finding.code == "CW-V010" for finding in compared),
+        )
         if fault is None
         else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
     )
@@ -85,7 +98,7 @@ def verified_axis(
         ),
         expected=_expected(result, posterior, change),
         after=result,
-        loading=_told(loading),
+        loading=_told(loading, _sentences(control, planned)),
         accept=accept,
         findings=(
             *loading.findings,
@@ -94,12 +107,33 @@ def verified_axis(
             *doubts,
             *waves,
             *lacking_guard(axis, result.standard, lacking),
-            *_compare_loaded(planned, read_back),
+            *compared,
         ),
     )
 
 
-def _told(loading: LoadingVerdict) -> dict[str, Any]:
+def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, tuple[str, ...]]:
+    """Return, by verdict, what to look at on the control."""
+    if planned.fitted is None:
+        return {}
+    return look_at(control.format, planned.axis, planned.fitted.compensation)
+
+
+def _looks(loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]]) -> list[str]:
+    """Return what to look at for a verdict: for one that is open, of every candidate, the likeliest
+    first; for a loaded table, only what tells it from its equivalents.
+    """
+    names: list[LoadingName] = [loading.verdict]
+    if loading.verdict == "undecided":
+        names = [each.verdict for each in loading.candidates if each.verdict != "loaded"]
+    elif loading.verdict == "loaded" and not loading.equivalent:
+        names = []
+    return list(dict.fromkeys(text for name in names for text in sentences.get(name, ())))
+
+
+def _told(
+    loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]]
+) -> dict[str, Any]:
     """Return the verdict about the loading as the document holds it."""
     return {
         "verdict": loading.verdict,
@@ -119,6 +153,7 @@ def _told(loading: LoadingVerdict) -> dict[str, Any]:
         ],
         **({"slope": _slope_told(*loading.slope)} if loading.slope is not None else {}),
         "message": loading.message,
+        "look_at": _looks(loading, sentences),
     }
 
 
