@@ -338,6 +338,8 @@ def test_only_storage_reaches_the_file_system() -> None:
             (found.by == "foundations.processors" and found.target == "os")
             # processes that do the same work, which is handed to them and comes back
             or (found.by == "foundations.processes" and found.target == "multiprocessing")
+            # a database in memory alone, see the next test
+            or (found.by == DATABASE and found.target == "sqlite3")
         )
         if found.by != "foundations.storage" and not environment and reached(found):
             wrong.append(str(found))
@@ -348,6 +350,20 @@ def test_only_storage_reaches_the_file_system() -> None:
     }
     assert uses <= {"environ", "sched_getaffinity", "cpu_count"}
     assert wrong == []
+
+
+DATABASE = "workflow.stages.history_index"
+
+
+def test_the_database_lives_in_memory() -> None:
+    """Its bytes are read and written by `storage`, whole or not at all."""
+    calls = [
+        [ast.unparse(word) for word in node.args]
+        for node in ast.walk(trees()[DATABASE])
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "sqlite3.connect"
+    ]
+    assert calls == [["':memory:'"]]
+    assert "attach" not in ast.unparse(trees()[DATABASE]).lower()
 
 
 def reached(found: Import) -> bool:

@@ -114,7 +114,9 @@ def test_parameters_of_a_test_are_those_of_its_readings(run: Path) -> None:
     (test,) = record_of(run / "job")["tests"]
     variances = [np.var(readings, ddof=1) for readings in cells.values()]
     assert test["s"] == pytest.approx(np.sqrt(np.mean(variances)), abs=1e-6)
-    assert test["dof"] == sum(len(readings) - 1 for readings in cells.values())
+    # at most as sure as normal readings alike everywhere would be
+    dof = sum(len(readings) - 1 for readings in cells.values())
+    assert 4 <= test["std_error"]["s"]["dof"] <= dof
     reversal = [
         np.mean(cells[target, "+"]) - np.mean(cells[target, "-"])
         for target in {target for target, _ in cells}

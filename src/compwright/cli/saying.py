@@ -10,6 +10,8 @@ from typing import Any
 
 import click
 
+from compwright.foundations.utf8 import visible
+
 #: A file of the wrong kind is wrong in every line: nobody reads more than these.
 _MOST_ERRORS = 25
 
@@ -57,18 +59,9 @@ def errors(lines: Iterable[str]) -> None:
     """
     told = list(lines)
     for line in told[:_MOST_ERRORS]:
-        tell(f"error: {''.join(map(_visible, line))}")
+        tell(f"error: {visible(line)}")
     if len(told) > _MOST_ERRORS:
         tell(f"error: ... and {len(told) - _MOST_ERRORS} more like these")
-
-
-def _visible(character: str) -> str:
-    """Return what may stand in a line of a terminal: a file's name may hold line breaks and control
-    codes.
-    """
-    if character.isprintable():
-        return character
-    return " " if character.isspace() else "?"
 
 
 def tell(line: str) -> None:

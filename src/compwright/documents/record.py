@@ -7,11 +7,11 @@ It carries no dates but those that the measurement files state: same input, same
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
+from compwright.documents.recorded_test import PARAMETERS, Errors, measured_test
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.utf8 import encoded
@@ -19,9 +19,6 @@ from compwright.records.record import RecordedInput
 
 SCHEMA = "compwright/record/1"
 RECORD = "record.json"
-#: What a record tells of the parameters of a test, the rest stands in the evaluation.
-PARAMETERS = ("A", "E", "M", "R", "B", "B_mean")
-CIRCLE_PARAMETERS = ("G_bidirectional", "G_ccw", "G_cw")
 
 
 def definition_told(definition_id: str, data: Any, files: Iterable[str], *, own: bool) -> Any:
@@ -45,9 +42,10 @@ def run_record(
     evaluation: Mapping[str, Any],
     prediction: Mapping[str, Any],
     measured_in: Mapping[str, str],
+    errors: Errors,
 ) -> dict[str, Any]:
     """Return the record of a run. ``about``: software, machine, control and rules; ``files``: all
-    that it writes; ``measured_in``: the state of each test, by ``axis test`` or the circle's name.
+    that it writes; ``measured_in``, ``errors``: as `measured_test` takes them.
     """
     plan = files.get("plan.json")
     return {
@@ -56,7 +54,9 @@ def run_record(
         "inputs": [asdict(entry) for entry in inputs],
         "plan": None if plan is None else {"file": "plan.json", "sha256": fingerprint(plan)},
         "files": files_listed(files),
-        "tests": [measured_test(result, "before", measured_in) for result in evaluation["results"]],
+        "tests": [
+            measured_test(result, "before", measured_in, errors) for result in evaluation["results"]
+        ],
         "decisions": {
             "axes": {name: _decided(axis) for name, axis in prediction["axes"].items()},
         },
@@ -66,7 +66,7 @@ def run_record(
 
 
 def planned_record(
-    about: Mapping[str, Any], plan: str, evaluation: Mapping[str, Any]
+    about: Mapping[str, Any], plan: str, evaluation: Mapping[str, Any], errors: Errors
 ) -> dict[str, Any]:
     """Return what a plan (its SHA-256) alone says of its run, which left no record."""
     return {
@@ -75,7 +75,7 @@ def planned_record(
         "inputs": [],
         "plan": {"file": "plan.json", "sha256": plan},
         "files": [],
-        "tests": [measured_test(result, "before", {}) for result in evaluation["results"]],
+        "tests": [measured_test(result, "before", {}, errors) for result in evaluation["results"]],
         "decisions": {"axes": {}},
         "doubts": [],
         "verification": None,
@@ -119,13 +119,14 @@ def verified_record(
     verification: Mapping[str, Any],
     evaluation: Mapping[str, Any],
     version: str,
+    errors: Errors,
 ) -> dict[str, Any]:
     """Return the record of a run with its verification; an earlier one is replaced.
 
     ``evaluation``: of the tests after loading; ``files``: all that ``verify`` writes.
     """
     before = [entry for entry in record["tests"] if entry["taken"] == "before"]
-    after = [measured_test(result, "after", {}) for result in evaluation["results"]]
+    after = [measured_test(result, "after", {}, errors) for result in evaluation["results"]]
     listed = {entry["file"]: entry for entry in record["files"] if entry.get("by") != "verify"}
     own = {entry["file"]: {**entry, "by": "verify"} for entry in files_listed(files)}
     axes = {name: _verified(axis) for name, axis in verification["axes"].items()}
@@ -171,80 +172,6 @@ def _read_back(findings: Iterable[Mapping[str, str]]) -> str:
     """Return what was read back from the control was: ``equal``, ``other`` or ``none``."""
     codes = {finding["code"] for finding in findings}
     return "other" if "CW-V011" in codes else "equal" if "CW-V010" in codes else "none"
-
-
-def measured_test(
-    result: Mapping[str, Any], taken: str, measured_in: Mapping[str, str]
-) -> dict[str, Any]:
-    """Return what a record tells of one test, from its evaluation (`compwright/evaluation/1`).
-
-    ``date`` is what the file says, empty where it says none; ``s`` the pooled standard deviation
-    of a reading with its degrees of freedom ``dof``.
-    """
-    header = {str(key).lower(): str(value) for key, value in result.get("header", {}).items()}
-    told = {
-        "kind": result["kind"],
-        "name": result["name"],
-        "taken": taken,
-        "date": header.get("date", ""),
-        "simulated": "simulated" in header,
-        "standard": result["standard"],
-        "unit": result["unit"],
-        "sources": [source["sha256"] for source in result["sources"]],
-    }
-    if result["kind"] == "circular":
-        return {**told, **_circle(result), "measured_in": measured_in.get(result["name"], "")}
-    place = f"{result['axis']} {result['name']}"
-    return {**told, **_axis(result), "measured_in": measured_in.get(place, "")}
-
-
-def _axis(result: Mapping[str, Any]) -> dict[str, Any]:
-    stated = result["uncertainty"] or {}
-    s, dof = pooled(result["targets"])
-    return {
-        "axis": result["axis"],
-        "axis_kind": result["axis_kind"],
-        "n_targets": result["n_targets"],
-        "n_runs": dict(result["n_runs"]),
-        "parameters": {
-            name: result["parameters"][name] for name in PARAMETERS if name in result["parameters"]
-        },
-        "uncertainty": {name: stated[name] for name in PARAMETERS if name in stated},
-        "s": s,
-        "dof": dof,
-    }
-
-
-def _circle(result: Mapping[str, Any]) -> dict[str, Any]:
-    squareness = (result.get("diagnosis") or {}).get("squareness")
-    return {
-        "plane": result["plane"],
-        "axes": list(result["axes"]),
-        "parameters": {
-            name: result["parameters"][name]
-            for name in CIRCLE_PARAMETERS
-            if name in result["parameters"]
-        },
-        "squareness": (
-            None
-            if squareness is None
-            else {key: squareness[key] for key in ("value", "std_error", "unit")}
-        ),
-    }
-
-
-def pooled(targets: Iterable[Mapping[str, Any]]) -> tuple[float | None, int]:
-    """Return the pooled standard deviation of a reading and its degrees of freedom; None without
-    repeats.
-    """
-    total, dof = 0.0, 0
-    for target in targets:
-        for direction in ("positive", "negative"):
-            s, n = target[f"s_{direction}"], target[f"n_{direction}"]
-            if s is not None and n > 1:
-                total += (n - 1) * s * s
-                dof += n - 1
-    return (round(math.sqrt(total / dof), 9), dof) if dof else (None, 0)
 
 
 def read_record(content: bytes, file: str) -> dict[str, Any]:

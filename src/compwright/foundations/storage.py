@@ -131,6 +131,54 @@ def in_folders_of(folder: Path, name: str) -> list[Path]:
         return []
 
 
+def folders_holding(top: Path, names: Sequence[str]) -> tuple[list[Path], list[Fault]]:
+    """Return ``top`` and the folders below it that hold a file of one of ``names``, in the order of
+    their names, and those that cannot be read; hidden folders and links to folders are left out.
+
+    Raises InputError where ``top`` is no folder.
+    """
+    if not is_folder(top):
+        raise InputError(
+            Fault(
+                message="is no folder",
+                file=str(top),
+                expected="a folder with results",
+                found="a file" if is_there(top) else "nothing",
+            )
+        )
+    found: list[Path] = []
+    faults: list[Fault] = []
+
+    def refused(error: OSError) -> None:
+        faults.append(
+            Fault(
+                message="folder cannot be read",
+                file=str(error.filename or top),
+                found=_reason(error),
+            )
+        )
+
+    for folder, below, files in os.walk(top, onerror=refused):
+        below[:] = sorted(name for name in below if not name.startswith("."))
+        if not set(names).isdisjoint(files):
+            found.append(Path(folder))
+    return sorted(found), faults
+
+
+def state_of(paths: Sequence[Path]) -> str:
+    """Return what the file system says of files: the same text as long as none was changed, added
+    or taken away.
+    """
+    told = []
+    for path in paths:
+        try:
+            seen = path.stat()
+            told.append(f"{seen.st_size}:{seen.st_mtime_ns}")
+        except (OSError, ValueError):
+            told.append("-")
+    return " ".join(told)
+
+
 def resolved(path: Path) -> Path:
     """Return ``path`` from the root, without links; as it is where it cannot be followed."""
     try:

@@ -19,3 +19,16 @@ def shown_path(path: Path) -> str:
     that are UTF-8.
     """
     return encoded(str(path)).decode("utf-8")
+
+
+def visible(text: str) -> str:
+    """Return ``text`` as one line that a terminal may show: a name may hold line breaks and control
+    codes.
+    """
+    return "".join(map(_visible, text))
+
+
+def _visible(character: str) -> str:
+    if character.isprintable():
+        return character
+    return " " if character.isspace() else "?"

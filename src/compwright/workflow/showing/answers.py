@@ -100,6 +100,13 @@ def verify_summary(outcome: Any) -> list[Any]:
     ]
 
 
+def history_summary(document: Mapping[str, Any]) -> list[Any]:
+    """Return what ``history`` says."""
+    from compwright.reporting.history import history_tables
+
+    return history_tables(document)
+
+
 def demo_summary(outcome: Any) -> list[Any]:
     """Return what ``demo`` says: the predictions, the verification, and where the pages are."""
     from compwright.reporting import summaries

@@ -33,6 +33,7 @@ from compwright.workflow.stages.handed_over import (
     GivenFile,
     kept,
 )
+from compwright.workflow.stages.scatter import errors_of
 
 
 def recorded_run(
@@ -79,6 +80,7 @@ def recorded_run(
         evaluation=results.evaluation,
         prediction=results.prediction,
         measured_in=measured_in,
+        errors=errors_of,
     )
     return {**copies, RECORD: to_json(record).encode()}
 
@@ -135,6 +137,7 @@ def recorded_verification(
         verification=document,
         evaluation=after,
         version=__version__,
+        errors=errors_of,
     )
     return {**copies, RECORD: to_json(record).encode()}
 
@@ -160,7 +163,7 @@ def _begun(run: RunResult, out: Path, before: Mapping[str, Any]) -> dict[str, An
     except (InputError, KeyError, AttributeError):
         record, own = {}, False
     if not own:
-        return planned_record(_about_plan(run), digest, before)
+        return planned_record(_about_plan(run), digest, before, errors_of)
     if storage.resolved(run.file.parent) == storage.resolved(out):
         return record
     return elsewhere(record)

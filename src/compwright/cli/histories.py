@@ -1,0 +1,57 @@
+"""The command that looks back."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from compwright.cli.saying import answer, errors, json_file, tell
+from compwright.cli.words import PATH, compwright, exiting, force_option, json_option
+
+
+@compwright.command()
+@click.argument("folders", nargs=-1, required=True, metavar="FOLDER...", type=PATH)
+@click.option("--plot", type=PATH, help="Plot to a file: .svg, .png or .pdf.")
+@click.option("--table", type=PATH, metavar="PATH.csv", help="Every test as a row of a CSV file.")
+@click.option(
+    "--index",
+    type=PATH,
+    metavar="FILE.sqlite",
+    help="Keep what was read here: only folders that changed are read again.",
+)
+@json_option
+@force_option
+@exiting
+def history(
+    folders: tuple[Path, ...],
+    plot: Path | None,
+    table: Path | None,
+    index: Path | None,
+    json_path: Path | None,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Show machines over the years, from the result folders in and below FOLDER, and what changed
+    beyond the uncertainty.
+    """
+    from compwright.workflow.commands.history import history_of
+    from compwright.workflow.showing.answers import history_summary
+
+    outcome = history_of(
+        folders,
+        index=index,
+        json_path=json_file(json_path),
+        plot_path=plot,
+        table_path=table,
+        force=force,
+    )
+    answer(outcome.document, json_path, lambda: history_summary(outcome.document))
+    errors(
+        ": ".join(filter(None, (entry["file"], entry["message"])))
+        for entry in outcome.document["errors"]
+    )
+    if index is not None:
+        tell(f"note: {outcome.read} of {len(outcome.document['folders'])} folders were read again")
+    for path in outcome.files:
+        tell(f"written: {path}")
+    return outcome.exit_code

@@ -1,0 +1,139 @@
+"""``compwright/history/1``: machines over the years. Deviations in µm or arcsec, squareness in
+µm/m.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from compwright.foundations.errors import Fault
+from compwright.foundations.utf8 import encoded
+from compwright.records.history import HistoryEntry, NotedChange
+
+SCHEMA = "compwright/history/1"
+#: Columns of the values, in the order in which they are shown.
+VALUES = ("A", "E", "R", "B", "B_mean", "s", "squareness", "G_bidirectional", "G_ccw", "G_cw")
+#: A standard normal value beyond which nobody counts.
+_MOST = 99.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Series:
+    """The tests of one axis or plane of a machine, in their order in time, and what changed.
+
+    ``key``: tells the machine from others, also where it has no name.
+    """
+
+    key: str
+    machine: str
+    serial: str
+    what: str
+    entries: tuple[HistoryEntry, ...]
+    changes: tuple[NotedChange, ...]
+
+
+def history_document(
+    series: Iterable[Series],
+    folders: Sequence[Mapping[str, Any]],
+    notes: Iterable[str],
+    errors: Iterable[Fault],
+) -> dict[str, Any]:
+    """Return the history of machines. ``folders``: the result folders that were read, each with its
+    ``notes`` and ``files`` that are not as they were written.
+    """
+    machines: dict[str, dict[str, Any]] = {}
+    for one in series:
+        machine = machines.setdefault(
+            one.key,
+            {"name": one.machine, "serial": one.serial, "axes": {}, "planes": {}},
+        )
+        kind = "planes" if one.entries[0].kind == "circular" else "axes"
+        machine[kind][one.what] = {
+            "tests": [_entry(entry) for entry in one.entries],
+            "changes": [_change(change, one.entries) for change in one.changes],
+        }
+    return {
+        "schema": SCHEMA,
+        "machines": list(machines.values()),
+        "folders": list(folders),
+        "notes": list(notes),
+        "errors": [
+            {"file": fault.file, "message": str(fault).removeprefix(f"{fault.file}: ")}
+            for fault in errors
+        ],
+    }
+
+
+def _entry(entry: HistoryEntry) -> dict[str, Any]:
+    return {
+        "folder": entry.folder,
+        "test": entry.test,
+        "taken": entry.taken,
+        "date": entry.date,
+        "day": entry.day,
+        "standard": entry.standard,
+        "unit": entry.unit,
+        "simulated": entry.simulated,
+        "table": entry.table,
+        "verdict": entry.verdict,
+        **{name: entry.values.get(name) for name in VALUES if name in _OF_KIND[entry.kind]},
+        "std_error": {name: error for name, (error, _) in entry.errors.items()},
+        "uncertainty": {
+            name: {"U": U, "coverage": coverage} for name, (U, coverage) in entry.declared.items()
+        },
+    }
+
+
+_OF_KIND = {
+    "positioning": frozenset({"A", "E", "R", "B", "B_mean", "s"}),
+    "circular": frozenset({"squareness", "G_bidirectional", "G_ccw", "G_cw"}),
+}
+
+
+def _change(change: NotedChange, entries: Sequence[HistoryEntry]) -> dict[str, Any]:
+    score = min(abs(change.score), _MOST)
+    return {
+        **{key: value for key, value in asdict(change).items() if key not in ("score", "chance")},
+        "unit": "um/m" if change.parameter == "squareness" else entries[change.after].unit,
+        "standard_errors": _rounded(change.size / change.std_error if change.std_error else None),
+        "score": _rounded(math.copysign(score, change.score)),
+        "chance": float(f"{change.chance:.3g}"),
+    }
+
+
+def _rounded(value: float | None) -> float | None:
+    return None if value is None or not math.isfinite(value) else round(value, 3)
+
+
+def history_csv(document: Mapping[str, Any]) -> bytes:
+    """Return every test as a row: comma, decimal point, UTF-8; positions of a change marked by
+    ``changed``, the parameters that differ from before.
+    """
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(
+        [
+            *("machine", "serial", "axis", "date", "folder", "test", "taken", "unit", *VALUES),
+            *("table", "verdict", "changed"),
+        ]
+    )
+    for machine in document["machines"]:
+        for name, one in {**machine["axes"], **machine["planes"]}.items():
+            for place, test in enumerate(one["tests"]):
+                changed = [
+                    change["parameter"] for change in one["changes"] if change["after"] == place
+                ]
+                writer.writerow(
+                    [
+                        *(machine["name"], machine["serial"], name, test["day"] or test["date"]),
+                        *(test["folder"], test["test"], test["taken"], test["unit"]),
+                        *("" if test.get(key) is None else f"{test[key]:.3f}" for key in VALUES),
+                        *(test["table"], test["verdict"], " ".join(changed)),
+                    ]
+                )
+    return encoded(text.getvalue())

@@ -1,0 +1,100 @@
+"""The record of a result folder that an older version left without one: what its documents say."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Mapping
+from typing import Any
+
+from compwright.documents.record import SCHEMA
+from compwright.documents.recorded_test import PARAMETERS, Errors, measured_test
+from compwright.foundations.provenance import fingerprint
+
+
+def older_record(
+    evaluation: Mapping[str, Any] | None,
+    plan: Mapping[str, Any] | None,
+    verification: Mapping[str, Any] | None,
+    errors: Errors,
+) -> dict[str, Any]:
+    """Return as much of a record as the documents of a folder tell; None for those that are not
+    there. Files cannot be checked. Raises KeyError, TypeError, ValueError or AttributeError for
+    documents that do not keep to their schema.
+    """
+    plan = plan or {}
+    results = (evaluation or {}).get("results", ())
+    return {
+        "schema": SCHEMA,
+        "version": plan.get("version", ""),
+        "machine": dict(plan.get("machine", {})),
+        "inputs": list(_inputs(plan)),
+        "states": sorted(plan.get("states", {})),
+        "files": [
+            {"file": name, "sha256": digest}
+            for name, digest in plan.get("results", {}).items()
+            if name.startswith("tables/")
+        ],
+        "tests": [
+            *(measured_test(result, "before", _measured_in(plan), errors) for result in results),
+            *_after(verification, evaluation),
+        ],
+        "verification": verification,
+    }
+
+
+def _inputs(plan: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Return the files of the states, which a plan carries as text of their bytes."""
+    return [
+        {
+            "role": "state",
+            "of": name,
+            "file": file["name"],
+            "sha256": fingerprint(base64.b64decode(file["base64"])),
+            "copy": None,
+        }
+        for name, files in plan.get("states", {}).items()
+        for file in files
+    ]
+
+
+def _measured_in(plan: Mapping[str, Any]) -> dict[str, str]:
+    axes = {
+        f"{name} {test['name']}": str(test["measured_in"])
+        for name, axis in plan.get("axes", {}).items()
+        for test in axis["tests"]
+    }
+    circles = {name: entry["measured_in"] for name, entry in plan.get("circles", {}).items()}
+    return axes | circles
+
+
+def _after(
+    verification: Mapping[str, Any] | None, evaluation: Mapping[str, Any] | None
+) -> list[dict[str, Any]]:
+    """Return what a verification says of the tests after loading: parameters alone."""
+    if verification is None:
+        return []
+    before = {
+        (result.get("axis"), result["name"]): result
+        for result in (evaluation or {}).get("results", ())
+    }
+    return [
+        {
+            "kind": "positioning",
+            "name": axis["test"],
+            "taken": "after",
+            "date": "",
+            "simulated": False,
+            "standard": before.get((name, axis["test"]), {}).get("standard", ""),
+            "unit": axis["unit"],
+            "sources": [],
+            "axis": name,
+            "axis_kind": "rotary" if axis["unit"] == "arcsec" else "linear",
+            "targets": list(axis["expected"]["positions"]),
+            "parameters": {key: axis["after"][key] for key in PARAMETERS if key in axis["after"]},
+            "uncertainty": {},
+            "s": None,
+            "std_error": {},
+            "measured_in": "",
+        }
+        for name, axis in verification["axes"].items()
+    ]

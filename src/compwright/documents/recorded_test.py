@@ -1,0 +1,90 @@
+"""What a record tells of one test, in µm or arcsec, from the document of its evaluation."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+#: What a record tells of the parameters of a test, the rest stands in the evaluation.
+PARAMETERS = ("A", "E", "M", "R", "B", "B_mean")
+CIRCLE_PARAMETERS = ("G_bidirectional", "G_ccw", "G_cw")
+
+#: From the document of a positioning result to standard errors by parameter: value in its unit,
+#: and degrees of freedom.
+Errors = Callable[[Mapping[str, Any]], Mapping[str, tuple[float, float]]]
+
+
+def measured_test(
+    result: Mapping[str, Any], taken: str, measured_in: Mapping[str, str], errors: Errors
+) -> dict[str, Any]:
+    """Return what a record tells of one test, from its evaluation (`compwright/evaluation/1`).
+
+    ``taken``: ``before`` or ``after``; ``measured_in``: the state by ``axis test`` or the circle's
+    name; ``errors``: gives the standard errors of a positioning result. ``date`` is what the file
+    says, empty where it says none; ``s`` the pooled standard deviation of a reading.
+    """
+    header = {str(key).lower(): str(value) for key, value in result.get("header", {}).items()}
+    told = {
+        "kind": result["kind"],
+        "name": result["name"],
+        "taken": taken,
+        "date": header.get("date", ""),
+        "simulated": "simulated" in header,
+        "standard": result["standard"],
+        "unit": result["unit"],
+        "sources": [source["sha256"] for source in result["sources"]],
+    }
+    if result["kind"] == "circular":
+        return {**told, **_circle(result), "measured_in": measured_in.get(result["name"], "")}
+    place = f"{result['axis']} {result['name']}"
+    return {**told, **_axis(result, errors), "measured_in": measured_in.get(place, "")}
+
+
+def _axis(result: Mapping[str, Any], errors: Errors) -> dict[str, Any]:
+    stated = result["uncertainty"] or {}
+    return {
+        "axis": result["axis"],
+        "axis_kind": result["axis_kind"],
+        "targets": [target["position"] for target in result["targets"]],
+        "n_runs": dict(result["n_runs"]),
+        "parameters": {
+            name: result["parameters"][name] for name in PARAMETERS if name in result["parameters"]
+        },
+        "uncertainty": {name: stated[name] for name in PARAMETERS if name in stated},
+        "s": pooled(result["targets"]),
+        "std_error": {
+            name: {"value": round(error, 9), "dof": round(dof, 3)}
+            for name, (error, dof) in errors(result).items()
+        },
+    }
+
+
+def _circle(result: Mapping[str, Any]) -> dict[str, Any]:
+    squareness = (result.get("diagnosis") or {}).get("squareness")
+    return {
+        "plane": result["plane"],
+        "axes": list(result["axes"]),
+        "parameters": {
+            name: result["parameters"][name]
+            for name in CIRCLE_PARAMETERS
+            if name in result["parameters"]
+        },
+        "squareness": (
+            None
+            if squareness is None
+            else {key: squareness[key] for key in ("value", "std_error", "unit")}
+        ),
+    }
+
+
+def pooled(targets: Iterable[Mapping[str, Any]]) -> float | None:
+    """Return the pooled standard deviation of a reading; None without repeats."""
+    total, dof = 0.0, 0
+    for target in targets:
+        for direction in ("positive", "negative"):
+            s, n = target[f"s_{direction}"], target[f"n_{direction}"]
+            if s is not None and n > 1:
+                total += (n - 1) * s * s
+                dof += n - 1
+    return round(math.sqrt(total / dof), 9) if dof else None

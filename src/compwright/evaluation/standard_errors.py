@@ -1,0 +1,178 @@
+"""How far the parameters of a positioning test would differ in a test made again at once: their
+standard errors, from the scatter of its own readings.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+
+#: Which cell is the largest must not hang on last bits.
+_DIGITS = 9
+
+
+@dataclass(frozen=True, slots=True)
+class StandardError:
+    """The standard error of a parameter, in its unit, and the degrees of freedom behind it."""
+
+    value: float
+    dof: float
+
+
+def standard_errors(
+    positive: FloatArray, negative: FloatArray, coverage: float
+) -> dict[str, StandardError]:
+    """Return the standard errors of A, B, B_mean (ISO 230-2:2014 symbols) and of the pooled
+    standard deviation ``s`` of a reading.
+
+    ``positive``, ``negative`` (m, n): readings of each direction in any one unit, NaN for those not
+    made, width 0 for a direction not measured; columns are runs. ``coverage``: k of A. Empty
+    without repeats. What shifts a whole traverse is common to all its targets: where the
+    differences between runs scatter more than single readings say, they count.
+
+    A: the two cells that make it, each a mean and k standard deviations (variance of s: s²/2ν). The
+    GUM (JCGM 100:2008) combines: 5.1.2, and degrees of freedom by G.4.1 (Welch-Satterthwaite).
+    """
+    blocks = [block for block in (positive, negative) if block.size and np.isfinite(block).any()]
+    scatter = _scatter(blocks)
+    if scatter is None:
+        return {}
+    s, own = scatter
+    errors = {"s": own}
+    ends = _ends(blocks, coverage)
+    if ends is not None:
+        upper, lower = ends
+        spread = coverage**2 * s**2 / 2.0 * sum(1.0 / _dof(cell) for cell in (upper, lower))
+        errors["A"] = _combined([_difference(upper, lower, s, own.dof), (spread, own.dof)])
+    if len(blocks) == 2:
+        errors |= _reversal(blocks[0], blocks[1], s, own.dof)
+    return errors
+
+
+def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
+    """Return the pooled standard deviation and its error; None without repeats.
+
+    The relative variance of s² is 2/ν for normal readings alike everywhere; where the cells or the
+    runs differ more among themselves, it is what they show.
+    """
+    cells = [row[np.isfinite(row)] for block in blocks for row in block]
+    repeated = [cell for cell in cells if cell.size > 1]
+    if not repeated:
+        return None
+    dofs = np.array([cell.size - 1.0 for cell in repeated])
+    variances = np.array([np.var(cell, ddof=1) for cell in repeated])
+    weights = dofs / dofs.sum()
+    pooled = float(weights @ variances)
+    if pooled <= 0.0:
+        return None
+    relative = [2.0 / float(dofs.sum())]
+    if len(repeated) > 2:
+        count = len(repeated)
+        between = count / (count - 1.0) * float(weights**2 @ (variances - pooled) ** 2)
+        relative.append(between / pooled**2)
+    relative += _between_runs(blocks)
+    dof = 2.0 / max(relative)
+    s = math.sqrt(pooled)
+    return s, StandardError(s / math.sqrt(2.0 * dof), dof)
+
+
+def _between_runs(blocks: list[FloatArray]) -> list[float]:
+    """Return the relative variance of s², as the mean square residuals of the traverses and of the
+    runs differ, where there are three of them; each row of n readings loses one to its mean.
+    """
+    residuals = [
+        block - np.nanmean(block, axis=1, keepdims=True)
+        for block in (each[np.isfinite(each).any(axis=1)] for each in blocks)
+    ]
+    width = max(block.shape[1] for block in residuals)
+    traverses = [column for block in residuals for column in block.T]
+    runs = [
+        np.concatenate([block[:, run] for block in residuals if run < block.shape[1]])
+        for run in range(width)
+    ]
+    if width < 2:
+        return []
+    found = [_relative_variance(parts) for parts in (traverses, runs)]
+    return [each * width / (width - 1.0) for each in found if each is not None]
+
+
+def _relative_variance(parts: Iterable[FloatArray]) -> float | None:
+    """Return the relative variance of the mean of the parts' mean squares; None of fewer than
+    three.
+    """
+    found = (part[np.isfinite(part)] for part in parts)
+    squares = [float(part @ part) / part.size for part in found if part.size]
+    mean = float(np.mean(squares)) if squares else 0.0
+    if len(squares) < 3 or mean <= 0.0:
+        return None
+    return float(np.var(squares, ddof=1)) / len(squares) / mean**2
+
+
+def _dof(cell: FloatArray) -> int:
+    return int(np.isfinite(cell).sum()) - 1
+
+
+def _ends(blocks: list[FloatArray], coverage: float) -> tuple[FloatArray, FloatArray] | None:
+    """Return the readings of the two cells that make A: the highest mean + k s and the lowest
+    mean - k s; None where none is repeated.
+    """
+    cells = [row for block in blocks for row in block if _dof(row) > 0]
+    if not cells:
+        return None
+    means = np.array([np.nanmean(cell) for cell in cells])
+    deviations = np.array([np.nanstd(cell, ddof=1) for cell in cells])
+    upper = int(np.argmax(np.round(means + coverage * deviations, _DIGITS)))
+    lower = int(np.argmin(np.round(means - coverage * deviations, _DIGITS)))
+    return cells[upper], cells[lower]
+
+
+def _difference(one: FloatArray, other: FloatArray, s: float, dof: float) -> tuple[float, float]:
+    """Return variance and degrees of freedom of the difference of two means."""
+    counts = [int(np.isfinite(cell).sum()) for cell in (one, other)]
+    pooled = s**2 * sum(1.0 / count for count in counts)
+    width = min(one.size, other.size)
+    return _larger(pooled, dof, one[:width] - other[:width])
+
+
+def _larger(pooled: float, dof: float, by_run: FloatArray) -> tuple[float, float]:
+    """Return the larger of two variances of a mean: as pooled, and as its values by run show it."""
+    found = by_run[np.isfinite(by_run)]
+    if found.size > 2:
+        shown = float(np.var(found, ddof=1)) / found.size
+        if shown > pooled:
+            return shown, found.size - 1.0
+    return pooled, dof
+
+
+def _reversal(
+    positive: FloatArray, negative: FloatArray, s: float, dof: float
+) -> dict[str, StandardError]:
+    """Return the errors of B, at the target that makes it, and of the mean reversal value."""
+    both = np.isfinite(positive).any(axis=1) & np.isfinite(negative).any(axis=1)
+    up, down = positive[both], negative[both]
+    if not up.size:
+        return {}
+    reversal = np.abs(np.nanmean(up, axis=1) - np.nanmean(down, axis=1))
+    worst = int(np.argmax(np.round(reversal, _DIGITS)))
+    counts = [np.isfinite(block).sum(axis=1) for block in (up, down)]
+    pooled = s**2 * float(sum(np.sum(1.0 / count) for count in counts)) / len(up) ** 2
+    width = min(up.shape[1], down.shape[1])
+    whole = np.isfinite(up[:, :width]).all(axis=0) & np.isfinite(down[:, :width]).all(axis=0)
+    by_run = (up[:, :width] - down[:, :width])[:, whole].mean(axis=0)
+    return {
+        "B": _combined([_difference(up[worst], down[worst], s, dof)]),
+        "B_mean": _combined([_larger(pooled, dof, by_run)]),
+    }
+
+
+def _combined(parts: Iterable[tuple[float, float]]) -> StandardError:
+    """Return the error of a sum of independent parts (variance, degrees of freedom)."""
+    parts = [part for part in parts if part[0] > 0.0]
+    total = sum(variance for variance, _ in parts)
+    dof = total**2 / sum(variance**2 / dof for variance, dof in parts)
+    return StandardError(math.sqrt(total), dof)

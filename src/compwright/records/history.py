@@ -1,0 +1,68 @@
+"""A machine over the years: one entry for each test, from the records of result folders."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+#: Whether the same table acted in two tests; ``unknown``: their files differ, or nobody said.
+SameTable = Literal["same", "changed", "unknown"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HistoryEntry:
+    """One test of an axis or a plane.
+
+    ``folder``: the result folder; ``number``: the place of the test in it. ``what``: the axis, or
+    the plane of a circle. ``date`` as the file says it, ``day`` the same so that it can be sorted
+    (ISO 8601), both empty where it says none. ``values`` by parameter in ``unit``, of a circle
+    ``squareness`` in µm/m; ``errors``: standard error and degrees of freedom; ``declared``:
+    expanded uncertainty and coverage factor. ``table``: what acted, in a word; ``acting``: a hash
+    of the files that acted, empty where nobody knows. ``sources``: SHA-256 of the test's files.
+    """
+
+    folder: str
+    number: int
+    machine: str
+    serial: str
+    what: str
+    kind: Literal["positioning", "circular"]
+    rotary: bool
+    test: str
+    taken: Literal["before", "after"]
+    date: str
+    day: str
+    unit: str
+    standard: str
+    values: Mapping[str, float]
+    errors: Mapping[str, tuple[float, float]]
+    declared: Mapping[str, tuple[float, float]]
+    targets: tuple[float, ...]
+    table: str
+    acting: str
+    verdict: str
+    sources: tuple[str, ...]
+    simulated: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NotedChange:
+    """A parameter that differs between two entries (by their places in the series) beyond the
+    uncertainty.
+
+    ``size``, ``std_error``: in the unit of the parameter; ``score``: the standard normal value as
+    improbable; ``chance``: how often tests of an unchanged machine differ as much.
+    """
+
+    parameter: str
+    before: int
+    after: int
+    value_before: float
+    value_after: float
+    size: float
+    std_error: float
+    score: float
+    chance: float
+    table: SameTable
+    undeclared: bool

@@ -1,0 +1,218 @@
+"""``history``: machines over the years, from their result folders."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from compwright.documents.history import Series, history_csv, history_document
+from compwright.documents.json_text import to_json
+from compwright.evaluation.series import noted_changes, without_repeats
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, InputError, UsageError, collect
+from compwright.foundations.utf8 import shown_path
+from compwright.records.history import HistoryEntry
+from compwright.workflow.stages.history_entries import entries_of
+from compwright.workflow.stages.history_index import HistoryIndex, opened
+from compwright.workflow.stages.result_folders import read_folder, result_folders
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HistoryOutcome:
+    """A history. ``exit_code`` is 3 where something could not be read and the rest was; ``read``:
+    how many folders were read, the others were known to the index.
+    """
+
+    exit_code: int
+    document: Mapping[str, Any]
+    files: tuple[Path, ...]
+    read: int
+
+
+def history_of(
+    tops: Sequence[Path],
+    *,
+    index: Path | None = None,
+    json_path: Path | None = None,
+    plot_path: Path | None = None,
+    table_path: Path | None = None,
+    force: bool = False,
+) -> HistoryOutcome:
+    """Show the tests in the result folders in and below ``tops``, machine by machine and axis by
+    axis, in the order of their dates, and what changed beyond the uncertainty.
+
+    ``index``: a database of what was read, kept between calls. Raises UsageError, InputError where
+    nothing can be read or the index is none, and StorageError; nothing is written then.
+    """
+    if len({path for path in (json_path, plot_path, table_path, index) if path}) < sum(
+        path is not None for path in (json_path, plot_path, table_path, index)
+    ):
+        raise UsageError("two of --json, --plot, --table and --index name one file")
+    folders, faults = result_folders(tops)
+    with opened(index) as database:
+        entries, told, read = _read(folders, database, faults)
+        _forget_gone(tops, folders, database)
+        kept = {index: database.content()} if index is not None and database.changed else {}
+    if faults and not entries:
+        raise InputError(*faults)
+    series = _series(entries, tops)
+    document = history_document(series, told, _notes(series), faults)
+    asked = _asked(document, json_path, plot_path, table_path)
+    files = _written(asked, kept, force=force)
+    return HistoryOutcome(
+        exit_code=InputError.exit_code if faults else 0,
+        document=document,
+        files=files,
+        read=read,
+    )
+
+
+def _read(
+    folders: Sequence[Path], database: HistoryIndex, faults: list[Fault]
+) -> tuple[list[HistoryEntry], list[dict[str, Any]], int]:
+    """Return the tests of all folders, and what is to be said of each; ``faults`` grows by what
+    cannot be read.
+    """
+    entries: list[HistoryEntry] = []
+    told = []
+    read = 0
+    for folder in folders:
+        if not database.known(folder):
+            read += 1
+            database.forget(folder)
+            try:
+                found = read_folder(folder)
+                database.put(folder, entries_of(found), found.notes, found.files, found.names)
+            except InputError as error:
+                faults.extend(collect([error]))
+                continue
+        entries += database.entries(folder)
+        notes, files = database.told(folder)
+        told.append(
+            {
+                "folder": shown_path(folder),
+                "notes": notes,
+                "files": [{"file": name, "state": state} for name, state in files],
+            }
+        )
+    return entries, told, read
+
+
+def _forget_gone(tops: Sequence[Path], folders: Sequence[Path], database: HistoryIndex) -> None:
+    there = {storage.resolved(folder) for folder in folders}
+    for top in tops:
+        for folder in database.folders_below(top):
+            if folder not in there:
+                database.forget(folder)
+
+
+def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[Series]:
+    """Return the tests by machine and axis, in their order in time."""
+    groups: dict[tuple[str, bool, str], list[HistoryEntry]] = {}
+    for entry in entries:
+        group_key = (_machine(entry, tops), entry.kind == "circular", entry.what)
+        groups.setdefault(group_key, []).append(entry)
+    found = []
+    for key, circular, what in sorted(groups, key=lambda each: (*each[:2], _natural(each[2]))):
+        group = groups[key, circular, what]
+        ordered = sorted(without_repeats(sorted(group, key=_in_time)), key=_in_time)
+        last = ordered[-1]
+        found.append(
+            Series(
+                key=key,
+                machine=last.machine,
+                serial=last.serial,
+                what=last.what,
+                entries=tuple(ordered),
+                changes=tuple(noted_changes(ordered)),
+            )
+        )
+    return found
+
+
+def _machine(entry: HistoryEntry, tops: Sequence[Path]) -> str:
+    """Return what tells a machine from others: its serial number, else its name; where nobody says
+    either, results of one folder alone belong together.
+    """
+    if entry.serial:
+        return f"1 {entry.serial.casefold()}"
+    if entry.machine:
+        return f"2 {entry.machine.casefold()}"
+    folder = Path(entry.folder)
+    top = next((top for top in tops if top == folder or top in folder.parents), folder)
+    parts = folder.relative_to(top).parts if top in folder.parents else ()
+    return f"3 {top}/{parts[0] if parts else ''}"
+
+
+def _in_time(entry: HistoryEntry) -> tuple[object, ...]:
+    """Sort by date; what states none comes behind, in the order of the folders."""
+    return (
+        entry.day == "",
+        entry.day,
+        _natural(entry.folder),
+        entry.taken == "after",
+        entry.number,
+    )
+
+
+def _natural(text: str) -> list[tuple[int, int, str]]:
+    """Sort round-2 before round-10."""
+    return [
+        (0, int(part), "") if part.isdecimal() else (1, 0, part.casefold())
+        for part in re.split(r"(\d+)", text)
+        if part
+    ]
+
+
+def _notes(series: Sequence[Series]) -> list[str]:
+    entries = [entry for one in series for entry in one.entries]
+    undated = sum(not entry.day for entry in entries)
+    unread = sum(bool(entry.date) and not entry.day for entry in entries)
+    simulated = sum(entry.simulated for entry in entries)
+    found = []
+    if undated:
+        what = "states" if undated == 1 else "state"
+        unclear = f" ({unread} a date that can be read in two ways)" if unread else ""
+        found.append(
+            f"{undated} of {len(entries)} tests {what} no date{unclear}: they stand behind the"
+            " others, in the order of their folders"
+        )
+    if simulated:
+        found.append(f"{simulated} of {len(entries)} tests were simulated")
+    return found
+
+
+def _asked(
+    document: Mapping[str, Any],
+    json_path: Path | None,
+    plot_path: Path | None,
+    table_path: Path | None,
+) -> dict[Path, bytes]:
+    files: dict[Path, bytes] = {}
+    if plot_path is not None:
+        from compwright.reporting.history_plot import history_plot
+
+        files[plot_path] = history_plot(document, format=plot_path.suffix.lower().removeprefix("."))
+    if table_path is not None:
+        files[table_path] = history_csv(document)
+    if json_path is not None:
+        files[json_path] = to_json(document).encode()
+    return files
+
+
+def _written(
+    asked: Mapping[Path, bytes], index: Mapping[Path, bytes], *, force: bool
+) -> tuple[Path, ...]:
+    """Write what was asked for and the index, all of it or none; the index is renewed without being
+    asked.
+    """
+    storage.refuse_overwriting(asked, force=force)
+    files = {**asked, **index}
+    if not files:
+        return ()
+    first, *_ = files
+    storage.write_files(first.parent, {first.name: files[first]}, force=True, elsewhere=files)
+    return tuple(files)

@@ -1,0 +1,189 @@
+"""The index of a history: an SQLite database of the tests in result folders, so that folders that
+did not change are not read again.
+
+The database lives in memory; its bytes are read and written whole like any file. It is known by
+``application_id`` and ``user_version`` (SQLite, "Database File Format", 1.3.17 and 1.3.15).
+"""
+
+from __future__ import annotations
+
+import json
+import sqlite3
+from collections.abc import Iterator, Sequence
+from contextlib import closing, contextmanager
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from compwright.documents.history import VALUES
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.utf8 import shown_path
+from compwright.records.history import HistoryEntry
+
+#: "cwhi", in the header of the file.
+_APPLICATION = 0x63776869
+_VERSION = 1
+_TABLES = f"""
+CREATE TABLE folder (
+    path TEXT PRIMARY KEY, state TEXT NOT NULL, names TEXT NOT NULL, notes TEXT NOT NULL,
+    files TEXT NOT NULL
+);
+CREATE TABLE test (
+    folder TEXT NOT NULL REFERENCES folder (path) ON DELETE CASCADE, number INTEGER NOT NULL,
+    machine TEXT NOT NULL, serial TEXT NOT NULL, axis TEXT NOT NULL, name TEXT NOT NULL,
+    taken TEXT NOT NULL, day TEXT NOT NULL, unit TEXT NOT NULL,
+    {", ".join(f"{name} REAL" for name in VALUES)},
+    acting TEXT NOT NULL, verdict TEXT NOT NULL, entry TEXT NOT NULL,
+    PRIMARY KEY (folder, number)
+);
+CREATE INDEX by_axis ON test (serial, machine, axis, day);
+PRAGMA application_id = {_APPLICATION};
+PRAGMA user_version = {_VERSION};
+"""
+
+
+class HistoryIndex:
+    """What is known of result folders. ``file``: for messages."""
+
+    def __init__(self, database: sqlite3.Connection, file: str) -> None:
+        self._database, self._file = database, file
+        self.changed = False
+
+    def known(self, folder: Path) -> bool:
+        """Whether a folder is in the index and none of its files was touched since."""
+        row = self._one("SELECT state, names FROM folder WHERE path = ?", _key(folder))
+        return row is not None and row[0] == _state(folder, json.loads(row[1]))
+
+    def put(
+        self,
+        folder: Path,
+        entries: Sequence[HistoryEntry],
+        notes: Sequence[str],
+        files: Sequence[tuple[str, str]],
+        names: Sequence[str],
+    ) -> None:
+        """Enter a folder that was read, in the place of what was known of it."""
+        key = _key(folder)
+        self.forget(folder)
+        self._database.execute(
+            "INSERT INTO folder VALUES (?, ?, ?, ?, ?)",
+            (
+                key,
+                _state(folder, names),
+                *(json.dumps(list(each)) for each in (names, notes, files)),
+            ),
+        )
+        self._database.executemany(
+            "INSERT INTO test VALUES"
+            " (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+            [_row(key, entry) for entry in entries],
+        )
+        self.changed = True
+
+    def forget(self, folder: Path) -> None:
+        """Take a folder out, where it is in."""
+        self._database.execute("DELETE FROM test WHERE folder = ?", (_key(folder),))
+        gone = self._database.execute("DELETE FROM folder WHERE path = ?", (_key(folder),))
+        self.changed = self.changed or gone.rowcount > 0
+
+    def folders_below(self, top: Path) -> list[Path]:
+        """Return the folders of the index that lie in or below ``top``."""
+        whole = storage.resolved(top)
+        paths = [Path(row[0]) for row in self._database.execute("SELECT path FROM folder")]
+        return [path for path in paths if path == whole or whole in path.parents]
+
+    def entries(self, folder: Path) -> list[HistoryEntry]:
+        """Return the tests of a folder. Raises InputError for an index that is damaged."""
+        rows = self._database.execute(
+            "SELECT entry FROM test WHERE folder = ? ORDER BY number", (_key(folder),)
+        )
+        try:
+            return [_entry(json.loads(row[0]), folder) for row in rows]
+        except (ValueError, TypeError, KeyError) as error:
+            raise _refused(self._file, "is a damaged index", str(error)) from error
+
+    def told(self, folder: Path) -> tuple[list[str], list[tuple[str, str]]]:
+        """Return the notes of a folder and the files that are not as they were written."""
+        row = self._one("SELECT notes, files FROM folder WHERE path = ?", _key(folder))
+        if row is None:
+            return [], []
+        return json.loads(row[0]), [(name, state) for name, state in json.loads(row[1])]
+
+    def content(self) -> bytes:
+        """Return the index as the bytes of its file."""
+        self._database.commit()
+        return self._database.serialize()
+
+    def _one(self, query: str, *values: str) -> tuple[Any, ...] | None:
+        row = self._database.execute(query, values).fetchone()
+        return None if row is None else tuple(row)
+
+
+@contextmanager
+def opened(path: Path | None) -> Iterator[HistoryIndex]:
+    """Open the index in a file, a new one where there is none, or in memory alone.
+
+    Raises InputError for a file that is no index of this version; it stays as it is.
+    """
+    file = "" if path is None else shown_path(path)
+    with closing(sqlite3.connect(":memory:")) as database:
+        try:
+            _fill(database, path, file)
+            yield HistoryIndex(database, file)
+        except sqlite3.Error as error:
+            raise _refused(file, "is a damaged index", str(error)) from error
+
+
+def _fill(database: sqlite3.Connection, path: Path | None, file: str) -> None:
+    if path is None or not storage.is_there(path):
+        database.executescript(_TABLES)
+        return
+    content = storage.earlier_bytes(path)
+    if not content.startswith(b"SQLite format 3\0"):
+        raise _refused(file, "is no index of a history", "another file")
+    database.deserialize(content)
+    application = database.execute("PRAGMA application_id").fetchone()[0]
+    if application != _APPLICATION:
+        raise _refused(file, "is no index of a history", "another program's database")
+    version = database.execute("PRAGMA user_version").fetchone()[0]
+    if version != _VERSION:
+        raise _refused(file, "is an index of another version", str(version), str(_VERSION))
+    checked = database.execute("PRAGMA quick_check(1)").fetchone()[0]
+    if checked != "ok":
+        raise _refused(file, "is a damaged index", str(checked))
+
+
+def _refused(
+    file: str, message: str, found: str, expected: str = "an index, or the name of a new file"
+) -> InputError:
+    return InputError(
+        Fault(message=message, file=file, place="--index", expected=expected, found=found)
+    )
+
+
+def _key(folder: Path) -> str:
+    return shown_path(storage.resolved(folder))
+
+
+def _state(folder: Path, names: Sequence[str]) -> str:
+    return storage.state_of([folder / name for name in names])
+
+
+def _row(key: str, entry: HistoryEntry) -> tuple[object, ...]:
+    return (
+        *(key, entry.number, entry.machine, entry.serial, entry.what, entry.test),
+        *(entry.taken, entry.day, entry.unit),
+        *(entry.values.get(name) for name in VALUES),
+        *(entry.acting, entry.verdict, json.dumps(asdict(entry))),
+    )
+
+
+def _entry(data: dict[str, Any], folder: Path) -> HistoryEntry:
+    """Return an entry under the folder's name as it is given now."""
+    pairs = {
+        key: {name: (pair[0], pair[1]) for name, pair in data[key].items()}
+        for key in ("errors", "declared")
+    }
+    lists = {key: tuple(data[key]) for key in ("targets", "sources")}
+    return HistoryEntry(**{**data, **pairs, **lists, "folder": shown_path(folder)})

@@ -1,0 +1,28 @@
+"""The standard errors of a test from the document of its evaluation."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from compwright.evaluation.standard_errors import standard_errors
+
+
+def errors_of(result: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
+    """Return the standard errors of a positioning result, from the readings that its document
+    holds, in its unit, with their degrees of freedom.
+    """
+    positive, negative = (
+        np.array(
+            [
+                [np.nan if value is None else value for value in target[f"deviations_{direction}"]]
+                for target in result["targets"]
+            ],
+            dtype=np.float64,
+        ).reshape(len(result["targets"]), -1)
+        for direction in ("positive", "negative")
+    )
+    errors = standard_errors(positive, negative, result["coverage"])
+    return {name: (error.value, error.dof) for name, error in errors.items()}

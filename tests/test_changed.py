@@ -1,0 +1,115 @@
+"""What differs between two tests: against tests made again on machines whose change is known."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from compwright.evaluation.changed import Told, difference, scatter_changed
+from compwright.evaluation.scores import chance, score_of_ratio, score_of_t
+from compwright.evaluation.standard_errors import standard_errors
+
+TARGETS = np.linspace(0.0, 600.0, 11)
+CURVE = 8.0 * np.sin(TARGETS / 130.0)
+K = 2.0
+
+
+def made(
+    rng: np.random.Generator, s: float = 0.5, lost: float = 3.0, shift: float = 0.0
+) -> tuple[np.ndarray, np.ndarray]:
+    """Readings of five runs; ``shift``: scatter of whole traverses."""
+    blocks = []
+    for reversal in (0.0, lost):
+        own = rng.normal(0.0, s, (TARGETS.size, 5)) + rng.normal(0.0, shift, (1, 5))
+        blocks.append(CURVE[:, None] + reversal + own)
+    return blocks[0], blocks[1]
+
+
+def parameters(up: np.ndarray, down: np.ndarray) -> dict[str, float]:
+    """A, B, mean B and s as the standard's formulas say, written out here."""
+    means = np.concatenate([up.mean(axis=1), down.mean(axis=1)])
+    s = np.concatenate([up.std(axis=1, ddof=1), down.std(axis=1, ddof=1)])
+    reversal = up.mean(axis=1) - down.mean(axis=1)
+    return {
+        "A": float(np.max(means + K * s) - np.min(means - K * s)),
+        "B": float(np.max(np.abs(reversal))),
+        "B_mean": float(reversal.mean()),
+        "s": float(np.sqrt(np.mean(s**2))),
+    }
+
+
+def told(up: np.ndarray, down: np.ndarray) -> dict[str, Told]:
+    errors = standard_errors(up, down, K)
+    return {
+        name: Told(value, errors[name].value, errors[name].dof)
+        for name, value in parameters(up, down).items()
+    }
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.4])
+def test_standard_errors_cover_what_the_same_machine_shows_again(shift: float) -> None:
+    """As large as the spread of the parameter over tests made again, at most twice it."""
+    rng = np.random.default_rng(1)
+    tests = [made(rng, shift=shift) for _ in range(200)]
+    found = [parameters(*test) for test in tests]
+    stated = [standard_errors(*test, K) for test in tests]
+    for name in ("A", "B", "B_mean", "s"):
+        spread = float(np.std([each[name] for each in found], ddof=1))
+        said = float(np.sqrt(np.mean([each[name].value ** 2 for each in stated])))
+        assert 0.85 * spread < said < 2.1 * spread, (name, said / spread)
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.4])
+def test_an_unchanged_machine_is_hardly_ever_called_changed(shift: float) -> None:
+    rng = np.random.default_rng(2)
+    alarms = 0
+    for _ in range(100):
+        one, other = (told(*made(rng, shift=shift)) for _ in range(2))
+        alarms += sum(difference(one[name], other[name]).clear for name in ("A", "B", "B_mean"))
+        alarms += scatter_changed(one["s"], other["s"]).clear
+    assert alarms <= 4  # of 400 comparisons
+
+
+def test_a_collision_shows() -> None:
+    """Lost motion up by 4 µm, or twice the scatter: found in nearly every pair of tests."""
+    rng = np.random.default_rng(3)
+    found = {"B_mean": 0, "s": 0}
+    for _ in range(50):
+        before = told(*made(rng))
+        found["B_mean"] += difference(before["B_mean"], told(*made(rng, lost=7.0))["B_mean"]).clear
+        found["s"] += scatter_changed(before["s"], told(*made(rng, s=1.0))["s"]).clear
+    assert found["B_mean"] >= 49
+    assert found["s"] >= 45
+
+
+def test_what_is_declared_counts() -> None:
+    one, other = Told(10.0, 0.3, 40.0), Told(14.0, 0.3, 40.0)
+    assert difference(one, other).clear
+    assert not difference(one, other, beside=2.0).clear
+    assert not difference(Told(10.0, 0.3, 40.0, declared=2.0), other).clear
+
+
+def test_tests_without_repeats_have_no_standard_errors() -> None:
+    assert standard_errors(CURVE[:, None], np.empty((11, 0)), K) == {}
+
+
+def test_one_direction_has_no_reversal() -> None:
+    up, _ = made(np.random.default_rng(4))
+    assert set(standard_errors(up, np.empty((11, 0)), K)) == {"A", "s"}
+
+
+# two-sided 1 in 1000 of Student's law and 1 in 100 of F, from printed tables
+@pytest.mark.parametrize(("dof", "t"), [(4, 8.610), (8, 5.041), (20, 3.850), (60, 3.460)])
+def test_scores_of_t(dof: float, t: float) -> None:
+    assert score_of_t(t, dof) == pytest.approx(3.2905, abs=0.1)
+    assert score_of_t(-t, dof) == -score_of_t(t, dof)
+
+
+@pytest.mark.parametrize(("one", "other", "ratio"), [(5, 10, 5.64), (20, 20, 2.94), (60, 10, 4.08)])
+def test_scores_of_a_ratio(one: float, other: float, ratio: float) -> None:
+    assert score_of_ratio(ratio, one, other) == pytest.approx(2.326, abs=0.05)
+    assert score_of_ratio(1.0 / ratio, other, one) == pytest.approx(-2.326, abs=0.05)
+    assert chance(3.2905) == pytest.approx(0.001, rel=1e-3)
+    assert math.isinf(score_of_ratio(math.inf, 5.0, 5.0))

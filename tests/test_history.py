@@ -1,0 +1,507 @@
+"""Machines over the years from their result folders: order, what changed, what is not as it was,
+and what is no result at all.
+
+The records are written here by hand, as docs/commands.md describes them.
+"""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import json
+import math
+import os
+import sqlite3
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.workflow.commands import history as command
+from compwright.workflow.stages import result_folders
+
+EMPTY: dict[str, Any] = {
+    "schema": "compwright/record/1",
+    "files": [],
+    "inputs": [],
+    "machine": {},
+    "verification": None,
+    "states": [],
+}
+TARGETS = [0.0, 100.0, 200.0, 300.0, 400.0]
+
+
+def axis_test(
+    *,
+    B_mean: float = -2.0,
+    A: float = 12.0,
+    s: float = 0.5,
+    date: str = "",
+    taken: str = "before",
+    axis: str = "X",
+    key: str = "",
+    **more: Any,
+) -> dict[str, Any]:
+    readings = key or f"{date} {taken} {axis} {A} {B_mean} {s}"
+    return {
+        "kind": "positioning",
+        "name": axis.lower(),
+        "taken": taken,
+        "date": date,
+        "simulated": False,
+        "standard": "iso230-2:2014",
+        "unit": "um",
+        "sources": [hashlib.sha256(readings.encode()).hexdigest()],
+        "axis": axis,
+        "axis_kind": "linear",
+        "targets": TARGETS,
+        "n_runs": {"positive": 5, "negative": 5},
+        "parameters": {"A": A, "E": A - 2.0, "M": 8.0, "R": 4.0, "B": -B_mean, "B_mean": B_mean},
+        "uncertainty": {},
+        "s": s,
+        "std_error": {
+            "A": {"value": 0.6, "dof": 40.0},
+            "B": {"value": 0.3, "dof": 40.0},
+            "B_mean": {"value": 0.1, "dof": 40.0},
+            "s": {"value": s / math.sqrt(80.0), "dof": 40.0},
+        },
+        "measured_in": "as_found",
+        **more,
+    }
+
+
+def circle(squareness: float, date: str) -> dict[str, Any]:
+    return {
+        "kind": "circular",
+        "name": "xy",
+        "taken": "before",
+        "date": date,
+        "simulated": False,
+        "standard": "iso230-4:2005",
+        "unit": "um",
+        "sources": [f"{squareness} {date}"],
+        "plane": "XY",
+        "axes": ["X", "Y"],
+        "parameters": {"G_bidirectional": 6.0},
+        "squareness": {"value": squareness, "std_error": 2.0, "unit": "um/m"},
+        "measured_in": "as_found",
+    }
+
+
+def record(folder: Path, *tests: dict[str, Any], **more: Any) -> Path:
+    """A result folder with one file beside its record."""
+    folder.mkdir(parents=True)
+    (folder / "evaluation.json").write_text("{}", encoding="utf-8")
+    content = {
+        "schema": "compwright/record/1",
+        "version": "0.1.0",
+        "machine": {"name": "VMC", "serial": "S-1"},
+        "inputs": [],
+        "states": ["as_found"],
+        "files": [
+            {
+                "file": "evaluation.json",
+                "sha256": hashlib.sha256(b"{}").hexdigest(),
+                "size": 2,
+            }
+        ],
+        "tests": list(tests),
+        "verification": None,
+        **more,
+    }
+    (folder / "record.json").write_text(json.dumps(content), encoding="utf-8")
+    return folder
+
+
+Ask = Callable[..., dict[str, Any]]
+
+
+@pytest.fixture
+def ask(capsys: pytest.CaptureFixture[str]) -> Ask:
+    def asked(*words: object, code: int = 0) -> dict[str, Any]:
+        assert compwright(["history", *map(str, words), "--json", "-"]) == code
+        document = json.loads(capsys.readouterr().out)
+        assert isinstance(document, dict)
+        return document
+
+    return asked
+
+
+def axis_of(document: dict[str, Any], name: str = "X") -> dict[str, Any]:
+    (machine,) = document["machines"]
+    one = machine["axes"][name]
+    assert isinstance(one, dict)
+    return one
+
+
+def test_tests_stand_in_the_order_of_their_dates_the_undated_behind(
+    tmp_path: Path, ask: Ask
+) -> None:
+    record(tmp_path / "b", axis_test(date="14.03.2024"))
+    record(tmp_path / "c" / "deep", axis_test(date="20230102-101500"))
+    record(tmp_path / "round-10", axis_test(A=1.0))
+    record(tmp_path / "round-2", axis_test(A=2.0))
+    record(tmp_path / "a", axis_test(date="03/04/2024"))  # March or April
+    document = ask(tmp_path)
+    tests = axis_of(document)["tests"]
+    names = [Path(test["folder"]).relative_to(tmp_path).as_posix() for test in tests]
+    assert names == ["c/deep", "b", "a", "round-2", "round-10"]
+    assert [test["day"] for test in tests[:3]] == ["2023-01-02 10:15:00", "2024-03-14", ""]
+    (note,) = document["notes"]
+    assert "3 of 5 tests state no date (1 a date that can be read in two ways)" in note
+
+
+def test_a_change_beyond_the_uncertainty_is_marked_with_its_size(tmp_path: Path, ask: Ask) -> None:
+    """Standard errors 0.1 each: 7 µm are 7/√0.02 of them; 0.3 µm are two, which says nothing."""
+    record(tmp_path / "1", axis_test(date="2023-01-01", B_mean=-2.0))
+    record(tmp_path / "2", axis_test(date="2024-01-01", B_mean=-2.3))
+    record(tmp_path / "3", axis_test(date="2025-01-01", B_mean=-9.3))
+    one = axis_of(ask(tmp_path))
+    found = {change["parameter"]: change for change in one["changes"]}
+    assert set(found) == {"B", "B_mean"}
+    change = found["B_mean"]
+    assert (change["before"], change["after"]) == (1, 2)
+    assert change["size"] == pytest.approx(-7.0)
+    assert change["standard_errors"] == pytest.approx(-7.0 / math.hypot(0.1, 0.1), rel=1e-3)
+    assert change["chance"] < 1e-6
+
+
+def test_scatter_that_doubles_is_marked(tmp_path: Path, ask: Ask) -> None:
+    """Four times the variance with 40 and 40 degrees of freedom: F(0.999) is 2.7 (printed tables)."""
+    record(tmp_path / "1", axis_test(date="2023-01-01", s=0.5))
+    record(tmp_path / "2", axis_test(date="2024-01-01", s=1.0))
+    record(tmp_path / "3", axis_test(date="2025-01-01", s=1.5))  # 2.25 times
+    changes = axis_of(ask(tmp_path))["changes"]
+    assert [(change["parameter"], change["after"]) for change in changes] == [("s", 1)]
+
+
+def test_squareness_after_a_collision(tmp_path: Path, ask: Ask) -> None:
+    for year, value in ((2023, 20.0), (2024, 24.0), (2025, 95.0)):
+        record(tmp_path / str(year), circle(value, f"{year}-06-01"))
+    (machine,) = ask(tmp_path)["machines"]
+    (change,) = machine["planes"]["XY"]["changes"]
+    assert (change["after"], change["size"], change["unit"]) == (2, 71.0, "um/m")
+    assert change["standard_errors"] == pytest.approx(71.0 / math.hypot(2.0, 2.0), rel=1e-3)
+
+
+def test_accuracy_allows_for_a_kelvin_where_nothing_is_declared(tmp_path: Path, ask: Ask) -> None:
+    """11.5 µm/m over 400 mm are 4.6 µm: 5 µm say nothing, 25 µm do; with U declared 5 µm do."""
+    declared = {"A": {"U": 0.4, "coverage": 2}}
+    for number, (axis, A, stated) in enumerate(
+        [
+            *(("X", A, {}) for A in (10.0, 15.0, 40.0)),
+            *(("Y", A, declared) for A in (10.0, 15.0)),
+        ]
+    ):
+        test = axis_test(axis=axis, A=A, date=f"2023-01-0{number + 1}", uncertainty=stated)
+        record(tmp_path / str(number), test)
+    document = ask(tmp_path)
+    (change,) = axis_of(document, "X")["changes"]
+    assert (change["size"], change["undeclared"]) == (25.0, True)
+    assert change["std_error"] == pytest.approx(math.hypot(0.6, 0.6, 4.6), rel=1e-6)
+    (change,) = axis_of(document, "Y")["changes"]
+    assert change["std_error"] == pytest.approx(math.hypot(0.6, 0.6, 0.2, 0.2), rel=1e-6)
+
+
+def test_other_targets_or_another_standard_are_not_held_against_each_other(
+    tmp_path: Path, ask: Ask
+) -> None:
+    moved = [target + 7.0 for target in TARGETS]
+    record(tmp_path / "1", axis_test(date="2023-01-01", A=10.0))
+    record(tmp_path / "2", axis_test(date="2024-01-01", A=90.0, B_mean=-4.0, targets=moved))
+    record(tmp_path / "3", axis_test(date="2025-01-01", A=10.0, standard="iso230-2:1997"))
+    changes = axis_of(ask(tmp_path))["changes"]
+    assert {change["parameter"] for change in changes} == {"B_mean"}
+
+
+def test_whether_the_same_table_acted_is_told_as_far_as_files_tell(
+    tmp_path: Path, ask: Ask
+) -> None:
+    table = {"file": "tables/f/x.tab", "sha256": "cd" * 32, "size": 1}
+    state = {"role": "state", "of": "as_found", "file": "x.tab", "copy": None, "by": "run"}
+    loaded = {"verdict": "good", "axes": {"X": {"loading": {"verdict": "loaded"}}}}
+    record(
+        tmp_path / "1",
+        axis_test(date="2023-01-01", B_mean=-9.0),
+        axis_test(date="2023-01-02", B_mean=0.0, taken="after"),
+        files=[table],
+        verification=loaded,
+    )
+    later: dict[str, Any] = {"inputs": [{**state, "sha256": "cd" * 32, "size": 1}], "files": []}
+    record(tmp_path / "2", axis_test(date="2024-01-01", B_mean=5.0), **later)
+    other: dict[str, Any] = {"inputs": [{**state, "sha256": "ef" * 32, "size": 1}], "files": []}
+    record(tmp_path / "3", axis_test(date="2025-01-01", B_mean=-5.0), **other)
+    one = axis_of(ask(tmp_path))
+    assert [test["table"] for test in one["tests"]] == ["none", "loaded", "as found", "as found"]
+    changes = [change for change in one["changes"] if change["parameter"] == "B_mean"]
+    assert [change["table"] for change in changes] == ["changed", "same", "unknown"]
+
+
+def test_machines_stand_apart_by_serial_number_else_by_name(tmp_path: Path, ask: Ask) -> None:
+    record(tmp_path / "1", axis_test(key="1"), machine={"name": "VMC", "serial": "S-1"})
+    record(tmp_path / "2", axis_test(key="2"), machine={"name": "VMC", "serial": "S-2"})
+    record(tmp_path / "3", axis_test(key="3"), machine={"name": "VMC", "serial": "s-1 "})
+    record(tmp_path / "4", axis_test(key="4"), machine={"name": "VMC", "serial": "not given"})
+    for name in ("5", "6"):  # nobody says which machine
+        record(tmp_path / name, axis_test(key=name), machine={})
+    machines = ask(tmp_path)["machines"]
+    found = [
+        [Path(test["folder"]).name for test in machine["axes"]["X"]["tests"]]
+        for machine in machines
+    ]
+    assert found == [["1", "3"], ["2"], ["4"], ["5"], ["6"]]
+
+
+def test_a_test_that_a_later_job_uses_again_is_one_test(tmp_path: Path, ask: Ask) -> None:
+    loaded = {"verdict": "good", "axes": {"X": {"loading": {"verdict": "loaded"}}}}
+    after = axis_test(taken="after", key="the test after loading")
+    first = record(tmp_path / "job", axis_test(key="1"), after, verification=loaded)
+    record(first / "next", {**after, "taken": "before"}, axis_test(key="1"))
+    tests = axis_of(ask(tmp_path))["tests"]
+    assert [(test["taken"], Path(test["folder"]).name) for test in tests] == [
+        ("before", "job"),
+        ("after", "job"),
+    ]
+
+
+def test_files_that_are_not_as_they_were_written_are_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    record(tmp_path / "a", axis_test(key="1"))
+    record(tmp_path / "b", axis_test(key="2"))
+    (tmp_path / "a" / "evaluation.json").write_text("{ }", encoding="utf-8")
+    (tmp_path / "b" / "evaluation.json").unlink()
+    assert compwright(["history", str(tmp_path)]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "evaluation.json: is not as it was written (its hash differs)" in said
+    assert "evaluation.json: is not there any more" in said
+
+
+def test_only_folders_that_changed_are_read_again(
+    tmp_path: Path, ask: Ask, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("a", "b", "c"):
+        record(tmp_path / "all" / name, axis_test(key=name, date="2024-01-01"))
+    read: list[str] = []
+
+    def reading(path: Path) -> result_folders.ResultFolder:
+        read.append(path.name)
+        return result_folders.read_folder(path)
+
+    monkeypatch.setattr(command, "read_folder", reading)
+    index = ("--index", tmp_path / "i.sqlite")
+    fresh = ask(tmp_path / "all", *index)
+    assert read == ["a", "b", "c"]
+    assert ask(tmp_path / "all", *index) == fresh
+    assert read == ["a", "b", "c"]
+    (tmp_path / "all" / "b" / "evaluation.json").write_text("{  }", encoding="utf-8")
+    assert ask(tmp_path / "all", *index) != fresh
+    assert read == ["a", "b", "c", "b"]
+    (tmp_path / "all" / "c" / "record.json").unlink()
+    assert len(axis_of(ask(tmp_path / "all", *index))["tests"]) == 2
+    assert ask(tmp_path / "all", *index) == ask(tmp_path / "all")
+
+
+def test_the_index_answers_other_programs(tmp_path: Path, ask: Ask) -> None:
+    record(tmp_path / "a", axis_test(date="2024-01-01", A=12.5))
+    ask(tmp_path / "a", "--index", tmp_path / "i.sqlite")
+    with sqlite3.connect(tmp_path / "i.sqlite") as database:
+        rows = database.execute("SELECT serial, axis, day, A, unit FROM test").fetchall()
+    database.close()
+    assert rows == [("S-1", "X", "2024-01-01", 12.5, "um")]
+
+
+def other_database(path: Path) -> None:
+    with sqlite3.connect(path) as database:
+        database.execute("CREATE TABLE guests (name TEXT)")
+    database.close()
+
+
+def newer_index(path: Path) -> None:
+    with sqlite3.connect(path) as database:
+        database.execute(f"PRAGMA application_id = {0x63776869}")
+        database.execute("PRAGMA user_version = 2")
+        database.execute("CREATE TABLE folder (path TEXT)")
+    database.close()
+
+
+def cut_index(path: Path) -> None:
+    record(path.parent / "x" / "y", axis_test(key="x"))
+    assert compwright(["history", str(path.parent / "x"), "--index", str(path)]) == 0
+    path.write_bytes(path.read_bytes()[:-4096])
+
+
+@pytest.mark.parametrize(
+    ("make", "words"),
+    [
+        (lambda path: path.write_text("A diary"), "is no index of a history"),
+        (lambda path: path.write_bytes(b""), "is no index of a history"),
+        (other_database, "another program's database"),
+        (newer_index, "is an index of another version"),
+        (cut_index, "is a damaged index"),
+        (lambda path: path.mkdir(), "is no index of a history"),
+    ],
+)
+def test_what_is_no_index_is_refused_and_stays(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    make: Callable[[Path], object],
+    words: str,
+) -> None:
+    index = tmp_path / "i.sqlite"
+    make(index)
+    before = index.read_bytes() if index.is_file() else None
+    record(tmp_path / "a", axis_test())
+    capsys.readouterr()
+    assert compwright(["history", str(tmp_path / "a"), "--index", str(index), "--force"]) == 3
+    assert words in capsys.readouterr().err
+    assert (index.read_bytes() if index.is_file() else None) == before
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "{",
+        "[]",
+        '{"schema": "compwright/record/2"}',
+        '{"schema": "compwright/record/1"}',
+        '{"schema": "compwright/record/1", "files": 3, "inputs": []}',
+        json.dumps({**EMPTY, "tests": [{"kind": "positioning"}]}),
+        json.dumps({**EMPTY, "machine": [1], "tests": [1]}),
+    ],
+)
+def test_a_damaged_record_is_named_and_the_rest_is_shown(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], content: str
+) -> None:
+    record(tmp_path / "good", axis_test())
+    record(tmp_path / "bad")
+    (tmp_path / "bad" / "record.json").write_text(content, encoding="utf-8")
+    assert compwright(["history", str(tmp_path)]) == 3
+    told = capsys.readouterr()
+    assert "bad" in told.err
+    assert "fault of compwright" not in told.err
+    assert "axis X" in told.out
+    assert compwright(["history", str(tmp_path / "bad")]) == 3
+
+
+def test_what_is_no_folder_with_results(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "file").write_text("x", encoding="utf-8")
+    (tmp_path / "empty").mkdir()
+    words = [str(tmp_path / name) for name in ("file", "empty", "nothing")]
+    assert compwright(["history", *words]) == 3
+    lines = [line for line in capsys.readouterr().err.splitlines() if line.startswith("error")]
+    assert len(lines) == 3
+    assert "found a file" in lines[0]
+
+
+@pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="needs a folder without rights")
+def test_a_folder_that_cannot_be_read_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    record(tmp_path / "good", axis_test())
+    closed = record(tmp_path / "closed", axis_test(key="2"))
+    closed.chmod(0)
+    try:
+        assert compwright(["history", str(tmp_path)]) == 3
+    finally:
+        closed.chmod(0o700)
+    assert "closed" in capsys.readouterr().err
+
+
+def test_control_characters_in_names_do_not_reach_the_terminal(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    test = axis_test(date="\x1b[2Jtoday", key="1", name="x\x1b]0;y\x07")
+    machine = {"name": "VMC\x1b[31m", "serial": "S\r1"}
+    record(tmp_path / "a\x1b[1m", test, machine=machine)
+    assert compwright(["history", str(tmp_path)]) == 0
+    told = capsys.readouterr()
+    assert not {"\x1b", "\x07", "\r"} & set(told.out + told.err)
+
+
+def test_table_and_plot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    record(tmp_path / "1", axis_test(date="2023-01-01"), circle(20.0, "2023-01-02"))
+    record(tmp_path / "2", axis_test(date="2024-01-01", B_mean=-9.0), circle(80.0, "2024-01-01"))
+    record(tmp_path / "3", axis_test(key="undated"), machine={"name": "other"})
+    table, plot = tmp_path / "t.csv", tmp_path / "p.svg"
+    words = ["history", str(tmp_path), "--table", str(table), "--plot", str(plot)]
+    assert compwright(words) == 0
+    with table.open(encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert [(row["axis"], row["date"], row["changed"]) for row in rows] == [
+        ("X", "2023-01-01", ""),
+        ("X", "2024-01-01", "B B_mean"),
+        ("XY", "2023-01-02", ""),
+        ("XY", "2024-01-01", "squareness"),
+        ("X", "", ""),
+    ]
+    assert (rows[1]["B_mean"], rows[3]["squareness"]) == ("-9.000", "80.000")
+    drawn = plot.read_bytes()
+    assert drawn.startswith(b"<?xml")
+    assert compwright(words) == 5
+    assert compwright([*words, "--force"]) == 0
+    assert plot.read_bytes() == drawn
+    capsys.readouterr()
+    assert compwright(["history", str(tmp_path), "--plot", str(tmp_path / "p.doc")]) == 2
+    assert compwright(["history", str(tmp_path), "--plot", str(table), "--table", str(table)]) == 2
+
+
+def test_a_folder_of_an_older_version_is_read_as_far_as_it_goes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], ask: Ask
+) -> None:
+    """Evaluation, plan and verification as they were written before there were records."""
+    target = {
+        "position": 100.0,
+        **{f"n_{way}": 3 for way in ("positive", "negative")},
+        **{f"s_{way}": 1.0 for way in ("positive", "negative")},
+        "deviations_positive": [1.0, 2.0, 3.0],
+        "deviations_negative": [4.0, 5.0, 6.0],
+    }
+    parameters = {"A": 9.0, "E": 3.0, "M": 1.0, "R": 7.0, "B": 3.0, "B_mean": -3.0}
+    result = {
+        "kind": "positioning",
+        "name": "x",
+        "axis": "X",
+        "axis_kind": "linear",
+        "standard": "iso230-2:2014",
+        "coverage": 2.0,
+        "unit": "um",
+        "uncertainty": None,
+        "sources": [{"file": "x.csv", "sha256": "ab"}],
+        "header": {"Date": "2021-05-04"},
+        "n_runs": {"positive": 3, "negative": 3},
+        "parameters": parameters,
+        "targets": [target, {**target, "position": 200.0}],
+    }
+    old = tmp_path / "old"
+    old.mkdir()
+    (old / "evaluation.json").write_text(json.dumps({"results": [result]}), encoding="utf-8")
+    plan = {
+        "version": "0.0.9",
+        "machine": {"name": "VMC"},
+        "states": {"as_found": []},
+        "axes": {"X": {"tests": [{"name": "x", "measured_in": "as_found"}]}},
+    }
+    (old / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
+    after = {
+        "unit": "um",
+        "test": "x",
+        "after": {**parameters, "A": 4.0},
+        "expected": {"positions": [100.0, 200.0]},
+        "loading": {"verdict": "loaded"},
+    }
+    verification = {"verdict": "good", "axes": {"X": after}}
+    (old / "verification.json").write_text(json.dumps(verification), encoding="utf-8")
+    tests = axis_of(ask(tmp_path))["tests"]
+    assert [(test["taken"], test["A"], test["day"]) for test in tests] == [
+        ("before", 9.0, "2021-05-04"),
+        ("after", 4.0, ""),
+    ]
+    assert (tests[0]["s"], tests[0]["table"], tests[1]["verdict"]) == (1.0, "none", "good")
+    assert compwright(["history", str(tmp_path)]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "has no record (an older version): the files in it are not checked" in said
+    (old / "evaluation.json").write_text('{"results": [{"kind": 1}]}', encoding="utf-8")
+    assert compwright(["history", str(tmp_path)]) == 3
