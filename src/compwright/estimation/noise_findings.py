@@ -78,8 +78,9 @@ def _drifts(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding]:
         yield Finding(
             code,
             "warning",
-            f"{message}. A repeated test is predicted to show the same; warm the axis up and"
-            " measure again to see it without",
+            f"{message}. Whether a repeated test drifts so again, one test does not tell: the"
+            " prediction takes it for four times as likely as another drift of this size, either"
+            " way; warm the axis up and measure again to see it without",
         )
 
 

@@ -7,11 +7,23 @@ from typing import Final
 import numpy as np
 
 from compwright.records.axis import FloatArray
-from compwright.records.noise import RUNS, WALK, NoiseDraws, progress, slackening, traverse_order
+from compwright.records.noise import (
+    RUNS,
+    WALK,
+    NoiseDraws,
+    progress,
+    slackening,
+    traverse_order,
+    within_run,
+)
 
 _PLUS, _MINUS = range(2)
 #: Below this many degrees of freedom Student's law has readings without measure.
 _LEAST_DOF: Final = 1.0
+#: How probable a fresh test drifts as the first one did: one test does not tell. What warms an axis
+#: up is mostly its own motion, which the cycle repeats; a hall, or an axis that was warm already,
+#: is another one next time (ISO 230-2:1997, clause 3.3, wants neither in a test).
+_AGAIN: Final = 0.8
 
 
 def fresh_noise(
@@ -24,31 +36,41 @@ def fresh_noise(
     """Return one fresh test for each of the draws: what its readings at ``targets`` (m,) add to the
     error of the axis, (count, m, positive) and (count, m, negative), mm or deg.
 
-    Scatter, tails, offsets and tilts of the traverses are drawn anew; the drift is that of the
-    draw. Runs go up and down in turn (ISO 230-2, standard test cycle).
+    Scatter, tails, offsets and tilts of the traverses are drawn anew. Four tests in five drift as
+    the first one did, the fifth anew, of the same size either way, and its means differ by what
+    drifts within a run. Runs go up and down in turn (ISO 230-2, standard test cycle).
     """
     u = (targets - draws.centre) / draws.half
     offsets = _traverse_effects(draws, draws.offset, positive, negative, rng)
     tilts = _traverse_effects(draws, draws.tilt, positive, negative, rng)
     scale = draws.scale_at(targets)
     both = positive > 0 and negative > 0
-    slack = slackening(max(positive, negative), draws.drift_rate, u, returns=both)
+    most = max(positive, negative)
+    slack = slackening(most, draws.drift_rate, u, returns=both)
+    within = within_run(most, draws.drift_rate, u, returns=both)
     blocks = []
     for way, runs in ((_PLUS, positive), (_MINUS, negative)):
-        drifted = slack[way][:, :, np.newaxis] * _drift(draws, u, runs)
         whole = offsets[way][:, np.newaxis] + u[:, np.newaxis] * tilts[way][:, np.newaxis]
         errors = _errors(draws, (draws.count, targets.size, runs), rng)
-        blocks.append(drifted + whole + scale[:, way, :, np.newaxis] * errors)
+        blocks.append(whole + scale[:, way, :, np.newaxis] * errors)
+    size = (draws.drift[:, np.newaxis] + np.outer(draws.drift_tilt, u))[:, :, np.newaxis]
+    fresh = _fresh_share(draws.count, rng)[:, np.newaxis, np.newaxis]
+    for way, runs in ((_PLUS, positive), (_MINUS, negative)):
+        if runs:
+            pace = progress(runs, draws.drift_rate)
+            pace = (pace - pace.mean(axis=1, keepdims=True))[:, np.newaxis]
+            drifted = fresh * slack[way][:, :, np.newaxis] * pace
+            other = (fresh - 1.0) * within[way][:, :, np.newaxis]
+            blocks[way] += size * (drifted + other)
     return blocks[_PLUS], blocks[_MINUS]
 
 
-def _drift(draws: NoiseDraws, u: FloatArray, runs: int) -> FloatArray:
-    """Return what the drift adds, (count, m, runs), about its mean over the runs."""
-    way = progress(runs, draws.drift_rate)
-    way = way - way.mean(axis=1, keepdims=True) if runs else way
-    size = draws.drift[:, np.newaxis] + np.outer(draws.drift_tilt, u)
-    drifted: FloatArray = size[:, :, np.newaxis] * way[:, np.newaxis]
-    return drifted
+def _fresh_share(count: int, rng: np.random.Generator) -> FloatArray:
+    """Return by how much of the drift of its draw each fresh test drifts (count,): 1, or drawn anew
+    with a mean square of 1.
+    """
+    again = rng.random(count) < _AGAIN
+    return np.where(again, 1.0, rng.standard_normal(count))
 
 
 def _traverse_effects(

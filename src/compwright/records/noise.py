@@ -39,9 +39,9 @@ class NoiseDraws:
     ``outlier_fixed``, lies on either side by ``outlier_size`` in addition.
     ``offset`` and ``tilt``: standard deviations of offset_jd and tilt_jd, drawn afresh for every
     test, by ``pattern`` (`INDEPENDENT`, `RUNS`, `WALK`: then those of one step).
-    ``drift``, ``drift_tilt``: what a test of this protocol shows again, from the first run to the
-    last, on the way p that `progress` gives for ``drift_rate``, with q from `slackening`. What
-    drifts within a run is the same in every run and part of the error curve.
+    ``drift``, ``drift_tilt``: what the test showed from its first run to its last, on the way p
+    that `progress` gives for ``drift_rate``, with q from `slackening`. What drifts within a run
+    (`within_run`) is the same in every run and part of the error curve.
     """
 
     centre: float
@@ -170,6 +170,32 @@ def slackening(
     down again in the second half of its time: exp(-rate t), t in parts of the test.
     """
     per_run = rate[:, np.newaxis] / max(runs - 1, 1)
-    up = 0.5 * (u + 1.0) * (0.5 if returns else 1.0)
-    down = 0.5 * (1.0 - u) * (0.5 if returns else 1.0) + (0.5 if returns else 0.0)
+    up, down = _parts_of_run(u, returns=returns)
     return np.exp(-per_run * up), np.exp(-per_run * down)
+
+
+def within_run(
+    runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
+) -> tuple[FloatArray, FloatArray]:
+    """Return which part of a drift of ``rate`` (count,) the means over the runs show between the
+    first reading of a run and the one at ``u`` (k,), -1 to 1: (count, k) in + and in -.
+
+    Mean over the runs of p(t + h) - p(t), p as in `progress` and h as in `slackening`; a test of
+    one run does not tell: 0.
+    """
+    if runs < 2:
+        nothing = np.zeros((rate.size, u.size))
+        return nothing, nothing
+    steep = np.maximum(rate, 1e-9)[:, np.newaxis]
+    begun = np.mean(np.exp(-steep * np.linspace(0.0, 1.0, runs)), axis=1, keepdims=True)
+    up, down = (
+        begun * np.expm1(-steep * part / (runs - 1)) / np.expm1(-steep)
+        for part in _parts_of_run(u, returns=returns)
+    )
+    return up, down
+
+
+def _parts_of_run(u: FloatArray, *, returns: bool) -> tuple[FloatArray, FloatArray]:
+    """Return which part of a run is over when it reaches ``u`` (k,) in + and in -."""
+    half = 0.5 if returns else 1.0
+    return half * 0.5 * (u + 1.0), half * 0.5 * (1.0 - u) + (0.5 if returns else 0.0)
