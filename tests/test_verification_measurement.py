@@ -138,8 +138,8 @@ def judged(
     )
 
 
-#: A fault of measurement is 20 times less to be expected than a good measurement.
-PRIOR = math.log(0.05)
+#: A fault of measurement is 50 times less to be expected than a good measurement.
+PRIOR = math.log(0.02)
 
 
 def test_a_turned_sign_is_told_with_its_likelihood() -> None:

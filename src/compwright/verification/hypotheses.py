@@ -121,6 +121,7 @@ def loading_hypotheses(loading: Loading, targets: FloatArray) -> tuple[Hypothesi
 
 
 _Curve = FloatArray  # (2, m): in + and in -
+_Held = dict[Direction, FloatArray]  # values at the nodes (k,)
 
 
 class _Ways:
@@ -287,6 +288,10 @@ class _Ways:
         if self.table.positions.size > 2:
             curves = {d: self.table.curve(d)[::-1] for d in Direction}
             yield from self.moved("mirrored", curves, _COMMON)
+            # where a control keeps the steps from node to node, they are what is turned round
+            held = {d: self.table.curve(d) for d in Direction}
+            steps = {d: v[0] + v[-1] - v[::-1] for d, v in held.items()}
+            yield from self.moved("mirrored", steps, _COMMON, detail="step by step", inner=True)
 
     def wrong_axis(self) -> Iterator[Hypothesis]:
         for name, other in self.loading.others.items():
@@ -327,11 +332,12 @@ class _Ways:
         step = self.backlash
         if not np.any(step):
             step = self.reversal()
+        weight = _COMMON if np.any(self.backlash) else _RARE
         ways = [(-1.0, "missing"), (1.0, "twice"), (-2.0, "with the wrong sign")]
         for times, told in ways:
             if np.any(step):
                 change = self.total(self.own, self.backlash + times * step)
-                yield self.made("backlash", change, _COMMON, told)
+                yield self.made("backlash", change, weight, told)
         known = [-step, step, -2.0 * step, np.zeros_like(step)]
         for value, told in (
             (self.old_backlash, "the old value instead of the new one"),
@@ -358,23 +364,27 @@ class _Ways:
         if nodes.size < 3:
             return
         held = {d: self.table.curve(d) for d in Direction}
-        before = {
-            d: self.loading.old.at(nodes, d) - self.loading.old.backlash_at(d) for d in Direction
-        }
-        beyond = [("nothing beyond", {d: np.zeros(nodes.size) for d in Direction})]
+        beyond: list[tuple[str, _Held | None, bool]] = [
+            ("nothing beyond", {d: np.zeros(nodes.size) for d in Direction}, False),
+            ("the last value beyond", None, False),
+        ]
         if self.has_old:
-            beyond.append(("the old values beyond", before))
+            before = self.old_values()
+            beyond.append(("the old values beyond", before, False))
+            beyond.append(("the old steps beyond", before, True))
         cuts = self.cuts()
-        # a cut counts by the targets that it takes
-        for told, rest in [*beyond, ("the last value beyond", None)]:
+        for told, rest, joined in beyond:
             for cut in cuts:
                 for first in (True, False):
                     inside = (np.arange(nodes.size) < cut) == first
                     edge = cut - 1 if first else cut
-                    curves = {
-                        d: np.where(inside, held[d], held[d][edge] if rest is None else rest[d])
-                        for d in Direction
-                    }
+                    curves = {}
+                    for d in Direction:
+                        last = np.full(nodes.size, held[d][edge])
+                        other = last if rest is None else rest[d]
+                        if joined and rest is not None:
+                            other = last + rest[d] - rest[d][edge]
+                        curves[d] = np.where(inside, held[d], other)
                     number = f"up to node {cut}" if first else f"from node {cut + 1} on"
                     where = f"{number} ({nodes[edge]:g})"
                     share = float(np.mean(inside))
@@ -385,6 +395,14 @@ class _Ways:
                         f"{where}, {told}",
                         inner=not 0.25 <= share <= 0.75,
                     )
+
+    def old_values(self) -> _Held:
+        """Return what was there at the nodes, without what stays and the backlash."""
+        nodes, old, stay = self.table.positions, self.loading.old, _only_others(self.loading.new)
+        line = self.table.slope * (nodes - self.table.origin)
+        return {
+            d: old.at(nodes, d) - old.backlash_at(d) - stay.at(nodes, d) - line for d in Direction
+        }
 
     def cut_off(self) -> Iterator[Hypothesis]:
         """Yield a table that ends between two nodes all at once, its backlash with it."""

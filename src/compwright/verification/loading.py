@@ -12,7 +12,7 @@ probability, not by having more to adjust.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -65,6 +65,8 @@ _NEVER: Final = 1e-300
 _UNITS: Final = (1000.0, 0.001, 25.4, 1.0 / 25.4)
 #: Logarithm of odds beyond which nobody asks: a second name there is none.
 _CERTAIN: Final = 1e6
+#: Distance from the loaded table, in standard errors, from which a fault counts in full.
+_SEEN: Final = 3.0
 #: From which probability on a candidate is told.
 _TOLD: Final = 0.005
 
@@ -143,9 +145,15 @@ def _read(belief: ErrorBelief, stood: Sequence[Hypothesis], factor: float, of: s
 
 
 def judge_loading(
-    after: AfterMeans, views: Sequence[View], *, declared_slope: float | None
+    after: AfterMeans,
+    views: Sequence[View],
+    *,
+    declared_slope: float | None,
+    further: Callable[[], Sequence[View]] = tuple,
 ) -> LoadingVerdict:
-    """Return what the test ``after`` shows of the loading, by the hypotheses of all ``views``.
+    """Return what the test ``after`` shows of the loading, by the hypotheses of all ``views``, and
+    of those that ``further`` makes where the test fits neither the loaded table nor the control as
+    it was before.
 
     The first view is the test as it stands; its first hypothesis of the name ``loaded`` and of the
     name ``not_active`` are what the message measures by. ``declared_slope``: standard deviation,
@@ -165,6 +173,10 @@ def judge_loading(
         )
     slope = None if declared_slope is None else math.hypot(declared_slope, _LEAST_SLOPE)
     rated, effect = _rated(after, views, slope)
+    if not any(_stands(each) for each in rated):
+        more = further()
+        if more:
+            rated, effect = _rated(after, [*views, *more], slope)
     return _decided(after, views[0], rated, effect, declared_slope)
 
 
@@ -184,6 +196,11 @@ class _Rated:
     slope: tuple[float, float]
     amount: tuple[float, float]
     base: FloatArray
+
+
+def _stands(each: _Rated) -> bool:
+    """Return whether the test fits the loaded table, or the old control, as it stands."""
+    return each.hypothesis.name in ("loaded", "not_active") and each.score <= _REFUSED
 
 
 def _rated(
@@ -222,11 +239,30 @@ def _rated(
                     base=view.belief.mean,
                 )
             )
+    found = _relevant(after, found)
     logs = np.array([each.log for each in found])
     shares = np.exp(logs - logs.max())
     shares = shares / shares.sum()
     rated = [replace(each, probability=float(p)) for each, p in zip(found, shares, strict=True)]
     return rated, effect
+
+
+def _relevant(after: AfterMeans, rated: Sequence[_Rated]) -> list[_Rated]:
+    """Return the hypotheses, those that this test can hardly tell from the loaded table with less
+    weight, by the square of the distance up to `_SEEN` standard errors: they change nothing that
+    the test could show.
+    """
+    loaded = next((each for each in rated if each.name == "loaded"), None)
+    if loaded is None:
+        return list(rated)
+    off = _distances(after, loaded, rated)
+    counts = np.log(np.clip((off / _SEEN) ** 2, 1e-6, 1.0))
+    return [
+        each
+        if each.name in ("loaded", "thermal") or each.hypothesis.free is not None
+        else replace(each, log=each.log + float(less))
+        for each, less in zip(rated, counts, strict=True)
+    ]
 
 
 def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:

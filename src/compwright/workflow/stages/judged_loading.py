@@ -70,16 +70,18 @@ def judged_loading(
         view,
         *measurement_views(view, both=test.bidirectional),
     ]
-    verdict = judge_loading(after, views, declared_slope=slope)
-    if verdict.verdict in ("loaded", "thermal", "not_active"):
-        return verdict
-    views += unit_views(view, after.sigma / error.noise)
-    views += [
-        of_other_axis(name, _view(other, test, 0, _error_of(other), as_found, {})[0])
-        for name, other in others.items()
-        if other.tests and other.fitted is not None and other.axis.kind is test.kind
-    ]
-    return judge_loading(after, views, declared_slope=slope)
+
+    def further() -> list[View]:
+        return [
+            *unit_views(view, after.sigma / error.noise),
+            *(
+                of_other_axis(name, _view(other, test, 0, _error_of(other), as_found, {})[0])
+                for name, other in others.items()
+                if other.tests and other.fitted is not None and other.axis.kind is test.kind
+            ),
+        ]
+
+    return judge_loading(after, views, declared_slope=slope, further=further)
 
 
 def _view(
