@@ -25,9 +25,10 @@ def said(
     known: tuple[float, ...] = (),
     fitted: tuple[float, ...] = (),
     curve: PeriodCurve | None = CURVE,
+    nodes: tuple[float, ...] = (),
 ) -> list[Finding]:
     search = PeriodSearch((PeriodModel((), (), 1.0),), found, alike, curve)
-    return period_findings(search, targets, AxisKind.LINEAR, known, fitted)
+    return period_findings(search, targets, AxisKind.LINEAR, known, fitted, nodes)
 
 
 def test_a_found_period_says_what_to_look_for_and_its_odds() -> None:
@@ -38,6 +39,20 @@ def test_a_found_period_says_what_to_look_for_and_its_odds() -> None:
     assert "twice in 20 mm: a screw lead of 20 mm" in finding.message
     (sure,) = said(AxisPeriod(10.0, 0.9947, "found"))
     assert "odds 190 to 1" in sure.message, "never exponents"
+
+
+@pytest.mark.parametrize(
+    ("spacing", "suspicious"), [(40.0, True), (40.5, True), (20.0, False), (50.0, False)]
+)
+def test_a_period_as_long_as_the_nodes_of_the_table_are_apart_is_suspicious(
+    spacing: float, *, suspicious: bool
+) -> None:
+    nodes = tuple(spacing * k for k in range(12))
+    (finding,) = said(AxisPeriod(40.0, 0.9, "found"), nodes=nodes)
+    assert ("a table that did not act as its files say" in finding.message) == suspicious
+    assert ("nodes of the table in the control" in finding.message) == suspicious
+    (bare,) = said(AxisPeriod(40.0, 0.9, "found"))
+    assert "nodes" not in bare.message
 
 
 def test_what_is_not_settled_is_one_finding() -> None:

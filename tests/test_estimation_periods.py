@@ -4,6 +4,7 @@ put into axes and found again, or not where the targets cannot show them.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -11,9 +12,12 @@ import pytest
 
 from compwright.estimation.basis import Basis
 from compwright.estimation.cells import cells_of
+from compwright.estimation.evidence import EXCESS
+from compwright.estimation.model import Periods, Travel, evidence_of
 from compwright.estimation.observed import ObservedTest
 from compwright.estimation.period_likelihood import (
     AMPLITUDES,
+    SMOOTHNESS,
     Choice,
     Middles,
     PeriodLikelihood,
@@ -125,6 +129,43 @@ def test_likelihood_is_that_of_a_normal_vector(
         )
 
     assert found == pytest.approx(log_normal(covariance + wave) - log_normal(covariance), abs=0.1)
+
+
+def test_kinks_are_expected_as_seldom_as_in_the_estimate() -> None:
+    """Shares of a normal logarithm of the excess over 3/2 (Abramowitz and Stegun 1964, eq. 26.2.29)
+    below 2, from 2 to 3.5, and above, by the prior of the estimate itself."""
+    rng = np.random.default_rng(14)
+    cells = cells_of([ObservedTest(test=measured(dithered(rng, 500.0, 12), bow, rng))])
+    prior = evidence_of(cells, Travel(0.0, 500.0), Periods(), varying=False).prior
+
+    def below(smoothness: float) -> float:
+        away = (math.log(smoothness - 1.5) - prior.centre[EXCESS]) / prior.width[EXCESS]
+        return 0.5 * (1.0 + math.erf(away / math.sqrt(2.0)))
+
+    expected = [below(2.0), below(3.5) - below(2.0), 1.0 - below(3.5)]
+    assert [share for _, share in SMOOTHNESS] == pytest.approx(expected, abs=0.01)
+
+
+def kinked(x: FloatArray) -> FloatArray:
+    """A polyline: slopes of some 10 µm/m that change every 97 mm."""
+    places = np.arange(9) * 97.0
+    return np.asarray(np.interp(x, places, 1e-3 * np.array([0, 4, 3, 6, 2, 3, 0, 1, -2.0])))
+
+
+@pytest.mark.parametrize("seed", [20, 21, 22])
+def test_a_wave_of_a_micrometre_is_seen_beside_a_soft_curve(seed: int) -> None:
+    """1 µm at 10 mm with 13 targets beside 24 µm of bow; nothing in a polyline."""
+    search = searched(
+        lambda x: (
+            0.012 * np.sin(x / 300.0 + seed)
+            + 1e-5 * x
+            + 0.001 * np.sin(2 * np.pi * x / 10.0 + seed)
+        ),
+        13,
+        seed,
+    )
+    assert named(search) == [pytest.approx(10.0, abs=0.3 * 10.0**2 / 800.0)]
+    assert named(searched(kinked, 13, seed)) == []
 
 
 def test_a_period_of_no_catalogue_is_named() -> None:

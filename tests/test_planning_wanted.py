@@ -16,7 +16,7 @@ from compwright.planning.wanted import (
     wanted_correction,
     with_change,
 )
-from compwright.records.axis import AxisKind, Direction
+from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, ControlState, no_compensation
 from compwright.records.plan import PlannedTest
 from planning_samples import MINUS, PLUS, TARGETS, UM, KnownAxis, axis_of, estimate_of, readings_of
@@ -166,6 +166,27 @@ def test_a_rough_table_that_acted_is_taken_out_before_the_error_is_estimated() -
     np.testing.assert_allclose(
         error.summary(TARGETS).mean(Direction.POSITIVE), own + saw.at(TARGETS, PLUS), atol=1e-15
     )
+
+
+def test_a_period_that_is_the_spacing_of_the_acting_table_is_told_as_such() -> None:
+    """2 µm every 40 mm over 26 targets, and a table with nodes 40 mm apart that acted."""
+    rng = np.random.default_rng(4)
+    targets = np.round((np.arange(26) + 0.5 + rng.uniform(-0.3, 0.3, 26)) * 1000.0 / 26, 3)
+    error = 2.0 * UM * np.sin(2.0 * np.pi * targets / 40.0)
+    readings = error[:, None] + rng.normal(0.0, 0.3 * UM, (26, 5))
+    nodes: FloatArray = 40.0 * np.arange(26, dtype=np.float64)
+    values = 5.0 * UM * np.sin(nodes / 200.0)
+    table = AxisCompensation(
+        address="X", kind=AxisKind.LINEAR, positions=nodes, positive=values, negative=values
+    )
+    shown = with_change(
+        readings_of(readings, readings, targets), table.at(targets, PLUS), table.at(targets, MINUS)
+    )
+    tests = [PlannedTest(test=shown, measured_in="as_found")]
+    found = measured_error(tests, observed_tests(tests, table), axis_of(), table).findings
+    (message,) = (each.message for each in found if each.code == "CW-E012")
+    assert "every 40 mm" in message
+    assert "nodes of the table in the control are also 40 mm apart" in message
 
 
 def test_an_axis_of_which_the_files_do_not_speak_has_no_compensation() -> None:

@@ -207,6 +207,7 @@ def estimate_axis(
     travel: tuple[float, float],
     periods: Sequence[float] = (),
     suggested: Sequence[float] = (),
+    nodes: Sequence[float] = (),
     turn: float | None = None,
 ) -> AxisPosterior:
     """Return the posterior of the error of an axis from its tests in machine coordinates, each with
@@ -216,10 +217,11 @@ def estimate_axis(
     slope.
 
     ``travel`` (low, high) and the known ``periods`` of the error (screw pitch, scale period), mm or
-    deg; ``suggested``: periods to expect rather than others where none is known. The same tests
-    give the same posterior. Model and sources: module docstring. Raises InputError for tests with
-    readings at fewer than two targets; UsageError for none, for a test in the instrument's frame,
-    an empty travel, or a period that is not positive.
+    deg; ``suggested``: periods to expect rather than others where none is known; ``nodes`` (mm or
+    deg, ascending): where a table bends that acted. The same tests give the same posterior. Model
+    and sources: module docstring. Raises InputError for tests with readings at fewer than two
+    targets; UsageError for none, for a test in the instrument's frame, an empty travel, or a period
+    that is not positive.
     """
     _refuse_misuse(tests, travel, periods)
     cells = cells_of(tests, endless=turn is not None)
@@ -244,7 +246,7 @@ def estimate_axis(
         reversal_log_odds=settled_number(odds, LOGARITHM),
         findings=(
             *findings_of(cells, travel if turn is None else None, periods, shown, kind),
-            *period_findings(search, cells.targets, kind, shown, known.periods),
+            *period_findings(search, cells.targets, kind, shown, known.periods, nodes),
             *unseen_findings(unseen_periods(middles, smooth, known.periods, told), told, kind),
             *slope_findings(tests, cells, parts),
             *(finding for each in tests if each.noise for finding in each.noise.findings),

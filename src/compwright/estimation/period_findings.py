@@ -17,6 +17,8 @@ from compwright.records.targets import told_targets
 
 #: A period is a usual one within this part of it.
 _NEAR = 0.004
+#: A period is the spacing of nodes within this part of it, as well as few targets tell it.
+_AS_SPACED = 0.02
 #: Periods of less probability stand in the prediction alone: of nothing that is there some are
 #: always left at a few per cent.
 _SAID = 0.2
@@ -28,11 +30,12 @@ def period_findings(
     kind: AxisKind,
     known: Sequence[float],
     fitted: Sequence[float],
+    nodes: Sequence[float] = (),
 ) -> list[Finding]:
     """Return what the search at the ``targets`` (m,) says: periods that were found (CW-E012), such
     as cannot be told apart (CW-E013), that nothing was found or could be (CW-E014), and which of
     the ``known`` periods (mm or deg) are not among the ``fitted`` because the data do not tell them
-    (CW-E015).
+    (CW-E015). ``nodes``: of a table that acted, mm or deg.
     """
     unit = kind.unit
     found: list[Finding] = []
@@ -46,8 +49,8 @@ def period_findings(
             "info",
             f"The error repeats every {each.period:.5g} {unit} (probability"
             f" {100 * each.probability:.0f} %, {_odds(each.probability)}):"
-            f" {meaning(each.period, kind)}. It counts in the estimate and the prediction with that"
-            " probability",
+            f" {meaning(each.period, kind)}.{_of_nodes(each.period, nodes, unit)} It counts in the"
+            " estimate and the prediction with that probability",
         )
         for each in told
         if each.named
@@ -131,6 +134,18 @@ def _left_out(known: Sequence[float], fitted: Sequence[float], unit: str) -> lis
         " are not fitted"
     )
     return [Finding("CW-E015", "info", message)]
+
+
+def _of_nodes(period: float, nodes: Sequence[float], unit: str) -> str:
+    """Return what a period says that is also the spacing of the nodes of a table that acted."""
+    spacing = float(np.median(np.diff(nodes))) if len(nodes) > 2 else 0.0
+    if abs(period - spacing) > _AS_SPACED * period:
+        return ""
+    return (
+        f" The nodes of the table in the control are also {spacing:.5g} {unit} apart: a table that"
+        " did not act as its files say leaves an error that looks like this; check first that it"
+        " did."
+    )
 
 
 def _odds(probability: float) -> str:

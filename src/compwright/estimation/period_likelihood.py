@@ -3,7 +3,7 @@ smooth and the local part of the error are.
 
 Model, in units of the noise of a typical target's middle, whitened by each target's own:
 
-    middle = free columns + smooth part (Matérn 5/2, standard deviation s, length l) + wave
+    middle = free columns + smooth part (standard deviation s, length l, `SMOOTHNESS`) + wave
              + white part of variance t (noise, and local part that repeats at a target)
 
 A local part that is held at what it is without a wave swallows the wave, and so does a smooth part
@@ -33,6 +33,12 @@ _WHITE_STEP: Final = 0.4
 LENGTH: Final = (float(np.log(0.4)), 0.8)
 #: Amplitudes of a wave, in widths of their prior.
 AMPLITUDES: Final = np.arange(-2.0, 2.01, 0.5)
+
+#: Smoothness of the smooth part, and how likely each is before the data: kinks in the slope (3/2)
+#: are rarer than in its change (5/2), and these than none (infinite). The shares that the prior of
+#: the estimate (`model`: an excess over 3/2 of about 3, its logarithm 1.2 wide) has below 2, from 2
+#: to 3.5, and above.
+SMOOTHNESS: Final = ((LEAST_SMOOTHNESS, 0.07), (2.5, 0.30), (np.inf, 0.63))
 
 #: What stands for a smoothness that exceeds the least by nothing.
 _NO_EXCESS: Final = 1e-3
@@ -137,7 +143,7 @@ class PeriodLikelihood:
         smooth = np.exp(2.0 * (np.log(self.roughness) + 1.5 * steps))
         smooth_prior = -0.5 * steps**2
         quiet = float(self.beside @ self.beside) if self.left else 0.0
-        for length, smoothness, log_variances in _densities(basis.frequencies):
+        for length, smoothness, share, log_variances in _densities(basis.frequencies):
             scaled = rows * np.exp(0.5 * log_variances)
             values, vectors = np.linalg.eigh(scaled @ scaled.T)
             turned = vectors.T
@@ -153,9 +159,8 @@ class PeriodLikelihood:
                 + (mine**2 / variances).sum(axis=1)
                 + quiet / each
             )
-            log += (smooth_prior[:, np.newaxis] + white_prior[np.newaxis, :]).ravel() - 0.5 * (
-                (np.log(length) - LENGTH[0]) / LENGTH[1]
-            ) ** 2
+            log += (smooth_prior[:, np.newaxis] + white_prior[np.newaxis, :]).ravel()
+            log += np.log(share) - 0.5 * ((np.log(length) - LENGTH[0]) / LENGTH[1]) ** 2
             found.append(
                 Nodes(
                     length,
@@ -316,18 +321,20 @@ def _gain(
     return total
 
 
-def _densities(frequencies: FloatArray) -> Iterator[tuple[float, float, FloatArray]]:
-    """Yield length, smoothness and log spectral density at the ``frequencies`` of the smooth parts:
-    Matérn with kinks in the slope (3/2) or its change (5/2), and without any (infinite: squared
-    exponential, Rasmussen and Williams 2006, section 4.2.1), as likely each.
+def _densities(frequencies: FloatArray) -> Iterator[tuple[float, float, float, FloatArray]]:
+    """Yield length, smoothness, how likely that is before the data, and log spectral density at the
+    ``frequencies`` of the smooth parts: Matérn, without any kink (infinite) the squared exponential
+    (Rasmussen and Williams 2006, section 4.2.1).
     """
     for step in np.arange(-1.6, 1.61, _LENGTH_STEP / LENGTH[1]):
         length = float(np.exp(LENGTH[0] + LENGTH[1] * step))
-        for smoothness in (LEAST_SMOOTHNESS, 2.5):
-            excess = float(np.log(max(smoothness - LEAST_SMOOTHNESS, _NO_EXCESS)))
-            yield length, smoothness, smooth_density(frequencies, float(np.log(length)), excess)[0]
-        squared = np.log(np.sqrt(2.0 * np.pi) * length) - 0.5 * (length * frequencies) ** 2
-        yield length, np.inf, squared
+        for smoothness, share in SMOOTHNESS:
+            if np.isinf(smoothness):
+                density = np.log(np.sqrt(2.0 * np.pi) * length) - 0.5 * (length * frequencies) ** 2
+            else:
+                excess = float(np.log(max(smoothness - LEAST_SMOOTHNESS, _NO_EXCESS)))
+                density = smooth_density(frequencies, float(np.log(length)), excess)[0]
+            yield length, smoothness, share, density
 
 
 def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArray, FloatArray]:

@@ -1,11 +1,12 @@
 """Search for periods of the error that nobody named.
 
 Before the data `FIRST` and `FURTHER` say what is expected: hardly a screw or a worm runs without an
-error that repeats with its turn, at a usual period (`usual_periods`), however small; a second one
-is rare. One or two harmonics have equal odds. The likelihood (`period_likelihood`) is that over all
-amplitudes and phases, whatever the smooth and the local part are. Periods are found one after
-another, each beside those found before (Bretthorst, Bayesian Spectrum Analysis and Parameter
-Estimation, 1988, chapters 3 and 6).
+error that repeats with its turn, at a usual period (`usual_periods`), however small; an axis that
+is closed over a scale along it shows none of it, and every second one is taken for such (a
+judgement, from no document); a second period is rare. One or two harmonics have equal odds. The
+likelihood (`period_likelihood`) is that over all amplitudes and phases, whatever the smooth and the
+local part are. Periods are found one after another, each beside those found before (Bretthorst,
+Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapters 3 and 6).
 
 Waves that have all but the same values at the targets (`basis.ALIASED`) cannot be told apart. Among
 them only the data decide, not what is usual: equal ones share their probability evenly.
@@ -27,7 +28,7 @@ from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.estimate import AxisPeriod, PeriodEvidence
 
 #: What is expected before the data: the first period, and one beside those that are known.
-FIRST: Final = Odds(none=0.3, usual=0.53)
+FIRST: Final = Odds(none=0.5, usual=0.38)
 FURTHER: Final = Odds(none=0.75, usual=0.18)
 #: A period repeats at least so often over the targets: fewer waves are smooth error.
 LEAST_REPEATS: Final = 8.0

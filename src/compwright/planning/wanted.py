@@ -140,6 +140,7 @@ def measured_error(
         travel=axis.travel,
         periods=axis.screw_pitch,
         suggested=() if axis.suggested_period is None else (axis.suggested_period,),
+        nodes=() if active is None else _nodes_of(active),
         turn=axis.modulo,
     )
     return MeasuredError(
@@ -148,6 +149,17 @@ def measured_error(
         tuple(int(p) if counts else None for p, counts in zip(places, counting, strict=True)),
         tuple(each.noise for each in observed),
     )
+
+
+def _nodes_of(active: AxisCompensation) -> tuple[float, ...]:
+    """Return where the tables that acted bend."""
+    tables = [
+        each
+        for each in (active, *active.others)
+        if np.any(each.positive != 0.0) or np.any(each.negative != 0.0)
+    ]
+    together = [table.positions for table in tables]
+    return tuple(np.unique(np.concatenate(together)).tolist()) if together else ()
 
 
 def _with_own_slopes(tests: Sequence[ObservedTest]) -> list[ObservedTest]:
