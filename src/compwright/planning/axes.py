@@ -218,7 +218,8 @@ def fit_all(
     """
     errors: list[CompwrightError] = []
     capacities: dict[str, Capacity] = {}
-    for name, work in works.items():
+    wanted = {name: work for name, work in works.items() if not work.refused}
+    for name, work in wanted.items():
         try:
             one_curve = work.planned.request.mode == "single"
             capacities[name] = capacity_of(work.planned.axis, one_curve=one_curve)
@@ -226,11 +227,11 @@ def fit_all(
             errors.append(_of_axis(error, name, job_file))
     capacities = shared_fairly(
         capacities,
-        {name: work.planned for name, work in works.items() if work.planned.active is not None},
+        {name: work.planned for name, work in wanted.items() if work.planned.active is not None},
     )
     tasks = {
         name: (work, capacities[name], rule)
-        for name, work in works.items()
+        for name, work in wanted.items()
         if work.planned.active is not None and name in capacities
     }
     fitted = dict(works)

@@ -72,10 +72,12 @@ def _predicted(
     if limits is None:
         return replace(prediction, findings=findings)
     tabled = work.planned.fitted is not None
+    # Of a table that was fitted, not of an axis whose tests contradict its files.
+    refused = bool(work.refused) and work.capacity is not None
     said = (
         (stopped(axis, limits),)
-        if work.refused and work.planned.request.gain == "seen"
-        else tuple(verdict(axis, limits, tabled=tabled, refused=bool(work.refused)))
+        if refused and work.planned.request.gain == "seen"
+        else tuple(verdict(axis, limits, tabled=tabled, refused=refused))
     )
     return replace(
         prediction,

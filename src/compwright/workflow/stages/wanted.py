@@ -20,6 +20,7 @@ from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
 from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.measured import Measured
+from compwright.workflow.stages.old_tables import with_old_tables
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,6 +51,7 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
         name: replace(work, as_found=correction_of(measured.as_found, work.planned.axis))
         for name, work in zip(entries, started, strict=True)
     }
+    works, old_tables = with_old_tables(measured, works, each)
     circles = start_circles(job, measured.circles, axes)
     checks = Checks(job, works, measured.acting)
     with_circles, taken = checks.with_circle_backlash(circles)
@@ -63,6 +65,7 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
         findings=(
             *measured.findings,
             *same_error_findings(_not_alike(measured)),
+            *old_tables,
             *places,
             *checks.findings(circles),
             *taken,

@@ -1,0 +1,146 @@
+"""Two tests of an axis, with compensation on and off, before anything is written: what the control
+really did is named, and a table whose total would be wrong is not written.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.records.axis import Axis, AxisKind, Direction
+from compwright.records.correction import AxisCompensation, ControlState
+from compwright.records.plan import PlannedTest
+from compwright.records.positioning import PositioningTest
+from compwright.verification.old_table import OldTable
+from compwright.workflow.stages.old_tables import judged_old_table
+from loop import Floats, Machine, csv_of
+
+MACHINE = Machine(bow=0.012)
+TARGETS = MACHINE.targets(count=17)
+AXIS = Axis(name="X", kind=AxisKind.LINEAR, travel=(0.0, 800.0), address="0")
+NODES = np.arange(0.0, 801.0, 50.0)
+TABLE = AxisCompensation(
+    address="0",
+    kind=AxisKind.LINEAR,
+    positions=NODES,
+    positive=-0.8 * MACHINE.error(NODES, 1),
+    negative=-0.8 * MACHINE.error(NODES, -1) - 0.0002,
+)
+Acts = Callable[[Floats, int], Floats]
+STATES = {
+    "off": ControlState(format="any", axes={}),
+    "on": ControlState(format="any", axes={"0": TABLE}),
+}
+
+
+def acts(factor: float = 1.0, shift: float = 0.0) -> Acts:
+    """What the control adds: its table times ``factor``, ``shift`` mm too far to +."""
+
+    def added(x: Floats, sign: int) -> Floats:
+        side = Direction.POSITIVE if sign > 0 else Direction.NEGATIVE
+        return factor * TABLE.at(x - shift, side)
+
+    return added
+
+
+def planned(
+    state: str, seed: int, correction: Acts | None = None, sign: float = 1.0
+) -> PlannedTest:
+    values = MACHINE.measure(TARGETS, seed, correction)
+    test = PositioningTest(
+        name=f"x_{state}",
+        axis="X",
+        kind=AxisKind.LINEAR,
+        targets=TARGETS,
+        positive=values[1],
+        negative=values[-1],
+        frame="machine",
+    )
+    return PlannedTest(test=test, measured_in=state)
+
+
+def judged(correction: Acts) -> OldTable:
+    off, on = planned("off", 1), planned("on", 2, correction)
+    return judged_old_table(AXIS, off, on, STATES, (AXIS,))
+
+
+def test_a_table_that_acted_is_said_to_have_acted() -> None:
+    old = judged(acts())
+    assert (old.verdict.verdict, old.contradicted) == ("loaded", False)
+    finding = old.finding()
+    assert finding is not None
+    assert (finding.code, finding.severity) == ("CW-V030", "info")
+
+
+@pytest.mark.parametrize(
+    ("what", "correction", "says"),
+    [
+        ("inverted", acts(factor=-1.0), "opposite sign"),
+        ("shifted", acts(shift=100.0), "shifted by +2 nodes"),
+    ],
+)
+def test_what_contradicts_the_files_is_named(what: str, correction: Acts, says: str) -> None:
+    old = judged(correction)
+    assert old.verdict.verdict == what, old.verdict
+    assert old.contradicted
+    assert old.odds >= 0.99
+    assert old.finding() is None
+    reason = old.refusal(["look at the switch."])
+    assert says in reason
+    assert reason.endswith("Look at: look at the switch")
+
+
+def test_a_table_that_changes_next_to_nothing_cannot_be_told() -> None:
+    """Of a table of half the noise of the means, nothing is claimed either way."""
+    small = {
+        **STATES,
+        "on": ControlState(
+            format="any",
+            axes={
+                "0": AxisCompensation(
+                    address="0",
+                    kind=AxisKind.LINEAR,
+                    positions=NODES,
+                    positive=0.00005 * np.sin(NODES / 90.0),
+                    negative=0.00005 * np.sin(NODES / 90.0),
+                )
+            },
+        ),
+    }
+    old = judged_old_table(AXIS, planned("off", 1), planned("on", 2), small, (AXIS,))
+    assert not old.contradicted
+
+
+def test_no_total_is_made_from_what_did_not_act(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The control held a table, was told to be on, and was not."""
+    (tmp_path / "off.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 1)))
+    (tmp_path / "on.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 2)))
+    rows = zip(NODES, NODES - TABLE.positive, NODES - TABLE.negative, strict=True)
+    (tmp_path / "joint_0.comp").write_text(
+        "".join(f"{a:.4f} {b:.4f} {c:.4f}\n" for a, b, c in rows)
+    )
+    (tmp_path / "joint_0.ini").write_text(
+        "[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 0\nBACKLASH = 0\n"
+    )
+    (tmp_path / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: linuxcnc}\n"
+        "states: {as_found: [joint_0.comp, joint_0.ini], bare: none}\n"
+        "axes:\n  X:\n    travel: [0, 800]\n    address: 0\n"
+        "    before: [{files: on.csv, name: with}, {files: off.csv, name: without, measured_in: bare}]\n"
+    )
+    assert compwright(["run", str(tmp_path / "job.yaml")]) == 1
+    said = capsys.readouterr().out
+    assert "CW-P001" in said
+    assert "did not act" in said
+    assert "COMP_FILE of [JOINT_0]" in said
+    assert not (tmp_path / "job" / "tables").exists()
+    assert (
+        json.loads((tmp_path / "job" / "prediction.json").read_text())["axes"]["X"]["table"] is None
+    )
