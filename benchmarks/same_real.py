@@ -87,9 +87,9 @@ def _sinumerik(seed: int, folder: Path) -> None:
     axis = _like(case.letter, case.address, 1, case.rotary, case.travel)
     options = option_words(case.options)
     names = [f"control/{file}" for file in case.given()]
-    new = ["new", "--from", *names, "--format", judge.FORMAT, *options, "--out", "new.yaml"]
-    commands = [new, ["decode", *names, "--format", judge.FORMAT, *options], ["run", "job.yaml"]]
-    commands += later_commands(rng, judge.FORMAT, options, [axis])
+    new = ["new", "--from", *names, "--format", case.format, *options, "--out", "new.yaml"]
+    commands = [new, ["decode", *names, "--format", case.format, *options], ["run", "job.yaml"]]
+    commands += later_commands(rng, case.format, options, [axis])
     write_job(folder, {}, job, [axis], commands)
 
 
