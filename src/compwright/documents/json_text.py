@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterator, Mapping
+from typing import Any, Final
 
 from compwright.foundations.utf8 import encoded
+
+_PLAIN: Final = json.JSONEncoder(allow_nan=False, ensure_ascii=False).encode
 
 
 def to_json(document: Mapping[str, Any]) -> str:
@@ -16,7 +18,32 @@ def to_json(document: Mapping[str, Any]) -> str:
     Keys keep their order; what no encoding has (a file's name that is no UTF-8) stands as its
     escape. Raises ValueError for NaN or infinity: what is not known is null in a document.
     """
-    return (
-        encoded(json.dumps(document, allow_nan=False, ensure_ascii=False, indent=2)).decode("utf-8")
-        + "\n"
-    )
+    return encoded("".join(_pieces(document, "\n"))).decode("utf-8") + "\n"
+
+
+def _pieces(value: Any, line: str) -> Iterator[str]:
+    """Yield the text of a value; ``line``: a line break with the blanks that stand before it.
+
+    The standard library writes indented text number by number, in Python; rows of numbers are most
+    of a document, and are written here by its fast encoder, which does not indent.
+    """
+    inside = f"{line}  "
+    if isinstance(value, dict) and value:
+        before = "{" + inside
+        for key, one in value.items():
+            yield f"{before}{_PLAIN(str(key))}: "
+            yield from _pieces(one, inside)
+            before = f",{inside}"
+        yield line + "}"
+    elif isinstance(value, list | tuple) and value:
+        if all(type(one) is float or one is None for one in value):
+            yield f"[{inside}{_PLAIN(value)[1:-1].replace(', ', f',{inside}')}{line}]"
+            return
+        before = f"[{inside}"
+        for one in value:
+            yield before
+            yield from _pieces(one, inside)
+            before = f",{inside}"
+        yield line + "]"
+    else:
+        yield _PLAIN(value)

@@ -34,10 +34,10 @@ from compwright.planning.wanted import (
     with_change,
 )
 from compwright.prediction.acting import Correction, difference, nothing
-from compwright.records.axis import Axis, Direction
+from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
-from compwright.records.estimate import WantedCorrection
+from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import AxisJob, Job
 from compwright.records.plan import PlannedAxis, PlannedTest
@@ -59,7 +59,8 @@ class AxisWork:
     its table is not written; ``chosen``: the table on a grid of our own choice, where that of the
     control stays and may lose something by it; ``beside``: where the job has another goal than the
     least expected square, the one of the two tables that was not taken. ``doubts``:
-    of tests that contradict the first, or look like something else than what they say.
+    of tests that contradict the first, or look like something else than what they say;
+    ``at_targets``: the estimate at the targets of the first test.
     """
 
     entry: AxisJob
@@ -72,6 +73,16 @@ class AxisWork:
     chosen: FittedTable | None = None
     beside: FittedTable | None = None
     doubts: tuple[Finding, ...] = ()
+    at_targets: ErrorEstimate | None = None
+
+    def estimate_at(self, positions: FloatArray) -> ErrorEstimate:
+        """Return mean and standard deviation of the deviation at ``positions`` (g,), mm or deg; at
+        targets of the first test as they are known already.
+        """
+        known = self.at_targets
+        if known is None or not np.all(np.isin(positions, known.positions)):
+            return self.posterior.summary(positions)
+        return known.taken(np.searchsorted(known.positions, positions))
 
     @property
     def active(self) -> Correction:
@@ -187,6 +198,7 @@ def start_axis(
         planned=planned,
         as_found=as_found,
         doubts=(*misread, *contradicting),
+        at_targets=posterior.summary(results[0].test.targets),
     )
 
 

@@ -56,7 +56,7 @@ def quick_check(work: AxisWork, new: Correction) -> Iterator[CheckReading]:
     """
     change = difference(new, work.active)
     chosen = check_positions(work, new)
-    estimate = work.posterior.summary(chosen)
+    estimate = work.estimate_at(chosen)
     zero = float(estimate.mean_positive[0] + change(chosen[:1], Direction.POSITIVE)[0])
     stop = STOP_SCATTER * np.hypot(estimate.noise * np.sqrt(2), estimate.std_positive)
     for direction, order in ((Direction.POSITIVE, (0, 1, 2)), (Direction.NEGATIVE, (2, 1, 0))):

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
 
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
@@ -64,6 +67,17 @@ class ErrorEstimate:
     def mean(self, direction: Direction) -> FloatArray:
         """Return the estimated deviation (g,) of one approach direction."""
         return self.mean_positive if direction is Direction.POSITIVE else self.mean_negative
+
+    def taken(self, places: NDArray[np.intp]) -> ErrorEstimate:
+        """Return the same at some of the positions, by their ``places`` (k,) ascending."""
+        return replace(
+            self,
+            positions=self.positions[places],
+            mean_positive=self.mean_positive[places],
+            mean_negative=self.mean_negative[places],
+            std_positive=self.std_positive[places],
+            std_negative=self.std_negative[places],
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

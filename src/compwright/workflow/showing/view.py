@@ -109,7 +109,7 @@ def expected_targets(work: AxisWork, loaded: DecodedState | None) -> dict[str, A
     test = work.results[0].test
     factor = outside_factor(test.kind.unit)
     change = difference(after_loading(work, loaded), work.active)
-    estimate = work.posterior.summary(test.targets)
+    estimate = work.estimate_at(test.targets)
     measured = {direction: bool(test.readings(direction).any()) for direction in Direction}
     expected = {
         direction: (

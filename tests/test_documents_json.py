@@ -1,0 +1,46 @@
+"""Documents as JSON text: the bytes that the standard library's own indented form has."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from compwright.documents.json_text import to_json
+
+NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
+LEAVES = st.none() | st.booleans() | st.integers() | NUMBERS | st.text(max_size=8)
+VALUES: st.SearchStrategy[Any] = st.recursive(
+    LEAVES | st.lists(NUMBERS | st.none()),
+    lambda inner: (
+        st.lists(inner, max_size=4)
+        | st.lists(inner, max_size=3).map(tuple)
+        | st.dictionaries(st.text(max_size=4), inner, max_size=4)
+    ),
+    max_leaves=12,
+)
+
+
+@given(st.dictionaries(st.text(max_size=4), VALUES, max_size=4))
+def test_it_is_what_the_standard_library_writes(document: dict[str, Any]) -> None:
+    assert to_json(document) == json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+
+
+def test_words_with_commas_and_numbers_of_numpy() -> None:
+    document = {"a, b": ["x, y", 1.5], "c": [np.float64(0.1), 2.0, None], "d": [1, 2.5, -0.0]}
+    assert to_json(document) == json.dumps(document, indent=2) + "\n"
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, [1.0, math.nan], {"a": [-math.inf]}, b"x"])
+def test_what_json_cannot_hold_is_refused(value: Any) -> None:
+    with pytest.raises((ValueError, TypeError)):
+        to_json({"value": value})
+
+
+def test_half_a_character_of_a_file_name_stands_as_its_escape() -> None:
+    assert to_json({"file": "a\udcff.csv"}) == '{\n  "file": "a\\udcff.csv"\n}\n'
