@@ -10,7 +10,7 @@ from typing import Final
 
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
-from compwright.records.verification import LoadingName, LoadingVerdict
+from compwright.records.verification import Candidate, LoadingName, LoadingVerdict
 
 #: Verdicts that say that it acted as the files say, or that nothing can be told.
 ACTED: Final[tuple[LoadingName, ...]] = ("loaded", "thermal")
@@ -24,8 +24,12 @@ _DID: Final[dict[LoadingName, str]] = {
     "one_direction": "acted in one direction only",
     "backlash": "acted with another backlash",
     "partial": "acted over a part of the travel only",
-    "measurement": "cannot have acted as one of the tests was measured",
+    "measurement": "and the readings do not go together: one of the tests was measured wrongly",
+    "undecided": "did something else ({which})",
 }
+#: From these odds on a fault is one, named or not; candidates from this probability on are told.
+_CLEAR: Final = 0.99
+_TOLD: Final = 0.05
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,30 +45,39 @@ class OldTable:
 
     @property
     def contradicted(self) -> bool:
-        """Whether something else acted than the files say: named, with odds of 99 to 1."""
-        return self.verdict.verdict not in (*ACTED, "undecided")
+        """Whether something else acted than the files say: named, or with odds of 99 to 1 one of
+        several faults that fit.
+        """
+        if self.verdict.verdict != "undecided":
+            return self.verdict.verdict not in ACTED
+        fits = not any(finding.code == "CW-V001" for finding in self.verdict.findings)
+        return fits and self.acted < 1.0 - _CLEAR
 
     @property
-    def odds(self) -> float:
-        """Probability of the verdict, with what no test could tell from it."""
-        told = {self.verdict.verdict, *self.verdict.equivalent}
-        if self.verdict.verdict in ACTED:
-            told |= set(ACTED)
-        return sum(each.probability for each in self.verdict.candidates if each.verdict in told)
+    def acted(self) -> float:
+        """Probability that it acted as the files say."""
+        return sum(each.probability for each in self.verdict.candidates if each.verdict in ACTED)
+
+    @property
+    def likely(self) -> tuple[Candidate, ...]:
+        """What may have happened, the likeliest first."""
+        return tuple(each for each in self.verdict.candidates if each.probability >= _TOLD)
 
     def refusal(self, look_at: Sequence[str]) -> str:
         """Return why no table is written; ``look_at``: what to look at on the control."""
         found = self.verdict
         did = _DID[found.verdict].format(
-            factor=significant(found.factor, 2), shift=f"{found.shift_nodes:+d}"
+            factor=significant(found.factor, 2),
+            shift=f"{found.shift_nodes:+d}",
+            which=_words(self.likely),
         )
         detail = found.detail or found.of or ""
         more = f" ({detail})" if detail else ""
-        percent = min(100.0 * self.odds, 99.9)
+        percent = min(100.0 * (1.0 - self.acted), 99.9)
         look = f". Look at: {' '.join(look_at)}" if look_at else ""
         return (
             f"the tests {self.off} and {self.on} contradict what the files say: the table of state"
-            f" {self.state} {did}{more} in {self.on}, with {percent:.1f} %, and a total of old"
+            f" {self.state} {did}{more} in {self.on}, {percent:.1f} % sure, and a total of old"
             f" and new would be wrong by as much{look.rstrip('.')}"
         )
 
@@ -76,15 +89,21 @@ class OldTable:
             return None
         between = f"Tests {self.off} (without it) and {self.on} (with it)"
         if self.verdict.verdict in ACTED:
-            text = f"{between}: the table of state {self.state} acted as its files say."
+            percent = min(100.0 * self.acted, 99.9)
+            text = (
+                f"{between}: the table of state {self.state} acted as its files say,"
+                f" {percent:.1f} % sure."
+            )
             return Finding("CW-V030", "info", text)
-        likely = ", ".join(
-            f"{each.verdict.replace('_', ' ')} {100.0 * each.probability:.0f} %"
-            for each in self.verdict.candidates
-            if each.probability >= 0.05
-        )
+        said = _words(self.likely) or "nothing that is known fits"
         text = (
             f"{between} do not tell whether the table of state {self.state} acted as its files say:"
-            f" {likely or 'nothing that is known fits'}. They count as far as they agree."
+            f" {said}. They count as far as they agree."
         )
-        return Finding("CW-V031", "warning", text)
+        return Finding("CW-V031", "info" if self.acted >= _TOLD else "warning", text)
+
+
+def _words(likely: Sequence[Candidate]) -> str:
+    return ", ".join(
+        f"{each.verdict.replace('_', ' ')} {100.0 * each.probability:.0f} %" for each in likely
+    )

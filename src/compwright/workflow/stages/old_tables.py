@@ -56,7 +56,9 @@ def with_old_tables(
             continue
         table = held_by(measured.states[task[2].measured_in], task[0])
         sentences = look_at(measured.control.format, task[0], table)
-        why = old.refusal(sentences.get(old.verdict.verdict, ()))
+        names = dict.fromkeys((old.verdict.verdict, *(one.verdict for one in old.likely)))
+        look = [sentence for name in names for sentence in sentences.get(name, ())]
+        why = old.refusal(look)
         found[name] = replace(found[name], refused=why)
     return found, tuple(findings)
 
