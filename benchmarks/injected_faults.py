@@ -152,12 +152,20 @@ def _partial(plan: Plan, x: Floats, cut: float) -> Iterator[Fault]:
         words = f"{word} {place:g}"
         if plan.control.increments:
             clipped = np.minimum(x, place) if word == "up to" else np.maximum(x, place)
-            yield Fault("partial", words, place, plan.at(clipped), plain)
-        for what, rest in rests:
-            kept = np.where(there, totals, rest)
-            curve = np.stack([np.interp(x, nodes, one, period=plan.machine.turn) for one in kept])
-            first = plain and not plan.control.increments and rest is rests[0][1]
-            yield Fault("partial", f"{words}, else {what}", place, curve, first)
+            held = plan.at(clipped)
+            yield Fault("partial", f"{words}, then no steps", place, held, plain)
+            if plan.old is not None:
+                steps = plan.before(x) - plan.before(clipped)
+                yield Fault(
+                    "partial", f"{words}, then the old steps", place, held + steps, plain=False
+                )
+        else:
+            for what, rest in rests:
+                kept = np.where(there, totals, rest)
+                turn = plan.machine.turn
+                curve = np.stack([np.interp(x, nodes, one, period=turn) for one in kept])
+                first = plain and what == rests[0][0]
+                yield Fault("partial", f"{words}, else {what}", place, curve, first)
         beside = x <= place if word == "up to" else x >= place
         yield Fault("partial", f"{words}, a jump", place, beside * plan.at(x), plain=False)
 

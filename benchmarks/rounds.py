@@ -2,11 +2,12 @@
 
     python benchmarks/rounds.py [--count N] [--seed S] [--control C]... [--kind K]... [--rounds R]
 
-For each control that writes tables: a virtual axis is measured, ``run`` makes a table, the virtual
-machine applies what ``decode`` says of it, a fresh test follows, and ``verify --update`` with the
-loaded files read back makes the tables of the next round, until it writes none. Printed, by control
-and round: A of the fresh test over that of an axis without error (same noise, same targets; median,
-and the largest), and how many stopped; what else ended a loop, by its reason.
+For each control that writes tables: a virtual axis is measured (every second one at seven places
+only, twice), ``run`` makes a table, the virtual machine applies what ``decode`` says of it, a fresh
+test follows, and ``verify --update`` with the loaded files read back makes the tables of the next
+round, until it writes none. Printed, by control and round: A of the fresh test over that of an axis
+without error (same noise, same targets; median, and the largest), and how many stopped; what else
+ended a loop, by its reason.
 
 Then the same with a machine that applies every correction with the opposite sign: the first
 verification has to say so, and nothing may be written for a next round.
@@ -21,13 +22,14 @@ import json
 import tempfile
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from fault_machines import FLEET, Axis, axis_of, job_axis
 from loaded_controls import CONTROLS, Control, Loaded, said, without_reports
-from machines import Floats, Machine, name_seed
+from machines import Floats, Machine, dithered, name_seed
 from numpy.random import Generator
 from table_quality import csv_of, measured
 
@@ -170,12 +172,21 @@ def main() -> None:
             if kind == "endless rotary axis" and not CONTROLS[name].endless:
                 kind = "rotary, limited"
             axis = axis_of(kind, 1000 * words.seed + number, "X", size)
+            axis = replace(axis, spacing=axis.before.spacing)  # what the error needs
+            axis = _first_test_thin(axis, rng) if number % 2 else axis
             straight.append(loop(CONTROLS[name], axis, rng, words.rounds))
             turned.append(loop(CONTROLS[name], axis, rng, 1, sign=-1.0))
     print("## as it should be\n")
     show(straight, words.rounds)
     print("\n## every correction the wrong way round\n")
     show(turned, 1)
+
+
+def _first_test_thin(axis: Axis, rng: Generator) -> Axis:
+    """The first test at seven places, twice: what it leaves open the next rounds have to find."""
+    machine = axis.before
+    few = dithered(rng, machine.low, machine.length, 7)
+    return replace(axis, before=replace(machine, targets=few, runs=2, missing=0.0))
 
 
 if __name__ == "__main__":
