@@ -30,9 +30,8 @@ from compwright.records.positioning import PositioningTest
 #: Below this many contrasts the noise is left to the estimate of the curve.
 LEAST_DOF: Final = 10
 _SEED: Final = 3
-_SETTLING: Final = 32  # sweeps that are thrown away
-_DRAWS: Final = 48
-_BETWEEN: Final = 3  # sweeps for each draw
+_SETTLING: Final = 24  # sweeps that are thrown away
+_DRAWS: Final = 48  # kept, of twice as many sweeps
 
 
 def noise_of(test: PositioningTest) -> NoisePosterior | None:
@@ -47,9 +46,11 @@ def noise_of(test: PositioningTest) -> NoisePosterior | None:
     chain = Chain(test, readings, np.random.default_rng(_SEED))
     for _ in range(_SETTLING):
         chain.sweep()
-    sweeps = [chain.sweep() for _ in range(_BETWEEN * _DRAWS)]
+    sweeps = [chain.sweep() for _ in range(2 * _DRAWS)]
     reach = [draw.sigma * REACH[draw.tail] for draw in sweeps]
-    draws = [sweeps[place] for place in np.argsort(reach, kind="stable")[_BETWEEN // 2 :: _BETWEEN]]
+    pairs = np.argsort(reach, kind="stable").reshape(_DRAWS, 2)
+    # Of two beside each other one, in turn the lower and the upper: kept draws reach as far as all.
+    draws = [sweeps[pair[place % 2]] for place, pair in enumerate(pairs)]
     cells = [cell_means(draw, readings, chain.shapes, chain.step) for draw in draws]
     sigma = np.array([draw.sigma for draw in draws])
     if chain.step:

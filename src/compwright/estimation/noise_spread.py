@@ -17,6 +17,7 @@ _WAVES: Final = 6
 _NOTHING: Final = np.array([0.9, 0.92, 0.93, 0.95, 0.96, 0.97, 0.97])
 _USUAL: Final = 0.5
 _GRID: Final = 0.15 * np.arange(-13, 14)
+_THERE: Final = _GRID != 0.0
 
 
 def shapes_of(readings: Readings) -> FloatArray:
@@ -53,23 +54,24 @@ def draw_spread(
     """
     absent = np.ones(spread.size)
     total = float(np.sum(dof))
-    for part in range(spread.size):
-        moved = float(shapes[part] @ dof)
-        if np.ptp(shapes[part][dof > 0.0]) == 0.0:
-            continue
-        step = rng.uniform(-0.5, 0.5) * (_GRID[1] - _GRID[0])
-        values = np.where(_GRID == 0.0, 0.0, _GRID + step)
-        prior = np.exp(-np.abs(values) / _USUAL) * (_GRID != 0.0)
-        prior *= (1.0 - _NOTHING[part]) / np.sum(prior)
-        prior[_GRID == 0.0] = _NOTHING[part]
-        others = spread @ shapes - spread[part] * shapes[part]
+    moved = shapes @ dof
+    steps = rng.uniform(-0.5, 0.5, spread.size) * (_GRID[1] - _GRID[0])
+    chance = rng.random(spread.size)
+    values = np.where(_THERE, _GRID + steps[:, np.newaxis], 0.0)
+    prior = np.exp(-np.abs(values) / _USUAL) * _THERE
+    prior *= ((1.0 - _NOTHING) / np.sum(prior, axis=1))[:, np.newaxis]
+    prior[:, ~_THERE] = _NOTHING[:, np.newaxis]
+    logs_of_scale = spread @ shapes
+    for part in np.flatnonzero(np.ptp(shapes[:, dof > 0.0], axis=1) > 0.0):
+        others = logs_of_scale - spread[part] * shapes[part]
         known = squares * np.exp(-2.0 * others)
-        scaled = powers[part] @ (known * np.exp(-2.0 * step * shapes[part]))
-        scaled[_GRID == 0.0] = np.sum(known)
-        logs = -0.5 * total * np.log(scaled) - moved * values
-        chances = np.exp(logs - np.max(logs)) * prior
+        scaled = powers[part] @ (known * np.exp(-2.0 * steps[part] * shapes[part]))
+        scaled[~_THERE] = np.sum(known)
+        logs = -0.5 * total * np.log(scaled) - moved[part] * values[part]
+        chances = np.exp(logs - np.max(logs)) * prior[part]
         cumulative = np.cumsum(chances)
-        drawn = int(np.searchsorted(cumulative, rng.random() * cumulative[-1]))
-        spread[part] = values[min(drawn, values.size - 1)]
-        absent[part] = chances[_GRID == 0.0][0] / cumulative[-1]
+        drawn = int(np.searchsorted(cumulative, chance[part] * cumulative[-1]))
+        spread[part] = values[part, min(drawn, _GRID.size - 1)]
+        absent[part] = chances[~_THERE][0] / cumulative[-1]
+        logs_of_scale = others + spread[part] * shapes[part]
     return absent

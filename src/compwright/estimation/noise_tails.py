@@ -20,11 +20,11 @@ from compwright.records.axis import FloatArray
 
 #: Prior probabilities of the kinds.
 _NORMAL, _STUDENT, _SPREAD, _FIXED, _GROSS = 0.868, 0.1, 0.015, 0.015, 0.002
-_DOFS: Final = (2.5, 3.0, 3.5, 4.0, 5.0, 7.0)
+_DOFS: Final = (2.5, 3.0, 3.5, 4.0, 5.0, 7.0, 15.0)
 #: Of Student's: how probable degrees of freedom about each are, beside the others, under a gamma
-#: law of shape 2 and rate 0.1 (Juárez and Steel, J. Bus. Econ. Stat. 28, 2010), up to 10; beyond
-#: that hardly anything tells them from a normal law.
-_DOF_SHARES: Final = (0.057, 0.045, 0.05, 0.083, 0.188, 0.577)
+#: law of shape 2 and rate 0.1 (Juárez and Steel, J. Bus. Econ. Stat. 28, 2010); beyond 25 nothing
+#: tells them from a normal law.
+_DOF_SHARES: Final = (0.02, 0.016, 0.018, 0.029, 0.067, 0.205, 0.645)
 _SHARES: Final = (0.006, 0.0125, 0.025, 0.05, 0.1)
 #: Sizes of outliers in scales of a reading. Chips and air put a reading off by any amount (spread);
 #: a loose screw, a grain that comes and goes by about the same one each time (fixed, on either
