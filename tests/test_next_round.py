@@ -1,0 +1,414 @@
+"""The next round after loading: what it adds to, whom it leaves alone, when it stops, and the folder
+that it leaves.
+
+The machine, the virtual controls and the evaluation of A stand apart from the package. Where a test
+needs it, the verdict on the loading is given, not judged: how it is judged has tests of its own.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.controllers.virtual import virtual_control
+from compwright.documents.plan import read_plan
+from compwright.documents.verification import VerifiedAxis
+from compwright.foundations.findings import Finding
+from compwright.foundations.yaml_reader import read_yaml
+from compwright.records.axis import Direction
+from compwright.records.correction import ControlFile
+from compwright.workflow.commands import verify
+from compwright.workflow.commands.compare import compare_plan
+from compwright.workflow.stages.jobs import read_job_file
+from compwright.workflow.stages.next_round import Round, Verified, next_round
+from loop import Floats, Machine, accuracy, allowed, csv_of
+
+ADDRESSES = {"linuxcnc": ("0", "1"), "siemens-840d-sl": ("AX1", "AX2")}
+MACHINES = {"X": Machine(), "Y": Machine(slope=-30e-6, bow=0.008, lost=0.003)}
+#: Too few targets for the shape of the error, and enough.
+FEW, MANY = 5, 25
+
+
+def correction(folder: Path, format_id: str, axis: str) -> Callable[[Floats, int], Floats]:
+    """What a control with the files of ``folder`` adds to an axis."""
+    files = [ControlFile(path.name, path.read_bytes()) for path in sorted(folder.iterdir())]
+    addresses = ADDRESSES[format_id]
+    judge = virtual_control(
+        format_id, files, reference_return=dict.fromkeys(addresses, Direction.POSITIVE)
+    )
+    address = addresses["XY".index(axis)]
+    return lambda x, sign: judge.correction(
+        address, x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE
+    )
+
+
+def measured(
+    path: Path, axis: str, count: int, seed: int, acts: Callable[[Floats, int], Floats] | None
+) -> str:
+    machine = MACHINES[axis]
+    targets = machine.targets(count)
+    path.write_text(csv_of(targets, machine.measure(targets, seed, acts), axis))
+    return str(path)
+
+
+def written_job(folder: Path, format_id: str, axes: str, more: str = "") -> Path:
+    sections = "".join(
+        f"  {axis}: {{travel: [0, 800], address: '{ADDRESSES[format_id]['XY'.index(axis)]}',"
+        f" before: [{axis.lower()}.csv]{more}}}\n"
+        for axis in axes
+    )
+    job = folder / "job.yaml"
+    job.write_text(
+        f"compwright: 1\ncontroller: {{format: {format_id}}}\nstates: {{as_found: none}}\n"
+        f"axes:\n{sections}"
+    )
+    return job
+
+
+@dataclass
+class Given:
+    """The verdicts on the loading that a test gives, by axis; every other one is ``loaded``."""
+
+    verdicts: dict[str, str] = field(default_factory=dict)
+
+
+@pytest.fixture
+def given(monkeypatch: pytest.MonkeyPatch) -> Given:
+    told = Given()
+    monkeypatch.setattr(verify, "verified_axis", _giving(told))
+    return told
+
+
+def _giving(told: Given) -> Callable[..., VerifiedAxis]:
+    judge = verify.verified_axis
+
+    def give(*arguments: Any) -> VerifiedAxis:
+        found = judge(*arguments)
+        verdict = told.verdicts.get(found.before.test.axis, "loaded")
+        loading = {**found.loading, "verdict": verdict}
+        loading.pop("of", None)
+        kept = [one for one in found.findings if one.severity == "error"]
+        return replace(found, loading=loading, findings=tuple(kept))
+
+    return give
+
+
+def update(job: Path, after: list[str], loaded: Path, *more: str) -> tuple[int, Any]:
+    """Verify and update; the exit code and the document where there is one."""
+    words = [word for file in after for word in ("--after", file)]
+    code = compwright(["verify", str(job), *words, "--loaded", str(loaded), "--update", *more])
+    out = job.parent if (job.parent / "plan.json").is_file() else job.with_suffix("")
+    path = out / "verification.json"
+    return code, json.loads(path.read_text(encoding="utf-8")) if code < 2 else None
+
+
+# ---------------------------------------------------------------- rounds
+
+
+@dataclass
+class Rounds:
+    """A machine over two rounds: the folders, and the A of fresh tests at new targets with what
+    each has written (µm).
+    """
+
+    format: str
+    first: Path
+    second: Path
+    documents: list[Any]
+    values: list[float]
+
+
+@pytest.fixture(scope="module", params=list(ADDRESSES))
+def rounds(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Rounds:
+    """The first test has too few targets: its table leaves something. The next round takes it away
+    and the one after it stops.
+    """
+    format_id: str = request.param
+    folder = tmp_path_factory.mktemp(f"rounds-{format_id}")
+    measured(folder / "x.csv", "X", FEW, 1, None)
+    job = written_job(folder, format_id, "X")
+    assert compwright(["run", str(job)]) == 0
+    out, documents, values = folder / "job", [], []
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(verify, "verified_axis", _giving(Given()))
+        for number in (1, 2):
+            control = folder / f"control{number}"
+            shutil.copytree(out / "tables" / format_id, control)
+            acts = correction(control, format_id, "X")
+            machine = MACHINES["X"]
+            fresh = machine.targets(MANY, seed=8)
+            values.append(1e3 * accuracy(machine.measure(fresh, 90 + number, acts)))
+            after = measured(folder / f"after{number}.csv", "X", MANY, 10 * number, acts)
+            code, document = update(job, [after], control)
+            assert code == 0, document
+            documents.append(document)
+            job, out = out / "next" / "job.yaml", out / "next"
+    return Rounds(format_id, folder / "job" / "next", out, documents, values)
+
+
+def test_what_the_first_table_left_the_next_round_takes_away(rounds: Rounds) -> None:
+    machine = MACHINES["X"]
+    limit = 1e3 * allowed(machine, machine.targets(MANY, seed=8), 40.0)
+    first, second = rounds.values
+    assert first > 1.4 * limit, "the first round must leave something"
+    assert second <= limit
+    told = rounds.documents[0]["next"]["axes"]["X"]
+    assert (told["updated"], told["table"]) == (True, True)
+
+
+def test_the_round_after_it_stops_and_says_what_is_left(rounds: Rounds) -> None:
+    then = rounds.documents[1]["next"]
+    assert then["written"]
+    assert then["axes"]["X"]["table"] is False
+    assert "stop here: what is left is noise" in then["axes"]["X"]["reason"]
+    assert not (rounds.second / "tables").exists()
+    assert not (rounds.second / "card").exists()
+    present = {path.name for path in rounds.second.iterdir() if path.is_file()}
+    assert {"job.yaml", "plan.json", "prediction.json", "evaluation.json", "record.json"} <= present
+    assert {"report.html"} <= present
+
+
+def test_the_next_plan_starts_from_what_was_read_back(rounds: Rounds) -> None:
+    """The totals are what acts now less what the tests of both rounds show."""
+    plan = read_plan((rounds.first / "plan.json").read_bytes(), "plan.json")
+    axis = plan.axes["X"]
+    acts = correction(rounds.first / "control" / "as_found", rounds.format, "X")
+    where = np.linspace(20, 780, 30)
+    assert axis.active is not None
+    for direction in Direction:
+        sign = 1 if direction is Direction.POSITIVE else -1
+        assert axis.active.at(where, direction) == pytest.approx(acts(where, sign), abs=1e-6)
+    assert [(each.test.name, each.measured_in) for each in axis.tests] == [
+        ("x", "as_found"),
+        ("x_round_1", "round_1"),
+    ]
+    assert all(each.acted is not None for each in axis.tests)  # both count
+    assert sorted(plan.states) == ["as_found", "round_1"]
+
+
+def test_the_job_of_the_round_gives_the_same_bytes_again(rounds: Rounds) -> None:
+    def content() -> dict[Path, bytes]:
+        return {path: path.read_bytes() for path in rounds.second.rglob("*") if path.is_file()}
+
+    before = content()
+    assert compwright(["run", str(rounds.second / "job.yaml"), "--force"]) == 0
+    assert [str(path) for path, bytes_ in content().items() if bytes_ != before.get(path)] == []
+
+
+def test_an_earlier_test_without_its_state_is_still_refused(
+    rounds: Rounds, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The job of the round is right; the same tests, all said to be taken as found, are not."""
+    above = tmp_path / "job"
+    shutil.copytree(rounds.first.parent, above, ignore=shutil.ignore_patterns("next"))
+    shutil.copytree(rounds.first, above / "next", ignore=shutil.ignore_patterns("next"))
+    job = above / "next" / "job.yaml"
+    text = job.read_text(encoding="utf-8")
+    assert text.count("measured_in: round_1") == 1
+    job.write_text(text.replace("measured_in: round_1", "measured_in: as_found"), encoding="utf-8")
+    assert compwright(["run", str(job), "--out", str(tmp_path / "other")]) == 2
+    assert "added a second time" in capsys.readouterr().err
+
+
+# ---------------------------------------------------------------- who is left alone
+
+
+@dataclass
+class Pair:
+    """Two axes whose first tests have too few targets, loaded and measured again; what ``verify``
+    found, all well, and what ``compare`` answers.
+    """
+
+    folder: Path
+    found: Verified
+    compared: Mapping[str, Any]
+
+    def next(self, compared: Any = None, **axes: VerifiedAxis | None) -> Round:
+        """The next round with other findings for some axes (None: not measured)."""
+        known = {**self.found.axes, **axes}
+        kept = {name: axis for name, axis in known.items() if axis is not None}
+        tests = [test for test in self.found.tests if test.axis in kept]
+        found = replace(self.found, axes=kept, tests=tests)
+        return next_round(found, compared or self.compared, self.folder / "job")
+
+    def told(self, axis: str, verdict: str) -> VerifiedAxis:
+        """An axis with another verdict on its loading."""
+        found = self.found.axes[axis]
+        return replace(found, loading={**found.loading, "verdict": verdict})
+
+
+@pytest.fixture(scope="module")
+def pair(tmp_path_factory: pytest.TempPathFactory) -> Pair:
+    folder = tmp_path_factory.mktemp("pair")
+    for number, axis in enumerate(MACHINES):
+        measured(folder / f"{axis.lower()}.csv", axis, FEW, 1 + number, None)
+    job = written_job(folder, "linuxcnc", "XY")
+    assert compwright(["run", str(job)]) == 0
+    control = folder / "control"
+    shutil.copytree(folder / "job" / "tables" / "linuxcnc", control)
+    after = [
+        measured(
+            folder / f"{axis}.csv", axis, MANY, 10 + number, correction(control, "linuxcnc", axis)
+        )
+        for number, axis in enumerate(MACHINES)
+    ]
+    plan = folder / "job" / "plan.json"
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(verify, "verified_axis", _giving(Given()))
+        found, _ = verify._verified(read_job_file(job), after, plan, [control])
+    return Pair(folder, found, compare_plan(plan, [control]).document)
+
+
+@pytest.mark.parametrize(
+    "verdict",
+    ["not_active", "inverted", "scaled", "shifted", "partial", "measurement", "undecided"],
+)
+def test_only_what_is_loaded_is_added_to(pair: Pair, verdict: str) -> None:
+    """A flipped sign would be made larger, a table that does not act be added a second time."""
+    then = pair.next(X=pair.told("X", verdict), Y=pair.told("Y", verdict))
+    assert not then.files
+    assert then.document["written"] is False
+    for axis in "XY":
+        assert verdict.replace("_", " ") in then.document["axes"][axis]["reason"]
+        assert "keeps what is in the control" in then.document["axes"][axis]["reason"]
+
+
+@pytest.mark.parametrize("code", ["CW-V020", "CW-V021", "CW-V024", "CW-E010"])
+def test_a_test_in_doubt_is_not_built_upon(pair: Pair, code: str) -> None:
+    doubted = {
+        name: replace(axis, findings=(Finding(code, "warning", "Look again."),))
+        for name, axis in pair.found.axes.items()
+    }
+    then = pair.next(**doubted)
+    assert not then.files
+    assert all(code in axis["reason"] for axis in then.document["axes"].values())
+
+
+def differing(pair: Pair, axis: str, quantity: str) -> dict[str, Any]:
+    """What ``compare`` answers where one quantity of an axis differs."""
+    entry = {"axis": axis, "quantity": quantity, "planned": "1", "loaded": "2", "unit": None}
+    return {**pair.compared, "verdict": "different", "differences": [entry]}
+
+
+def test_what_was_read_back_has_to_be_the_plan(pair: Pair) -> None:
+    then = pair.next(differing(pair, "X", "BACKLASH"), Y=pair.told("Y", "undecided"))
+    assert not then.files
+    assert "differs from the plan" in then.document["axes"]["X"]["reason"]
+    assert "BACKLASH" in then.document["axes"]["X"]["reason"]
+
+
+def test_what_else_was_changed_in_the_control_is_settled_first(pair: Pair) -> None:
+    then = pair.next(differing(pair, "2", "BACKLASH of joint 2"))
+    assert not then.files
+    assert "something else was changed" in then.document["reason"]
+    assert "BACKLASH of joint 2" in then.document["reason"]
+
+
+def test_what_cannot_be_compared_is_not_built_upon(pair: Pair) -> None:
+    then = pair.next("the files say nothing of axis X")
+    assert not then.files
+    assert "the files say nothing of axis X" in then.document["reason"]
+
+
+def test_limits_that_were_edited_after_the_run(pair: Pair) -> None:
+    edited = Finding("CW-V022", "warning", "The job was edited after the run.")
+    found = replace(pair.found, findings=(edited,))
+    then = next_round(found, pair.compared, pair.folder / "job")
+    assert not then.files
+    assert then.document["reason"] == edited.message
+
+
+@pytest.mark.parametrize(
+    "other", [pytest.param("inverted", id="inverted"), pytest.param(None, id="not measured")]
+)
+def test_an_axis_that_is_well_goes_on_alone(pair: Pair, other: str | None) -> None:
+    """Its files are one set with those of the other, which keep what is in the control."""
+    then = pair.next(Y=None if other is None else pair.told("Y", other))
+    axes = then.document["axes"]
+    assert (axes["X"]["table"], axes["Y"]["updated"], axes["Y"]["table"]) == (True, False, False)
+    tables = {
+        name.removeprefix("next/tables/linuxcnc/"): content
+        for name, content in then.files.items()
+        if name.startswith("next/tables/")
+    }
+    before = {path.name: path.read_bytes() for path in (pair.folder / "control").iterdir()}
+    assert tables.keys() <= before.keys()
+    assert {name for name in tables if tables[name] != before[name]} == {"joint_0.comp"}
+    job = read_yaml(then.files["next/job.yaml"], "job.yaml").data
+    assert list(job["axes"]) == ["X"]
+
+
+def test_several_tests_keep_their_names_and_states(pair: Pair) -> None:
+    job = read_yaml(pair.next().files["next/job.yaml"], "job.yaml").data
+    assert list(job["states"]) == ["as_found", "round_1"]
+    assert job["states"]["round_1"] == "none"
+    assert [(test["name"], test["measured_in"]) for test in job["axes"]["Y"]["before"]] == [
+        ("y", "as_found"),
+        ("y_round_1", "round_1"),
+    ]
+    assert job["axes"]["Y"]["table"] == {"gain": "seen"}
+
+
+# ---------------------------------------------------------------- its folder
+
+
+@pytest.fixture
+def hall(pair: Pair, tmp_path: Path) -> Path:
+    shutil.copytree(pair.folder, tmp_path / "hall")
+    return tmp_path / "hall"
+
+
+def updated(hall: Path, *more: str) -> int:
+    after = [str(hall / f"{axis}.csv") for axis in MACHINES]
+    return update(hall / "job.yaml", after, hall / "control", *more)[0]
+
+
+def test_it_needs_what_was_read_back(hall: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["verify", str(hall / "job.yaml"), "--after", str(hall / "X.csv"), "--update"]
+    assert compwright(words) == 2
+    assert "--loaded" in capsys.readouterr().err
+    assert not (hall / "job" / "verification.json").exists()
+
+
+def test_it_is_replaced_only_where_nobody_changed_it(hall: Path, given: Given) -> None:
+    assert given.verdicts == {}
+    assert updated(hall) == 0
+    folder = hall / "job" / "next"
+    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    assert updated(hall) == 5
+    assert updated(hall, "--force") == 0
+    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
+    job = folder / "job.yaml"
+    job.write_text(job.read_text(encoding="utf-8") + "# mine\n", encoding="utf-8")
+    assert updated(hall, "--force") == 5
+    assert job.read_text(encoding="utf-8").endswith("# mine\n")
+    job.write_bytes(before[job])
+    (folder / "verification.json").write_text("{}")
+    assert updated(hall, "--force") == 5  # that round has gone on
+
+
+def test_an_inverted_table_is_found_and_nothing_is_written(
+    hall: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The verdict is that of the measurement here, and the read-back is the plan's."""
+    for number, axis in enumerate(MACHINES):
+        acts = correction(hall / "control", "linuxcnc", axis)
+        inverted = _inverted(acts)
+        measured(hall / f"{axis}.csv", axis, MANY, 20 + number, inverted)
+    assert updated(hall) == 1
+    assert not (hall / "job" / "next").exists()
+    said = capsys.readouterr().out
+    assert "No next round: no axis may be corrected further" in said
+    assert "the verdict is inverted, not loaded" in said
+
+
+def _inverted(acts: Callable[[Floats, int], Floats]) -> Callable[[Floats, int], Floats]:
+    return lambda x, sign: -acts(x, sign)
