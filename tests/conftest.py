@@ -11,16 +11,10 @@ from __future__ import annotations
 import pytest
 from hypothesis import settings
 
-from compwright.reporting import circles, report
+from frames import unpaint
 
 settings.register_profile("suite", derandomize=True, deadline=None)
 settings.load_profile("suite")
-
-_FRAME = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"></svg>'
-
-
-def _frame(*_: object, **__: object) -> bytes:
-    return _FRAME
 
 
 @pytest.fixture(autouse=True)
@@ -28,6 +22,4 @@ def unpainted(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
     """Let the figures that stand in pages be empty frames."""
     if request.node.get_closest_marker("painted"):
         return
-    for plot in ("positioning_plot", "before_after_plot", "table_plot", "estimate_plot"):
-        monkeypatch.setattr(report, plot, _frame)
-    monkeypatch.setattr(circles, "polar_figure", _frame)
+    unpaint(monkeypatch)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import shutil
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +21,8 @@ from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.documents.plan import read_plan
 from compwright.documents.verification import VerifiedAxis
+from compwright.foundations import storage
+from compwright.foundations.errors import StorageError
 from compwright.foundations.findings import Finding
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.axis import Direction
@@ -28,7 +30,15 @@ from compwright.records.correction import ControlFile
 from compwright.workflow.commands import verify
 from compwright.workflow.commands.compare import compare_plan
 from compwright.workflow.stages.jobs import read_job_file
-from compwright.workflow.stages.next_round import Round, Verified, next_round
+from compwright.workflow.stages.next_round import (
+    Round,
+    Verified,
+    known_with_rounds,
+    next_round,
+    refuse_later_rounds,
+)
+from compwright.workflow.stages.verified_axis import verified_axis
+from frames import unpaint
 from loop import Floats, Machine, accuracy, allowed, csv_of
 
 ADDRESSES = {"linuxcnc": ("0", "1"), "siemens-840d-sl": ("AX1", "AX2")}
@@ -73,30 +83,14 @@ def written_job(folder: Path, format_id: str, axes: str, more: str = "") -> Path
     return job
 
 
-@dataclass
-class Given:
-    """The verdicts on the loading that a test gives, by axis; every other one is ``loaded``."""
-
-    verdicts: dict[str, str] = field(default_factory=dict)
-
-
-@pytest.fixture
-def given(monkeypatch: pytest.MonkeyPatch) -> Given:
-    told = Given()
-    monkeypatch.setattr(verify, "verified_axis", _giving(told))
-    return told
-
-
-def _giving(told: Given) -> Callable[..., VerifiedAxis]:
-    judge = verify.verified_axis
+def _all_loaded(judge: Callable[..., VerifiedAxis]) -> Callable[..., VerifiedAxis]:
+    """As if the measurement had shown of every axis that its table acts as it should."""
 
     def give(*arguments: Any) -> VerifiedAxis:
         found = judge(*arguments)
-        verdict = told.verdicts.get(found.before.test.axis, "loaded")
-        loading = {**found.loading, "verdict": verdict}
-        loading.pop("of", None)
-        kept = [one for one in found.findings if one.severity == "error"]
-        return replace(found, loading=loading, findings=tuple(kept))
+        loading = {key: value for key, value in found.loading.items() if key != "of"}
+        kept = tuple(one for one in found.findings if one.severity == "error")
+        return replace(found, loading={**loading, "verdict": "loaded"}, findings=kept)
 
     return give
 
@@ -135,10 +129,11 @@ def rounds(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     folder = tmp_path_factory.mktemp(f"rounds-{format_id}")
     measured(folder / "x.csv", "X", FEW, 1, None)
     job = written_job(folder, format_id, "X")
-    assert compwright(["run", str(job)]) == 0
     out, documents, values = folder / "job", [], []
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(verify, "verified_axis", _giving(Given()))
+        unpaint(patched)
+        patched.setattr(verify, "verified_axis", _all_loaded(verified_axis))
+        assert compwright(["run", str(job)]) == 0
         for number in (1, 2):
             control = folder / f"control{number}"
             shutil.copytree(out / "tables" / format_id, control)
@@ -251,7 +246,9 @@ def pair(tmp_path_factory: pytest.TempPathFactory) -> Pair:
     for number, axis in enumerate(MACHINES):
         measured(folder / f"{axis.lower()}.csv", axis, FEW, 1 + number, None)
     job = written_job(folder, "linuxcnc", "XY")
-    assert compwright(["run", str(job)]) == 0
+    with pytest.MonkeyPatch.context() as patched:
+        unpaint(patched)
+        assert compwright(["run", str(job)]) == 0
     control = folder / "control"
     shutil.copytree(folder / "job" / "tables" / "linuxcnc", control)
     after = [
@@ -262,7 +259,7 @@ def pair(tmp_path_factory: pytest.TempPathFactory) -> Pair:
     ]
     plan = folder / "job" / "plan.json"
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(verify, "verified_axis", _giving(Given()))
+        patched.setattr(verify, "verified_axis", _all_loaded(verified_axis))
         found, _ = verify._verified(read_job_file(job), after, plan, [control])
     return Pair(folder, found, compare_plan(plan, [control]).document)
 
@@ -346,8 +343,16 @@ def test_an_axis_that_is_well_goes_on_alone(pair: Pair, other: str | None) -> No
     assert list(job["axes"]) == ["X"]
 
 
-def test_several_tests_keep_their_names_and_states(pair: Pair) -> None:
-    job = read_yaml(pair.next().files["next/job.yaml"], "job.yaml").data
+@pytest.fixture(scope="module")
+def made(pair: Pair) -> Round:
+    """The next round where both axes are well."""
+    with pytest.MonkeyPatch.context() as patched:
+        unpaint(patched)
+        return pair.next()
+
+
+def test_several_tests_keep_their_names_and_states(made: Round) -> None:
+    job = read_yaml(made.files["next/job.yaml"], "job.yaml").data
     assert list(job["states"]) == ["as_found", "round_1"]
     assert job["states"]["round_1"] == "none"
     assert [(test["name"], test["measured_in"]) for test in job["axes"]["Y"]["before"]] == [
@@ -360,15 +365,53 @@ def test_several_tests_keep_their_names_and_states(pair: Pair) -> None:
 # ---------------------------------------------------------------- its folder
 
 
+def stored(out: Path, then: Round, *, force: bool = False) -> None:
+    storage.write_files(
+        out,
+        then.files,
+        force=force,
+        whole=then.whole,
+        renewed=then.renewed,
+        known=known_with_rounds(out, lambda _name, _content: False),
+    )
+
+
+def test_it_is_replaced_only_where_nobody_changed_it(made: Round, tmp_path: Path) -> None:
+    stored(tmp_path, made)
+    with pytest.raises(StorageError):
+        stored(tmp_path, made)
+    stored(tmp_path, made, force=True)
+    job = tmp_path / "next" / "job.yaml"
+    job.write_bytes(job.read_bytes() + b"# mine\n")
+    with pytest.raises(StorageError, match="changed since"):
+        stored(tmp_path, made, force=True)
+    assert job.read_bytes().endswith(b"# mine\n")
+
+
+def test_what_an_earlier_round_had_more_goes(made: Round, tmp_path: Path) -> None:
+    """Other files read back, no tables any more: nothing of the earlier round stays."""
+    stored(tmp_path, made)
+    gone = ("next/tables/", "next/card/", "next/control/as_found/")
+    fewer = {name: text for name, text in made.files.items() if not name.startswith(gone)}
+    stored(tmp_path, replace(made, files=fewer), force=True)
+    found = {
+        path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*") if path.is_file()
+    }
+    assert found == set(fewer)
+
+
+def test_a_round_that_has_gone_on_stays(tmp_path: Path) -> None:
+    refuse_later_rounds(tmp_path)
+    (tmp_path / "next").mkdir()
+    (tmp_path / "next" / "verification.json").write_text("{}")
+    with pytest.raises(StorageError, match="not even with --force"):
+        refuse_later_rounds(tmp_path)
+
+
 @pytest.fixture
 def hall(pair: Pair, tmp_path: Path) -> Path:
     shutil.copytree(pair.folder, tmp_path / "hall")
     return tmp_path / "hall"
-
-
-def updated(hall: Path, *more: str) -> int:
-    after = [str(hall / f"{axis}.csv") for axis in MACHINES]
-    return update(hall / "job.yaml", after, hall / "control", *more)[0]
 
 
 def test_it_needs_what_was_read_back(hall: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -378,37 +421,16 @@ def test_it_needs_what_was_read_back(hall: Path, capsys: pytest.CaptureFixture[s
     assert not (hall / "job" / "verification.json").exists()
 
 
-def test_it_is_replaced_only_where_nobody_changed_it(hall: Path, given: Given) -> None:
-    assert given.verdicts == {}
-    assert updated(hall) == 0
-    folder = hall / "job" / "next"
-    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
-    assert updated(hall) == 5
-    assert updated(hall, "--force") == 0
-    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
-    job = folder / "job.yaml"
-    job.write_text(job.read_text(encoding="utf-8") + "# mine\n", encoding="utf-8")
-    assert updated(hall, "--force") == 5
-    assert job.read_text(encoding="utf-8").endswith("# mine\n")
-    job.write_bytes(before[job])
-    (folder / "verification.json").write_text("{}")
-    assert updated(hall, "--force") == 5  # that round has gone on
-
-
 def test_an_inverted_table_is_found_and_nothing_is_written(
     hall: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The verdict is that of the measurement here, and the read-back is the plan's."""
-    for number, axis in enumerate(MACHINES):
-        acts = correction(hall / "control", "linuxcnc", axis)
-        inverted = _inverted(acts)
-        measured(hall / f"{axis}.csv", axis, MANY, 20 + number, inverted)
-    assert updated(hall) == 1
+    acts = correction(hall / "control", "linuxcnc", "X")
+    after = measured(hall / "X.csv", "X", MANY, 20, lambda x, sign: -acts(x, sign))
+    code, document = update(hall / "job.yaml", [after], hall / "control")
+    assert (code, document["next"]["written"]) == (1, False)
     assert not (hall / "job" / "next").exists()
     said = capsys.readouterr().out
     assert "No next round: no axis may be corrected further" in said
     assert "the verdict is inverted, not loaded" in said
-
-
-def _inverted(acts: Callable[[Floats, int], Floats]) -> Callable[[Floats, int], Floats]:
-    return lambda x, sign: -acts(x, sign)
+    assert "axis Y: it was not measured after loading" in said

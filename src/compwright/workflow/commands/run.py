@@ -31,7 +31,7 @@ NO_STATE_OPTION = (
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunOutcome:
     """What a run found and wrote. ``no_tables`` and ``refused`` (by axis) say why a table is
-    missing.
+    missing that the job asks for.
     """
 
     exit_code: int
@@ -96,7 +96,11 @@ def run_job(
         no_tables=(
             "" if finished.stated else f"{job.file}: {NO_STATE}" if job.file else NO_STATE_OPTION
         ),
-        refused={name: work.refused for name, work in finished.works.items() if work.refused},
+        refused={
+            name: work.refused
+            for name, work in finished.works.items()
+            if work.refused and work.planned.request.gain == "any"
+        },
         notes=results.notes,
     )
 

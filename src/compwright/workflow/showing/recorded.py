@@ -41,19 +41,16 @@ def recorded_run(
     results: Results,
     given: Sequence[GivenFile],
     out: Path,
-    beside: Mapping[str, bytes] | None = None,
 ) -> dict[str, bytes]:
     """Return the copies of what a run was made from and its record, by their relative names.
 
-    ``given``: what it was made from (`files_of_job`); ``out``: the result folder; ``beside``: those
-    of them that are written there with the results, by relative name: they are not copied again.
+    ``given``: what it was made from (`files_of_job`); ``out``: the result folder.
     """
     job, control = finished.measured.job, finished.measured.control
-    more = dict(beside or {})
     there = {
         name: content for name, content in results.files.items() if name.startswith("rollback/")
-    } | more
-    inputs, copies = kept(given, out, by="run", there=there, written={**results.files, **more})
+    }
+    inputs, copies = kept(given, out, by="run", there=there, written=results.files)
     about = {
         "version": __version__,
         "machine": dict(job.machine),

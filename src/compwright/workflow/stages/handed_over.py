@@ -116,17 +116,15 @@ def kept(
     have to be written there, by their relative names.
 
     No bytes are kept twice: what is among the files ``there`` (relative name -> bytes: the way back
-    holds what was in the control), or lies in ``out`` already and is none of those ``written``, is
-    named where it lies.
+    holds what was in the control), or lies in ``out`` (the inputs of a next round are written
+    there with it) and is none of those ``written``, is named where it lies.
     """
-    places: dict[str, str] = {}
-    for name, content in there.items():
-        places.setdefault(fingerprint(content), name)
+    places = {fingerprint(content): name for name, content in there.items()}
     copies: dict[str, bytes] = {}
     recorded = []
     for file in given:
         digest = fingerprint(file.content)
-        place = places.get(digest) or _inside(file.path, out, written)
+        place = _inside(file.path, out, written) or places.get(digest)
         if place is None:
             place = _unused(_place(file.name, by), copies)
             copies[place] = file.content

@@ -268,7 +268,7 @@ def _worked(
         finished = worked_through(job, folder, folder, each=each)
         results = result_files(finished, each)
         given = files_of_job(job, folder, finished.measured.control.definition.carried)
-    record = recorded_run(finished, results, given, folder, inputs)
+    record = recorded_run(finished, results, given, folder)
     return finished, {**results.files, **record}, results.notes
 
 
