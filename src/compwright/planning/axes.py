@@ -91,6 +91,12 @@ class AxisWork:
         return nothing if active is None else active.at
 
     @property
+    def stops(self) -> bool:
+        """Whether the table was left out because no test would show its gain, as the job asks."""
+        made = self.capacity is not None
+        return made and bool(self.refused) and self.planned.request.gain == "seen"
+
+    @property
     def findings(self) -> tuple[Finding, ...]:
         """What was noticed on this axis beside the findings of its tests."""
         fitted = self.planned.fitted
@@ -106,7 +112,7 @@ class AxisWork:
                 *own,
                 Finding(
                     "CW-P001",
-                    "info" if self.planned.request.gain == "seen" else "error",
+                    "info" if self.stops else "error",
                     f"No table is written for axis {self.entry.axis.name}: {self.refused}.",
                 ),
             )

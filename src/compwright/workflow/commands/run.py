@@ -99,7 +99,7 @@ def run_job(
         refused={
             name: work.refused
             for name, work in finished.works.items()
-            if work.refused and work.planned.request.gain == "any"
+            if work.refused and not work.stops
         },
         notes=results.notes,
     )

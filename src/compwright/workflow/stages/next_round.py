@@ -53,6 +53,7 @@ FOLDER: Final = "next"
 LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024", "CW-E010"})
 #: What a run writes beside its folders.
 RESULTS: Final = frozenset({PLAN, "evaluation.json", "prediction.json", "report.html", RECORD})
+_NOBODY: Final = "no axis may be corrected further"
 _KEEPS: Final = "it keeps what is in the control"
 
 
@@ -103,7 +104,7 @@ def next_round(
     general = _general(found, compared)
     well = [test for test in found.tests if test.axis not in told]
     if general or not well:
-        return Round(document=next_document(general or "no axis may be corrected further", told))
+        return Round(document=next_document(general or _NOBODY, told))
     try:
         looped = _looped(found, well)
         inputs = next_files(found.job, found.plan, looped)
@@ -112,6 +113,8 @@ def next_round(
         reason = "; ".join(str(fault) for fault in error.faults)
         return Round(document=next_document(f"the next round cannot be made: {reason}", told))
     told |= {test.axis: _told(finished, test.axis) for test in well}
+    if not any(axis.updated for axis in told.values()):
+        return Round(document=next_document(_NOBODY, told))
     told = {name: told[name] for name in found.plan.axes if name in told}
     files = {**inputs, **results}
     return Round(
@@ -279,6 +282,8 @@ def _told(finished: Finished, name: str) -> NextAxis:
         return NextAxis(
             updated=True, table=True, reason=_gained(prediction.limits, work.planned.axis)
         )
+    if not work.stops:
+        return NextAxis(reason=f"no further table: {work.refused}")
     stopped = [one.message for one in prediction.findings if one.code == "CW-P155"]
     reason = next(iter(stopped), f"stop here: {work.refused}")
     return NextAxis(updated=True, reason=reason.removeprefix(f"Axis {name}: "))

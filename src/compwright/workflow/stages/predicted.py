@@ -76,7 +76,7 @@ def _predicted(
     refused = bool(work.refused) and work.capacity is not None
     said = (
         (stopped(axis, limits),)
-        if refused and work.planned.request.gain == "seen"
+        if work.stops
         else tuple(verdict(axis, limits, tabled=tabled, refused=refused))
     )
     return replace(
