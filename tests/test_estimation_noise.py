@@ -199,8 +199,10 @@ def test_heavy_tails_are_found() -> None:
 def test_scatter_that_differs_by_direction_or_grows_is_found(seed: int) -> None:
     by_direction = white(seed) * np.array([1.0, 2.5])[:, np.newaxis, np.newaxis]
     draws = posterior(by_direction).draws
-    assert inside(1.0 * UM, draws.sigma[:, 0])
-    assert inside(2.5 * UM, draws.sigma[:, 1])
+    # 99 % of a normal law of log sigma: with seed 20 the first scatter lies at 1.7 % of its exact
+    # chi-square law, beyond which 48 draws often have none.
+    logs = np.log(draws.sigma / UM)
+    assert np.all(np.abs(np.mean(logs, axis=0) - np.log([1.0, 2.5])) < 2.576 * np.std(logs, axis=0))
     growing = posterior(white(seed) * np.exp(0.8 * U)).draws.scale_at(TARGETS[[0, -1]])
     assert inside(1.6, np.log(growing[:, 0, 1] / growing[:, 0, 0]))
 

@@ -21,10 +21,10 @@ from compwright.records.axis import FloatArray
 #: Prior probabilities of the kinds.
 _NORMAL, _STUDENT, _SPREAD, _FIXED, _GROSS = 0.868, 0.1, 0.015, 0.015, 0.002
 _DOFS: Final = (2.5, 3.0, 3.5, 4.0, 5.0, 7.0, 15.0)
-#: Of Student's: how probable degrees of freedom about each are, beside the others, under a gamma
-#: law of shape 2 and rate 0.1 (Juárez and Steel, J. Bus. Econ. Stat. 28, 2010); beyond 25 nothing
-#: tells them from a normal law.
-_DOF_SHARES: Final = (0.02, 0.016, 0.018, 0.029, 0.067, 0.205, 0.645)
+#: Of Student's: how probable degrees of freedom about each are, flat in their logarithm from 2 to
+#: 25 (Jeffreys, Theory of Probability, 3rd ed. 1961, section 3.1); beyond nothing tells them from a
+#: normal law.
+_DOF_SHARES: Final = (0.126, 0.066, 0.057, 0.072, 0.114, 0.202, 0.363)
 _SHARES: Final = (0.006, 0.0125, 0.025, 0.05, 0.1)
 #: Sizes of outliers in scales of a reading. Chips and air put a reading off by any amount (spread);
 #: a loose screw, a grain that comes and goes by about the same one each time (fixed, on either
