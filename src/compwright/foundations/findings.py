@@ -26,6 +26,7 @@ DOUBTS: Final = frozenset(
         *("CW-E003", "CW-E010", "CW-E011", "CW-S005", "CW-S018", "CW-S045"),
         *("CW-S060", "CW-S061"),
         *("CW-V020", "CW-V021", "CW-V022", "CW-V023", "CW-V024", "CW-V025", "CW-V026", "CW-V027"),
+        "CW-V028",
     }
 )
 #: How the doubts are headed, the same at the terminal, in reports and on the card.

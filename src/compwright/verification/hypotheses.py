@@ -27,9 +27,9 @@ FACTORS: Final[Mapping[float, tuple[float, str]]] = {
     10.0: (1.0, "ten times: another detection unit or increment system"),
     0.1: (1.0, "a tenth: another detection unit or increment system"),
     25.4: (0.5, "25.4 times: inch taken for mm"),
-    1.0 / 25.4: (0.5, "1/25.4: mm taken for inch"),
+    1.0 / 25.4: (0.02, "1/25.4: mm taken for inch"),
     1000.0: (0.5, "a thousand times: mm taken for µm"),
-    0.001: (0.5, "a thousandth: µm taken for mm"),
+    0.001: (0.02, "a thousandth: µm taken for mm"),
 }
 #: Most nodes by which a table may be shifted.
 MOST_SHIFT: Final = 5
@@ -43,10 +43,10 @@ _FREE: Final = 0.7
 
 # Prior odds of a fault against the loaded table, of each distinct variant. With odds of 5:1 and a
 # verdict from 99 %, a fault that lies two standard errors from the loaded table, where it is mixed
-# up most easily, passes for it in less than 1 % of the tests.
+# up most easily, passes for it in about 2 % of the tests.
 _COMMON: Final = 0.2
 _RARE: Final = 0.05
-_FAMILY: Final = 0.05  # of a whole family of cuts of one kind
+_FAMILY: Final = 0.025  # of a whole family of cuts of one kind
 #: Where the values that were read back from the control are those of the plan, a fault of the
 #: values is this much less likely.
 _READ_BACK: Final = 0.01
@@ -213,7 +213,7 @@ class _Ways:
         for factor, (share, words) in FACTORS.items():
             weight = _COMMON * share
             curve = factor * self.own
-            more: dict[str, Any] = {"factor": factor}
+            more: dict[str, Any] = {"factor": factor, "inner": factor < 0.05}
             yield self.made(
                 "scaled", self.total(curve, factor * self.backlash), weight, words, **more
             )
@@ -288,6 +288,11 @@ class _Ways:
         if self.table.positions.size > 2:
             curves = {d: self.table.curve(d)[::-1] for d in Direction}
             yield from self.moved("mirrored", curves, _COMMON)
+            # turned about a centre one node further: of a table with one node beside the travel
+            for by in (1, -1):
+                for beside in self.shifts(by):
+                    turned = {d: v[::-1] for d, v in beside.items()}
+                    yield from self.moved("mirrored", turned, _RARE)
             # where a control keeps the steps from node to node, they are what is turned round
             held = {d: self.table.curve(d) for d in Direction}
             steps = {d: v[0] + v[-1] - v[::-1] for d, v in held.items()}

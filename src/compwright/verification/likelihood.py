@@ -192,13 +192,20 @@ class Curves:
 
     ``change``: by how much the correction differs from what acted behind the belief. ``free``: a
     direction in which it may differ further by a standard normal amount (0: none). ``slope`` (H,):
-    standard deviation of a further slope over the positions, mm/mm.
+    standard deviation of a further slope over the positions, mm/mm. ``slack`` (H,): standard
+    deviation of the factor on the change.
     """
 
     change: FloatArray
     free: FloatArray
     slope: FloatArray
     slack: FloatArray
+
+
+def curves_of_change(change: FloatArray) -> Curves:
+    """Return curves (2, m, H) of which everything is known."""
+    nothing = np.zeros(change.shape[2])
+    return Curves(change=change, free=np.zeros_like(change), slope=nothing, slack=nothing)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -38,7 +38,14 @@ from compwright.verification.loading_words import (
     thermal_message,
 )
 
-__all__ = ["LoadingVerdict", "View", "judge_loading", "measurement_views", "unit_views"]
+__all__ = [
+    "LoadingVerdict",
+    "View",
+    "judge_loading",
+    "measurement_views",
+    "of_other_axis",
+    "unit_views",
+]
 
 #: A name is given from this probability on, those that no test could tell from it counted with it.
 CLEAR: Final = 0.99
@@ -51,7 +58,7 @@ _ANY_SLOPE: Final = 35e-6
 _LEAST_SLOPE: Final = 0.3e-6
 #: Prior odds of a fault on an axis that is longer or shorter now against the fault alone, and of
 #: a loaded table on one.
-_SLOPED: Final = 0.005
+_SLOPED: Final = 0.002
 _THERMAL: Final = 0.2
 #: Prior odds of a fault of measurement against a loaded table well measured.
 _MEASURED_WRONG: Final = 0.02
@@ -61,12 +68,18 @@ _BOTH: Final = 0.1
 #: Standard deviation of the logarithm of the ratio of two honest noises of one axis.
 _OTHER_NOISE: Final = 0.7
 _NEVER: Final = 1e-300
+#: Noise of the test beside that of the tests before from which units are always asked about.
+UNLIKE: Final = 5.0
 #: Units that are mixed up, as factors on the readings.
 _UNITS: Final = (1000.0, 0.001, 25.4, 1.0 / 25.4)
 #: Logarithm of odds beyond which nobody asks: a second name there is none.
 _CERTAIN: Final = 1e6
-#: Distance from the loaded table, in standard errors, from which a fault counts in full.
+#: Distance from the loaded table and the old control, in standard errors, from which a fault counts
+#: in full.
 _SEEN: Final = 3.0
+#: Part of what the prediction and the old control leave that a fault may leave besides, where it
+#: explains all the rest: a table's own detail, a cut elsewhere between two nodes.
+_EXPLAINED: Final = 0.15
 #: From which probability on a candidate is told.
 _TOLD: Final = 0.005
 
@@ -248,18 +261,22 @@ def _rated(
 
 
 def _relevant(after: AfterMeans, rated: Sequence[_Rated]) -> list[_Rated]:
-    """Return the hypotheses, those that this test can hardly tell from the loaded table with less
-    weight, by the square of the distance up to `_SEEN` standard errors: they change nothing that
-    the test could show.
+    """Return the hypotheses, those that this test can hardly tell from a table that acts as
+    planned, or not at all, with less weight, by the square of the distance up to `_SEEN` standard
+    errors: they change nothing that the test could show.
     """
-    loaded = next((each for each in rated if each.name == "loaded"), None)
-    if loaded is None:
-        return list(rated)
-    off = _distances(after, loaded, rated)
+    ends = [
+        next((each for each in rated if each.name == name), None)
+        for name in ("loaded", "not_active")
+    ]
+    off = np.full(len(rated), math.inf)
+    for end in ends:
+        if end is not None:
+            off = np.minimum(off, _distances(after, end, rated))
     counts = np.log(np.clip((off / _SEEN) ** 2, 1e-6, 1.0))
     return [
         each
-        if each.name in ("loaded", "thermal") or each.hypothesis.free is not None
+        if each.name in ("loaded", "thermal", "not_active") or each.hypothesis.free is not None
         else replace(each, log=each.log + float(less))
         for each, less in zip(rated, counts, strict=True)
     ]
@@ -337,9 +354,9 @@ def _decided(
         told.add("measurement")
     margin = 0.0 if hidden else _margin(rated, counted, told)
     shown = Shown.of(after, view.belief, view.hypotheses, effect)
-    clear = together >= CLEAR and fits and not hidden
+    clear = together >= CLEAR and not hidden and (fits or _explains(shown, best))
     verdict: LoadingName = name if clear else "undecided"
-    nothing_fits = not any(each.score <= _REFUSED for each in rated)
+    nothing_fits = not clear and not any(each.score <= _REFUSED for each in rated)
     if nothing_fits:
         text = neither_message(shown)
     elif clear:
@@ -351,6 +368,8 @@ def _decided(
         found.append(Finding("CW-V001", "warning", text))
     if verdict == "thermal":
         found.append(Finding("CW-V027", "warning", text))
+    elif verdict not in ("loaded", "measurement", "undecided"):
+        found.append(Finding("CW-V028", "warning", text))
     way = best.hypothesis
     return LoadingVerdict(
         verdict=verdict,
@@ -365,6 +384,20 @@ def _decided(
         slope=best.slope if way.sloped else None,
         findings=tuple(found),
     )
+
+
+def _explains(shown: Shown, best: _Rated) -> bool:
+    """Return whether a fault of the table explains nearly all of what neither the loaded table nor
+    the old control does.
+    """
+    if best.name in ("loaded", "not_active", "thermal", "measurement"):
+        return False
+    if shown.loaded is None or shown.inactive is None:
+        return False
+    mine, *ends = (
+        float(np.nanstd(shown.left(each))) for each in (best.expected, shown.loaded, shown.inactive)
+    )
+    return mine <= _EXPLAINED * min(ends)
 
 
 def _margin(

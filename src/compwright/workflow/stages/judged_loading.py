@@ -29,6 +29,7 @@ from compwright.records.verification import LoadingVerdict
 from compwright.verification.hypotheses import Loading, loading_hypotheses
 from compwright.verification.likelihood import after_means, belief_of, draws_for
 from compwright.verification.loading import (
+    UNLIKE,
     View,
     judge_loading,
     measurement_views,
@@ -71,9 +72,14 @@ def judged_loading(
         *measurement_views(view, both=test.bidirectional),
     ]
 
+    louder = after.sigma / error.noise
+    units = unit_views(view, louder)
+    if not 1.0 / UNLIKE < louder < UNLIKE:
+        views += units
+
     def further() -> list[View]:
         return [
-            *unit_views(view, after.sigma / error.noise),
+            *units,
             *(
                 of_other_axis(name, _view(other, test, 0, _error_of(other), as_found, {})[0])
                 for name, other in others.items()

@@ -1,0 +1,364 @@
+"""Every fault of loading, put into a simulated axis by formulas of this file, is found by its name."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.correction import AxisCompensation, no_compensation
+from compwright.records.verification import LoadingVerdict
+from compwright.verification.hypotheses import Loading, loading_hypotheses
+from compwright.verification.likelihood import ErrorBelief, belief_of, curves_of_change, fits_of
+from compwright.verification.loading import (
+    View,
+    judge_loading,
+    measurement_views,
+    of_other_axis,
+    unit_views,
+)
+from loadings import known, means_of
+
+UM = 1e-3  # mm
+NOISE = 0.5 * UM
+RUNS = 5
+TARGETS = np.array([11.0, 52.0, 88.0, 131.0, 169.0, 213.0, 252.0, 289.0, 333.0, 371.0, 389.0])
+NODES = np.linspace(0.0, 400.0, 17)
+WAVES = 6 * UM * np.sin(NODES / 47.0) + 4 * UM * np.sin(NODES / 23.0) + 0.02 * UM * NODES
+WAVES = WAVES - WAVES[0]
+#: Of the negative direction: 3 µm more at one end than at the other.
+BENT = WAVES - 5 * UM - 3 * UM * NODES / 400.0
+OLD = 5 * UM * np.sin(NODES / 61.0 + 1.0) - 5 * UM * np.sin(1.0)
+OTHER = 7 * UM * np.cos(NODES / 37.0) - 7 * UM
+LOST = 4 * UM
+
+
+def compensation(
+    positive: FloatArray,
+    negative: FloatArray | None = None,
+    backlash: float = 0.0,
+    address: str = "X",
+    nodes: FloatArray = NODES,
+) -> AxisCompensation:
+    return AxisCompensation(
+        address=address,
+        kind=AxisKind.LINEAR,
+        positions=nodes,
+        positive=positive,
+        negative=positive if negative is None else negative,
+        backlash=backlash,
+    )
+
+
+NONE = no_compensation("X", AxisKind.LINEAR)
+ONE_TABLE = compensation(WAVES, backlash=LOST)
+TWO_TABLES = compensation(WAVES, BENT)
+
+
+def shown(up: FloatArray, down: FloatArray, backlash: float = 0.0) -> FloatArray:
+    """What tables (k,) and a backlash do at the targets (2, m): straight lines between nodes;
+    lost motion is made up for in the negative direction, by going further to -.
+    """
+    return np.stack([np.interp(TARGETS, NODES, up), np.interp(TARGETS, NODES, down) - backlash])
+
+
+def judge(
+    acting: FloatArray,
+    new: AxisCompensation,
+    old: AxisCompensation = NONE,
+    *,
+    seed: int = 1,
+    turned: bool = False,
+    read: float = 1.0,
+    declared: float | None = 0.0,
+) -> LoadingVerdict:
+    """The axis has an error that ``new`` takes away but for 0.4 µm; ``acting`` (2, m) acts in the
+    test after loading, whose readings are multiplied by ``read``. ``old`` acted in the first test.
+    """
+    rng = np.random.default_rng([seed, 12])
+    left = 0.4 * UM * np.stack([np.sin(TARGETS / 30.0), np.cos(TARGETS / 41.0)])
+    error = left - np.stack(
+        [
+            np.interp(TARGETS, new.positions, new.positive),
+            np.interp(TARGETS, new.positions, new.negative) - new.backlash,
+        ]
+    )
+    was = shown(old.positive, old.negative, old.backlash) if old.positions.size else 0.0 * error
+    first = error + was + NOISE / math.sqrt(RUNS) * rng.standard_normal(error.shape)
+    means = error + acting + 9 * UM
+    readings = read * (means[..., None] + NOISE * rng.standard_normal((*means.shape, RUNS)))
+    if turned:
+        readings = -readings
+    after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
+    covariance = np.eye(2 * TARGETS.size) * NOISE**2 / RUNS
+    view = view_of(first, covariance, new, old)
+    views = [view, *measurement_views(view)]
+    if read != 1.0:
+        views += unit_views(view, after.sigma / NOISE)
+    return judge_loading(after, views, declared_slope=declared)
+
+
+def view_of(
+    first: FloatArray, covariance: FloatArray, new: AxisCompensation, old: AxisCompensation
+) -> View:
+    others = {"Y": compensation(OTHER, address="Y")}
+    loading = Loading(new=new, old=old, acted=old, others=others)
+    return View(belief=known(first, covariance), hypotheses=loading_hypotheses(loading, TARGETS))
+
+
+def moved(values: FloatArray, by: int) -> FloatArray:
+    """Values ``by`` nodes further to +, the end value held."""
+    return values[np.clip(np.arange(values.size) - by, 0, values.size - 1)]
+
+
+def up_to(node: int, values: FloatArray, beyond: FloatArray) -> FloatArray:
+    return np.where(np.arange(values.size) < node, values, beyond)
+
+
+NOTHING = np.zeros(NODES.size)
+CASES: dict[str, tuple[FloatArray, str]] = {
+    "loaded": (shown(WAVES, WAVES, LOST), "loaded"),
+    "nothing": (shown(NOTHING, NOTHING), "not_active"),
+    "inverted": (shown(-WAVES, -WAVES, -LOST), "inverted"),
+    "table alone inverted": (shown(-WAVES, -WAVES, LOST), "inverted"),
+    "mirrored": (shown(WAVES[::-1], WAVES[::-1], LOST), "mirrored"),
+    "turned steps": (
+        shown(WAVES[-1] - WAVES[::-1], WAVES[-1] - WAVES[::-1], LOST),
+        "mirrored",
+    ),
+    "another axis": (shown(OTHER, OTHER, LOST), "wrong_axis"),
+    "positive alone": (np.stack([shown(WAVES, WAVES)[0], 0 * TARGETS]), "one_direction"),
+    "negative alone": (np.stack([0 * TARGETS, shown(WAVES, WAVES, LOST)[1]]), "one_direction"),
+    "no backlash": (shown(WAVES, WAVES), "backlash"),
+    "backlash twice": (shown(WAVES, WAVES, 2 * LOST), "backlash"),
+    "backlash turned": (shown(WAVES, WAVES, -LOST), "backlash"),
+    "a part": (shown(up_to(9, WAVES, NOTHING), up_to(9, WAVES, NOTHING), LOST), "partial"),
+    "the other part": (shown(up_to(9, NOTHING, WAVES), up_to(9, NOTHING, WAVES), LOST), "partial"),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_fault_is_found_by_its_name(case: str) -> None:
+    acting, name = CASES[case]
+    for seed in range(3):
+        verdict = judge(acting, ONE_TABLE, seed=seed)
+        assert verdict.verdict == name, verdict.message
+        assert verdict.margin > math.log(99.0)
+        assert verdict.candidates[0].verdict == name
+        assert ("CW-V028" in [f.code for f in verdict.findings]) == (name != "loaded")
+
+
+@pytest.mark.parametrize(
+    ("case", "words"),
+    [
+        ("positive alone", "approaches in + only"),
+        ("negative alone", "approaches in - only"),
+        ("no backlash", "its backlash is wrong: missing"),
+        ("backlash twice", "its backlash is wrong: twice"),
+        ("backlash turned", "its backlash is wrong: with the wrong sign"),
+        ("a part", "up to node 9 (200), nothing beyond"),
+        ("the other part", "A part of the table acts: from node"),
+        ("nothing", "The table does not act"),
+        ("another axis", "the one of axis Y"),
+    ],
+)
+def test_the_message_says_what_was_seen(case: str, words: str) -> None:
+    verdict = judge(CASES[case][0], ONE_TABLE)
+    assert words in verdict.message
+    assert "µm rms" in verdict.message
+
+
+@pytest.mark.parametrize("factor", [2.0, 0.5, 10.0, 0.1, 25.4, 0.75, 1.3, 3.0])
+@pytest.mark.parametrize("with_backlash", [True, False])
+def test_a_factor_is_told(factor: float, with_backlash: bool) -> None:
+    lost = factor * LOST if with_backlash else LOST
+    verdict = judge(shown(factor * WAVES, factor * WAVES, lost), ONE_TABLE)
+    assert verdict.verdict == "scaled", verdict.message
+    assert verdict.factor == pytest.approx(factor, rel=0.05)
+
+
+@pytest.mark.parametrize("by", [-5, -2, -1, 1, 2, 3])
+@pytest.mark.parametrize("new", [ONE_TABLE, TWO_TABLES])
+def test_a_shift_is_told(by: int, new: AxisCompensation) -> None:
+    acting = shown(moved(new.positive, by), moved(new.negative, by), new.backlash)
+    verdict = judge(acting, new)
+    assert (verdict.verdict, verdict.shift_nodes) == ("shifted", by), verdict.message
+    assert f"too far to {'+' if by > 0 else '-'}" in verdict.message
+
+
+def test_the_old_table_or_nothing() -> None:
+    """Of an update: what was there before still acts, or nothing does; a part of the new one beside
+    the old.
+    """
+    old = compensation(OLD, backlash=1 * UM)
+    for acting, words in (
+        (shown(OLD, OLD, 1 * UM), "what was in the control before still acts"),
+        (shown(NOTHING, NOTHING), "nothing acts at all"),
+    ):
+        verdict = judge(acting, ONE_TABLE, old)
+        assert verdict.verdict == "not_active"
+        assert words in verdict.message
+    part = up_to(10, WAVES, OLD)
+    verdict = judge(shown(part, part, LOST), ONE_TABLE, old)
+    assert verdict.verdict == "partial"
+    assert "up to node" in verdict.message
+    assert "the old values beyond" in verdict.message
+    assert judge(shown(WAVES, WAVES, LOST), ONE_TABLE, old).verdict == "loaded"
+    lost = judge(shown(WAVES, WAVES, 1 * UM), ONE_TABLE, old)
+    assert (lost.verdict, lost.detail) == ("backlash", "the old value instead of the new one")
+
+
+@pytest.mark.parametrize("at", [70.0, 200.0, 330.0])
+def test_a_table_that_ends_between_two_nodes(at: float) -> None:
+    acting = np.where(at > TARGETS, shown(WAVES, WAVES, LOST), 0.0)
+    assert judge(acting, ONE_TABLE).verdict == "partial"
+
+
+def test_two_tables_of_which_one_acts() -> None:
+    verdict = judge(np.stack([shown(WAVES, BENT)[0], 0 * TARGETS]), TWO_TABLES)
+    assert (verdict.verdict, verdict.equivalent) == ("one_direction", ())
+    assert judge(shown(WAVES, BENT), TWO_TABLES).verdict == "loaded"
+
+
+def test_a_slope_is_thermal_with_its_size() -> None:
+    slope = 25e-6 * (TARGETS - TARGETS.mean())
+    verdict = judge(shown(WAVES, WAVES, LOST) + slope, ONE_TABLE)
+    assert verdict.verdict == "thermal"
+    assert verdict.slope is not None
+    assert abs(verdict.slope[0] - 25e-6) < 4 * verdict.slope[1]
+
+
+# ---------------------------------------------------------------- what no test can tell apart
+
+
+def test_a_straight_line_shifted_is_the_same_line_and_mirrored_the_inverted_one() -> None:
+    nodes = np.linspace(-150.0, 550.0, 15)  # further than the targets, so that no end is seen
+    line = compensation(0.05 * UM * (nodes + 150.0), nodes=nodes)
+    straight = np.stack([0.05 * UM * TARGETS] * 2)
+    loaded = judge(straight, line)
+    assert loaded.verdict == "loaded"
+    assert "shifted" in loaded.equivalent
+    assert "inverted" not in loaded.equivalent
+    assert "No measurement of this axis tells them" in loaded.message
+    back = judge(-straight, line)
+    assert {back.verdict, *back.equivalent} >= {"inverted", "mirrored"}
+    warm = judge(1.5 * straight, line)
+    assert {warm.verdict, *warm.equivalent} >= {"thermal", "scaled"}
+
+
+def test_a_curve_has_no_equivalents() -> None:
+    assert judge(CASES["loaded"][0], ONE_TABLE).equivalent == ()
+
+
+# ---------------------------------------------------------------- no harm
+
+
+def test_honest_tests_are_loaded_and_nothing_else() -> None:
+    found = Counter(judge(CASES["loaded"][0], ONE_TABLE, seed=seed).verdict for seed in range(60))
+    assert found["loaded"] >= 59
+    assert set(found) <= {"loaded", "undecided"}
+
+
+@pytest.mark.parametrize("place", [2, 5, 9])
+def test_a_fault_that_is_on_no_list_is_no_name(place: int) -> None:
+    """One target is off by 6 µm in both directions: nothing known does that."""
+    acting = CASES["loaded"][0].copy()
+    acting[:, place] += 6 * UM
+    verdict = judge(acting, ONE_TABLE)
+    assert verdict.verdict == "undecided"
+    assert [finding.code for finding in verdict.findings] == ["CW-V001"]
+    assert f"{TARGETS[place]:g} mm" in verdict.message
+
+
+# ---------------------------------------------------------------- the measurement
+
+
+def test_a_turned_test_of_a_table_that_leaves_something() -> None:
+    """Beside the table 4 µm are left: turned they are wrong by 8 µm."""
+    left = 4 * UM * np.sin(TARGETS / 60.0)
+    rough = Loading(new=ONE_TABLE, old=NONE, acted=NONE)
+    first = left - shown(WAVES, WAVES, LOST)
+    view = View(
+        belief=known(first, np.eye(2 * TARGETS.size) * NOISE**2 / RUNS),
+        hypotheses=loading_hypotheses(rough, TARGETS),
+    )
+    readings = -np.stack([left, left])[..., None] + NOISE * np.random.default_rng(
+        3
+    ).standard_normal((2, TARGETS.size, RUNS))
+    after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
+    told = judge_loading(after, [view, *measurement_views(view)], declared_slope=0.0)
+    assert (told.verdict, told.of) == ("measurement", "sign")
+
+
+@pytest.mark.parametrize("unit", [25.4, 1000.0])
+def test_readings_in_another_unit_scatter_in_it_too(unit: float) -> None:
+    verdict = judge(CASES["loaded"][0], ONE_TABLE, read=unit)
+    assert (verdict.verdict, verdict.of) == ("measurement", "unit"), verdict.message
+
+
+def test_the_test_of_another_axis() -> None:
+    """The file is one of Y, whose own table leaves 5 µm of a wave that X does not have."""
+    rng = np.random.default_rng(4)
+    covariance = np.eye(2 * TARGETS.size) * NOISE**2 / RUNS
+    mine = view_of(-shown(WAVES, WAVES, LOST), covariance, ONE_TABLE, NONE)
+    wave = 5 * UM * np.stack([np.sin(TARGETS / 19.0)] * 2)
+    theirs = view_of(wave - shown(OTHER, OTHER), covariance, compensation(OTHER), NONE)
+    readings = wave[..., None] + NOISE * rng.standard_normal((2, TARGETS.size, RUNS))
+    after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
+    verdict = judge_loading(
+        after, [mine], declared_slope=0.0, further=lambda: [of_other_axis("Y", theirs)]
+    )
+    assert (verdict.verdict, verdict.of) == ("measurement", "wrong_axis")
+    assert "axis Y" in verdict.message
+
+
+# ---------------------------------------------------------------- the likelihood
+
+
+def test_the_likelihood_is_that_of_a_dense_normal_law() -> None:
+    """Against the covariance written out: the density of all contrasts, the datum integrated."""
+    rng = np.random.default_rng(7)
+    m = 6
+    draws = rng.standard_normal((400, 2 * m)) @ rng.standard_normal((2 * m, 2 * m)) * UM
+    belief = belief_of(draws[:, :m], draws[:, m:])
+    covariance = np.cov(draws, rowvar=False)
+    readings = (rng.standard_normal((m, 3)) * UM, rng.standard_normal((m, 3)) * UM)
+    readings[1][2] = np.nan  # a target that was not approached in -
+    after = means_of(readings, UM, math.inf, np.linspace(0.0, 50.0, m))
+    change = rng.standard_normal((2, m, 4)) * UM
+    fits = fits_of(after, belief, curves_of_change(change), 3e-6)
+    kept = np.isfinite(after.plain).ravel()
+    along = np.tile(after.targets - after.targets.mean(), 2)
+    expected = []
+    for h in range(4):
+        left = (after.plain - belief.mean - change[..., h]).ravel()[kept]
+        logs = []
+        for j in range(len(after.mean)):
+            noise = np.diag(1.0 / np.maximum(after.precision[j].ravel(), 1e-300))
+            full = covariance + noise + 9e-12 * np.outer(along, along)
+            inverse = np.linalg.inv(full[np.ix_(kept, kept)])
+            ones = np.ones(left.size)
+            total = ones @ inverse @ ones
+            chi2 = left @ inverse @ left - (ones @ inverse @ left) ** 2 / total
+            logs.append(-0.5 * (chi2 - np.linalg.slogdet(inverse)[1] + math.log(total)))
+        expected.append(np.log(np.mean(np.exp(np.array(logs) - max(logs)))) + max(logs))
+    assert fits.log_likelihood == pytest.approx(np.array(expected), rel=1e-6)
+
+
+def test_a_belief_of_many_targets_is_kept_small() -> None:
+    """A thousand targets: the variance at every target is that of the draws, and both directions
+    hang together.
+    """
+    rng = np.random.default_rng(8)
+    m = 1000
+    x = np.linspace(0.0, 1.0, m)
+    waves = np.stack([np.sin(k * x) for k in range(1, 9)])
+    both = rng.standard_normal((420, 8)) @ waves + 0.1 * rng.standard_normal((420, m))
+    belief: ErrorBelief = belief_of(both, both + 0.05 * rng.standard_normal((420, m)))
+    assert belief.root.shape[2] <= 60
+    variance = np.sum(belief.root**2, axis=2) + belief.blocks[:, [0, 1], [0, 1]].T
+    assert variance[0] == pytest.approx(np.var(both, axis=0, ddof=1), rel=1e-9)
+    assert np.all(belief.blocks[:, 0, 1] > 0.0)
