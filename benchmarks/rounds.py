@@ -172,7 +172,7 @@ def main() -> None:
             if kind == "endless rotary axis" and not CONTROLS[name].endless:
                 kind = "rotary, limited"
             axis = axis_of(kind, 1000 * words.seed + number, "X", size)
-            axis = replace(axis, spacing=axis.before.spacing)  # what the error needs
+            axis = replace(axis, spacing="auto")  # what the control holds and the error needs
             axis = _first_test_thin(axis, rng) if number % 2 else axis
             straight.append(loop(CONTROLS[name], axis, rng, words.rounds))
             turned.append(loop(CONTROLS[name], axis, rng, 1, sign=-1.0))
