@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from compwright.records.axis import FloatArray
 
 #: Prior probabilities of the kinds.
-_NORMAL, _STUDENT, _SPREAD, _FIXED, _GROSS = 0.868, 0.1, 0.015, 0.015, 0.002
+_NORMAL, _STUDENT, _SPREAD, _FIXED, _GROSS = 0.918, 0.05, 0.015, 0.015, 0.002
 _DOFS: Final = (2.5, 3.0, 3.5, 4.0, 5.0, 7.0, 15.0)
 #: Of Student's: how probable degrees of freedom about each are, flat in their logarithm from 2 to
 #: 25 (Jeffreys, Theory of Probability, 3rd ed. 1961, section 3.1); beyond nothing tells them from a
