@@ -13,10 +13,12 @@ time and memory grow in proportion to the targets. mm or deg.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.estimation.noise import noise_of
 from compwright.estimation.observed import traverse_columns
@@ -33,8 +35,9 @@ _NUMBERS: Final = 4_000_000
 _MOST_DRAWS: Final = 2000
 #: Repeated readings that are all equal show the instrument's resolution, not a perfect axis.
 _LEAST_NOISE: Final = {AxisKind.LINEAR: 1e-5, AxisKind.ROTARY: 1e-6}
-#: Draws of the noise beyond which nothing changes where there are many targets.
-_FEW: Final = 16
+#: Draws of the noise beyond which nothing changes, and where there are many targets.
+_DRAWS: Final = 16
+_FEW: Final = 6
 _MANY_CELLS: Final = 800
 
 
@@ -136,9 +139,7 @@ def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
     if own is None:
         return _as_before(test, plain, counts, fallback)
     m, floor = test.targets.size, _LEAST_NOISE[test.kind]
-    taken = np.arange(own.mean.shape[0])
-    if 2 * m > _MANY_CELLS:
-        taken = taken[:: max(taken.size // _FEW, 1)]
+    taken = _evenly(own.mean.shape[0], m)
     return AfterMeans(
         targets=test.targets,
         kind=test.kind,
@@ -151,6 +152,12 @@ def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
     )
 
 
+def _evenly(count: int, targets: int) -> NDArray[np.intp]:
+    """Return which of ``count`` equally likely draws are taken at so many ``targets``."""
+    most = _FEW if 2 * targets > _MANY_CELLS else _DRAWS
+    return np.unique(np.linspace(0, count - 1, min(most, count)).astype(np.intp))
+
+
 def _means(block: FloatArray) -> FloatArray:
     return mean_deviation(block) if block.size else np.full(block.shape[0], np.nan)
 
@@ -161,8 +168,8 @@ def _as_before(
     """Return the means with the noise of another test: its scatter, with what its tails add, and
     its traverses.
     """
-    taken = noise.taken(np.unique(np.linspace(0, noise.count - 1, 48).astype(np.intp)))
     m = test.targets.size
+    taken = noise.taken(_evenly(noise.count, m))
     floor = _LEAST_NOISE[test.kind]
     # Student's law has the variance dof / (dof - 2); below three degrees that of three is taken
     dof = np.maximum(taken.dof, 3.0)
@@ -188,24 +195,21 @@ def _as_before(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Curves:
-    """H curves that a test might show beside the belief, (2, m, H) each, mm or deg.
+    """H curves that a test might show beside the belief, mm or deg.
 
-    ``change``: by how much the correction differs from what acted behind the belief. ``free``: a
-    direction in which it may differ further by a standard normal amount (0: none). ``slope`` (H,):
-    standard deviation of a further slope over the positions, mm/mm. ``slack`` (H,): standard
-    deviation of the factor on the change.
+    ``change`` (2, m, H): by how much the correction differs from what acted behind the belief.
+    ``free``: by the number of a curve, a direction (2, m) in which it may differ further by a
+    standard normal amount. ``slack`` (H,): standard deviation of the factor on the change.
     """
 
     change: FloatArray
-    free: FloatArray
-    slope: FloatArray
+    free: Mapping[int, FloatArray]
     slack: FloatArray
 
 
 def curves_of_change(change: FloatArray) -> Curves:
     """Return curves (2, m, H) of which everything is known."""
-    nothing = np.zeros(change.shape[2])
-    return Curves(change=change, free=np.zeros_like(change), slope=nothing, slack=nothing)
+    return Curves(change=change, free={}, slack=np.zeros(change.shape[2]))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -224,29 +228,43 @@ class Fits:
     amount: FloatArray
 
 
-def fits_of(after: AfterMeans, belief: ErrorBelief, curves: Curves, declared_slope: float) -> Fits:
+def fits_of(
+    after: AfterMeans,
+    belief: ErrorBelief,
+    curves: Curves,
+    declared_slope: float,
+    more: Sequence[float] = (0.0,),
+) -> Fits:
     """Return how the ``curves`` fit the test ``after`` beside the ``belief``.
 
-    ``declared_slope``: standard deviation of the slope, mm/mm, by which every test may differ.
+    ``declared_slope``: standard deviation of the slope, mm/mm, by which every test may differ;
+    ``more``: that of a further slope: all curves with the first of them, then all with the next.
     """
-    draws = [_one_noise(after, belief, curves, declared_slope, j) for j in range(len(after.mean))]
+    draws = [
+        _one_noise(after, belief, curves, declared_slope, more, j) for j in range(len(after.mean))
+    ]
     log = np.stack([each.log_likelihood for each in draws])
     top = log.max(axis=0)
     weights = np.exp(log - top)
     total = weights.sum(axis=0)
     weights = weights / total
-    mean = np.sum(weights[..., np.newaxis] * np.stack([each.slope for each in draws]), axis=0)
+    slope = np.sum(weights[..., np.newaxis] * np.stack([each.slope for each in draws]), axis=0)
     amount = np.sum(weights[..., np.newaxis] * np.stack([each.amount for each in draws]), axis=0)
     return Fits(
         log_likelihood=top + np.log(total / len(draws)),
         score=np.sum(weights * np.stack([each.score for each in draws]), axis=0),
-        slope=mean,
+        slope=slope,
         amount=amount,
     )
 
 
 def _one_noise(
-    after: AfterMeans, belief: ErrorBelief, curves: Curves, declared_slope: float, j: int
+    after: AfterMeans,
+    belief: ErrorBelief,
+    curves: Curves,
+    declared_slope: float,
+    more: Sequence[float],
+    j: int,
 ) -> Fits:
     """Return how the curves fit under one draw of the noise."""
     used = after.used
@@ -261,26 +279,57 @@ def _one_noise(
 
     def seen(values: FloatArray) -> FloatArray:
         whitened = white(values)
-        projected: FloatArray = whitened - unit @ (unit.T @ whitened)
-        return projected
+        whitened -= unit @ (unit.T @ whitened)
+        return whitened
 
     change = seen(curves.change)
     left = seen((after.mean[j] - belief.mean)[..., np.newaxis]) - change
-    slope = seen(along[..., np.newaxis])
-    free = seen(curves.free) if np.any(curves.free) else np.zeros_like(change)
-    extra = np.stack([curves.slack * change, free, slope * curves.slope], axis=2)
-    inner = np.einsum("nha,nhb->hab", extra, extra) + np.eye(extra.shape[2])
-    score = np.einsum("nha,nh->ha", extra, left)
-    solved = np.linalg.solve(inner, score[..., np.newaxis])[..., 0]
-    chi2 = np.sum(left**2, axis=0) - np.sum(score * solved, axis=1)
-    log = -0.5 * (chi2 + np.linalg.slogdet(inner)[1] + white.log_det + math.log(length))
+    slope = seen(along[..., np.newaxis])[:, 0]
+    numbers = list(curves.free)
+    free = seen(np.stack([curves.free[each] for each in numbers], axis=2)) if numbers else None
+    score, inner = _products(change, left, slope, free, numbers)
+    square = np.einsum("nh,nh->h", left, left)
+    logs, scores = [], []
     dof = max(after.count - 1.0, 1.0)
+    for std in more:
+        scale = np.column_stack([curves.slack, np.ones(square.size), np.full(square.size, std)])
+        scaled = inner * scale[:, :, np.newaxis] * scale[:, np.newaxis, :] + np.eye(3)
+        own = score * scale
+        chi2 = square - np.sum(own * np.linalg.solve(scaled, own[..., np.newaxis])[..., 0], axis=1)
+        logs.append(-0.5 * (chi2 + np.linalg.slogdet(scaled)[1] + white.log_det + math.log(length)))
+        scores.append(_score(chi2, dof))
+    times = (len(more), 1)
     return Fits(
-        log_likelihood=log,
-        score=_score(chi2, dof),
-        slope=_estimate(slope, left, declared_slope),
-        amount=_amounts(free, left),
+        log_likelihood=np.concatenate(logs),
+        score=np.concatenate(scores),
+        slope=np.tile(_estimate(slope, score[:, 2], declared_slope), times),
+        amount=np.tile(_amounts(score[:, 1], inner[:, 1, 1]), times),
     )
+
+
+def _products(
+    change: FloatArray,
+    left: FloatArray,
+    slope: FloatArray,
+    free: FloatArray | None,
+    numbers: Sequence[int],
+) -> tuple[FloatArray, FloatArray]:
+    """Return the products (H, 3) of what is left with the whitened change, free direction and
+    slope, and (H, 3, 3) of these among themselves; ``free`` (n, f): of the curves ``numbers``.
+    """
+    count = change.shape[1]
+    score, inner = np.zeros((count, 3)), np.zeros((count, 3, 3))
+    score[:, 0] = np.einsum("nh,nh->h", change, left)
+    score[:, 2] = slope @ left
+    inner[:, 0, 0] = np.einsum("nh,nh->h", change, change)
+    inner[:, 2, 2] = slope @ slope
+    inner[:, 0, 2] = inner[:, 2, 0] = slope @ change
+    if free is not None:
+        score[numbers, 1] = np.sum(free * left[:, numbers], axis=0)
+        inner[numbers, 1, 1] = np.sum(free**2, axis=0)
+        inner[numbers, 0, 1] = inner[numbers, 1, 0] = np.sum(free * change[:, numbers], axis=0)
+        inner[numbers, 1, 2] = inner[numbers, 2, 1] = slope @ free
+    return score, inner
 
 
 def _along(after: AfterMeans) -> FloatArray:
@@ -289,27 +338,25 @@ def _along(after: AfterMeans) -> FloatArray:
     return along
 
 
-def _estimate(slope: FloatArray, left: FloatArray, declared: float) -> FloatArray:
+def _estimate(slope: FloatArray, score: FloatArray, declared: float) -> FloatArray:
     """Return the slope (H, 2) by generalised least squares with its standard error, as if nothing
     was declared of it: a'V a = g / (1 + g s²) where V holds s² already (Sherman and Morrison).
     """
-    square = float(np.sum(slope**2))
+    square = float(slope @ slope)
     if square <= 0.0:
-        return np.zeros((left.shape[1], 2))
+        return np.zeros((score.size, 2))
     own = 1.0 / square - declared**2
     error = math.sqrt(max(own, 1e-12 / square))
-    value = (slope[:, 0] @ left) / square
-    return np.column_stack([value, np.full(left.shape[1], error)])
+    return np.column_stack([score / square, np.full(score.size, error)])
 
 
-def _amounts(free: FloatArray, left: FloatArray) -> FloatArray:
+def _amounts(score: FloatArray, square: FloatArray) -> FloatArray:
     """Return the amount (H, 2) of the free direction with its standard error, both 0 where there is
     none.
     """
-    square = np.sum(free**2, axis=0)
     there = square > 0.0
     safe = np.where(there, square, 1.0)
-    value = np.where(there, np.sum(free * left, axis=0) / safe, 0.0)
+    value = np.where(there, score / safe, 0.0)
     return np.column_stack([value, np.where(there, 1.0 / np.sqrt(safe), 0.0)])
 
 

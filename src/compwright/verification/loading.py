@@ -226,13 +226,18 @@ def _rated(
     effect = (0.0, math.inf)
     along = after.targets - after.targets.mean()
     for view in views:
-        ways = _with_slopes(view.hypotheses, slope)
+        ways = view.hypotheses
         part = _effect(view.hypotheses)
         measured = ways if part is None else [*ways, part]
-        fits = fits_of(after, view.belief, curves_of(measured), slope or 0.0)
-        if part is not None and fits.amount[-1, 1] > 0.0:
-            effect = (float(fits.amount[-1, 0]), float(fits.amount[-1, 1]))
-        for index, way in enumerate(ways):
+        sloped = slope is not None and all(each.name != "measurement" for each in ways)
+        more = (0.0, _ANY_SLOPE) if sloped else (0.0,)
+        fits = fits_of(after, view.belief, curves_of(measured), slope or 0.0, more)
+        if part is not None and fits.amount[len(ways), 1] > 0.0:
+            effect = (float(fits.amount[len(ways), 0]), float(fits.amount[len(ways), 1]))
+        rows = [(index, way) for index, way in enumerate(ways)]
+        if sloped:
+            rows += [(len(measured) + index, _on_slope(way)) for index, way in enumerate(ways)]
+        for index, way in rows:
             expected = view.belief.mean + way.change
             amount = float(fits.amount[index, 0]) if way.free is not None else 0.0
             if way.free is not None:
@@ -291,29 +296,17 @@ def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
     return replace(inactive, free=loaded.change - inactive.change, slack=0.0)
 
 
-def _with_slopes(ways: Sequence[Hypothesis], slope: float | None) -> list[Hypothesis]:
-    if slope is None:
-        return list(ways)
-    sloped = [
-        replace(
-            each,
-            sloped=True,
-            weight=each.weight * (_THERMAL if each.name == "loaded" else _SLOPED),
-        )
-        for each in ways
-        if each.name != "measurement"
-    ]
-    return [*ways, *sloped]
+def _on_slope(way: Hypothesis) -> Hypothesis:
+    """Return a way of loading on an axis that is longer or shorter now."""
+    odds = _THERMAL if way.name == "loaded" else _SLOPED
+    return replace(way, sloped=True, weight=odds * way.weight)
 
 
 def curves_of(ways: Sequence[Hypothesis]) -> Curves:
     """Return the curves of hypotheses as the likelihood takes them."""
-    change = np.stack([each.change for each in ways], axis=2)
-    nothing = np.zeros(change.shape[:2])
     return Curves(
-        change=change,
-        free=np.stack([nothing if each.free is None else each.free for each in ways], axis=2),
-        slope=np.array([_ANY_SLOPE if each.sloped else 0.0 for each in ways]),
+        change=np.stack([each.change for each in ways], axis=2),
+        free={number: each.free for number, each in enumerate(ways) if each.free is not None},
         slack=np.array([each.slack for each in ways]),
     )
 
@@ -470,16 +463,17 @@ def _distances(after: AfterMeans, best: _Rated, rated: Sequence[_Rated]) -> Floa
         kept: FloatArray = values[used] - values[used].mean()
         return kept
 
-    goal = flat(best.expected)
+    goal, slope = flat(best.expected), flat(along)
     off = []
     for each in rated:
         way = each.hypothesis
         left = goal - flat(each.base + way.change)
-        columns = [] if way.free is None else [flat(way.free)]
-        columns += [flat(along)] if way.sloped else []
-        if columns:
+        if way.free is not None:
+            columns = [flat(way.free), *([slope] if way.sloped else [])]
             matrix = np.column_stack(columns)
             left = left - matrix @ np.linalg.lstsq(matrix, left, rcond=None)[0]
+        elif way.sloped:
+            left = left - slope * (float(slope @ left) / float(slope @ slope))
         off.append(float(np.linalg.norm(left)))
     return np.array(off) / after.std_error
 
