@@ -81,7 +81,7 @@ def data_text(data: Mapping[str, Any], heading: Sequence[str]) -> str:
     """
     lines = [f"# {line}" for line in heading]
     for key, value in data.items():
-        if key in _SPREAD and isinstance(value, Mapping):
+        if key in _SPREAD and isinstance(value, Mapping) and value:
             lines.append(f"{_word(key)}:")
             for name, inner in value.items():
                 lines += _spread(name, inner, 2)
@@ -96,7 +96,7 @@ _SPREAD = frozenset({"axes", "states"})
 
 def _spread(name: str, value: object, indent: int) -> list[str]:
     """Return a mapping with a line for each of its keys; anything else on one line."""
-    if not isinstance(value, Mapping):
+    if not (isinstance(value, Mapping) and value):
         return _entry(name, value, indent)
     lines = [f"{' ' * indent}{_word(name)}:"]
     for key, inner in value.items():

@@ -118,7 +118,12 @@ def next_round(
     told = {name: told[name] for name in found.plan.axes if name in told}
     files = {**inputs, **results}
     return Round(
-        document=next_document(_result(told), told, list(_between(found, looped)), written=True),
+        document=next_document(
+            _result(told, between=any(entry.written for entry in finished.written.cross.planned)),
+            told,
+            list(_between(found, looped)),
+            written=True,
+        ),
         files={f"{FOLDER}/{name}": content for name, content in files.items()},
         whole=[f"{FOLDER}/{name}" for name in _whole(out, inputs, found.plan.format)],
         renewed=[f"{FOLDER}/card"],
@@ -300,9 +305,10 @@ def _gained(limits: Limiting | None, axis: Axis) -> str:
     )
 
 
-def _result(told: Mapping[str, NextAxis]) -> str:
-    """Return what to do with the next round."""
+def _result(told: Mapping[str, NextAxis], *, between: bool) -> str:
+    """Return what to do with the next round; ``between``: it corrects something between axes."""
     tabled = [name for name, axis in told.items() if axis.table]
+    tabled += ["squareness"] if between else []
     if tabled:
         return (
             f"a further table for {', '.join(tabled)}: load all of {FOLDER}/tables, measure again,"
