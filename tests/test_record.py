@@ -53,7 +53,8 @@ def done(run: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The same, verified with what was read back."""
     folder = tmp_path_factory.mktemp("done") / "job"
     shutil.copytree(run, folder)
-    assert verified(folder, "--loaded", str(folder / "job" / OPTIONS)) == 0
+    shutil.copytree(folder / "job" / OPTIONS, folder / "read back")
+    assert verified(folder, "--loaded", str(folder / "read back")) == 0
     return folder
 
 
@@ -137,7 +138,7 @@ def test_verify_completes_the_record_in_place(done: Path) -> None:
     assert [test["taken"] for test in record["tests"]] == ["before", "after"]
     given = {entry["role"]: entry for entry in record["inputs"] if entry["by"] == "verify"}
     assert given["after"]["copy"] == "inputs/verify/x.csv"
-    # read back from the result folder itself: no second copy
+    # what was read back is what was written: no second copy
     assert given["loaded"]["copy"].startswith(f"{OPTIONS}/")
     listed = {entry["file"]: entry["sha256"] for entry in record["files"]}
     assert {"verification.json", "plan.json", "inputs/verify/x.csv"} <= listed.keys()

@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
+#: The instrument of simulated ballbar files.
+_BALLBAR = "virtual ballbar"
 #: What a record tells of the parameters of a test, the rest stands in the evaluation.
 PARAMETERS = ("A", "E", "M", "R", "B", "B_mean")
 CIRCLE_PARAMETERS = ("G_bidirectional", "G_ccw", "G_cw")
@@ -30,7 +32,7 @@ def measured_test(
         "name": result["name"],
         "taken": taken,
         "date": header.get("date", ""),
-        "simulated": "simulated" in header,
+        "simulated": "simulated" in header or header.get("instrument") == _BALLBAR,
         "standard": result["standard"],
         "unit": result["unit"],
         "sources": [source["sha256"] for source in result["sources"]],

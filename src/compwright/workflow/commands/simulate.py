@@ -29,6 +29,8 @@ from compwright.workflow.stages.control import (
 
 #: What every simulated ballbar file names as its instrument.
 _BALLBAR = b'MODEL="virtual ballbar"'
+#: What every simulated CSV says of itself: it proves nothing of a machine.
+SIMULATED = {"simulated": "by compwright, not measured on a machine"}
 
 
 def load_machine(path: Path) -> VirtualMachine:
@@ -58,7 +60,7 @@ def simulate_files(
     for number, name in enumerate(machine.axes):
         rng = np.random.default_rng([seed, number])
         test = machine.measure(name, rng=rng, correction=loaded.along.get(name))
-        files[f"{name.lower()}.csv"] = to_csv(test)
+        files[f"{name.lower()}.csv"] = to_csv(test, SIMULATED)
     for number, name in enumerate(machine.circles, start=len(machine.axes)):
         files[_circle_file(machine, name)] = _measured_circle(
             machine, name, seed=_seed_of(seed, number), loaded=loaded
@@ -105,7 +107,7 @@ def _measured_circle(machine: VirtualMachine, name: str, *, seed: int, loaded: A
     return (
         to_b5r(recording, about)
         if machine.circles[name].format == "b5r"
-        else to_circular_csv(recording.test, about)
+        else to_circular_csv(recording.test, {**about, **SIMULATED})
     )
 
 

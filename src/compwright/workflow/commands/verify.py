@@ -26,6 +26,8 @@ from compwright.verification.acceptance import OverallVerdict, overall_verdict
 from compwright.verification.proof import changed_limits, copies, not_measured, old_circles
 from compwright.verification.same_job import stale, stale_plan
 from compwright.workflow.commands.compare import compare_plan
+from compwright.workflow.showing.proven import FOLDER as PROVEN
+from compwright.workflow.showing.proven import proven_files
 from compwright.workflow.showing.recorded import (
     RunResult,
     known_to_record,
@@ -122,6 +124,8 @@ def verify_job(
     evaluated = _evaluated(found.axes, found.circles)
     files, notes = _files(found.job, found.control, document, *evaluated)
     before, after_loading = evaluated
+    proof, told = proven_files(found, document, out, loaded)
+    files |= proof
     files |= recorded_verification(
         RunResult(found.plan, found.control, plan_file),
         out,
@@ -135,7 +139,7 @@ def verify_job(
         exit_code=0 if verdict == "good" and (then is None or then.files) else 1,
         document=document,
         files=_stored(out, files, then, json_path, force=force),
-        notes=(*notes, *(then.notes if then is not None else ()), *_left_over(out, then)),
+        notes=(*notes, *told, *(then.notes if then is not None else ()), *_left_over(out, then)),
     )
 
 
@@ -212,7 +216,7 @@ def _stored(
             force=force,
             elsewhere={} if json_path is None else {json_path: files[VERIFICATION]},
             whole=() if then is None else then.whole,
-            renewed=[f"{INPUTS}/{BY_VERIFY}", *(() if then is None else then.renewed)],
+            renewed=[PROVEN, f"{INPUTS}/{BY_VERIFY}", *(() if then is None else then.renewed)],
             completed=[RECORD],
             known=known_with_rounds(out, known_to_record(out)),
         )

@@ -32,6 +32,11 @@ from compwright.workflow.stages.control import Control, DecodedState
 from compwright.workflow.stages.inputs import JobInputs
 
 SCHEMA = "compwright/card/1"
+_NOTHING_PROVEN = (
+    "nothing yet on a machine: not the form of the files, not sign, size, places and order of the"
+    " values, not the backlash. The first good verification on this one with what was read back"
+    " (compwright verify --loaded) proves what it can, and writes it down in proven/"
+)
 
 
 def card_document(
@@ -79,7 +84,7 @@ def card_document(
             "; ".join(
                 ", ".join(entry.values()) for entry in (*control.definition.proven, *job.proven)
             )
-            or "not yet: the first good verification on this machine proves it"
+            or _NOTHING_PROVEN
         ),
     }
 

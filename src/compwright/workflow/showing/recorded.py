@@ -126,9 +126,11 @@ def recorded_verification(
     ``files``: what else it writes; ``document``: the verification; ``before``, ``after``:
     evaluations of its tests.
     """
-    inputs, copies = kept(given, out, by=BY_VERIFY, there={}, written=files)
+    begun = _begun(run, out, before)
+    there = _still_there(begun, out, files)
+    inputs, copies = kept(given, out, by=BY_VERIFY, there=there, written=files)
     record = verified_record(
-        _begun(run, out, before),
+        begun,
         inputs,
         {**files, **copies},
         verification=document,
@@ -146,6 +148,20 @@ class RunResult:
     plan: Plan
     control: Control
     file: Path
+
+
+def _still_there(
+    record: Mapping[str, Any], out: Path, written: Mapping[str, bytes]
+) -> dict[str, bytes]:
+    """Return the files of the run that stand in its folder as they were written, and stay."""
+    found = {
+        str(entry["file"]): (str(entry["sha256"]), storage.earlier_bytes(out / entry["file"]))
+        for entry in record["files"]
+        if entry.get("by") != BY_VERIFY and entry["file"] not in written
+    }
+    return {
+        name: content for name, (digest, content) in found.items() if fingerprint(content) == digest
+    }
 
 
 def _begun(run: RunResult, out: Path, before: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,0 +1,94 @@
+"""What a good verification proves of a control, fact by fact; what it leaves open is named too."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+
+#: Natural logarithm of the odds against a turned sign that proof needs: 100 000 to 1.
+SURE: Final = math.log(1e5)
+#: Each fact with the fault of loading that would show if it were otherwise.
+_FACTS: Final = (
+    ("size and unit of the values", "scaled"),
+    ("their places", "shifted"),
+    ("their order", "mirrored"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class ProvenAxis:
+    """What the tests of one axis prove, and what they leave open, in words."""
+
+    axis: str
+    proven: tuple[str, ...]
+    left_open: tuple[str, ...]
+
+
+def proven_axis(
+    axis: str,
+    loading: Mapping[str, Any],
+    sign_odds: float,
+    *,
+    others: bool,
+    backlash: bool,
+    two_curves: bool,
+) -> ProvenAxis:
+    """Return what the tests of an axis prove whose table was loaded.
+
+    ``loading``: the verdict as its document holds it; ``sign_odds`` as `sign_odds` gives them;
+    ``others``: more axes are planned; ``backlash``: the plan changed it; ``two_curves``: the table
+    has one curve for each direction.
+    """
+    doubted = {
+        *loading["equivalent"],
+        *(one["verdict"] for one in loading.get("candidates", ())),
+    }
+    facts = [
+        ("sign of the values", sign_odds >= SURE and "inverted" not in doubted),
+        *((fact, fault not in doubted) for fact, fault in _FACTS),
+        *([("the axis that they act on", "wrong_axis" not in doubted)] if others else []),
+        ("two curves, one for each direction", two_curves and "one_direction" not in doubted),
+        ("sign and size of the backlash value", backlash and "backlash" not in doubted),
+    ]
+    return ProvenAxis(
+        axis,
+        tuple(fact for fact, sure in facts if sure),
+        tuple(fact for fact, sure in facts if not sure),
+    )
+
+
+def sign_odds(
+    curves: Sequence[tuple[FloatArray, FloatArray, FloatArray]], scatter: FloatArray
+) -> float:
+    """Return the natural logarithm of the odds for the table as planned against the same with its
+    sign turned, from the means of both tests.
+
+    ``curves``: for each direction measured, (m,) each, the means expected with
+    the table, with what acted before, and found after loading; ``scatter`` (m,): standard deviation
+    of a found mean. Turned, the test would show 2·before - expected; both less a free datum common
+    to both directions. Its own uncertainty is taken as five times as large in variance, which the
+    doubled mean of the test before makes of it at most: the odds are rather too small.
+    """
+    if not curves:
+        return 0.0
+    expected, before, found = (np.concatenate(parts) for parts in zip(*curves, strict=True))
+    sigma = np.tile(scatter, len(curves))
+    kept = np.isfinite(expected) & np.isfinite(before) & np.isfinite(found) & (sigma > 0.0)
+    if np.count_nonzero(kept) < 3:
+        return 0.0
+    planned = _misfit(found - expected, sigma, kept)
+    turned = _misfit(found - (2.0 * before - expected), sigma, kept)
+    return (turned - planned) / (2.0 * 5.0)
+
+
+def _misfit(residual: FloatArray, sigma: FloatArray, kept: FloatArray) -> float:
+    weights = 1.0 / sigma[kept] ** 2
+    rest = residual[kept]
+    rest = rest - float(weights @ rest) / float(weights.sum())
+    return float(weights @ rest**2)
