@@ -9,8 +9,8 @@ def score_of_t(t: float, dof: float) -> float:
     """Return the standard normal value as improbable as ``t`` of Student's law with ``dof`` degrees
     of freedom (sign kept).
 
-    Wallace, Ann. Math. Statist. 30 (1959) 1124: within 0.1 for the values and degrees of freedom
-    that decide anything here.
+    Wallace, Ann. Math. Statist. 30 (1959), "Bounds on normal approximations": within 0.1 for the
+    values and degrees of freedom that decide anything here.
     """
     size = (8.0 * dof + 1.0) / (8.0 * dof + 3.0) * math.sqrt(dof * math.log1p(t * t / dof))
     return math.copysign(size, t)
