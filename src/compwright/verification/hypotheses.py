@@ -173,7 +173,7 @@ class _Ways:
         yield self.made(name, self.total(curve), weight, detail, **more)
         if np.any(self.backlash != self.old_backlash):
             told = f"{detail}, with the old backlash" if detail else "with the old backlash"
-            yield self.made(name, self.total(curve, self.old_backlash), 0.3 * weight, told, **more)
+            yield self.made(name, self.total(curve, self.old_backlash), 0.1 * weight, told, **more)
 
     def all(self) -> Iterator[Hypothesis]:
         yield self.made("loaded", self.total(self.own), 1.0)
