@@ -115,6 +115,9 @@ def unit_views(view: View, louder: float) -> tuple[View, ...]:
     stood = [each for each in view.hypotheses if each.name == "loaded"]
     views = []
     for unit in _UNITS:
+        # a scatter nearer to that of the tests before is none of another unit
+        if abs(math.log(louder / unit)) >= abs(math.log(louder)):
+            continue
         read = _read(view.belief.scaled(unit), stood, unit, "unit")
         odds = math.exp(_honest(louder / unit) - _honest(louder))
         ways = (replace(each, weight=max(odds * each.weight, _NEVER)) for each in read.hypotheses)
