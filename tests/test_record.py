@@ -7,6 +7,7 @@ from __future__ import annotations
 import hashlib
 import json
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -208,15 +209,27 @@ def test_a_copy_that_the_user_has_edited_is_not_overwritten(
     assert edited.read_text(encoding="utf-8") == "my notes"
 
 
+def without_tests(text: str) -> str:
+    record = json.loads(text)
+    del record["tests"]
+    return json.dumps(record)
+
+
+@pytest.mark.parametrize("damage", [lambda _: "of my own", without_tests])
 def test_a_file_that_is_no_record_is_not_overwritten_by_verify(
-    run: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    run: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    damage: Callable[[str], str],
 ) -> None:
     folder = tmp_path / "job"
     shutil.copytree(run, folder)
-    (folder / "job" / "record.json").write_text("of my own", encoding="utf-8")
+    file = folder / "job" / "record.json"
+    text = damage(file.read_text(encoding="utf-8"))
+    file.write_text(text, encoding="utf-8")
     assert verified(folder) == 5
     assert "record.json" in capsys.readouterr().err
-    assert (folder / "job" / "record.json").read_text(encoding="utf-8") == "of my own"
+    assert file.read_text(encoding="utf-8") == text
     assert not (folder / "job" / "verification.json").exists()
 
 

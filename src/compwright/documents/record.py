@@ -193,7 +193,27 @@ def read_record(content: bytes, file: str) -> dict[str, Any]:
                 found=repr(schema),
             )
         )
+    misfit = next((key for key, needed in _ENTRIES.items() if not _are(data, key, needed)), None)
+    if misfit is not None:
+        raise InputError(
+            Fault(message="does not fit the schema", file=file, place=misfit, expected=SCHEMA)
+        )
     return dict(data)
+
+
+#: Lists of a record, with what each of their entries names at least.
+_ENTRIES = {
+    "inputs": ("role", "of", "file", "sha256", "copy", "by"),
+    "files": ("file", "sha256"),
+    "tests": ("kind", "taken"),
+}
+
+
+def _are(data: Mapping[str, Any], key: str, needed: Sequence[str]) -> bool:
+    entries = data.get(key)
+    return isinstance(entries, list) and all(
+        isinstance(entry, dict) and all(name in entry for name in needed) for entry in entries
+    )
 
 
 def is_record(content: bytes) -> bool:
