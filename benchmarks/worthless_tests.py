@@ -2,12 +2,12 @@
 
     python benchmarks/worthless_tests.py [--count N] [--seed S] [--kind K]... [--control C]...
 
-Jobs as in ``loading_faults.py``, loaded as they should be. One axis at a time gets a test after
-loading that somebody spoiled; the others an honest one. A job whose honest tests are not good by
-themselves is left out. Counted by what was done: good, not good and told as expected (``verdict``
-``measurement`` with the ``of``, or a doubt's code), not good with another answer. ``apart``: how
-many standard errors the spoiled test lies from the honest one, both without noise; where that is
-small, one cannot be told from the other, and no value changes.
+Jobs as in ``loading_faults.py``, loaded as they should be, and measured as before. One axis at a
+time gets a test after loading that somebody spoiled; the others an honest one. A job whose honest
+tests are not good by themselves is left out. Counted by what was done: good, not good and told as
+expected (``verdict`` ``measurement`` with the ``of``, or a doubt's code), not good with another
+answer. ``apart``: how many standard errors the spoiled test lies from the honest one, both without
+noise; where that is small, one cannot be told from the other, and no value changes.
 
 Prints and judges nothing.
 """
@@ -47,9 +47,9 @@ SPOILS: dict[str, Callable[[Floats, Floats, Floats], Spoiled]] = {
     "sign": lambda x, now, _: (x, -now, "sign"),
     "directions": lambda x, now, _: (x, now[::-1], "direction"),
     "one run copied": lambda x, now, _: (x, np.repeat(now[:, :, :1], now.shape[2], 2), "copied"),
-    "from before": lambda _x, _now, before: (np.zeros(0), before, "copied"),
-    "from before, halved": lambda _x, _now, before: (np.zeros(0), before / 2, "copied"),
-    "from before, a tenth": lambda _x, _now, before: (np.zeros(0), before / 10, "copied"),
+    "from before": lambda x, _, before: (x, before, "copied"),
+    "from before, halved": lambda x, _, before: (x, before / 2, "copied"),
+    "from before, a tenth": lambda x, _, before: (x, before / 10, "copied"),
 }
 
 
@@ -57,11 +57,11 @@ def cases_of(job: Job, seed: int) -> Iterator[Record]:
     """Spoil the test of each axis in each way; nothing where honest tests are not good."""
     rng = name_seed("worthless tests", seed, job.number)
     honest = {
-        name: a_test(job.axes[name].after, rng, plan.at(job.axes[name].after.targets))[1]
+        name: a_test(job.axes[name].before, rng, plan.at(job.axes[name].before.targets))[1]
         for name, plan in job.plans.items()
     }
     texts = {
-        name: csv_of(job.axes[name].after, job.axes[name].after.targets, one, name)
+        name: csv_of(job.axes[name].before, job.axes[name].before.targets, one, name)
         for name, one in honest.items()
     }
     answer = _verified(job, texts, "honest")
@@ -70,11 +70,10 @@ def cases_of(job: Job, seed: int) -> Iterator[Record]:
     for name, plan in job.plans.items():
         axis = job.axes[name]
         for what, spoil in SPOILS.items():
-            x, readings, told = spoil(axis.after.targets, honest[name], _before(job, axis))
-            if what == "one run copied" and axis.after.runs == 1:
+            x, readings, told = spoil(axis.before.targets, honest[name], _before(job, axis))
+            if what == "one run copied" and axis.before.runs == 1:
                 continue
-            machine = axis.after if x.size else axis.before
-            text = csv_of(machine, x if x.size else machine.targets, readings, name)
+            text = csv_of(axis.before, x, readings, name)
             answer = _verified(job, {**texts, name: text}, f"{name}-{what.replace(' ', '-')}")
             yield {
                 "what": what,
@@ -98,10 +97,10 @@ def _before(job: Job, axis: Axis) -> Floats:
 
 def _apart(what: str, axis: Axis, plan: Plan) -> float:
     """Standard errors between a turned test and the honest one; others cannot be confused."""
-    x = axis.after.targets
-    left = axis.after.error(x) + plan.at(x)
-    rows = [0 if sign > 0 else 1 for sign in axis.after.signs]
-    error = axis.spread * float(np.sqrt(2 / axis.after.runs))
+    x = axis.before.targets
+    left = axis.before.error(x) + plan.at(x)
+    rows = [0 if sign > 0 else 1 for sign in axis.before.signs]
+    error = axis.spread * float(np.sqrt(2 / axis.before.runs))
     if what == "sign":
         return apart(left, -left, error, rows)
     return apart(left, left[::-1], error, rows) if what == "directions" else float("inf")
