@@ -118,11 +118,11 @@ SPOILED: dict[str, tuple[Spoil, set[str]]] = {
 def test_a_worthless_test_is_named_for_what_it_is(
     done: Path, tmp_path: Path, x: str, y: str
 ) -> None:
-    tests = [
+    x_test, y_test = (
         SPOILED[what][0](honest(done, name), before(name), before(other))
         for what, name, other in ((x, "X", "Y"), (y, "Y", "X"))
-    ]
-    code, document = after(done, tmp_path, *tests)
+    )
+    code, document = after(done, tmp_path, x_test, y_test)
     assert (code, document["verdict"]) == (1, "undecided")
     assert "CW-V026" in codes(document)
     assert document["axes"]["X"]["accept"]["A"]["decision"] == "undecided"
