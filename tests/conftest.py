@@ -1,25 +1,46 @@
 """For all tests: pages hold empty frames for figures unless a module says `pytest.mark.painted`;
-random cases have fixed seeds.
+modules about the control's files say `pytest.mark.brief`; random cases have fixed seeds.
 
 Painting is two thirds of the time of a run. Figures are looked at in the tests of the reporting
-room, of the examples and of the plots that `evaluate` writes. Fixed seeds: a test fails every time
-or never; new cases are tried in ``benchmarks/``.
+room, of the examples and of the plots that `evaluate` writes. Of the rest most is sampling. Where a
+measured axis is only the way to a control's files, the same stages run with fewer sweeps and fewer
+fresh tests; what the estimate and the prediction say is tested where nothing is brief. Fixed seeds:
+a test fails every time or never; new cases are tried in ``benchmarks/``.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import pytest
 from hypothesis import settings
 
+from compwright.estimation import axis, noise
+from compwright.planning import fresh, outlook, worth
 from frames import unpaint
 
 settings.register_profile("suite", derandomize=True, deadline=None)
 settings.load_profile("suite")
 
 
-@pytest.fixture(autouse=True)
-def unpainted(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture(autouse=True, scope="module")
+def unpainted(request: pytest.FixtureRequest) -> Iterator[None]:
     """Let the figures that stand in pages be empty frames."""
-    if request.node.get_closest_marker("painted"):
-        return
-    unpaint(monkeypatch)
+    with pytest.MonkeyPatch.context() as patch:
+        if not request.node.get_closest_marker("painted"):
+            unpaint(patch)
+        yield
+
+
+@pytest.fixture(autouse=True, scope="module")
+def sampled(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Sample less where the estimate is only the way to something else."""
+    with pytest.MonkeyPatch.context() as patch:
+        if request.node.get_closest_marker("brief"):
+            patch.setattr(noise, "_SETTLING", 8)
+            for module in (noise, axis):
+                patch.setattr(module, "_DRAWS", 12)
+            for module in (fresh, outlook):
+                patch.setattr(module, "DRAWS", 240)
+            patch.setattr(worth, "_SIZES", 2)
+        yield

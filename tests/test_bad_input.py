@@ -18,6 +18,8 @@ from compwright.cli import run as compwright
 from loop import Machine, csv_of
 from places import PROJECT
 
+pytestmark = pytest.mark.brief
+
 JOB = """\
 compwright: 1
 controller: {format: siemens-840d-sl}

@@ -26,6 +26,8 @@ from places import PROJECT
 from reporting_samples import sample_card
 from sinumerik_container import container
 
+pytestmark = pytest.mark.brief
+
 TRAVEL = {"X": (0.0, 1200.0), "A": (-120.0, 120.0)}  # of the example
 
 

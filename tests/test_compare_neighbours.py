@@ -17,6 +17,8 @@ from test_heidenhain_described import CMA, com
 from test_run_apply import measured, run  # noqa: F401 - a fixture
 from test_run_circles import CEC, SIEMENS
 
+pytestmark = pytest.mark.brief
+
 NCK, ITNC = "heidenhain-nck", "heidenhain-itnc530"
 Files = dict[str, str]
 

@@ -23,6 +23,8 @@ from places import REAL
 from sinumerik_archive import ARCHIVE, needs_archive
 from sinumerik_container import container
 
+pytestmark = pytest.mark.brief
+
 FANUC = REAL / "fanuc"
 SIEMENS = "siemens-840d-sl"
 needs_backup = pytest.mark.skipif(

@@ -26,6 +26,8 @@ from format_samples import DEFINITIONS
 from places import REAL
 from sinumerik_archive import ARCHIVE, cec_text, eec_text, machine_data, needs_archive
 
+pytestmark = pytest.mark.brief
+
 FANUC = REAL / "fanuc"
 needs_backup = pytest.mark.skipif(
     not FANUC.is_dir(), reason="the real FANUC backup is not beside the project"

@@ -22,6 +22,8 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.records.axis import FloatArray
 
+pytestmark = pytest.mark.brief
+
 #: By parameter: X, Y, Z, B, and the letter of the owner; the real machine's values where they
 #: matter.
 PARAMETERS: dict[int, tuple[str, ...]] = {

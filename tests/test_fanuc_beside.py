@@ -22,6 +22,8 @@ from compwright.cli import run as compwright
 from compwright.records.axis import FloatArray
 from test_fanuc_backup_honoured import SMALL, UNIT, Bench, Edits, said
 
+pytestmark = pytest.mark.brief
+
 #: What acts beside the table at x, mm, by the parameters that are in the control.
 Beside = Callable[[str, FloatArray], FloatArray]
 

@@ -20,6 +20,8 @@ from compwright.records.axis import FloatArray
 from test_fanuc_backup_honoured import Bench, Edits, said
 from test_fanuc_beside import INCLINED, BesideBench, cyclic, inclination
 
+pytestmark = pytest.mark.brief
+
 #: 1 µm per pulse, and the parameters of the line at rest, as in the real backup.
 COARSE: Edits = {
     (1820, "1"): "2",

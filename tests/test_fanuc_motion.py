@@ -16,6 +16,8 @@ import pytest
 from compwright.cli import run as compwright
 from test_fanuc_backup_honoured import SMALL, UNIT, Bench, Edits, added, error, said
 
+pytestmark = pytest.mark.brief
+
 _RNG = np.random.default_rng
 SEPARATE: Edits = {(981, "1"): "1", (1800, "L1"): "00011000", (1800, "L2"): "00001000"}
 ALIKE: Edits = {(981, "1"): "1", (1800, "L1"): "00001000", (1800, "L2"): "00011000"}

@@ -18,6 +18,8 @@ from format_samples import DEFINITIONS
 from test_fanuc_backup_honoured import POINTS, Bench, Edits, said
 from test_fanuc_beside import INCLINED, BesideBench, inclination
 
+pytestmark = pytest.mark.brief
+
 #: A second table of axis 4 whose numbers lie among those that X claims (A-78868E page 6).
 CYCLIC: Edits = {(14985, "4"): "22", (14986, "4"): "30", (14987, "4"): "2.0"}
 ITS_POINTS = range(22, 31)

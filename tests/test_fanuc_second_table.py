@@ -19,6 +19,8 @@ from compwright.cli import run as compwright
 from compwright.records.axis import FloatArray
 from test_fanuc_backup_honoured import UNIT, Bench, Edits, said
 
+pytestmark = pytest.mark.brief
+
 #: The parameters stand in the backup, at rest.
 AT_REST: Edits = {(14985, "4"): "0", (14986, "4"): "0", (14987, "4"): "0.0"}
 #: Targets that show the worm: 42 over the turn, none a whole period from the next.

@@ -18,6 +18,8 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
 from format_samples import DEFINITIONS
 
+pytestmark = pytest.mark.brief
+
 UP, DOWN = Direction.POSITIVE, Direction.NEGATIVE
 #: B-64303CM-1/01 page 26: points 31 to 37, reference 33.
 EXAMPLE = dict(zip(range(31, 38), (-3, 1, 1, 1, 2, -1, -3), strict=True))

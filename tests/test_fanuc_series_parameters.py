@@ -24,6 +24,8 @@ from format_samples import CONTENT, DEFINITIONS
 from mutants import merged_definition
 from test_fanuc_series import LINEAR, TOTALS, one_file, run_15i
 
+pytestmark = pytest.mark.brief
+
 #: What the other series read as detection unit 0.00005 mm, path, totals, further compensation, and
 #: a smooth backlash that reaches 5 mm.
 STRANGE = {

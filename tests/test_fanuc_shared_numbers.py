@@ -15,9 +15,12 @@ from backup_jobs_fanuc import Job, axis_job
 from judge_fanuc import Outcome, play, quietly, reloaded
 from virtual_fanuc import Grid, VirtualFanuc
 
-pytestmark = pytest.mark.skipif(
-    not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"
-)
+pytestmark = [
+    pytest.mark.skipif(
+        not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"
+    ),
+    pytest.mark.brief,
+]
 #: What X, Y, Z and B of the real backup claim; Y claims the numbers of X in these tests.
 CLAIMED = {*range(1, 42), *range(201, 242), *range(300, 313)}
 

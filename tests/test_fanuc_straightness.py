@@ -15,6 +15,8 @@ import pytest
 from compwright.cli import run as compwright
 from test_fanuc_backup_honoured import UNIT, Bench, Edits, said
 
+pytestmark = pytest.mark.brief
+
 ROWS = (5711, 5721, *range(5731, 5735), *range(5761, 5765))
 REST: Edits = {(number, "L1"): "0" for number in ROWS}
 AVAILABLE = ", options: {straightness: available}"

@@ -30,6 +30,8 @@ from compwright.workflow.stages.control import decode, open_control
 from format_samples import DEFINITIONS, axis_of, codes, correction, table
 from loop import Machine, accuracy, allowed, csv_of
 
+pytestmark = pytest.mark.brief
+
 ITNC = DEFINITIONS["heidenhain-itnc530"]
 NCK = DEFINITIONS["heidenhain-nck"]
 PLUS, MINUS = Direction.POSITIVE, Direction.NEGATIVE

@@ -23,6 +23,8 @@ from format_samples import DEFINITIONS, axis_of, codes, table
 from loop import Machine, csv_of
 from test_run_circles import Bent, measure
 
+pytestmark = pytest.mark.brief
+
 ISG = "isg-kernel"
 #: The sample of the definition: hand-worked in µm, + and -, at positions in mm (values are errors).
 SAMPLE = DEFINITIONS[ISG].sample_files["achskw1.lis"]

@@ -31,6 +31,8 @@ from compwright.records.facts import AxisFacts
 from compwright.records.fitted import TableRequest
 from format_samples import DEFINITIONS
 
+pytestmark = pytest.mark.brief
+
 PMAC = DEFINITIONS["pmac"]
 PLUS, MINUS = Direction
 #: The worked example of the manuals' form.

@@ -32,6 +32,8 @@ from test_every_control import (
     tables_in,
 )
 
+pytestmark = pytest.mark.brief
+
 NOW, LATER = Machine(), Machine(bow=0.009)
 TARGETS = NOW.targets()
 #: Values by maker: what stands before them, and what a value of nothing is.

@@ -16,6 +16,8 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Floats, Machine, csv_of
 
+pytestmark = pytest.mark.brief
+
 MACHINE = Machine()
 NODES = np.arange(-50.0, 851.0, 50.0)
 OLD = -2e-5 * NODES  # mm, errors that the old table holds

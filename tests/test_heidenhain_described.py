@@ -26,6 +26,8 @@ from test_heidenhain_activity import MACHINE, OLD
 from test_heidenhain_activity import run as run_activity
 from test_run_apply import card, folder, measured, run  # noqa: F401 - two fixtures
 
+pytestmark = pytest.mark.brief
+
 ITNC = DEFINITIONS["heidenhain-itnc530"]
 NCK = DEFINITIONS["heidenhain-nck"]
 NM = 1e-6  # mm: a thousandth of the smallest number that these files hold

@@ -15,6 +15,8 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Floats, Machine, accuracy, csv_of
 
+pytestmark = pytest.mark.brief
+
 MACHINE = Machine()
 CONTROLS = ["heidenhain-itnc530", "heidenhain-nck"]
 

@@ -11,6 +11,8 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Machine
 
+pytestmark = pytest.mark.brief
+
 
 def run(folder: Path, control: str, low: float, high: float) -> int:
     turn = Machine(low=low, high=high, slope=0.0, bow=0.003, lost=0.002)  # deg

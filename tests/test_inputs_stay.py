@@ -14,6 +14,8 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Machine, csv_of
 
+pytestmark = pytest.mark.brief
+
 CONTROL = "siemens-840d-sl"
 JOB = """\
 compwright: 1

@@ -11,6 +11,8 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Machine, csv_of
 
+pytestmark = pytest.mark.brief
+
 MACHINE = Machine(low=0.0, high=200.0)
 INI = """[KINS]
 KINEMATICS = trivkins coordinates=XYYZA

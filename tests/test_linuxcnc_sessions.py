@@ -25,6 +25,8 @@ from linuxcnc_control import (
     run_session,
 )
 
+pytestmark = pytest.mark.brief
+
 UP = {"came_up": True, "trouble": "", "messages": [], "stops": [[[1.0, 1.25, 0.25]]]}
 DOWN = {"came_up": False, "trouble": "the control did not come up", "messages": [], "stops": []}
 STUCK = {

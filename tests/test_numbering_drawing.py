@@ -16,6 +16,8 @@ from compwright.records.facts import AxisFacts, IncrementFacts
 from compwright.reporting.numbering import numbering_svg, numbering_text
 from format_samples import DEFINITIONS
 
+pytestmark = pytest.mark.brief
+
 
 def numbered(
     reference: int,

@@ -20,6 +20,8 @@ from compwright.foundations.errors import InputError
 from loop import Machine, csv_of
 from places import PROJECT
 
+pytestmark = pytest.mark.brief
+
 CONTROL = "siemens-840d-sl"
 JOB = """\
 compwright: 1

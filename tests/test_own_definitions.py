@@ -27,6 +27,8 @@ from places import PROJECT
 from test_formats_page import blocks, change
 from test_run_circles import CEC, Bent, write_circle
 
+pytestmark = pytest.mark.brief
+
 MACHINE = Machine()
 FANUC = ', address: "1"'
 UNIT = "{detection_unit: 0.001, first_point: 0}"

@@ -21,6 +21,8 @@ from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from loop import Floats, Machine, csv_of
 
+pytestmark = pytest.mark.brief
+
 AXES = {
     "X": Machine(low=0.0, high=800.0),
     "Y": Machine(low=-500.0, high=0.0, slope=-20e-6, bow=0.004),

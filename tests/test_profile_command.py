@@ -14,6 +14,8 @@ from compwright.workflow.commands.evaluate import evaluate_files
 from compwright.workflow.stages.inputs import read_measurement
 from loop import Machine
 
+pytestmark = pytest.mark.brief
+
 MACHINE = Machine()
 
 

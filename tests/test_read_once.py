@@ -21,6 +21,8 @@ from compwright.records.correction import ControlFile
 from format_samples import DEFINITIONS, SIEMENS, axis_of, table
 from loop import Machine, csv_of
 
+pytestmark = pytest.mark.brief
+
 MACHINE = Machine()
 ADDRESSES = {name: one.expect[0].axis for name, one in DEFINITIONS.items()}
 PULSE: dict[str, object] = {"detection_unit": 0.001, "first_point": 0}

@@ -12,9 +12,12 @@ from backup_deal_fanuc import make
 from backup_files_fanuc import FOLDER
 from judge_fanuc import play
 
-pytestmark = pytest.mark.skipif(
-    not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"
-)
+pytestmark = [
+    pytest.mark.skipif(
+        not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"
+    ),
+    pytest.mark.brief,
+]
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,8 @@ from judge_loaded_fanuc import judge_loaded, judge_new
 from test_real_fanuc_backup import EXAMPLE, NODES, TOTALS, near
 from virtual_fanuc import Registers, VirtualFanuc, loaded
 
+pytestmark = pytest.mark.brief
+
 needs_backup = pytest.mark.skipif(
     not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"
 )

@@ -21,6 +21,8 @@ from compwright.records.correction import ControlFile
 from loop import Floats
 from sinumerik_archive import eec_text, machine_data, needs_archive
 
+pytestmark = pytest.mark.brief
+
 needs_backup = pytest.mark.skipif(
     not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"
 )

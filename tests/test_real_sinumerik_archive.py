@@ -30,7 +30,7 @@ from sinumerik_archive import (
 from sinumerik_container import container
 from sinumerik_judge import Outcome, control_before, foreign_bytes, fresh, load_by_card, try_case
 
-pytestmark = needs_archive
+pytestmark = [needs_archive, pytest.mark.brief]
 
 CHUNKS, EACH = 6, 25
 INCH_SEEDS = (0, 1, 2)  # both say it, the line alone, MD10240 alone

@@ -17,6 +17,8 @@ import pytest
 from compwright.cli import run as compwright
 from places import PROJECT
 
+pytestmark = pytest.mark.brief
+
 EXAMPLE = PROJECT / "examples" / "fanuc-backup"
 OPTIONS = "tables/fanuc-30i"
 

@@ -14,6 +14,8 @@ from compwright.cli import run as compwright
 from loop import Machine, csv_of
 from test_fanuc_backup_honoured import Bench, added, error
 
+pytestmark = pytest.mark.brief
+
 MACHINE = Machine()
 
 

@@ -22,6 +22,8 @@ from format_samples import SIEMENS, axis_of, codes, files, table
 from sinumerik_archive import cec_lines, eec_lines, in_inch
 from virtual_sinumerik import VirtualSinumerik
 
+pytestmark = pytest.mark.brief
+
 NAMES = '$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"\n$MN_AXCONF_MACHAX_NAME_TAB[3]="A1"\n'
 MD = (
     "METRIC\nCHANDATA(1)\n" + NAMES + "$MN_SCALING_SYSTEM_IS_METRIC=1\n"

@@ -10,6 +10,8 @@ import pytest
 
 from compwright.cli import run as compwright
 
+pytestmark = pytest.mark.brief
+
 NAMES = '$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"\n$MN_AXCONF_MACHAX_NAME_TAB[1]="Y1"\n'
 
 

@@ -22,6 +22,8 @@ from format_samples import SIEMENS, axis_of, table
 from test_siemens_honoured import NAMES, OPTIONS, TWO, cec, eec, pair_into
 from virtual_sinumerik import VirtualSinumerik
 
+pytestmark = pytest.mark.brief
+
 AXIS = axis_of("AX1")
 
 

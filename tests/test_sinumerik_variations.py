@@ -34,7 +34,7 @@ from sinumerik_judge import (
     way_back,
 )
 
-pytestmark = needs_archive
+pytestmark = [needs_archive, pytest.mark.brief]
 
 Judge = Callable[[Case], Outcome]
 

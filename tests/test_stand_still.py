@@ -18,6 +18,8 @@ from compwright.records.axis import AxisKind
 from compwright.records.drift import DriftRequest, DriftTest
 from compwright.workflow.stages.jobs import read_job_file
 
+pytestmark = pytest.mark.brief
+
 UM = 1e-3
 JOB = """compwright: 1
 controller: {{format: siemens-840d-sl}}

@@ -7,7 +7,8 @@ reading is NaN; NaN goes through to every parameter that would need the missing 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import cached_property
 from typing import Final
 
 import numpy as np
@@ -158,43 +159,71 @@ def parameters(
     mean_negative: FloatArray,
     s_negative: FloatArray,
     coverage: float,
+    only: str | None = None,
 ) -> dict[str, FloatArray]:
     """Return the axis parameters of ISO 230-2 (2.13 to 2.24 of 2006), each (...), from means and s
-    (..., m), coverage k = 2 or 3.
+    (..., m), coverage k = 2 or 3; ``only``: that one alone, where it is one of them.
 
     B_i = mean+ - mean-, so lost motion gives a negative ``B_mean``; ``R`` is max R_i, not the
     larger of R+ and R-. The unit is that of the input. NaN in means or s goes through to the
     parameters that depend on them and to no others. The copy of the 1997 text prints A+ with max(x
     + 2s) - min(x + 2s); Corrigendum 1:1999 and 2006 have min(x - 2s).
     """
+    plus = _Side(mean_positive, s_positive, coverage)
+    minus = _Side(mean_negative, s_negative, coverage)
     reversal = mean_positive - mean_negative
-    middle = 0.5 * (mean_positive + mean_negative)
-    upper_positive = (mean_positive + coverage * s_positive).max(axis=-1)
-    upper_negative = (mean_negative + coverage * s_negative).max(axis=-1)
-    lower_positive = (mean_positive - coverage * s_positive).min(axis=-1)
-    lower_negative = (mean_negative - coverage * s_negative).min(axis=-1)
-    highest_positive, highest_negative = mean_positive.max(axis=-1), mean_negative.max(axis=-1)
-    lowest_positive, lowest_negative = mean_positive.min(axis=-1), mean_negative.min(axis=-1)
-    r_positive, r_negative, r = repeatability(reversal, s_positive, s_negative, coverage)
-    return {
-        "A": (
-            np.maximum(upper_positive, upper_negative) - np.minimum(lower_positive, lower_negative)
+
+    def r() -> FloatArray:
+        return repeatability(reversal, s_positive, s_negative, coverage)[2]
+
+    formulas: dict[str, Callable[[], FloatArray]] = {
+        "A": lambda: np.maximum(plus.upper, minus.upper) - np.minimum(plus.lower, minus.lower),
+        "A_positive": lambda: plus.upper - plus.lower,
+        "A_negative": lambda: minus.upper - minus.lower,
+        "E": lambda: (
+            np.maximum(plus.highest, minus.highest) - np.minimum(plus.lowest, minus.lowest)
         ),
-        "A_positive": upper_positive - lower_positive,
-        "A_negative": upper_negative - lower_negative,
-        "E": (
-            np.maximum(highest_positive, highest_negative)
-            - np.minimum(lowest_positive, lowest_negative)
-        ),
-        "E_positive": highest_positive - lowest_positive,
-        "E_negative": highest_negative - lowest_negative,
-        "M": middle.max(axis=-1) - middle.min(axis=-1),
-        "R": r.max(axis=-1),
-        "R_positive": r_positive.max(axis=-1),
-        "R_negative": r_negative.max(axis=-1),
-        "B": np.abs(reversal).max(axis=-1),
-        "B_mean": reversal.mean(axis=-1),
+        "E_positive": lambda: plus.highest - plus.lowest,
+        "E_negative": lambda: minus.highest - minus.lowest,
+        "M": lambda: _range(0.5 * (mean_positive + mean_negative)),
+        "R": lambda: r().max(axis=-1),
+        "R_positive": lambda: (2.0 * coverage * s_positive).max(axis=-1),
+        "R_negative": lambda: (2.0 * coverage * s_negative).max(axis=-1),
+        "B": lambda: np.abs(reversal).max(axis=-1),
+        "B_mean": lambda: reversal.mean(axis=-1),
     }
+    return {name: made() for name, made in formulas.items() if only in (None, name)}
+
+
+class _Side:
+    """Means and s (..., m) of one direction; extremes (...) are made when asked for, once."""
+
+    def __init__(self, mean: FloatArray, s: FloatArray, coverage: float) -> None:
+        self.mean, self.s, self.coverage = mean, s, coverage
+
+    @cached_property
+    def upper(self) -> FloatArray:
+        """The largest mean + k s."""
+        return np.asarray((self.mean + self.coverage * self.s).max(axis=-1))
+
+    @cached_property
+    def lower(self) -> FloatArray:
+        """The least mean - k s."""
+        return np.asarray((self.mean - self.coverage * self.s).min(axis=-1))
+
+    @cached_property
+    def highest(self) -> FloatArray:
+        """The largest mean."""
+        return np.asarray(self.mean.max(axis=-1))
+
+    @cached_property
+    def lowest(self) -> FloatArray:
+        """The least mean."""
+        return np.asarray(self.mean.min(axis=-1))
+
+
+def _range(values: FloatArray) -> FloatArray:
+    return np.asarray(values.max(axis=-1) - values.min(axis=-1))
 
 
 def vdi_positional_scatter(s_positive: FloatArray, s_negative: FloatArray) -> FloatArray:

@@ -19,7 +19,7 @@ from compwright.planning.fresh import FreshTests, Like, fresh_tests
 from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
 from compwright.planning.misread import misread_tests
 from compwright.planning.motions import with_backlash, with_motion
-from compwright.planning.outlook import predict, why_not_better, why_not_seen
+from compwright.planning.outlook import predict, why_not_better, why_not_seen, yardstick
 from compwright.planning.scenarios import alike, gains, scenarios_of
 from compwright.planning.sharing import shared_fairly
 from compwright.planning.tables import fit_within, freely_chosen, offer
@@ -413,7 +413,9 @@ def no_gain(work: AxisWork, new: Correction) -> str:
         for change in changes
     )
     drawn = fresh_tests(first, work.posterior, work.planned.axis)
-    fresh, old = (drawn.quantiles(change, cured=("tails",)) for change in changes)
+    fresh, old = (
+        drawn.quantiles(change, cured=("tails",), only=yardstick(first)) for change in changes
+    )
     why = why_not_better(before, after, old, fresh)
     if why or work.planned.request.gain == "any":
         return why

@@ -68,12 +68,13 @@ class FreshTests:
         unknown: bool = True,
         warm: bool = True,
         cured: Sequence[NoisePart] = (),
+        only: str | None = None,
     ) -> Mapping[str, Quantiles]:
         """Return the parameters of the tests after a ``change`` of the correction, by name.
 
         ``known``: whether the estimated error and the change are there, ``unknown`` whether what
         the estimate leaves open is, ``warm`` whether the slopes are; ``cured``: parts of the noise
-        that are not.
+        that are not; ``only``: the one parameter that is asked for.
         """
         deviations = []
         for direction, drawn in (
@@ -93,6 +94,7 @@ class FreshTests:
             change_negative=still,
             coverage=self.result.coverage,
             vdi=self.result.standard == "vdi3441",
+            only=only,
         )
         return {
             name: value

@@ -5,7 +5,8 @@ with the cause and without it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Final
+from functools import partial
+from typing import Any, Final, Protocol
 
 import numpy as np
 
@@ -48,14 +49,17 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting 
     if name is None:
         return None
     change = difference(new, work.active)
-    then = fresh.quantiles(change)[name]
-    now = fresh.quantiles(difference(work.as_found, work.active))[name]
-    least = fresh.quantiles(change, known=False, unknown=False, warm=False)[name]
+    shown = partial(_shown, fresh, name)
+    then, now = shown(change), shown(difference(work.as_found, work.active))
+    least = shown(change, known=False, unknown=False, warm=False)
+    alike = shown(change, cured=("tails",))
     causes = [
-        Cause(cause=NOISE, value=_noise(fresh, change, name)),
+        # Readings that scatter, but for the few that lie far off, which are told in parts of the
+        # same scatter: those are taken away first.
+        Cause(cause=NOISE, value=alike.median - shown(change, cured=("scatter",)).median),
         *(
-            Cause(cause=cause, value=then.median - without[name].median, rms=rms)
-            for cause, without, rms in _without(work, fresh, change)
+            Cause(cause=cause, value=then.median - without.median, rms=rms)
+            for cause, without, rms in _without(work, fresh, change, shown, alike)
         ),
     ]
     worth = [
@@ -73,27 +77,32 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting 
     )
 
 
-def _noise(fresh: FreshTests, change: Correction, name: str) -> float:
-    """Return what scattering readings make of a parameter but for the few that lie far off, which
-    are told in parts of the same scatter: those are taken away first.
-    """
-    alike = fresh.quantiles(change, cured=("tails",))[name]
-    return alike.median - fresh.quantiles(change, cured=("scatter",))[name].median
+class _Shown(Protocol):
+    """What fresh tests show of the one parameter, as `FreshTests.quantiles` is asked."""
+
+    def __call__(self, change: Correction, **taken: Any) -> Quantiles:
+        """Return its quantiles after a ``change`` of the correction."""
+
+
+def _shown(fresh: FreshTests, name: str, change: Correction, **taken: Any) -> Quantiles:
+    return fresh.quantiles(change, only=name, **taken)[name]
 
 
 def _without(
-    work: AxisWork, fresh: FreshTests, change: Correction
-) -> Iterator[tuple[str, Mapping[str, Quantiles], float | None]]:
-    """Yield every cause with the parameters of tests without it, and what the fit says of it."""
+    work: AxisWork, fresh: FreshTests, change: Correction, shown: _Shown, alike: Quantiles
+) -> Iterator[tuple[str, Quantiles, float | None]]:
+    """Yield every cause with what tests without it show, and what the fit says of it; ``alike``:
+    what those without readings far off show.
+    """
     for cause, parts in _SCATTERING.items():
         if fresh.has(parts):
-            yield cause, fresh.quantiles(change, cured=parts), None
+            yield cause, alike if cause == OUTLIERS else shown(change, cured=parts), None
     if np.any(fresh.slopes):
-        yield WARM, fresh.quantiles(change, warm=False), None
-    yield UNKNOWN, fresh.quantiles(change, unknown=False), None
+        yield WARM, shown(change, warm=False), None
+    yield UNKNOWN, shown(change, unknown=False), None
     wanted, fitted, capacity = work.planned.wanted, work.planned.fitted, work.capacity
     if wanted is None or fitted is None or capacity is None:
-        yield NO_TABLE, fresh.quantiles(change, known=False), None
+        yield NO_TABLE, shown(change, known=False), None
         return
     for lack in shortfalls(wanted, fitted, capacity):
-        yield lack.cause, fresh.quantiles(difference(change, lack.curve)), lack.rms
+        yield lack.cause, shown(difference(change, lack.curve)), lack.rms

@@ -97,7 +97,7 @@ def _worth(
     written: bool = False,
     there: bool = False,
 ) -> Worth:
-    shown = fresh.quantiles(difference(acts, active))[name]
+    shown = fresh.quantiles(difference(acts, active), only=name)[name]
     return Worth(
         points=nodes.size,
         spacing=float(np.max(np.diff(nodes))),

@@ -40,6 +40,7 @@ def predict_test(
     change_negative: FloatArray,
     coverage: float,
     vdi: bool = False,
+    only: str | None = None,
 ) -> Mapping[str, Quantiles]:
     """Return the quantiles of the parameters of a fresh test at m targets after a change of the
     correction.
@@ -48,6 +49,7 @@ def predict_test(
     was measured, + and -; ``scatter``: what the readings of a fresh test add to each, drawn with
     them (`fresh_scatter`); ``change_*`` (m,): new minus old correction at the targets. All in one
     unit (mm or deg), which is the result's. ``coverage`` is the k of the standard (2 or 3).
+    ``only``: the one parameter that is asked for.
 
     Each draw is one test of its own. A new datum of the instrument moves all readings alike and no
     parameter depends on it. Only the parameters that such a test has are in the result, by their
@@ -60,8 +62,9 @@ def predict_test(
         scatter,
         coverage=coverage,
         vdi=vdi,
+        only=only,
     )
-    return {name: _quantiles(draws) for name, draws in values.items()}
+    return {name: _quantiles(draws) for name, draws in values.items() if only in (None, name)}
 
 
 def fresh_parameters(
@@ -71,15 +74,18 @@ def fresh_parameters(
     *,
     coverage: float,
     vdi: bool = False,
+    only: str | None = None,
 ) -> dict[str, FloatArray]:
     """Return the parameters (s,) of fresh tests of axes whose deviations are ``positive``,
     ``negative`` (s, m), by their contract names; those that such a test does not have are left out.
+    ``only``: the others of ISO 230-2 are not worked out.
     """
     means = (positive + scatter.mean_positive, negative + scatter.mean_negative)
     if vdi:
         values = vdi_parameters(means[0], scatter.s_positive, means[1], scatter.s_negative)
     else:
-        values = parameters(means[0], scatter.s_positive, means[1], scatter.s_negative, coverage)
+        spread = scatter.s_positive, scatter.s_negative
+        values = parameters(means[0], spread[0], means[1], spread[1], coverage, only)
     return {name: draws for name, draws in values.items() if np.all(np.isfinite(draws))}
 
 
