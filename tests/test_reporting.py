@@ -18,7 +18,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from compwright.foundations.errors import UsageError
-from compwright.reporting import plots, report
+from compwright.reporting import plots
 from compwright.reporting.card import card_html, card_markdown
 from compwright.reporting.numbers import MISSING, decimals_of, number, plain
 from compwright.reporting.panels import known_format
@@ -29,7 +29,9 @@ from compwright.reporting.plots import (
     positioning_plot,
     table_plot,
 )
-from compwright.reporting.report import run_report, verify_report
+from compwright.reporting.run_report import run_report
+from compwright.reporting.verify_report import verify_report
+from frames import unpaint
 from places import PROJECT, needs_shared
 from reporting_samples import (
     made_up,
@@ -357,10 +359,7 @@ def test_nothing_to_plot_is_said(results: list[dict[str, Any]]) -> None:
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pages with an empty figure instead of each plot, where a test is about words and numbers."""
-    for name in ("before_after_plot", "estimate_plot", "positioning_plot", "table_plot"):
-        monkeypatch.setattr(
-            report, name, lambda *_documents: b'<svg width="1" viewBox="0 0 1 1"></svg>'
-        )
+    unpaint(monkeypatch)
 
 
 words_only = pytest.mark.usefixtures("quick")
@@ -859,7 +858,7 @@ def test_without_the_extra_the_tool_says_what_to_install(monkeypatch: pytest.Mon
 
 def test_nothing_heavy_is_loaded_before_it_is_asked_for() -> None:
     code = (
-        "import sys, compwright.reporting.report, compwright.reporting.card\n"
+        "import sys, compwright.reporting.run_report, compwright.reporting.card\n"
         "heavy = {'matplotlib', 'jinja2', 'numpy', 'scipy'} & set(sys.modules)\n"
         "sys.exit(str(heavy) if heavy else 0)"
     )

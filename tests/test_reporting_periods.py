@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from compwright.reporting.periods import periods_block
-from compwright.reporting.report import run_report
+from compwright.reporting.run_report import run_report
 from reporting_samples import run_view
 
 FOUND = [

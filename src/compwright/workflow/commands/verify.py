@@ -302,7 +302,7 @@ def _files(
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     files = {VERIFICATION: to_json(document).encode()}
     try:
-        from compwright.reporting.report import verify_report
+        from compwright.reporting.verify_report import verify_report
 
         view = verify_view(
             job,

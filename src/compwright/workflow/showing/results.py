@@ -154,7 +154,7 @@ def _report(
     """Return the report; ``names``: every file of the run. Raises UsageError without the report
     extra.
     """
-    from compwright.reporting.report import run_report
+    from compwright.reporting.run_report import run_report
 
     as_found = finished.measured.as_found
     view = run_view(

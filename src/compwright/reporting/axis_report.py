@@ -1,0 +1,225 @@
+"""The section of one axis in the report of ``run``: before and predicted, limits, periods, table,
+estimate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any, Final
+
+from compwright.reporting import sections
+from compwright.reporting.limiting import limits_block
+from compwright.reporting.numbers import decimals_of, number, plain, position_unit, unit_text
+from compwright.reporting.page_parts import anchor, figure
+from compwright.reporting.periods import periods_block
+from compwright.reporting.plots import (
+    before_after_plot,
+    estimate_plot,
+    positioning_plot,
+    table_plot,
+)
+from compwright.reporting.sections import Document, TextTable
+from compwright.reporting.worth import worth_block
+
+_CHUNK: Final = 24  # rows of the table in numbers before a second column is begun
+
+
+def axis_block(task: tuple[int, str, Document, Document, Document]) -> dict[str, Any]:
+    """Return the section of an axis: its number on the page, name, view, prediction, and what it
+    needs of the whole view.
+    """
+    return _run_axis(*task)
+
+
+def _run_axis(
+    index: int, name: str, axis: Document, predicted: Document, view: Document
+) -> dict[str, Any]:
+    unit = axis.get("unit", "um")
+    tests = predicted.get("tests") or [
+        {
+            "name": None,
+            **{key: predicted.get(key) for key in ("before", "predicted", "predicted_new_targets")},
+        }
+    ]
+    result = sections.result_of(view.get("evaluation"), name, tests[0].get("name"))
+    table = predicted.get("table")
+    prefix = f"x{index}"
+    return {
+        "name": name,
+        "anchor": anchor(index),
+        "facts": _axis_facts(axis, predicted),
+        "figure": _before_figure(prefix, name, result, axis, predicted),
+        "caption": (
+            "Before and, on the same scale, what a test at the same targets is expected to show."
+            if axis.get("predicted_targets") and result
+            else ""
+        ),
+        "parameters": (
+            _run_parameters(tests[0], result, unit) if result or tests[0].get("before") else None
+        ),
+        "findings": sections.findings(
+            axis.get("findings"), predicted.get("findings"), (result or {}).get("findings")
+        ),
+        "mode": _mode(axis),
+        "table": _table(prefix, name, table, axis, predicted) if table else None,
+        "refused": plain(axis.get("refused") or ""),
+        "limits": limits_block(predicted, unit),
+        "worth": worth_block(predicted, unit),
+        "periods": periods_block(predicted, unit),
+        "state": _state(axis.get("state")),
+        "estimate": (
+            figure(
+                f"{prefix}e",
+                f"estimated error of axis {name}",
+                estimate_plot(axis["estimate"], result),
+            )
+            if axis.get("estimate") and result
+            else None
+        ),
+        "certificate": _certificate(axis.get("certificate")),
+        "others": [
+            _other_test(f"{prefix}t{count}", test, name, unit, view)
+            for count, test in enumerate(tests[1:], 1)
+        ],
+    }
+
+
+def _axis_facts(axis: Document, predicted: Document) -> list[tuple[str, str]]:
+    unit = axis.get("unit", "um")
+    facts = {
+        "control address": axis.get("address"),
+        "kind": axis.get("kind"),
+        "unit of deviations": unit_text(unit),
+    }
+    quantum = predicted.get("quantum")
+    if quantum is not None:
+        facts["resolution of the table"] = f"{plain(quantum)} {unit_text(unit)}"
+    return sections.pairs(facts)
+
+
+def _before_figure(
+    prefix: str, name: str, result: Document | None, axis: Document, predicted: Document
+) -> Any:
+    if result is None:
+        return None
+    expected = axis.get("predicted_targets")
+    if not expected:
+        return figure(f"{prefix}b", f"deviations of axis {name}", positioning_plot(result))
+    with_numbers = {**expected, "parameters": predicted.get("predicted")}
+    return figure(
+        f"{prefix}b",
+        f"deviations of axis {name} before and predicted",
+        before_after_plot(result, with_numbers),
+    )
+
+
+def _run_parameters(test: Document, result: Document | None, unit: object) -> dict[str, Any]:
+    result = result or {}
+    columns: list[dict[str, Any]] = [
+        {
+            "title": "Before",
+            "values": test.get("before") or result.get("parameters"),
+            "uncertainty": result.get("uncertainty"),
+        },
+        {"title": "Predicted, same targets", "quantiles": test.get("predicted")},
+    ]
+    if test.get("predicted_new_targets"):
+        columns.append(
+            {"title": "Predicted, new targets", "quantiles": test["predicted_new_targets"]}
+        )
+    return sections.parameter_block(
+        unit, result.get("standard", ""), result.get("not_applicable"), columns
+    )
+
+
+def _other_test(
+    prefix: str, test: Document, axis: str, unit: object, view: Document
+) -> dict[str, Any]:
+    result = sections.result_of(view.get("evaluation"), axis, test.get("name"))
+    return {
+        "name": plain(test.get("name")),
+        "figure": (
+            figure(prefix, f"deviations of axis {axis}", positioning_plot(result))
+            if result
+            else None
+        ),
+        "parameters": _run_parameters(test, result, unit),
+    }
+
+
+def _table(
+    prefix: str, name: str, table: Document, axis: Document, predicted: Document
+) -> dict[str, Any]:
+    unit = table.get("unit", axis.get("unit", "um"))
+    positions, positive, negative = (
+        list(table[key]) for key in ("positions", "correction_positive", "correction_negative")
+    )
+    digits, places = decimals_of([*positive, *negative]), decimals_of(positions)
+    title = [
+        ("Position", position_unit(unit)),
+        ("Correction +", unit_text(unit)),
+        ("Correction −", unit_text(unit)),
+    ]
+    rows = [
+        [number(where, places), number(up, digits), number(down, digits)]
+        for where, up, down in zip(positions, positive, negative, strict=True)
+    ]
+    height = max(_CHUNK, -(-len(rows) // 3))
+    caption = f"{len(rows)} nodes, as read back from the files."
+    if axis.get("wanted"):
+        caption += " Broad line: what was wanted before rounding and limits."
+    return {
+        "figure": figure(
+            f"{prefix}c",
+            f"correction of axis {name}",
+            table_plot({"table": table, "wanted": axis.get("wanted"), "unit": unit}),
+        ),
+        "caption": caption,
+        "count": len(rows),
+        "chunks": [
+            {"heads": sections.heads(*title), "rows": rows[start : start + height]}
+            for start in range(0, len(rows), height)
+        ],
+        "quantum": plain(predicted.get("quantum")),
+    }
+
+
+def _mode(axis: Document) -> str:
+    words = {
+        "single": "one curve and one reversal value",
+        "bidirectional": "one curve for each direction of approach",
+    }
+    text = plain(axis.get("mode_reason") or words.get(str(axis.get("mode")), ""))
+    return text[:1].upper() + text[1:]
+
+
+def _state(state: object) -> str:
+    if state is None:
+        return (
+            "Not said. Without it no table is written: the new table would not know what acts"
+            " already."
+        )
+    if isinstance(state, str):
+        return (
+            "None: nothing was active in the control when the axis was measured."
+            if state == "none"
+            else state
+        )
+    files = [str(file) for file in state] if isinstance(state, Iterable) else []
+    return (
+        f"As in {', '.join(files)}; the table is the total of what was there and what is to be"
+        " added."
+    )
+
+
+def _certificate(values: Document | None) -> TextTable | None:
+    if not values:
+        return None
+    rows = [
+        [
+            str(name).replace("_", " "),
+            f"{value:.3g}".replace("-", "−") if isinstance(value, float) else plain(value),
+        ]
+        for name, value in values.items()
+    ]
+    return {"heads": sections.heads("Residual", ("Value", "")), "rows": rows}

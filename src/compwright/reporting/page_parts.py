@@ -1,0 +1,64 @@
+"""What the pages of ``run`` and ``verify`` have in common: head, tests, findings of no axis."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from compwright.reporting import sections
+from compwright.reporting.numbers import number, plain
+from compwright.reporting.page import inline_figure
+from compwright.reporting.sections import Document
+
+
+def common(view: Document, evaluations: Sequence[tuple[str, Document | None]]) -> dict[str, Any]:
+    """Return what every page shows: title, machine, control, and the tests of the ``evaluations``,
+    each with its label.
+    """
+    title = plain(view.get("title") or "compwright")
+    results = [
+        (label, result)
+        for label, evaluation in evaluations
+        for result in (evaluation or {}).get("results", [])
+    ]
+    return {
+        "page_title": title,
+        "title": title,
+        "machine": sections.pairs(view.get("machine")),
+        "format": {
+            "id": plain((view.get("format") or {}).get("id", "")),
+            "title": plain((view.get("format") or {}).get("title", "")),
+        },
+        "tests": [
+            sections.result_block(result, label)
+            for label, result in results
+            if result.get("kind", "positioning") == "positioning"
+        ],
+        "sources": sections.sources(*(evaluation for _, evaluation in evaluations)),
+        "version": plain(view.get("version", "")),
+    }
+
+
+def remaining(
+    view: Document, blocks: Iterable[Document], *evaluations: Document | None
+) -> list[dict[str, Any]]:
+    """Return the findings that stand in no axis' section, and the files that could not be read."""
+    shown = {(item["code"], item["message"]) for block in blocks for item in block["findings"]}
+    every = sections.findings(sections.unreadable(*evaluations), view.get("findings"))
+    return [item for item in every if (item["code"], item["message"]) not in shown]
+
+
+def anchor(index: int) -> str:
+    """Return the mark of an axis' section on the page."""
+    return f"axis-{index}"
+
+
+def with_unit(value: object, unit: str) -> str:
+    """Return a number with its unit; what stands for a missing one alone."""
+    text = number(value)
+    return f"{text} {unit}" if value is not None else text
+
+
+def figure(prefix: str, description: str, svg: bytes) -> Any:
+    """Return a figure as markup; ``prefix``: of its ids."""
+    return inline_figure(svg, prefix=prefix, description=description)

@@ -1,0 +1,218 @@
+"""The report of ``run``: one self-contained HTML page, made of documents. Computes nothing.
+
+Its view holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``evaluation``
+and ``prediction`` (the documents), ``axes``, ``assumed``, ``findings``, ``files`` (relative names),
+``no_tables`` (None or why) and ``version``. Each of ``axes`` (by name) holds ``address``, ``kind``,
+``unit``, ``estimate``, ``wanted``, ``mode``, ``mode_reason``, ``certificate``, ``state``,
+``predicted_targets`` and ``findings``. Deviations are in µm or arcsec as ``unit`` says, positions
+in mm or deg.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from compwright.foundations.side_by_side import Each, in_turn
+from compwright.reporting import sections
+from compwright.reporting.axis_report import axis_block
+from compwright.reporting.card import changes_content
+from compwright.reporting.circles import circle_blocks
+from compwright.reporting.extra import need
+from compwright.reporting.numbers import (
+    SIMPLE,
+    number,
+    plain,
+    position_unit,
+    standard_text,
+    symbol,
+    unit_text,
+)
+from compwright.reporting.page import render_page
+from compwright.reporting.page_parts import anchor, common, remaining, with_unit
+from compwright.reporting.sections import Document, TextTable
+
+
+def run_report(view: Document, each: Each = in_turn) -> bytes:
+    """Return the report of ``run``: the verdict first, then each axis, assumptions, findings, raw
+    data, files. ``each`` works on the axes.
+
+    Raises UsageError when the report extra is missing.
+    """
+    prediction = view.get("prediction") or {}
+    axes = {str(name): axis for name, axis in (view.get("axes") or {}).items()}
+    predicted = {str(name): axis for name, axis in (prediction.get("axes") or {}).items()}
+    tasks = [
+        (index, name, axis, predicted.get(name) or {}, _of_axis(name, view))
+        for index, (name, axis) in enumerate(axes.items(), 1)
+    ]
+    blocks = each(axis_block, tasks)
+    return render_page(
+        "run.html",
+        {
+            **common(view, [("", view.get("evaluation"))]),
+            "doubts": sections.doubts(prediction.get("doubts")),
+            "done": _what_was_done(view, axes),
+            "verdict": _run_verdict(view, axes, predicted),
+            "axes": blocks,
+            "findings": remaining(view, blocks, view.get("evaluation")),
+            "circles": circle_blocks(prediction.get("circles") or {}, view.get("evaluation")),
+            "cross": [_cross(entry) for entry in prediction.get("cross") or []],
+            "changes": changes_content(view.get("changes")),
+            "assumed": sections.assumed(view.get("assumed")),
+            "files": [str(file) for file in view.get("files") or []],
+            "card": next(
+                (
+                    str(file)
+                    for file in view.get("files") or []
+                    if "card" in str(file) and str(file).endswith(".html")
+                ),
+                None,
+            ),
+        },
+    )
+
+
+def load_plotting() -> None:
+    """Load what draws figures. Raises UsageError when the report extra is missing."""
+    need("matplotlib.figure")
+
+
+def _what_was_done(view: Document, axes: Document) -> str:
+    results = (view.get("evaluation") or {}).get("results", [])
+    standards = sorted({standard_text(result.get("standard", "")) for result in results})
+    names = _list_of(axes)
+    control = plain((view.get("format") or {}).get("title", "the control"))
+    tests, verb = ("1 test", "was") if len(results) == 1 else (f"{len(results)} tests", "were")
+    axis = "axis" if len(axes) == 1 else "axes"
+    start = (
+        f"{tests} of {axis} {names} {verb} evaluated to {' and '.join(standards) or 'no standard'}."
+    )
+    if view.get("no_tables"):
+        return (
+            f"{start} The error was estimated over the travel. No table was written: predicted is"
+            " the next test without one."
+        )
+    return (
+        f"{start} The error was estimated over the travel; the best table that {control} can hold"
+        " was fitted, written in the control's own form, and read back from the files to predict"
+        " the next test. Nothing has been loaded yet: load the table with the commissioning card,"
+        " measure again, and run compwright verify."
+    )
+
+
+def _list_of(names: Iterable[object]) -> str:
+    words = [str(name) for name in names]
+    return " and ".join(filter(None, [", ".join(words[:-1]), *words[-1:]])) or "none"
+
+
+def _run_verdict(view: Document, axes: Document, predicted: Document) -> dict[str, Any]:
+    rows = [
+        row
+        for index, name in enumerate(axes, 1)
+        for row in _run_rows(index, name, axes[name], predicted.get(name) or {}, view)
+    ]
+    decisions = [
+        entry.get("decision")
+        for name in axes
+        for entry in ((predicted.get(name) or {}).get("accept") or {}).values()
+    ]
+    refused = {name: plain(axis["refused"]) for name, axis in axes.items() if axis.get("refused")}
+    why = " ".join(f"Axis {name}: {reason.rstrip('.')}." for name, reason in refused.items())
+    if view.get("no_tables"):
+        tone, text, why = "bad", "No table was written", plain(view["no_tables"])
+    elif refused:
+        tone, text = "bad", f"No table was written for axis {_list_of(refused)}"
+    elif "reject" in decisions:
+        tone, text = "bad", "At least one limit is predicted to be missed"
+    elif "undecided" in decisions:
+        tone, text = "open", "At least one limit may or may not be met"
+    elif any(
+        doubt["code"] == "CW-P131" for doubt in (view.get("prediction") or {}).get("doubts") or ()
+    ):
+        tone, text = "open", "Undecided: a circle is predicted to get worse"
+    elif decisions and (view.get("prediction") or {}).get("doubts"):
+        tone, text = (
+            "open",
+            "All limits are predicted to be met, if what is to be settled first turns out well",
+        )
+    elif decisions:
+        tone, text = "good", "All limits are predicted to be met"
+    else:
+        tone, text = "open", "Predicted result; no limits were given to decide against"
+    return {"tone": tone, "text": text, "why": why, "rows": rows, "rule": _rule(predicted)}
+
+
+def _rule(predicted: Document) -> str:
+    """Return by which rule the limits were decided, with the guard bands of every axis."""
+    limits = {name: axis.get("accept") or {} for name, axis in predicted.items()}
+    guarded = [
+        line
+        for name, accept in limits.items()
+        for line in sections.rule_lines(accept, unit_text(predicted[name].get("unit", "um")))
+    ]
+    return " ".join(guarded) or f"{SIMPLE}."
+
+
+def _run_rows(
+    index: int, name: str, axis: Document, predicted: Document, view: Document
+) -> list[dict[str, Any]]:
+    limits = predicted.get("accept") or {}
+    before, quantiles = _decided_test(name, predicted, view)
+    unit = unit_text(axis.get("unit"))
+    return [
+        {
+            "axis": name,
+            "anchor": anchor(index),
+            "symbol": symbol(key),
+            "before": with_unit(before.get(key), unit),
+            "median": with_unit((quantiles.get(key) or {}).get("median"), unit),
+            "spread": sections.spread_text(quantiles.get(key)),
+            "limit": with_unit((limits.get(key) or {}).get("limit"), unit),
+            "mark": sections.decision_mark((limits.get(key) or {}).get("decision")),
+            "bar": sections.bar(
+                before.get(key), quantiles.get(key), (limits.get(key) or {}).get("limit")
+            ),
+        }
+        for key in sections.main_parameters({**quantiles, **before}, limits)
+    ]
+
+
+def _decided_test(name: str, predicted: Document, view: Document) -> tuple[Document, Document]:
+    """Before and predicted of the test that the limits are about (their key ``test``), else of the
+    first one.
+    """
+    about = next(
+        (limit["test"] for limit in (predicted.get("accept") or {}).values() if limit.get("test")),
+        None,
+    )
+    test = next(
+        (
+            test
+            for test in predicted.get("tests") or []
+            if about is not None and test.get("name") == about
+        ),
+        predicted,
+    )
+    result = sections.result_of(view.get("evaluation"), name, about) or {}
+    return test.get("before") or result.get("parameters") or {}, test.get("predicted") or {}
+
+
+def _of_axis(name: str, view: Document) -> Document:
+    """Return what the part of one axis needs of the view: the results of its own tests."""
+    results = (view.get("evaluation") or {}).get("results", [])
+    return {"evaluation": {"results": [one for one in results if str(one.get("axis")) == name]}}
+
+
+def _cross(entry: Document) -> TextTable:
+    unit = entry.get("unit", "um")
+    rows = [
+        [plain(where), number(value)]
+        for where, value in zip(entry["positions"], entry["correction"], strict=True)
+    ]
+    heads = sections.heads(("Position", position_unit(unit)), ("Correction", unit_text(unit)))
+    return {
+        "title": f"{plain(entry.get('input'))} bends {plain(entry.get('output'))}",
+        "heads": heads,
+        "rows": rows,
+    }

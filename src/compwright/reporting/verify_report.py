@@ -1,0 +1,203 @@
+"""The report of ``verify``: one self-contained HTML page, made of documents. Computes nothing.
+
+Its view is that of `run_report`, with ``verification``, ``evaluation_before`` and
+``evaluation_after`` in the place of the first two documents.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from compwright.reporting import sections
+from compwright.reporting.circles import circle_blocks
+from compwright.reporting.numbers import number, plain, symbol, unit_text
+from compwright.reporting.page import render_page
+from compwright.reporting.page_parts import anchor, common, figure, remaining
+from compwright.reporting.plots import before_after_plot, positioning_plot
+from compwright.reporting.sections import Document, TextTable
+
+
+def verify_report(view: Document) -> bytes:
+    """Return the report of ``verify``: the verdict first, then each axis before, predicted and
+    after loading, side by side.
+
+    Raises UsageError when the report extra is missing.
+    """
+    verification = view.get("verification") or {}
+    axes = {str(name): axis for name, axis in (verification.get("axes") or {}).items()}
+    tones = {
+        "good": ("good", "Good: the tables act and the limits are met"),
+        "bad": ("bad", "Bad: see the axes below"),
+    }
+    tone, text = tones.get(
+        str(verification.get("verdict")), ("open", "Undecided: the tests do not tell")
+    )
+    rows = [
+        row
+        for index, (name, axis) in enumerate(axes.items(), 1)
+        for row in _verify_rows(index, name, axis, _verify_unit(name, view))
+    ]
+    blocks = [
+        _verify_axis(index, name, axis, view) for index, (name, axis) in enumerate(axes.items(), 1)
+    ]
+    evaluations = (view.get("evaluation_before"), view.get("evaluation_after"))
+    return render_page(
+        "verify.html",
+        {
+            **common(view, list(zip(("before", "after"), evaluations, strict=True))),
+            "doubts": sections.doubts(verification.get("doubts")),
+            "verdict": {"tone": tone, "text": text, "rows": rows},
+            "axes": blocks,
+            "circles": circle_blocks(verification.get("circles") or {}, *evaluations),
+            "findings": remaining(view, blocks, *evaluations),
+        },
+    )
+
+
+def _verify_rows(index: int, name: str, axis: Document, unit: str) -> list[dict[str, Any]]:
+    before, after, quantiles = (
+        axis.get("before") or {},
+        axis.get("after") or {},
+        axis.get("predicted") or {},
+    )
+    limits = axis.get("accept") or {}
+    return [
+        {
+            "axis": name,
+            "anchor": anchor(index),
+            "loading": sections.loading_mark(
+                (axis.get("loading") or {}).get("verdict", "undecided")
+            ),
+            "symbol": symbol(key),
+            "before": number(before.get(key)),
+            "unit": unit_text(unit),
+            "median": sections.median_text(quantiles.get(key)),
+            "spread": sections.spread_text(quantiles.get(key)),
+            "after": number(after.get(key)),
+            "limit": number((limits.get(key) or {}).get("limit")),
+            "mark": sections.decision_mark((limits.get(key) or {}).get("decision")),
+            "bar": sections.bar(
+                before.get(key),
+                quantiles.get(key),
+                (limits.get(key) or {}).get("limit"),
+                after.get(key),
+            ),
+        }
+        for key in sections.main_parameters({**before, **after}, limits)
+    ]
+
+
+def _verify_unit(name: str, view: Document) -> str:
+    extra = (view.get("axes") or {}).get(name) or {}
+    result = (
+        sections.result_of(view.get("evaluation_after"), name)
+        or sections.result_of(view.get("evaluation_before"), name)
+        or {}
+    )
+    return str(extra.get("unit") or result.get("unit", "um"))
+
+
+def _verify_axis(index: int, name: str, axis: Document, view: Document) -> dict[str, Any]:
+    extra = (view.get("axes") or {}).get(name) or {}
+    before = sections.result_of(view.get("evaluation_before"), name)
+    after = sections.result_of(view.get("evaluation_after"), name)
+    unit = _verify_unit(name, view)
+    measured = after or before or {}
+    columns = [
+        {
+            "title": "Before",
+            "values": axis.get("before"),
+            "uncertainty": (before or {}).get("uncertainty"),
+        },
+        {"title": "Predicted", "quantiles": axis.get("predicted")},
+        {
+            "title": "After",
+            "values": axis.get("after"),
+            "uncertainty": (after or {}).get("uncertainty"),
+        },
+    ]
+    within = {True: "within", False: "outside"}
+    notes = {
+        key: within.get(value, "") for key, value in (axis.get("within_prediction") or {}).items()
+    }
+    if any(notes.values()):
+        columns.append({"title": "5–95 %", "notes": notes})
+    return {
+        "name": name,
+        "anchor": anchor(index),
+        "loading": _loading(axis.get("loading") or {}),
+        "figure": _after_figure(index, name, before, after, extra, axis),
+        "parameters": sections.parameter_block(
+            unit, measured.get("standard", ""), measured.get("not_applicable"), columns
+        ),
+        "accept": _acceptance(axis.get("accept") or {}, unit),
+        "findings": sections.findings(
+            extra.get("findings"), axis.get("findings"), (after or {}).get("findings")
+        ),
+    }
+
+
+def _after_figure(
+    index: int,
+    name: str,
+    before: Document | None,
+    after: Document | None,
+    extra: Document,
+    axis: Document,
+) -> Any:
+    if before is None:
+        return (
+            figure(
+                f"x{index}a", f"deviations of axis {name} after loading", positioning_plot(after)
+            )
+            if after
+            else None
+        )
+    expected = extra.get("predicted_targets")
+    with_numbers = {**expected, "parameters": axis.get("predicted")} if expected else None
+    return figure(
+        f"x{index}a",
+        f"axis {name} before, predicted and after",
+        before_after_plot(before, with_numbers, after),
+    )
+
+
+def _loading(loading: Document) -> dict[str, Any]:
+    verdict = loading.get("verdict", "undecided")
+    facts: dict[str, Any] = {}
+    if loading.get("equivalent"):
+        facts["cannot be told from"] = ", ".join(
+            str(name).replace("_", " ") for name in loading["equivalent"]
+        )
+    if verdict == "scaled":
+        facts["factor"] = loading.get("factor")
+    if verdict == "shifted":
+        facts["shift in nodes"] = loading.get("shift_nodes")
+    if verdict == "wrong_axis":
+        facts["table of axis"] = loading.get("of")
+    return {
+        "mark": sections.loading_mark(verdict),
+        "message": plain(loading.get("message") or ""),
+        "look_at": [plain(sentence) for sentence in loading.get("look_at") or ()],
+        "facts": sections.pairs(facts),
+    }
+
+
+def _acceptance(limits: Document, unit: object) -> TextTable | None:
+    if all(entry.get("U") is None for entry in limits.values()):
+        return None  # the verdict above says it all
+    word = unit_text(unit)
+    rows = [
+        [
+            symbol(key),
+            *(number(entry.get(part)) for part in ("value", "U", "limit")),
+            sections.decision_mark(entry.get("decision"))["text"],
+        ]
+        for key, entry in limits.items()
+    ]
+    return {
+        "heads": sections.heads(
+            "Limit on", ("After", word), ("U", word), ("Limit", word), "Decision"
+        ),
+        "rows": rows,
+    }
