@@ -22,7 +22,7 @@ from copy import deepcopy
 from dataclasses import replace
 from typing import Any, get_args
 
-from compwright.formats.definition import schema
+from compwright.formats.definition import vocabulary
 from compwright.formats.definition.extends import DefinitionText, found_in, merged, texts_of
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definition_in
@@ -42,21 +42,21 @@ _ENTRIES = ("bindings", "statements", "limits", "options", "writing")
 _WORDS = {"evidence", "help", "because", "card", "title", "asked", "say"}
 #: Closed lists by the key under which their words stand.
 _CLOSED: Mapping[str, tuple[str, ...]] = {
-    "type": get_args(schema.AddressType),
-    "case": get_args(schema.Case),
+    "type": get_args(vocabulary.AddressType),
+    "case": get_args(vocabulary.Case),
     "where": ("anywhere", "line_start"),
     "blank_lines": ("anywhere", "at_end"),
     "are": ("ignored", "refused"),
     "blanks": ("beside_marks", "anywhere"),
     "rest": ("none", "anything"),
-    "pairing": get_args(schema.Pairing),
+    "pairing": get_args(vocabulary.Pairing),
     "below": get_args(Beyond),
     "above": get_args(Beyond),
     "repeated": ("same", "last"),
-    "sign": get_args(schema.Sign),
+    "sign": get_args(vocabulary.Sign),
     "linear": ("mm", "um", "inch", "pulse"),
     "rotary": ("deg", "mdeg", "pulse"),
-    "tables": get_args(schema.DiameterTables),
+    "tables": get_args(vocabulary.DiameterTables),
     "belongs_to": ("axis", "control"),
     "contradiction": ("refused", "option_wins"),
     "newline": ("lf", "crlf"),

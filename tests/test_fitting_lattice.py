@@ -13,12 +13,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from compwright.fitting import lattice as lattice_search
+from compwright.fitting import lattice_part
 from compwright.fitting.certify import lattice_certificate
 from compwright.fitting.chain import Limits, Push, Wish, build_chain, no_push, priced, relax
 from compwright.fitting.endless import over_one_period
 from compwright.fitting.fit import fit_table
-from compwright.fitting.lattice import Part, best_totals
+from compwright.fitting.lattice import best_totals
+from compwright.fitting.lattice_part import Part
 from compwright.fitting.problem import hat_matrix, quadrature, rows_at
 from compwright.foundations.errors import CapacityError, UsageError
 from compwright.records.axis import AxisKind, Direction
@@ -308,7 +309,7 @@ def test_whole_tables_equal_brute_force(
     kind: str, step: bool, lanes: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        lattice_search, "_LANES", lanes
+        lattice_part, "_LANES", lanes
     )  # how many ways are searched at once changes nothing
     rng = np.random.default_rng(KINDS.index(kind) * 4 + 2 * step + (lanes > 1))
     for _ in range(40):

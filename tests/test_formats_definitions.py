@@ -14,7 +14,8 @@ from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import found_in, merged, texts_of
 from compwright.formats.definition.options import describe_options, resolve_options
-from compwright.formats.definition.schema import LOOKED_AT, Definition
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.vocabulary import LOOKED_AT
 from compwright.formats.definitions import definition_in, definitions_from, load_definition
 from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.gate.gate import check_definition

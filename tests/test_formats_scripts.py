@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from compwright.formats.definition.schema import Definition, FieldType, Statement, TextKind
+from compwright.formats.definition.schema import Definition, Statement, TextKind
 from compwright.formats.definition.statements import Occurrence, print_form
+from compwright.formats.definition.vocabulary import FieldType
 from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile

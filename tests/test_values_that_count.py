@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import pytest
 
-from compwright.formats.definition.schema import Absent, EvidenceNote, Repeated, Say
+from compwright.formats.definition.schema import Absent, EvidenceNote
+from compwright.formats.definition.vocabulary import Repeated, Say
 from compwright.formats.text.gathering import Found, gather
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import text_reader

@@ -18,7 +18,8 @@ from compwright.fitting.certify import settled_proof
 from compwright.fitting.datum import with_datum
 from compwright.fitting.endless import over_one_period
 from compwright.fitting.goals import Range, as_wish, best_for, mean_over
-from compwright.fitting.grid import Grid, choose_grid
+from compwright.fitting.grid import choose_grid
+from compwright.fitting.held_grid import Grid
 from compwright.fitting.line import fit_line
 from compwright.fitting.losses import NOISE_SHARE
 from compwright.fitting.problem import (

@@ -12,8 +12,9 @@ import numpy as np
 from compwright.fitting.certify import lattice_certificate, settled_proof
 from compwright.fitting.chain import Chain, Wish, build_chain, no_push, relax
 from compwright.fitting.datum import zero_in_the_zero_state
-from compwright.fitting.grid import Grid
-from compwright.fitting.lattice import Part, Solution, best_totals, relaxed_bound
+from compwright.fitting.held_grid import Grid
+from compwright.fitting.lattice import Solution, best_totals, relaxed_bound
+from compwright.fitting.lattice_part import Part
 from compwright.fitting.problem import Rows, Shape, quadrature, rows_at
 from compwright.fitting.remarks import added, edge_findings, loss_findings, small, worth_saying
 from compwright.foundations.errors import CapacityError, Fault

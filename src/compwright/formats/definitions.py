@@ -19,8 +19,9 @@ from compwright.formats.definition.extends import (
     merged,
     texts_of,
 )
-from compwright.formats.definition.schema import SCHEMA_VERSION, Definition
+from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.sections import definition_of_sections
+from compwright.formats.definition.vocabulary import SCHEMA_VERSION
 from compwright.formats.definition.yaml_fields import Node
 from compwright.formats.families.shapes import RULES
 from compwright.foundations.errors import Fault, InputError, collect, raise_all

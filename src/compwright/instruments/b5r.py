@@ -25,16 +25,16 @@ import numpy as np
 
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
+from compwright.instruments.b5r_beside import BAR, header_of, vendor_results
+from compwright.instruments.b5r_fields import finite, number_of, text_of
 from compwright.instruments.circular_arcs import FEWEST_SAMPLES, SMALLEST_ARC
 from compwright.instruments.circular_csv import axes_of_plane, centre_of
 from compwright.instruments.fault_list import FaultList, shown
-from compwright.instruments.numbers import LARGEST
 from compwright.instruments.safe_xml import Element, read_xml
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun, CircularTest, Sense
 
 _SENSES: Final[Mapping[str, Sense]] = {"CCW": "ccw", "CW": "cw"}
-_NUMBER: Final = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?")
 _INDEX: Final = re.compile(r"[0-9]{1,8}")
 #: No ballbar is longer, mm.
 _LONGEST: Final = 10_000.0
@@ -49,38 +49,6 @@ _SMALLEST = 1e-6
 #: A feed off by more than this does not come from the rounding of the sampling: override, or an
 #: axis that did not follow.
 _FEED_SHARE: Final = 0.05
-_UNITS: Final[Mapping[str, str]] = {
-    "UT_LENGTH_MM": "mm",
-    "UT_LENGTH_UM": "um",
-    "UT_FEEDRATE": "mm/min",
-    "UT_SQUARENESS": "um/m",
-    "UT_SERVO_MISMATCH": "ms",
-    "UT_SCALE_ERROR": "ppm",
-    "UT_ANGLE": "deg",
-    "UT_RANKING": "rank",
-    "UT_PERCENT": "%",
-}
-_BAR: Final = ("TEST_SPEC", "INSTRUMENT", "DYNAMIC_BALLBAR")
-#: Key of the header -> path below TEST_DOCUMENT; what a file does not hold is left out.
-_HEADER: Final[Mapping[str, tuple[str, ...]]] = {
-    "operator": ("OPERATOR",),
-    "comment": ("COMMENT",),
-    "date": ("DATE_STARTED",),
-    "date_completed": ("DATE_COMPLETED",),
-    "ballbar_serial": ("EQUIPMENT", "BALLBAR", "SERIAL_NUMBER"),
-    "ballbar_certificate": ("EQUIPMENT", "BALLBAR", "CERTIFICATE_NUMBER"),
-    "ballbar_last_calibrated": ("EQUIPMENT", "BALLBAR", "LAST_CALIBRATED"),
-    "calibrator_serial": ("EQUIPMENT", "CALIBRATOR", "SERIAL_NUMBER"),
-    "calibrated_length_mm": ("EQUIPMENT", "CALIBRATOR", "CALIBRATED_LENGTH"),
-    "calibrator_temperature_c": ("EQUIPMENT", "CALIBRATOR", "TEMPERATURE"),
-    "software": ("EQUIPMENT", "SOFTWARE", "TITLE"),
-    "software_version": ("EQUIPMENT", "SOFTWARE", "VERSION"),
-    "programmed_feed_mm_min": (*_BAR, "PROGRAMMED_FEEDRATE"),
-    "overshoot_deg": (*_BAR, "OVERSHOOT_ANGLE"),
-    "centre": (*_BAR, "CENTRE"),
-    "nc_program": (*_BAR, "NC_PROGRAM_ID"),
-    "expansion_um_m_k": (*_BAR, "TEMP_MATERIAL_COEFFICIENT"),
-}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -131,7 +99,7 @@ def read_b5r(content: bytes, file: str, name: str) -> CircularTest:
     faults.raise_if_any()
     feeds = [run.feed for run in runs if run.feed is not None]
     feed = sum(feeds) / len(feeds) if feeds else spec.feed
-    header = _header(root, elements)
+    header = header_of(root, elements)
     return CircularTest(
         name=name,
         plane=spec.plane,
@@ -142,7 +110,7 @@ def read_b5r(content: bytes, file: str, name: str) -> CircularTest:
         calibrated=spec.calibrated,
         runs=tuple(sorted((run.run for run in runs), key=lambda run: (run.sense, run.number))),
         centre=centre_of(header.get("centre", "")),
-        vendor=_vendor(root, elements, [run.run for run in runs]),
+        vendor=vendor_results(root, elements, [run.run for run in runs]),
         header=header,
         findings=tuple(_findings(bar, elements, spec, runs, feed)),
     )
@@ -161,7 +129,7 @@ def _ballbar(root: Element, file: str) -> Element:
             )
         )
     instrument = root.first("TEST_SPEC", "INSTRUMENT")
-    bar = root.first(*_BAR)
+    bar = root.first(*BAR)
     if bar is None:
         kinds = (
             [child.tag for child in instrument.children]
@@ -171,7 +139,7 @@ def _ballbar(root: Element, file: str) -> Element:
         message = (
             "is of another instrument" if instrument else "does not say which instrument measured"
         )
-        place = f"line {(instrument or root).line}, {'/'.join(_BAR)}"
+        place = f"line {(instrument or root).line}, {'/'.join(BAR)}"
         found = shown(", ".join(kinds[:8]) or "nothing")
         raise InputError(
             Fault(
@@ -185,52 +153,10 @@ def _ballbar(root: Element, file: str) -> Element:
     return bar
 
 
-def _text(parent: Element, faults: FaultList, *path: str) -> tuple[str, str]:
-    """Return text and place of a required element; empty text after noting that it is missing."""
-    element = parent.first(*path)
-    if element is None or not element.text:
-        place = f"line {(element or parent).line}, {parent.tag}/{'/'.join(path)}"
-        faults.add("is missing" if element is None else "is empty", place=place, expected="a value")
-        return "", place
-    return element.text, f"line {element.line}, {parent.tag}/{'/'.join(path)}"
-
-
-def _finite(text: str) -> float | None:
-    value = float(text) if _NUMBER.fullmatch(text) else math.nan
-    return value if abs(value) <= LARGEST else None
-
-
-def _number(
-    parent: Element, tag: str, faults: FaultList, *, above: float = -LARGEST, most: float = LARGEST
-) -> float:
-    """Return a number with above < number <= most, NaN after noting a fault."""
-    text, place = _text(parent, faults, tag)
-    if not text:
-        return math.nan
-    value = _finite(text)
-    if value is None:
-        faults.add(
-            "is not a number",
-            place=place,
-            expected="a number with a decimal point",
-            found=shown(text),
-        )
-        return math.nan
-    if not above < value <= most:
-        faults.add(
-            "is out of range",
-            place=place,
-            expected=f"above {above:g}, at most {most:g}",
-            found=shown(text),
-        )
-        return math.nan
-    return value
-
-
 def _spec(bar: Element, faults: FaultList) -> _Spec:
-    length = _number(bar, "NOMINAL_LENGTH", faults, above=_SMALLEST, most=_LONGEST)
+    length = number_of(bar, "NOMINAL_LENGTH", faults, above=_SMALLEST, most=_LONGEST)
     if bar.first("TEST_RADIUS"):
-        radius = _number(bar, "TEST_RADIUS", faults, above=_SMALLEST, most=_LONGEST)
+        radius = number_of(bar, "TEST_RADIUS", faults, above=_SMALLEST, most=_LONGEST)
         if abs(radius - length) > _SAME_LENGTH:
             faults.add(
                 "test radius and length of the ballbar differ",
@@ -238,8 +164,8 @@ def _spec(bar: Element, faults: FaultList) -> _Spec:
                 expected=f"{length:g} mm, as NOMINAL_LENGTH",
                 found=f"{radius:g} mm",
             )
-    start = _number(bar, "START_ANGLE", faults, above=-1000.0, most=1000.0)
-    end = _number(bar, "END_ANGLE", faults, above=-1000.0, most=1000.0)
+    start = number_of(bar, "START_ANGLE", faults, above=-1000.0, most=1000.0)
+    end = number_of(bar, "END_ANGLE", faults, above=-1000.0, most=1000.0)
     extent = (end - start) % 360.0
     if extent < _SAME_ANGLE:  # the same angle twice is the whole circle
         extent = 360.0
@@ -253,7 +179,7 @@ def _spec(bar: Element, faults: FaultList) -> _Spec:
     plane, axes = _plane(bar, faults)
     return _Spec(
         length=length,
-        feed=_number(bar, "PROGRAMMED_FEEDRATE", faults, above=_SMALLEST),
+        feed=number_of(bar, "PROGRAMMED_FEEDRATE", faults, above=_SMALLEST),
         start=start,
         extent=extent,
         plane=plane,
@@ -284,7 +210,7 @@ def _plane(bar: Element, faults: FaultList) -> tuple[str, tuple[str, str]]:
 def _runs(elements: Sequence[Element], spec: _Spec, faults: FaultList) -> list[_Run]:
     runs: list[_Run] = []
     for element in elements:
-        text, place = _text(element, faults, "RUN_DIRECTION")
+        text, place = text_of(element, faults, "RUN_DIRECTION")
         sense = _SENSES.get(text.upper())
         if text and sense is None:
             faults.add(
@@ -309,7 +235,7 @@ def _run(
     readings = _readings(element, faults)
     indices = _indices(element, readings, faults)
     rate = (
-        _number(element, "SAMPLE_RATE", faults, above=_SMALLEST)
+        number_of(element, "SAMPLE_RATE", faults, above=_SMALLEST)
         if element.first("SAMPLE_RATE")
         else None
     )
@@ -343,7 +269,7 @@ def _run(
 
 
 def _readings(element: Element, faults: FaultList) -> FloatArray | None:
-    text, place = _text(element, faults, "READINGS")
+    text, place = text_of(element, faults, "READINGS")
     tokens = text.split()
     if len(tokens) > _MOST_READINGS:
         expected = f"at most {_MOST_READINGS} values"
@@ -357,7 +283,7 @@ def _readings(element: Element, faults: FaultList) -> FloatArray | None:
     values: list[float] = []
     wrong = False
     for position, token in enumerate(tokens, start=1):
-        value = _finite(token)
+        value = finite(token)
         if value is None:
             faults.add(
                 "a reading is not a number",
@@ -379,7 +305,7 @@ def _indices(
     """
     found: list[int] = []
     for tag in ("START_INDEX", "END_INDEX"):
-        text, place = _text(element, faults, tag)
+        text, place = text_of(element, faults, tag)
         if text and not _INDEX.fullmatch(text):
             faults.add("is not an index", place=place, expected="0, 1, 2, ...", found=shown(text))
         elif text:
@@ -405,67 +331,6 @@ def _indices(
     return first, last
 
 
-def _header(root: Element, elements: Sequence[Element]) -> dict[str, str]:
-    header = {
-        key: " ".join(found.text.split())
-        for key, path in _HEADER.items()
-        if (found := root.first(*path)) and found.text
-    }
-    for key, path, attribute in (
-        ("test", ("TEST_SPEC",), "NAME"),
-        ("machine", ("MACHINE_TESTED",), "NAME"),
-        ("instrument", ("TEST_SPEC", "INSTRUMENT"), "MODEL"),
-        ("view", (*_BAR, "PLANE"), "VIEW"),
-    ):
-        found = root.first(*path)
-        if found is not None and found.attributes.get(attribute):
-            header[key] = found.attributes[attribute]
-    for key, tag in (("run_temperature_c", "RUN_TEMPERATURE"), ("sample_rate_hz", "SAMPLE_RATE")):
-        texts = [found.text for element in elements if (found := element.first(tag)) and found.text]
-        if texts:
-            header[key] = ", ".join(dict.fromkeys(texts))
-    return header
-
-
-def _vendor(
-    root: Element, elements: Sequence[Element], runs: Sequence[CircularRun]
-) -> dict[str, object]:
-    """Return the printed results: by run (``ccw``, ``cw``, ``ccw 2``) and by analysis (name and
-    version), then by feature name.
-    """
-    groups = [
-        *(
-            (run.sense if run.number == 1 else f"{run.sense} {run.number}", e)
-            for run, e in zip(runs, elements, strict=True)
-        ),
-        *(
-            (" ".join(filter(None, map(e.attributes.get, ("NAME", "version")))), e)
-            for e in root.all("ANALYSIS")
-        ),
-    ]
-    vendor: dict[str, object] = {}
-    for key, element in groups:
-        features = {
-            feature.attributes.get("NAME", ""): _feature(feature)
-            for feature in element.all("FEATURE")
-        }
-        if features and key:
-            vendor[key] = features
-    return vendor
-
-
-def _feature(feature: Element) -> dict[str, object]:
-    unit = feature.attributes.get("DT", "")
-    value = _finite(feature.text)
-    printed: dict[str, object] = {
-        "value": feature.text if value is None else value,
-        "unit": _UNITS.get(unit, unit),
-    }
-    if feature.attributes.get("VALID", "True").lower() != "true":
-        printed["valid"] = False
-    return printed
-
-
 def _findings(
     bar: Element, elements: Sequence[Element], spec: _Spec, runs: Sequence[_Run], feed: float
 ) -> list[Finding]:
@@ -476,7 +341,7 @@ def _findings(
         for element in elements
         if (found := element.first("RUN_TEMPERATURE")) and found.text
     )
-    if _finite(coefficient) and temperatures:
+    if finite(coefficient) and temperatures:
         findings.append(
             Finding(
                 "CW-R030",

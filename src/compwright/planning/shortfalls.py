@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 
 from compwright.fitting.fit import fit_table
-from compwright.fitting.grid import POINTS_PER_PERIOD
+from compwright.fitting.held_grid import POINTS_PER_PERIOD
 from compwright.fitting.periodic import without_periods
 from compwright.planning.wanted import beside
 from compwright.prediction.acting import Correction, difference

@@ -9,10 +9,6 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 
 from compwright.formats.definition.schema import (
-    CHOICES,
-    CROSS,
-    LOOKED_AT,
-    PLAIN,
     Choice,
     Definition,
     Measure,
@@ -21,6 +17,7 @@ from compwright.formats.definition.schema import (
 )
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.definition.statements import field_names
+from compwright.formats.definition.vocabulary import CHOICES, CROSS, LOOKED_AT, PLAIN
 from compwright.foundations.errors import Fault
 from compwright.foundations.yaml_reader import KeyPath
 

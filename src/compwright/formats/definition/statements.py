@@ -12,7 +12,8 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from compwright.formats.definition.schema import Definition, Dialect, FieldType, Statement
+from compwright.formats.definition.schema import Definition, Dialect, Statement
+from compwright.formats.definition.vocabulary import FieldType
 
 _FIELD_PATTERNS: Mapping[FieldType, str] = {
     "integer": r"[0-9]{1,9}",

@@ -12,7 +12,8 @@ from decimal import Decimal
 from typing import cast
 
 from compwright.formats.definition.options import DETECTION_UNIT
-from compwright.formats.definition.schema import Definition, Measure, OptionValue, Sign
+from compwright.formats.definition.schema import Definition, Measure, OptionValue
+from compwright.formats.definition.vocabulary import Sign
 from compwright.records.axis import AxisKind
 
 _FACTORS = {

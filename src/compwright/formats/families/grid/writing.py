@@ -10,8 +10,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from compwright.formats.definition.consistency import curves
-from compwright.formats.definition.schema import Choice, When, WrittenFile
+from compwright.formats.definition.schema import Choice, WrittenFile
 from compwright.formats.definition.statements import print_form
+from compwright.formats.definition.vocabulary import When
 from compwright.formats.families.control_texts import gathered_files, texts_of
 from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.families.grid.beside import MODULO_START

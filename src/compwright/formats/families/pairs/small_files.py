@@ -12,8 +12,8 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from compwright.formats.definition.schema import When
 from compwright.formats.definition.statements import Occurrence, print_form
+from compwright.formats.definition.vocabulary import When
 from compwright.formats.families.axis_names import axis_names
 from compwright.formats.families.between import together
 from compwright.formats.families.entry_keys import (

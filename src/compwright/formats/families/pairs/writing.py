@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from compwright.formats.definition.schema import When
 from compwright.formats.definition.statements import print_form
+from compwright.formats.definition.vocabulary import When
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.tables import TableText

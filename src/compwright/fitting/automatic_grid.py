@@ -1,0 +1,201 @@
+"""The automatic choice of the nodes: as few as the error needs, as many as the control allows. What
+straight lines between nodes lose is computed, not estimated (`losses`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final
+
+import numpy as np
+
+from compwright.fitting.held_grid import POINTS_PER_PERIOD, Grid, grid_of, leaving_out
+from compwright.fitting.losses import good_enough, grid_loss, magnification_needed
+from compwright.fitting.named_spacing import Span
+from compwright.fitting.periodic import without_periods
+from compwright.fitting.steps import Candidate, own_steps, round_steps, taken_steps, whole
+from compwright.foundations.errors import CapacityError, Fault
+from compwright.records.axis import FloatArray
+from compwright.records.capacity import Capacity, Lattice
+from compwright.records.estimate import WantedCorrection
+
+#: Where the control's number of points is not known, the automatic choice stays below this.
+AUTO_MOST: Final = 500
+
+
+def grid_chosen(
+    pool: list[Candidate],
+    others: list[Candidate],
+    ends: tuple[float, float],
+    capacity: Capacity,
+    wanted: WantedCorrection,
+) -> Grid:
+    """Return the grid of one of the candidates: ``pool`` those with the reference at a node,
+    ``others`` the rest; ``ends`` of the table, mm or deg.
+
+    Raises CapacityError where there is none.
+    """
+    quantum = capacity.position_quantum
+    if not (pool or others):
+        unit = wanted.kind.unit
+        least = (
+            f", at least {capacity.min_spacing:.10g} {unit} apart" if capacity.min_spacing else ""
+        )
+        raise CapacityError(
+            Fault(
+                message="no equally spaced grid fits the table's ends",
+                place="table",
+                expected=(
+                    f"{capacity.min_points} to {most_points(capacity)} points at multiples of"
+                    f" {quantum:.10g} {unit}{least}"
+                ),
+                found=f"{ends[0]:.10g} to {ends[1]:.10g} {unit}",
+            )
+        )
+    chosen = _coarsest(pool, others, wanted, capacity)
+    if chosen is not None:
+        return Grid(nodes=chosen, wanted=wanted)
+    if capacity.lattice is not None:
+        compromise = _least_left([*pool, *others], wanted, capacity, capacity.lattice)
+        return grid_of(
+            compromise, wanted, loss=grid_loss(compromise, wanted, capacity.interpolation)
+        )
+    finest = _with_most_points(pool, others).nodes(quantum)
+    step = float(np.max(np.diff(finest)))
+    lost = [period for period in wanted.periods if step * POINTS_PER_PERIOD > period * (1 + 1e-9)]
+    kept = without_periods(wanted, lost)[0] if lost else wanted
+    if lost and len(lost) == len(wanted.periods):
+        enough = _coarsest(pool, others, kept, capacity)
+        if enough is not None:
+            return leaving_out(enough, wanted, lost)
+    return leaving_out(
+        finest,
+        wanted,
+        lost,
+        0.0 if capacity.max_points is None else grid_loss(finest, kept, capacity.interpolation),
+    )
+
+
+def most_points(capacity: Capacity) -> int:
+    """Return how many points a table may have."""
+    return capacity.max_points or max(AUTO_MOST, capacity.min_points)
+
+
+def candidates_over(
+    span: Span, capacity: Capacity, wanted: WantedCorrection, most: int
+) -> tuple[list[Candidate], list[Candidate]]:
+    """Return grids, coarsest first: those with the reference at a node (or on the continued grid),
+    and the others.
+    """
+    in_quanta = wanted.reference / capacity.position_quantum
+    reference = round(in_quanta) if whole(in_quanta) else None
+    length = span.high - span.low
+    exact = [
+        Candidate(span.low, length // pieces, pieces + 1)
+        for pieces in range(max(1, capacity.min_points - 1), most)
+        if length % pieces == 0 and taken_steps([length // pieces], capacity)
+    ]
+    on = [one for one in exact if reference is not None and (reference - span.low) % one.step == 0]
+    off = [one for one in exact if one not in on]
+    anchor = span.low if span.low_fixed else span.high if span.high_fixed else reference
+    reaching = list(_reaching_out(span, span.low if anchor is None else anchor, capacity, most))
+    same = [
+        one for one in reaching if reference is not None and (reference - one.start) % one.step == 0
+    ]
+    # A grid that ends with the travel is the better one; one that reaches out only where there is
+    # none nearly as coarse.
+    on += [one for one in same if not any(0.5 * one.step <= other.step <= one.step for other in on)]
+    off += [one for one in reaching if one not in same]
+    return sorted(on, key=lambda one: one.count), sorted(off, key=lambda one: one.count)
+
+
+def _with_most_points(pool: list[Candidate], others: list[Candidate]) -> Candidate:
+    """Return the finest grid; one without a node at the reference only where it has half as many
+    points again.
+    """
+    best = max(pool or others, key=lambda candidate: candidate.count)
+    spare = max(others, key=lambda candidate: candidate.count, default=best)
+    return spare if spare.count > 1.5 * best.count else best
+
+
+def _reaching_out(span: Span, anchor: int, capacity: Capacity, most: int) -> Iterator[Candidate]:
+    """Yield grids of round steps through ``anchor`` that reach beyond the travel where the job left
+    the end open.
+
+    With free spacing, an end that the job fixed cuts the last section short.
+    """
+    length = span.high - span.low
+    for step in taken_steps(sorted(own_steps(capacity)) or round_steps(2 * length), capacity):
+        start = anchor - -(-(anchor - span.low) // step) * step
+        count = -(-(span.high - start) // step) + 1
+        if not capacity.min_points <= count <= most or (span.low_fixed and start != span.low):
+            continue
+        if span.high_fixed and start + (count - 1) * step != span.high:
+            if capacity.spacing == "free":
+                yield Candidate(start, step, count, span.high)
+            continue
+        yield Candidate(start, step, count)
+
+
+def _coarsest(
+    pool: list[Candidate], others: list[Candidate], wanted: WantedCorrection, capacity: Capacity
+) -> FloatArray | None:
+    """Return the nodes of the coarsest grid that is good enough, preferably with the reference at a
+    node; None: there is none.
+    """
+    on, off = _first_good(pool, wanted, capacity), _first_good(others, wanted, capacity)
+    if on is None or (off is not None and off.count * 3 < on.count):
+        on = off
+    return None if on is None else on.nodes(capacity.position_quantum)
+
+
+def _first_good(
+    candidates: list[Candidate], wanted: WantedCorrection, capacity: Capacity
+) -> Candidate | None:
+    """Return a grid that loses no more than the tolerance: the coarsest, or one nearly as coarse
+    with a rounder step.
+    """
+    quantum = capacity.position_quantum
+    best: Candidate | None = None
+    first = 0
+    for candidate in candidates:
+        if best is not None and candidate.count > 1.3 * first + 1:
+            break
+        if best is not None and candidate.digits(quantum) >= best.digits(quantum):
+            continue
+        nodes = candidate.nodes(quantum)
+        if good_enough(nodes, wanted, capacity):
+            first = candidate.count if best is None else first
+            best = candidate
+    return best
+
+
+def _least_left(
+    candidates: list[Candidate], wanted: WantedCorrection, capacity: Capacity, lattice: Lattice
+) -> FloatArray:
+    """Return the grid that is expected to leave least where none is good enough: finer spacing,
+    smaller increments, but a coarser magnification where those do not suffice. The coarsest of
+    those that are nearly as good.
+
+    Rounding leaves step / sqrt(12) rms at a node (Bennett, Bell System Technical Journal 27, 1948)
+    and, because the mean of (1 - s)² + s² over a section is 2/3, about step / sqrt(18) between
+    straight lines; increments that are too small leave about what they lack.
+    """
+    scored = []
+    for candidate in candidates:
+        nodes = candidate.nodes(capacity.position_quantum)
+        needed = magnification_needed(nodes, wanted, lattice)
+        enough = next(
+            (one for one in lattice.magnifications if one >= needed), lattice.magnifications[-1]
+        )
+        share = 1.0 - enough / needed if needed > enough else 0.0
+        lacking = share * float(np.std(np.concatenate([wanted.positive, wanted.negative])))
+        rounding = enough * lattice.unit / np.sqrt(18.0)
+        left = float(
+            np.sqrt(
+                grid_loss(nodes, wanted, capacity.interpolation) ** 2 + rounding**2 + lacking**2
+            )
+        )
+        scored.append((left, candidate.count, nodes))
+    enough_left = 1.02 * min(left for left, _, _ in scored)
+    return min((one for one in scored if one[0] <= enough_left), key=lambda one: one[1])[2]

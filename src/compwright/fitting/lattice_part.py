@@ -1,0 +1,338 @@
+"""One curve of a table of whole increments: what its whole numbers cost at least, and the exact
+optimum by dynamic programming within windows that are proved wide enough.
+
+Dynamic programming: Bellman, Dynamic Programming (1957). Windows from a bound of the quadratic
+form: Fincke and Pohst, Mathematics of Computation 44 (1985).
+
+Why nothing better lies outside the windows. A `Relaxation` says f(v) >= g + (v - x)'H(v - x)/2 for
+every v within the limits. With any solution of value U at hand, a better one has (v - x)'H(v - x)
+<= 2 (U - g), and by Cauchy and Schwarz (v[i] - x[i])^2 <= (H^-1)[i, i] (v - x)'H(v - x). So node i
+need only be searched within sqrt(2 (U - g) (H^-1)[i, i]) of x[i], and where the neighbours' windows
+reach. The value U is that of a solution which keeps all limits; it lies in every window. A poor U
+or a poor bound makes windows wide, never wrong; where the bound says nothing they end at the
+control's own limits.
+
+What need not be searched. H - share * diag(H) is positive semidefinite, so that f(v) >= g + share *
+sum(H[i, i] (distance from x[i] to the lattice)^2) / 2. A magnification, a reversal value or a shift
+of the second table whose bound lies above U is left out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.fitting.chain import (
+    Chain,
+    Limits,
+    Relaxation,
+)
+from compwright.fitting.sparse import IntArray
+from compwright.fitting.windows import cheapest, closed_lanes, reachable
+from compwright.records.axis import FloatArray
+
+#: Slack of windows against rounding errors, in steps and as a share of U.
+_DUST: Final = 1e-6
+_DUST_SHARE: Final = 1e-10
+#: Half widths (in steps) in which a first solution is sought; then the whole range.
+_FIRST_WINDOWS: Final = (1.0, 4.0, 16.0, 64.0, 1024.0, np.inf)
+_LANES: Final = 16
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Part:
+    """One curve of the table.
+
+    ``constant``: the reversal value is ``sign * step * B`` with whole B between the limits: (sign *
+    step, least, largest); None: there is none. ``anchor``: index in the chain of the reference;
+    ``offsets``: least and largest value there in units, of a second table; None: the value there is
+    zero. ``magnified``: the offset counts in magnified units.
+    """
+
+    chain: Chain
+    low: float
+    high: float
+    constant: tuple[float, int, int] | None = None
+    anchor: int = 0
+    offsets: tuple[int, int] | None = None
+    magnified: bool = False
+
+    def limits(self, unit: float, magnification: int, increments: tuple[int, int]) -> Limits:
+        """Return the limits at one magnification."""
+        low, high = (np.full(self.chain.diagonal.size, end) for end in (self.low, self.high))
+        if self.offsets is not None:
+            one = unit * (magnification if self.magnified else 1)
+            low[self.anchor] = max(self.low, self.offsets[0] * one)
+            high[self.anchor] = min(self.high, self.offsets[1] * one)
+        return Limits(step=unit * magnification, increments=increments, low=low, high=high)
+
+    def shifts(self, unit: float, magnification: int) -> FloatArray:
+        """Return by how much the second table's values may stand off multiples of magnification
+        times unit (n,), mm or deg.
+        """
+        if self.offsets is None or self.magnified:
+            return np.zeros(1)
+        return unit * np.arange(magnification, dtype=np.float64)
+
+    def constant_range(self) -> tuple[float, float]:
+        """Return least and largest reversal value, mm or deg."""
+        if self.constant is None:
+            return 0.0, 0.0
+        step, least, largest = self.constant
+        return min(step * least, step * largest), max(step * least, step * largest)
+
+
+@dataclass(frozen=True, slots=True)
+class Variants:
+    """Ways to go through one part: reversal value ``count`` (n,), its distance from the optimum,
+    the shift, a lower bound.
+    """
+
+    count: IntArray
+    distance: FloatArray
+    shift: FloatArray
+    bound: FloatArray
+
+    def take(self, chosen: IntArray | slice) -> Variants:
+        """Return some of them."""
+        return Variants(
+            self.count[chosen], self.distance[chosen], self.shift[chosen], self.bound[chosen]
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """Values of one part: whole ``totals`` (m,), the ``shift`` (mm or deg), the reversal's whole
+    ``count``; ``objective`` f.
+    """
+
+    totals: IntArray
+    shift: float
+    count: int
+    objective: float
+
+
+def continuous_bound(part: Part, relaxation: Relaxation) -> float:
+    """Return the lower bound without whole numbers: the least over all reversal values."""
+    return float(relaxation.bound(np.array([_best_distance(part, relaxation)]))[0])
+
+
+def _best_distance(part: Part, relaxation: Relaxation) -> float:
+    """Return the reversal value of the least bound, less that of the chain's optimum."""
+    if part.constant is None:
+        return 0.0
+    low, high = part.constant_range()
+    here = part.chain.constant
+    return float(min(max(relaxation.tilt / relaxation.curve, low - here), high - here))
+
+
+def binding(part: Part, relaxation: Relaxation, limits: Limits) -> bool:
+    """Return whether the least of a relaxation breaks a limit."""
+    values = relaxation.centres(np.array([_best_distance(part, relaxation)]))[0]
+    steps, dust = np.diff(values) / (limits.step * part.chain.span), 1e-4
+    climbs = np.any(steps > limits.increments[1] + dust) or np.any(
+        steps < limits.increments[0] - dust
+    )
+    free = ~part.chain.fixed
+    outside = np.maximum(values - limits.high, limits.low - values)[free] > dust * limits.step
+    return bool(climbs or np.any(outside))
+
+
+def counts_within(part: Part, relaxation: Relaxation, room: float) -> IntArray:
+    """Return the whole reversal values whose bound may lie within ``room``; for infinite room those
+    next to the best one.
+    """
+    if part.constant is None:
+        return np.zeros(1, dtype=np.int64)
+    step, least, largest = part.constant
+    middle, reach = part.chain.constant + _best_distance(part, relaxation), abs(step)
+    if np.isfinite(room):
+        # The bound is a parabola in the reversal value: what is too high at its ends stays so
+        # beyond them.
+        top = relaxation.tilt / relaxation.curve
+        spare = max(0.0, roomy(room) - float(relaxation.bound(np.array([top]))[0]))
+        middle, reach = (
+            part.chain.constant + top,
+            np.sqrt(2.0 * spare / relaxation.curve) + _DUST * abs(step),
+        )
+    ends = sorted(((middle - reach) / step, (middle + reach) / step))
+    low, high = np.clip(np.array([np.ceil(ends[0]), np.floor(ends[1])]), least - 1, largest + 1)
+    return np.arange(max(least, int(low)), min(largest, int(high)) + 1, dtype=np.int64)
+
+
+def variants_within(
+    part: Part, relaxation: Relaxation, limits: Limits, shifts: FloatArray, room: float
+) -> Variants:
+    """Return what is to be tried where no solution may exceed ``room``, the most promising
+    first.
+    """
+    counts = counts_within(part, relaxation, room)
+    step = part.constant[0] if part.constant else 0.0
+    distance = counts.astype(np.float64) * step - part.chain.constant
+    bounds = relaxation.bound(distance)
+    centres = relaxation.centres(distance)
+    whole = np.concatenate(
+        [bounds + _whole(part.chain, centres, shift, limits.step) for shift in shifts]
+    )
+    every = Variants(
+        np.tile(counts, shifts.size),
+        np.tile(distance, shifts.size),
+        np.repeat(shifts, counts.size),
+        whole,
+    )
+    kept = np.flatnonzero(whole <= roomy(room))
+    return every.take(kept[np.argsort(whole[kept], kind="stable")])
+
+
+def roomy(room: float) -> float:
+    """Return a ceiling with its slack against rounding errors."""
+    return room + _DUST_SHARE * abs(room)
+
+
+def _whole(chain: Chain, centres: FloatArray, shift: float, step: float) -> FloatArray:
+    """Return what whole numbers cost at least (n,): see the module docstring."""
+    counted = (centres - shift) / step
+    distance = np.where(chain.fixed, 0.0, (counted - np.round(counted)) * step)
+    cost: FloatArray = 0.5 * chain.share * (distance**2 @ chain.diagonal)
+    return cost
+
+
+def best_of_part(
+    part: Part, relaxation: Relaxation, limits: Limits, shifts: FloatArray, ceiling: float
+) -> Found | None:
+    """Return the best solution of one part with value ``ceiling`` or less."""
+    nearest = variants_within(part, relaxation, limits, shifts, np.inf).take(slice(0, 1))
+    best = first_of_part(part, relaxation, limits, nearest)
+    ceiling = ceiling if best is None else min(ceiling, best.objective)
+    variants = variants_within(part, relaxation, limits, shifts, ceiling)
+    for start in range(0, variants.count.size, _LANES):
+        some = variants.take(slice(start, start + _LANES))
+        some = some.take(np.flatnonzero(some.bound <= roomy(ceiling)))
+        found = _within(part, relaxation, limits, some, ceiling)
+        if found is not None and (best is None or found.objective < best.objective):
+            best = found
+            ceiling = min(ceiling, found.objective)
+    return best
+
+
+def first_of_part(
+    part: Part, relaxation: Relaxation, limits: Limits, variant: Variants
+) -> Found | None:
+    """Return a solution for one variant: its relaxed values rounded and swept into the limits, else
+    the best near them.
+    """
+    if not variant.count.size:
+        return None
+    chain = part.chain
+    values = relaxation.centres(variant.distance)
+    counted = (values - variant.shift[:, np.newaxis]) / limits.step
+    # Halves go one way throughout: steps within whole limits stay within them.
+    totals = np.floor(counted[0] + 0.5 + 1e-9)
+    low, high = _ends(chain, limits, variant.shift)
+    totals = _swept(chain, limits, np.clip(totals, low[0], high[0]), part.anchor)
+    if _allowed(chain, limits, totals, low[0], high[0]):
+        shift = float(variant.shift[0])
+        objective = chain.value(
+            totals * limits.step + shift, chain.constant + float(variant.distance[0])
+        )
+        return Found(totals.astype(np.int64), shift, int(variant.count[0]), objective)
+    for half in _FIRST_WINDOWS:
+        near_low = np.maximum(low, np.floor(counted - half)) if np.isfinite(half) else low
+        near_high = np.minimum(high, np.ceil(counted + half)) if np.isfinite(half) else high
+        found = _search_windows(part, limits, variant, near_low, near_high)
+        if found is not None:
+            return found
+    return None
+
+
+def _allowed(
+    chain: Chain, limits: Limits, totals: FloatArray, low: FloatArray, high: FloatArray
+) -> bool:
+    steps = np.diff(totals)
+    climbs = (steps >= limits.increments[0] * chain.span) & (
+        steps <= limits.increments[1] * chain.span
+    )
+    closes = not chain.closed or totals[0] == totals[-1]
+    return bool(closes and np.all(climbs) and np.all((totals >= low) & (totals <= high)))
+
+
+def _swept(chain: Chain, limits: Limits, totals: FloatArray, anchor: int) -> FloatArray:
+    """Return ``totals`` (m,) with every increment within its limits, from the reference outward;
+    what is within them stays.
+    """
+    totals = totals.copy()
+    if chain.closed:
+        totals[-1] = totals[0]
+    least, largest = (end * chain.span for end in limits.increments)
+    if np.all((np.diff(totals) >= least) & (np.diff(totals) <= largest)):
+        return totals
+    for node in range(anchor + 1, totals.size):
+        before = totals[node - 1]
+        totals[node] = min(max(totals[node], before + least[node - 1]), before + largest[node - 1])
+    for node in range(anchor - 1, -1, -1):
+        after = totals[node + 1]
+        totals[node] = min(max(totals[node], after - largest[node]), after - least[node])
+    return totals
+
+
+def _ends(chain: Chain, limits: Limits, shift: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return least and largest totals (n, m) by the value range; zero where the value is fixed."""
+    low = np.ceil((limits.low - shift[:, np.newaxis]) / limits.step - _DUST)
+    high = np.floor((limits.high - shift[:, np.newaxis]) / limits.step + _DUST)
+    return np.where(chain.fixed, 0.0, low), np.where(chain.fixed, 0.0, high)
+
+
+def _within(
+    part: Part, relaxation: Relaxation, limits: Limits, variants: Variants, ceiling: float
+) -> Found | None:
+    """Return the best solution of ``variants`` with value ``ceiling`` or less, from windows that
+    hold every such one (Fincke and Pohst 1985).
+    """
+    chain = part.chain
+    spare = np.maximum(0.0, roomy(ceiling) - relaxation.bound(variants.distance))
+    radius = np.sqrt(2.0 * np.outer(spare, chain.inverse)) + _DUST * limits.step
+    centres = relaxation.centres(variants.distance) - variants.shift[:, np.newaxis]
+    low, high = _ends(chain, limits, variants.shift)
+    if np.isfinite(ceiling):
+        low = np.maximum(low, np.ceil((centres - radius) / limits.step))
+        high = np.minimum(high, np.floor((centres + radius) / limits.step))
+    return _search_windows(part, limits, variants, low, high)
+
+
+def _search_windows(
+    part: Part, limits: Limits, variants: Variants, low: FloatArray, high: FloatArray
+) -> Found | None:
+    """Return the best solution with totals between ``low`` and ``high`` (n, m), one lane for each
+    variant.
+    """
+    chain = part.chain
+    low, high = reachable(chain, limits, low, high)
+    lanes = np.flatnonzero(np.all(low <= high, axis=1))
+    if chain.closed:
+        lanes, low, high = closed_lanes(lanes, low, high)
+    else:
+        low, high = low[lanes], high[lanes]
+    best: Found | None = None
+    for start in range(0, lanes.size, _LANES):
+        some = lanes[start : start + _LANES]
+        distance, shift = variants.distance[some], variants.shift[some]
+        targets = (
+            chain.optimum - np.outer(distance, chain.solve(chain.coupling)) - shift[:, np.newaxis]
+        ) / limits.step
+        batch = slice(start, start + _LANES)
+        costs, totals = cheapest(
+            chain, limits, targets, low[batch].astype(np.int64), high[batch].astype(np.int64)
+        )
+        left = 0.5 * chain.left if chain.stiffness else 0.0
+        values = chain.least + left * distance**2 + limits.step**2 * costs
+        lane = int(np.argmin(values))
+        if np.isfinite(values[lane]) and (best is None or values[lane] < best.objective):
+            best = Found(
+                totals[lane],
+                float(shift[lane]),
+                int(variants.count[some[lane]]),
+                float(values[lane]),
+            )
+    return best
