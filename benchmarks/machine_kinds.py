@@ -200,28 +200,20 @@ def _outliers(rng: Generator) -> Machine:
     return loud(plain(rng), outlier_share=0.02, outlier_size=8.0)
 
 
-@kind("shifts between traverses")
-def _shifts(rng: Generator) -> Machine:
-    axis = plain(rng)
-    return loud(axis, shift=axis.noise.sigma * rng.uniform(0.7, 3))
+def _moving(part: str, least: float, most: float) -> Kind:
+    """Return the kind whose traverses move so many times the scatter of a reading."""
+
+    def made(rng: Generator) -> Machine:
+        axis = plain(rng)
+        return loud(axis, **{part: axis.noise.sigma * rng.uniform(least, most)})
+
+    return made
 
 
-@kind("tilts between traverses")
-def _tilts(rng: Generator) -> Machine:
-    axis = plain(rng)
-    return loud(axis, tilt=axis.noise.sigma * rng.uniform(1.5, 5))
-
-
-@kind("random walk between traverses")
-def _walk(rng: Generator) -> Machine:
-    axis = plain(rng)
-    return loud(axis, walk=axis.noise.sigma * rng.uniform(0.4, 1.5))
-
-
-@kind("shifts between runs")
-def _run_shifts(rng: Generator) -> Machine:
-    axis = plain(rng)
-    return loud(axis, run_shift=axis.noise.sigma * rng.uniform(0.7, 3))
+kind("shifts between traverses")(_moving("shift", 0.7, 3))
+kind("tilts between traverses")(_moving("tilt", 1.5, 5))
+kind("random walk between traverses")(_moving("walk", 0.4, 1.5))
+kind("shifts between runs")(_moving("run_shift", 0.7, 3))
 
 
 @kind("a traverse off now and then")

@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
+from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.utf8 import encoded
 
 _PLAIN: Final = json.JSONEncoder(allow_nan=False, ensure_ascii=False).encode
@@ -47,3 +48,27 @@ def _pieces(value: Any, line: str) -> Iterator[str]:
         yield line + "]"
     else:
         yield _PLAIN(value)
+
+
+def read_json(content: bytes, file: str, schema: str, name: str, expected: str) -> dict[str, Any]:
+    """Return a document of this ``schema``; ``name``: what it is called, ``expected``: what should
+    have been given. Raises InputError for anything else (file, key, expected, found).
+    """
+    try:
+        data = json.loads(content.decode("utf-8"))
+    except (ValueError, RecursionError) as error:
+        raise InputError(
+            Fault(message="is not JSON", file=file, expected=expected, found=str(error))
+        ) from error
+    found = data.get("schema") if isinstance(data, dict) else None
+    if found != schema:
+        raise InputError(
+            Fault(
+                message=f"is not a {name} that this version reads",
+                file=file,
+                place="schema",
+                expected=schema,
+                found=repr(found),
+            )
+        )
+    return dict(data)

@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from compwright.documents.json_text import read_json
 from compwright.documents.plan_check import plan_faults
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.findings import Finding
@@ -126,23 +127,7 @@ def read_plan(content: bytes, file: str) -> Plan:
     """Read a plan. Raises InputError when it is not one, is of a newer schema, or lacks a key
     (file, key, expected, found).
     """
-    try:
-        data = json.loads(content.decode("utf-8"))
-    except (ValueError, RecursionError) as error:
-        raise InputError(
-            Fault(message="is not JSON", file=file, expected="plan.json of a run", found=str(error))
-        ) from error
-    schema = data.get("schema") if isinstance(data, dict) else None
-    if schema != SCHEMA:
-        raise InputError(
-            Fault(
-                message="is not a plan that this version reads",
-                file=file,
-                place="schema",
-                expected=SCHEMA,
-                found=repr(schema),
-            )
-        )
+    data = read_json(content, file, SCHEMA, "plan", "plan.json of a run")
     try:
         plan = _plan_in(data)
     except KeyError as error:

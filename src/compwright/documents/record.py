@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
+from compwright.documents.json_text import read_json
 from compwright.documents.recorded_test import PARAMETERS, Errors, measured_test
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.provenance import fingerprint
@@ -176,23 +177,7 @@ def _read_back(findings: Iterable[Mapping[str, str]]) -> str:
 
 def read_record(content: bytes, file: str) -> dict[str, Any]:
     """Return a record. Raises InputError when it is none, or of a newer schema."""
-    try:
-        data = json.loads(content.decode("utf-8"))
-    except (ValueError, RecursionError) as error:
-        raise InputError(
-            Fault(message="is not JSON", file=file, expected=f"{RECORD} of a run", found=str(error))
-        ) from error
-    schema = data.get("schema") if isinstance(data, dict) else None
-    if schema != SCHEMA:
-        raise InputError(
-            Fault(
-                message="is not a record that this version reads",
-                file=file,
-                place="schema",
-                expected=SCHEMA,
-                found=repr(schema),
-            )
-        )
+    data = read_json(content, file, SCHEMA, "record", f"{RECORD} of a run")
     misfit = next((key for key, needed in _ENTRIES.items() if not _are(data, key, needed)), None)
     if misfit is not None:
         raise InputError(

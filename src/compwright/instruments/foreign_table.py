@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from compwright.instruments.comments import comment_text
+from compwright.instruments.csv_table import Row
 from compwright.instruments.fault_list import FaultList, shown
 
 #: Delimiters by their names in a profile; blanks: any number of them.
@@ -18,19 +19,11 @@ DELIMITERS: Final = {"semicolon": ";", "tab": "\t", "comma": ",", "bar": "|", "b
 
 
 @dataclass(frozen=True, slots=True)
-class ForeignRow:
-    """One line below the header row: its number and its cells, stripped."""
-
-    line: int
-    cells: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
 class ForeignTable:
     """``columns``: a name for each; ``before``: the lines above the header row, not blank."""
 
     columns: tuple[str, ...]
-    rows: tuple[ForeignRow, ...]
+    rows: tuple[Row, ...]
     before: tuple[str, ...] = ()
 
 
@@ -81,7 +74,7 @@ def foreign_table(
         for number, line in enumerate(text[header_line:], start=header_line + 1)
         if line.strip(" \t,;|") and comment_text(line) is None
     ]
-    rows: list[ForeignRow] = []
+    rows: list[Row] = []
     header = cells_of(text[header_line - 1], delimiter) if header_line else None
     if header_line and not header:
         faults.add("the header row cannot be read", place=f"line {header_line}")
@@ -102,7 +95,7 @@ def foreign_table(
                 found=f"{len(cells)}: {shown(line)}",
             )
             continue
-        rows.append(ForeignRow(number, tuple(cells)))
+        rows.append(Row(number, tuple(cells)))
     if not header:
         width = max((len(row.cells) for row in rows), default=0)
     columns = named_columns(header or [""] * width)
@@ -111,7 +104,7 @@ def foreign_table(
         tuple(
             row
             if len(row.cells) == len(columns)
-            else ForeignRow(row.line, row.cells + ("",) * (len(columns) - len(row.cells)))
+            else Row(row.line, row.cells + ("",) * (len(columns) - len(row.cells)))
             for row in rows
         ),
         tuple(line.strip() for line in text[: max(header_line - 1, 0)] if line.strip(" \t,;|")),

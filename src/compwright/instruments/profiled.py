@@ -11,9 +11,9 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.instruments.assembling import Reading, as_text
+from compwright.instruments.csv_table import Row
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.foreign_table import (
-    ForeignRow,
     ForeignTable,
     cells_of,
     foreign_table,
@@ -175,13 +175,13 @@ class _Cells:
         self.at = {name: index for index, name in enumerate(table.columns)}
         self.rows, self.profile, self.faults = table.rows, profile, faults
 
-    def text(self, row: ForeignRow, name: str) -> str:
+    def text(self, row: Row, name: str) -> str:
         return row.cells[self.at[name]] if name else ""
 
     def filled(self, name: str) -> bool:
         return any(row.cells[self.at[name]] for row in self.rows)
 
-    def number(self, row: ForeignRow, name: str) -> float | None:
+    def number(self, row: Row, name: str) -> float | None:
         text = self.text(row, name)
         place = f"line {row.line}, column {name}"
         other = {".": ",", ",": "."}[self.profile.decimal]
@@ -200,7 +200,7 @@ class _Cells:
             self.faults.add(str(reason), place=place, expected="a number", found=shown(text))
             return None
 
-    def deviation(self, row: ForeignRow, name: str, target: float) -> float | None:
+    def deviation(self, row: Row, name: str, target: float) -> float | None:
         """Return measured minus target in mm or deg of the value in a column; ``target`` in mm or
         deg.
         """
@@ -217,7 +217,7 @@ def _factor(unit: str) -> float:
     return {**LENGTHS, **ANGLES}[unit]
 
 
-def _wide(rows: Sequence[ForeignRow], cells: _Cells, profile: Profile) -> list[Reading]:
+def _wide(rows: Sequence[Row], cells: _Cells, profile: Profile) -> list[Reading]:
     readings = []
     for row in rows:
         number = cells.number(row, profile.target)
@@ -234,9 +234,7 @@ def _wide(rows: Sequence[ForeignRow], cells: _Cells, profile: Profile) -> list[R
     return readings
 
 
-def _long(
-    rows: Sequence[ForeignRow], cells: _Cells, profile: Profile, faults: FaultList
-) -> list[Reading]:
+def _long(rows: Sequence[Row], cells: _Cells, profile: Profile, faults: FaultList) -> list[Reading]:
     taken = []
     by_column = profile.direction_from == "column"
     for row in rows:
@@ -365,7 +363,7 @@ def _runs(
     ]
 
 
-def _unused(rows: Sequence[ForeignRow], profile: Profile) -> Finding | None:
+def _unused(rows: Sequence[Row], profile: Profile) -> Finding | None:
     if not rows:
         return None
     told = [f"{row.line} {shown('; '.join(filter(None, row.cells)))}" for row in rows[:_LISTED]]
