@@ -153,6 +153,51 @@ def test_tests_stand_in_the_order_of_their_dates_the_undated_behind(
     assert "3 of 5 tests state no date (1 a date that can be read in two ways)" in note
 
 
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("22.11.2026 11:00 AM", "22.11.2026 1:30 PM"),
+        ("2026-11-22 08:00", "2026-11-22"),  # nobody says that it was at midnight
+        ("2026-11-22", "2026-11-22 08:00"),
+    ],
+)
+def test_on_one_day_the_table_is_loaded_between_before_and_after(
+    tmp_path: Path, ask: Ask, before: str, after: str
+) -> None:
+    """The other way round a table that took the lost motion away would look like a collision."""
+    tests = (
+        axis_test(date=before, B_mean=-5.0),
+        axis_test(date=after, B_mean=0.0, taken="after"),
+    )
+    verification = {
+        "verdict": "good",
+        "axes": {"X": {"loading": {"verdict": "loaded"}, "read_back": "equal"}},
+    }
+    record(tmp_path / "a", *tests, verification=verification)
+    one = axis_of(ask(tmp_path))
+    assert [test["taken"] for test in one["tests"]] == ["before", "after"]
+    sizes = [change["size"] for change in one["changes"] if change["parameter"] == "B_mean"]
+    assert sizes == [pytest.approx(5.0)]
+
+
+def test_dates_that_contradict_the_work_are_told(tmp_path: Path, ask: Ask) -> None:
+    verification = {"verdict": "good", "axes": {"X": {"loading": {"verdict": "loaded"}}}}
+    tests = (axis_test(date="2026-11-22"), axis_test(date="2025-11-23", taken="after"))
+    record(tmp_path / "a", *tests, verification=verification)
+    (note,) = ask(tmp_path)["notes"]
+    assert "after loading is dated 2025-11-23, one before loading 2026-11-22" in note
+
+
+def test_two_names_under_one_serial_number_are_told(tmp_path: Path, ask: Ask) -> None:
+    for name, B_mean in (("VMC 400", -2.0), ("Lathe 7", -9.0)):
+        named = {"name": name, "serial": "0000"}
+        record(tmp_path / name, axis_test(date="2024-01-01", B_mean=B_mean), machine=named)
+    (note,) = ask(tmp_path)["notes"]
+    assert "0000" in note
+    assert "VMC 400" in note
+    assert "Lathe 7" in note
+
+
 def test_a_change_beyond_the_uncertainty_is_marked_with_its_size(tmp_path: Path, ask: Ask) -> None:
     """Standard errors 0.1 each: 7 µm are 7/√0.02 of them; 0.3 µm are two, which says nothing."""
     record(tmp_path / "1", axis_test(date="2023-01-01", B_mean=-2.0))
@@ -304,6 +349,16 @@ def test_only_folders_that_changed_are_read_again(
     assert ask(tmp_path / "all", *index) == ask(tmp_path / "all")
 
 
+def test_what_the_index_knows_is_not_overwritten_either(tmp_path: Path, ask: Ask) -> None:
+    folder = record(tmp_path / "a", axis_test(date="2024-01-01"))
+    index = ("--index", tmp_path / "i.sqlite")
+    ask(folder, *index)
+    before = (folder / "evaluation.json").read_bytes()
+    words = ["history", folder, *index, "--table", folder / "evaluation.json", "--force"]
+    assert compwright([str(word) for word in words]) == 5
+    assert (folder / "evaluation.json").read_bytes() == before
+
+
 def test_the_index_answers_other_programs(tmp_path: Path, ask: Ask) -> None:
     record(tmp_path / "a", axis_test(date="2024-01-01", A=12.5))
     ask(tmp_path / "a", "--index", tmp_path / "i.sqlite")
@@ -370,6 +425,10 @@ def test_what_is_no_index_is_refused_and_stays(
         '{"schema": "compwright/record/1", "files": 3, "inputs": []}',
         json.dumps({**EMPTY, "tests": [{"kind": "positioning"}]}),
         json.dumps({**EMPTY, "machine": [1], "tests": [1]}),
+        json.dumps({**EMPTY, "tests": [axis_test(A=float("nan"))]}),
+        json.dumps({**EMPTY, "tests": [axis_test(parameters={"A": 10**400})]}),
+        json.dumps({**EMPTY, "tests": [axis_test(std_error={"s": {"value": 0.1, "dof": -5}})]}),
+        json.dumps({**EMPTY, "tests": [axis_test(std_error={"A": {"value": 1e308, "dof": 4}})]}),
     ],
 )
 def test_a_damaged_record_is_named_and_the_rest_is_shown(
@@ -419,6 +478,12 @@ def test_control_characters_in_names_do_not_reach_the_terminal(
     assert compwright(["history", str(tmp_path)]) == 0
     told = capsys.readouterr()
     assert not {"\x1b", "\x07", "\r"} & set(told.out + told.err)
+
+
+def test_half_a_character_in_an_edited_record(tmp_path: Path, ask: Ask) -> None:
+    record(tmp_path / "a", axis_test(), machine={"name": "VMC \ud800"})
+    (machine,) = ask(tmp_path, "--index", tmp_path / "i.sqlite")["machines"]
+    assert machine["name"].startswith("VMC ")
 
 
 def test_table_and_plot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -6,7 +6,10 @@ import re
 from datetime import date
 
 _MONTHS = ("jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec")
-_TIME = r"(?:[T,\s-]+(?P<h>\d{1,2}):?(?P<n>\d{2})(?::?(?P<s>\d{2}))?.*)?"
+_TIME = (
+    r"(?:[T,\s-]+(?P<h>\d{1,2}):?(?P<n>\d{2})(?::?(?P<s>\d{2})(?:[.,]\d+)?)?"
+    r"(?:\s*(?P<half>[ap])\.?\s?m\b)?.*)?"
+)
 _FORMS = tuple(
     re.compile(rf"\s*{form}{_TIME}\s*", re.IGNORECASE)
     for form in (
@@ -51,4 +54,7 @@ def _written(year: int, month: int, day: int, parts: dict[str, str | None]) -> s
         return ""
     if parts["h"] is None or parts["n"] is None:
         return text
-    return f"{text} {int(parts['h']):02d}:{parts['n']}:{parts['s'] or '00'}"
+    hour = int(parts["h"])
+    if parts["half"] and 1 <= hour <= 12:  # 12:10 am is ten past midnight
+        hour = hour % 12 + (12 if parts["half"].lower() == "p" else 0)
+    return f"{text} {hour:02d}:{parts['n']}:{parts['s'] or '00'}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -118,7 +118,8 @@ def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[Serie
     found = []
     for key, circular, what in sorted(groups, key=lambda each: (*each[:2], _natural(each[2]))):
         group = groups[key, circular, what]
-        ordered = sorted(without_repeats(sorted(group, key=_in_time)), key=_in_time)
+        in_time = _in_time(group)
+        ordered = sorted(without_repeats(sorted(group, key=in_time)), key=in_time)
         last = ordered[-1]
         found.append(
             Series(
@@ -147,15 +148,22 @@ def _machine(entry: HistoryEntry, tops: Sequence[Path]) -> str:
     return f"3 {top}/{parts[0] if parts else ''}"
 
 
-def _in_time(entry: HistoryEntry) -> tuple[object, ...]:
-    """Sort by date; what states none comes behind, in the order of the folders."""
-    return (
+def _in_time(group: Iterable[HistoryEntry]) -> Callable[[HistoryEntry], tuple[object, ...]]:
+    """Sort by date; what states none comes behind, in the order of the folders. So do tests of one
+    day, unless each of them says its time.
+    """
+    timeless = {entry.day for entry in group if " " not in entry.day}
+    return lambda entry: (
         entry.day == "",
-        entry.day,
+        _date(entry) if _date(entry) in timeless else entry.day,
         _natural(entry.folder),
         entry.taken == "after",
         entry.number,
     )
+
+
+def _date(entry: HistoryEntry) -> str:
+    return entry.day.partition(" ")[0]
 
 
 def _natural(text: str) -> list[tuple[int, int, str]]:
@@ -180,9 +188,39 @@ def _notes(series: Sequence[Series]) -> list[str]:
             f"{undated} of {len(entries)} tests {what} no date{unclear}: they stand behind the"
             " others, in the order of their folders"
         )
+    found += [*_turned_dates(entries), *_names_of_one_number(entries)]
     if simulated:
         found.append(f"{simulated} of {len(entries)} tests were simulated")
     return found
+
+
+def _turned_dates(entries: Sequence[HistoryEntry]) -> Iterator[str]:
+    """Yield where a test after loading is dated before one that its table was made from."""
+    for folder in dict.fromkeys(entry.folder for entry in entries):
+        days: dict[str, list[str]] = {"before": [], "after": []}
+        for entry in entries:
+            if entry.folder == folder and entry.day:
+                days[entry.taken].append(_date(entry))
+        if days["before"] and days["after"] and min(days["after"]) < max(days["before"]):
+            yield (
+                f"{folder}: a test after loading is dated {min(days['after'])}, one before loading"
+                f" {max(days['before'])}: the order here follows the dates, look at them"
+            )
+
+
+def _names_of_one_number(entries: Iterable[HistoryEntry]) -> Iterator[str]:
+    """Yield where one serial number stands for machines of several names."""
+    names: dict[str, dict[str, str]] = {}
+    for entry in entries:
+        if entry.serial and entry.machine:
+            known = names.setdefault(entry.serial.casefold(), {})
+            known.setdefault(entry.machine.casefold(), entry.machine)
+    for serial, known in names.items():
+        if len(known) > 1:
+            yield (
+                f"serial number {serial}: named {' and '.join(known.values())}; shown as one"
+                " machine. If they are two, a difference between them is no change of either"
+            )
 
 
 def _asked(

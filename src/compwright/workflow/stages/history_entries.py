@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from compwright.foundations.dates import day_of
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.provenance import fingerprint
-from compwright.foundations.utf8 import shown_path
+from compwright.foundations.utf8 import encoded, shown_path
 from compwright.records.history import HistoryEntry
 from compwright.workflow.stages.result_folders import ResultFolder
 
 #: What a job begun by ``new`` holds where nobody filled in a name.
 _NOT_GIVEN = "not given"
+#: µm, arcsec, µm/m and degrees of freedom beyond which nothing was measured.
+_MOST = 1e12
 
 
 def entries_of(folder: ResultFolder) -> list[HistoryEntry]:
@@ -22,7 +25,7 @@ def entries_of(folder: ResultFolder) -> list[HistoryEntry]:
     """
     try:
         return list(_entries(folder))
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError) as error:
         raise InputError(
             Fault(
                 message="the record does not fit its schema",
@@ -38,17 +41,17 @@ def _entries(folder: ResultFolder) -> Iterator[HistoryEntry]:
     verification = record["verification"] or {}
     for number, test in enumerate(record["tests"]):
         circular = test["kind"] == "circular"
-        date = str(test["date"])
+        date = _text(test["date"])
         table, acting = _acted(record, test, _of_axes(verification, test))
         yield HistoryEntry(
             folder=shown_path(folder.path),
             number=number,
             machine=machine["name"],
             serial=machine["serial"],
-            what=str(test["plane"] if circular else test["axis"]),
+            what=_text(test["plane"] if circular else test["axis"]),
             kind="circular" if circular else "positioning",
             rotary=not circular and test["axis_kind"] == "rotary",
-            test=str(test["name"]),
+            test=_text(test["name"]),
             taken="after" if test["taken"] == "after" else "before",
             date=date,
             day=day_of(date),
@@ -57,11 +60,11 @@ def _entries(folder: ResultFolder) -> Iterator[HistoryEntry]:
             values=_values(test),
             errors=_errors(test),
             declared={
-                str(name): (float(stated["U"]), float(stated["coverage"]))
+                _text(name): (_number(stated["U"], 0.0), _number(stated["coverage"], 1e-9))
                 for name, stated in test.get("uncertainty", {}).items()
                 if stated["U"] is not None
             },
-            targets=tuple(float(target) for target in test.get("targets", ())),
+            targets=tuple(_number(target) for target in test.get("targets", ())),
             table=table,
             acting=acting,
             verdict=str(verification["verdict"]) if test["taken"] == "after" else "",
@@ -71,8 +74,21 @@ def _entries(folder: ResultFolder) -> Iterator[HistoryEntry]:
 
 
 def _named(value: object) -> str:
-    text = "" if value is None else str(value).strip()
+    text = "" if value is None else _text(value).strip()
     return "" if text.lower() == _NOT_GIVEN else text
+
+
+def _text(value: object) -> str:
+    """Return what can be written: an edited record may hold half a character."""
+    return encoded(str(value)).decode()
+
+
+def _number(value: Any, least: float = -_MOST) -> float:
+    """Return a number that was measured. Raises ValueError for what was not."""
+    number = float(value)
+    if not (math.isfinite(number) and least <= number <= _MOST):
+        raise ValueError(f"a value of {number:g}")
+    return number
 
 
 def _values(test: Mapping[str, Any]) -> dict[str, float]:
@@ -81,17 +97,17 @@ def _values(test: Mapping[str, Any]) -> dict[str, float]:
         found["squareness"] = (test["squareness"] or {}).get("value")
     else:
         found["s"] = test["s"]
-    return {str(name): float(value) for name, value in found.items() if value is not None}
+    return {_text(name): _number(value) for name, value in found.items() if value is not None}
 
 
 def _errors(test: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
     if test["kind"] != "circular":
         return {
-            str(name): (float(error["value"]), float(error["dof"]))
+            _text(name): (_number(error["value"], 0.0), _number(error["dof"], 1e-9))
             for name, error in test["std_error"].items()
         }
     error = (test["squareness"] or {}).get("std_error")
-    return {} if error is None else {"squareness": (float(error), 1e9)}
+    return {} if error is None else {"squareness": (_number(error, 0.0), 1e9)}
 
 
 def _of_axes(verification: Mapping[str, Any], test: Mapping[str, Any]) -> list[Mapping[str, Any]]:
