@@ -376,6 +376,20 @@ def test_what_explains_a_difference(loaded: Any, verdict: str) -> None:
     assert judge_read_back(correction(), loaded, nothing, NODES, 50.0).verdict == verdict
 
 
+@pytest.mark.parametrize("wrong", [1, 3])
+def test_single_wrong_values_are_not_a_direction(wrong: int) -> None:
+    """Of the values for arriving in + most are the plan's: somebody mistyped."""
+
+    def mistyped(positions: Any, direction: Direction) -> Any:
+        hit = (positions < NODES[wrong]) & (direction is Direction.POSITIVE)
+        return correction()(positions, direction) + 0.003 * hit
+
+    nothing = correction(np.zeros(9), backlash=0.0)
+    answer = judge_read_back(correction(), mistyped, nothing, NODES, 50.0)
+    assert answer.verdict == "other"
+    assert f"at {wrong} of 18 nodes" in answer.message
+
+
 def test_a_table_without_shape_is_not_called_shifted_or_inverted() -> None:
     """Only a backlash was planned: another constant explains nothing but another backlash."""
     planned, loaded = correction(np.zeros(9)), correction(np.zeros(9), backlash=-0.007)

@@ -309,6 +309,18 @@ def test_what_else_was_changed_in_the_control_is_settled_first(pair: Pair) -> No
     assert "BACKLASH of joint 2" in then.document["reason"]
 
 
+def test_values_without_an_axis_are_those_of_the_table_that_is_not_the_plans(pair: Pair) -> None:
+    """Rows of a table name no axis: what its axis shows says what was read back."""
+    compared = differing(pair, "", "100.0000000 positive")
+    said = {"verdict": "not_active", "message": "what was in the control before is still there"}
+    axes = {**compared["axes"], "X": {**compared["axes"]["X"], **said}}
+    then = pair.next({**compared, "axes": axes})
+    assert not then.files
+    reason = then.document["reason"]
+    assert "axis X: what was in the control before is still there" in reason
+    assert "something else" not in reason
+
+
 def test_what_cannot_be_compared_is_not_built_upon(pair: Pair) -> None:
     then = pair.next("the files say nothing of axis X")
     assert not then.files

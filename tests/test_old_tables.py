@@ -95,6 +95,25 @@ def test_what_contradicts_the_files_is_named(what: str, correction: Acts, says: 
     assert reason.endswith("Look at: look at the switch")
 
 
+@pytest.mark.parametrize("both", [acts(factor=0.0), acts()], ids=["off in both", "on in both"])
+def test_two_tests_that_show_the_same_do_not_say_in_which_one_it_was_wrong(both: Acts) -> None:
+    """Who forgot to switch off for the test without it has the same difference, none, as who forgot
+    to switch on.
+    """
+    old = judged_old_table(AXIS, planned("off", 1, both), planned("on", 2, both), STATES, (AXIS,))
+    assert old.contradicted
+    reason = old.refusal([])
+    assert "acted in x_off as well" in reason
+    assert "contradict what the files say, 99.9 % sure:" in reason
+
+
+def test_tests_that_were_exchanged_may_look_like_the_opposite_sign() -> None:
+    old = judged_old_table(AXIS, planned("off", 1, acts()), planned("on", 2), STATES, (AXIS,))
+    assert old.verdict.verdict == "inverted"
+    assert "the two tests are exchanged" in old.refusal([])
+    assert "exchanged" not in judged(acts(shift=100.0)).refusal([])
+
+
 def test_a_table_that_changes_next_to_nothing_cannot_be_told() -> None:
     """Of a table of half the noise of the means, nothing is claimed either way."""
     small = {

@@ -27,6 +27,11 @@ _DID: Final[dict[LoadingName, str]] = {
     "measurement": "and the readings do not go together: one of the tests was measured wrongly",
     "undecided": "did something else ({which})",
 }
+#: What would have shown the same: the tests tell only by how much they differ.
+_AS_WELL: Final[dict[LoadingName, str]] = {
+    "not_active": "or it acted in {off} as well: both show the same axis (was it off for {off}?)",
+    "inverted": "or the two tests are exchanged",
+}
 #: From these odds on a fault is one, named or not; candidates from this probability on are told.
 _CLEAR: Final = 0.99
 _TOLD: Final = 0.05
@@ -73,12 +78,16 @@ class OldTable:
         )
         detail = found.detail or found.of or ""
         more = f" ({detail})" if detail else ""
+        names = dict.fromkeys((found.verdict, *(each.verdict for each in self.likely)))
+        as_well = "".join(
+            f", {_AS_WELL[name].format(off=self.off)}" for name in names if name in _AS_WELL
+        )
         percent = min(100.0 * (1.0 - self.acted), 99.9)
-        look = f". Look at: {' '.join(look_at)}" if look_at else ""
+        look = f" Look at: {' '.join(look_at)}" if look_at else ""
         return (
-            f"the tests {self.off} and {self.on} contradict what the files say: the table of state"
-            f" {self.state} {did}{more} in {self.on}, {percent:.1f} % sure, and a total of old"
-            f" and new would be wrong by as much{look.rstrip('.')}"
+            f"the tests {self.off} and {self.on} contradict what the files say, {percent:.1f} %"
+            f" sure: the table of state {self.state} {did}{more} in {self.on}{as_well}. A total of"
+            f" old and new would be wrong by as much.{look}".rstrip(".")
         )
 
     def finding(self) -> Finding | None:

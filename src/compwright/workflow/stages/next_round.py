@@ -142,6 +142,15 @@ def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
     if isinstance(compared, str):
         return f"what was read back cannot be held against the plan: {compared}"
     beside = [one for one in compared["differences"] if one["axis"] not in compared["axes"]]
+    off = {name: one for name, one in compared["axes"].items() if one["verdict"] != "loaded"}
+    if off and beside and not any(one["axis"] for one in beside):
+        # values that name no axis: those of a table that is not the plan's, as far as anyone knows
+        told = "; ".join(f"axis {name}: {one['message']}" for name, one in off.items())
+        return (
+            f"what was read back differs from the plan: {told} ({beside[0]['quantity']}"
+            f"{f' and {len(beside) - 1} more' if len(beside) > 1 else ''}; compwright compare lists"
+            " all). Read back what is in the control now, load what is missing, and verify again"
+        )
     if beside:
         of = f" of axis {beside[0]['axis']}" if beside[0]["axis"] else ""
         return (
