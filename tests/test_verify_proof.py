@@ -112,6 +112,34 @@ def test_an_honest_test_is_good_without_doubts(folder: Path) -> None:
     assert (code, document["verdict"], document["doubts"]) == (0, "good", [])
 
 
+@pytest.mark.parametrize("other", ["off", "datum"])
+def test_files_of_one_test_have_to_go_together(
+    folder: Path, capsys: pytest.CaptureFixture[str], other: str
+) -> None:
+    """Half of the readings with the table and half without look like half of the table."""
+    (folder / "on.csv").write_text(csv_of(TARGETS, honest(folder)))
+    apart = MACHINE.measure(TARGETS, 5)
+    if other == "datum":
+        apart = {sign: block + 0.01 for sign, block in honest(folder, seed=6).items()}
+    (folder / "other.csv").write_text(csv_of(TARGETS, apart))
+    code, document = verify(folder, "on.csv", "other.csv")
+    assert (code, document) == (3, None)
+    said = capsys.readouterr().err
+    assert "other.csv" in said
+    assert "does not go together with" in said
+    assert not (folder / "job" / "verification.json").exists()
+
+
+def test_a_test_in_two_files_is_one_test(folder: Path) -> None:
+    """Runs 1 to 3 in a file, 4 and 5 in another."""
+    now = honest(folder)
+    for name, runs in (("a", slice(0, 3)), ("b", slice(3, 5))):
+        part = {sign: block[:, runs] for sign, block in now.items()}
+        (folder / f"{name}.csv").write_text(csv_of(TARGETS, part))
+    code, document = verify(folder, "a.csv", "b.csv")
+    assert (code, document["verdict"]) == (0, "good")
+
+
 def test_an_honest_test_at_newly_dithered_targets_is_good(folder: Path) -> None:
     targets = MACHINE.targets(count=25, seed=9)
     code, document = after(folder, honest(folder, targets=targets), targets)

@@ -8,7 +8,7 @@ readings. A doubt (`doubts_of_test`) is what lacks proof; each says what to meas
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
 
@@ -45,6 +45,8 @@ _ENOUGH: Final = 15
 #: 0.3 of an interval give 1.6.
 _GAP: Final = 2.0
 _THOUSAND: Final = 1000.0
+#: Degrees of freedom from which repeated readings say what is usual between them.
+_FEW_REPEATS: Final = 5
 
 
 @dataclass(frozen=True, slots=True)
@@ -304,6 +306,48 @@ def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
         " times does so less than once in 1000. Are unit and readings right? Measure again with"
         " the instrument set as for the first test.",
     )
+
+
+def files_apart(parts: Sequence[PositioningTest]) -> tuple[PositioningTest, str] | None:
+    """Return which of the files given as one test lies farthest from the first one, and by how
+    much, in words; None where all go together.
+
+    Means at the same targets and directions lie apart by more than `_BELIEVED` times what a reading
+    scatters within the files: another datum, or another correction. Means of both would be of no
+    machine that there is. Where the readings do not repeat within a file nothing is said.
+    """
+    scatter = [pooled_scatter(part) for part in parts]
+    dof = sum(each for _, each in scatter)
+    if dof < _FEW_REPEATS:
+        return None
+    s = math.sqrt(sum(each * one**2 for one, each in scatter) / dof)
+    gaps = [_apart(parts[0], part) for part in parts[1:]]
+    far = max(gaps, default=0.0)
+    if far <= _BELIEVED * max(s, SAME_READING):
+        return None
+    part = parts[1 + gaps.index(far)]
+    return part, f"{text_of(far, part)} rms, and repeated readings scatter by {text_of(s, part)}"
+
+
+def _apart(one: PositioningTest, other: PositioningTest) -> float:
+    """Return by how much the means of two tests differ (rms) where both have them, mm or deg."""
+    _, mine, theirs = np.intersect1d(
+        _places(one.targets), _places(other.targets), return_indices=True
+    )
+    gaps = [
+        mean_deviation(one.deviations(side))[mine] - mean_deviation(other.deviations(side))[theirs]
+        for side in Direction
+        if side in _measured(one) and side in _measured(other)
+    ]
+    apart = np.concatenate([*gaps, np.zeros(0)])
+    apart = apart[np.isfinite(apart)]
+    return float(np.sqrt(np.mean(apart**2))) if apart.size else 0.0
+
+
+def _places(targets: FloatArray) -> FloatArray:
+    """Return targets rounded so that the same place is the same number."""
+    rounded: FloatArray = np.round(targets, 6)
+    return rounded
 
 
 def _step(test: PositioningTest) -> float:

@@ -19,6 +19,7 @@ from compwright.foundations.errors import (
 from compwright.records.job import AxisJob, Job, TestRequest
 from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
+from compwright.verification.measurement import files_apart
 from compwright.verification.proof import AfterTest
 from compwright.workflow.stages.inputs import read_measurement, read_test
 from compwright.workflow.stages.measurement_files import load_profile
@@ -54,6 +55,7 @@ def after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[AfterTest]:
             later = _later(request, paths)
             later = replace(later, profile=str(beside) if beside else None)
             test = read_test(entry, later, Path())
+            _refuse_files_apart(entry, later)
         except CompwrightError as error:
             errors.append(error)
             continue
@@ -74,6 +76,29 @@ def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
     temperatures; those that the job states are of the test before.
     """
     return replace(request, files=tuple(paths), own_temperatures=())
+
+
+def _refuse_files_apart(entry: AxisJob, request: TestRequest) -> None:
+    """Raise where the files of one test do not go together: one of another state, or of another
+    set-up.
+    """
+    if len(request.files) < 2:
+        return
+    parts = [read_test(entry, replace(request, files=(file,)), Path()) for file in request.files]
+    found = files_apart(parts)
+    if found is not None:
+        part, words = found
+        raise InputError(
+            Fault(
+                message=(
+                    f"does not go together with {parts[0].sources[0].file}, and several files of an"
+                    f" axis are one test: the means lie apart by {words}"
+                ),
+                file=part.sources[0].file,
+                place=f"--after, test {request.name}",
+                expected="files of one set-up, or one test: that of the axis as it is now",
+            )
+        )
 
 
 def _without_temperature(
