@@ -198,6 +198,17 @@ def test_two_names_under_one_serial_number_are_told(tmp_path: Path, ask: Ask) ->
     assert "Lathe 7" in note
 
 
+def test_rounds_without_dates_stand_in_their_order(tmp_path: Path, ask: Ask) -> None:
+    """A next round names the test after loading first; those of the rounds before are older."""
+    states = ["as_found", "round_2", "round_10", "round_1"]
+    tests = [axis_test(B_mean=-float(i), measured_in=state) for i, state in enumerate(states)]
+    record(tmp_path / "next", *tests, states=states)
+    document = ask(tmp_path)
+    assert [test["B_mean"] for test in axis_of(document)["tests"]] == [-3.0, -1.0, -2.0, 0.0]
+    lost = [one for one in axis_of(document)["changes"] if one["parameter"] == "B_mean"]
+    assert [one["size"] for one in lost] == [2.0, -1.0, 2.0]
+
+
 def test_a_change_beyond_the_uncertainty_is_marked_with_its_size(tmp_path: Path, ask: Ask) -> None:
     """Standard errors 0.1 each: 7 µm are 7/√0.02 of them; 0.3 µm are two, which says nothing."""
     record(tmp_path / "1", axis_test(date="2023-01-01", B_mean=-2.0))

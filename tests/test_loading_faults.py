@@ -4,15 +4,24 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.correction import AxisCompensation, no_compensation
+from compwright.records.noise import normal_noise
+from compwright.records.positioning import PositioningTest
 from compwright.records.verification import LoadingVerdict
 from compwright.verification.hypotheses import Loading, loading_hypotheses
-from compwright.verification.likelihood import ErrorBelief, belief_of, curves_of_change, fits_of
+from compwright.verification.likelihood import (
+    ErrorBelief,
+    after_means,
+    belief_of,
+    curves_of_change,
+    fits_of,
+)
 from compwright.verification.loading import (
     View,
     judge_loading,
@@ -362,3 +371,46 @@ def test_a_belief_of_many_targets_is_kept_small() -> None:
     variance = np.sum(belief.root**2, axis=2) + belief.blocks[:, [0, 1], [0, 1]].T
     assert variance[0] == pytest.approx(np.var(both, axis=0, ddof=1), rel=1e-9)
     assert np.all(belief.blocks[:, 0, 1] > 0.0)
+
+
+def test_an_inverted_table_is_no_table_of_another_factor() -> None:
+    """An unknown factor of -1 is the same fault, not another one that could be told from it."""
+    found = judge(shown(-WAVES, -WAVES, -LOST), ONE_TABLE)
+    assert (found.verdict, found.equivalent) == ("inverted", ())
+
+
+def test_what_a_test_tells_little_of_is_near() -> None:
+    """A table of slow waves shifted by a node differs by less than one of fast waves."""
+    slow = compensation(6 * UM * np.sin(NODES / 190.0))
+    for table, near in ((slow, True), (ONE_TABLE, False)):
+        acting = shown(table.positive, table.negative, table.backlash)
+        off = shown(np.r_[table.positive[0], table.positive[:-1]], table.negative) - shown(
+            table.positive, table.negative
+        )
+        off[1] = off[0]
+        distance = float(np.linalg.norm(off - off.mean())) / (NOISE * math.sqrt(2 / RUNS))
+        assert (distance < 8.0) is near
+        found = judge(acting, table)
+        assert found.verdict == "loaded"
+        assert ("shifted" in found.near, "not_active" in found.near) == (near, False)
+
+
+@pytest.mark.parametrize(("dof", "variance"), [(np.inf, 1.0), (5.0, 5.0 / 3.0)])
+def test_single_readings_have_the_noise_of_the_first_test(dof: float, variance: float) -> None:
+    """Student's law has the variance dof / (dof - 2) (Johnson, Kotz, Balakrishnan, 1995, ch. 28)."""
+    sigma = np.full(8, NOISE)
+    noise = replace(normal_noise(sigma, centre=200.0, half=200.0), dof=np.full(8, dof))
+    readings = np.zeros((TARGETS.size, 1))
+    test = PositioningTest(
+        name="x",
+        axis="X",
+        kind=AxisKind.LINEAR,
+        targets=TARGETS,
+        positive=readings,
+        negative=readings,
+        runs_positive=(1,),
+        runs_negative=(1,),
+        frame="machine",
+    )
+    after = after_means(test, noise)
+    assert after.precision == pytest.approx(1.0 / (NOISE**2 * variance))

@@ -53,8 +53,14 @@ def name_of_round(states: Sequence[str]) -> str:
     """Return the name for the state that was in the control until now: ``round_1``, then
     ``round_2``.
     """
-    numbers = [int(found[1]) for name in states if (found := _ROUND.fullmatch(name))]
+    numbers = [number_of_round(name) or 0 for name in states]
     return f"round_{max(numbers, default=0) + 1}"
+
+
+def number_of_round(state: str) -> int | None:
+    """Return which round that is over is called so: 1 of ``round_1``; None of any other name."""
+    found = _ROUND.fullmatch(state)
+    return int(found[1]) if found else None
 
 
 def test_sections(section: Mapping[str, Any]) -> list[dict[str, Any]]:

@@ -42,11 +42,12 @@ class LoadingVerdict:
 
     ``margin``: natural logarithm of the odds for what the data favour over the next candidate (4.6
     is 100:1). ``message``: plain sentences with numbers. ``equivalent``: names that no test could
-    tell from the verdict. ``candidates``: the likeliest names, first the likeliest. ``detail``:
-    which variant of the verdict, in words. ``of``: for ``measurement``, what is wrong with it; for
-    ``wrong_axis``, the axis. ``factor``: for ``scaled``; ``shift_nodes`` > 0: the loaded table sits
-    so many nodes too far to +. ``slope``: of the after test beside the expected, with its standard
-    error, mm/mm; None where none was found.
+    tell from the verdict; ``near``: names of which this test tells little, whatever is likely
+    beforehand (less than eight standard errors off). ``candidates``: the likeliest names, first the
+    likeliest. ``detail``: which variant of the verdict, in words. ``of``: for ``measurement``, what
+    is wrong with it; for ``wrong_axis``, the axis. ``factor``: for ``scaled``; ``shift_nodes`` > 0:
+    the loaded table sits so many nodes too far to +. ``slope``: of the after test beside the
+    expected, with its standard error, mm/mm; None where none was found.
     """
 
     verdict: LoadingName
@@ -57,6 +58,7 @@ class LoadingVerdict:
     shift_nodes: int = 0
     of: str | None = None
     detail: str = ""
+    near: tuple[LoadingName, ...] = ()
     candidates: tuple[Candidate, ...] = ()
     slope: tuple[float, float] | None = None
     findings: tuple[Finding, ...] = ()

@@ -39,7 +39,7 @@ _CUTS: Final = 120
 #: otherwise, changes the effect of a table by so much of itself (standard deviation).
 SLACK: Final = 0.02
 #: Standard deviation of a factor that nothing is known of.
-_FREE: Final = 0.7
+UNKNOWN_FACTOR: Final = 0.7
 
 # Prior odds of a fault against the loaded table, of each distinct variant. With odds of 5:1 and a
 # verdict from 99 %, a fault that lies two standard errors from the loaded table, where it is mixed
@@ -221,10 +221,12 @@ class _Ways:
                 told = f"{words}, apart from the backlash"
                 yield self.made("scaled", self.total(curve), weight, told, **more)
         free: dict[str, Any] = {"inner": True}
-        along = _FREE * (self.own + self.backlash)
+        along = UNKNOWN_FACTOR * (self.own + self.backlash)
         yield self.made("scaled", self.total(self.own), _RARE, free=along, **free)
         if np.any(self.backlash):
-            yield self.made("scaled", self.total(self.own), _RARE, free=_FREE * self.own, **free)
+            yield self.made(
+                "scaled", self.total(self.own), _RARE, free=UNKNOWN_FACTOR * self.own, **free
+            )
 
     def values(self, curves: Mapping[Direction, FloatArray]) -> _Curve:
         """Return what the table does with other values (k,) at its nodes."""

@@ -173,7 +173,7 @@ def _as_before(
     floor = _LEAST_NOISE[test.kind]
     # Student's law has the variance dof / (dof - 2); below three degrees that of three is taken
     dof = np.maximum(taken.dof, 3.0)
-    tails = np.where(np.isinf(dof), 1.0, dof / np.maximum(dof - 2.0, 1.0))
+    tails = np.divide(dof, dof - 2.0, out=np.ones_like(dof), where=np.isfinite(dof))
     far = taken.outlier_size**2 / np.where(taken.outlier_fixed, taken.sigma.mean(axis=1) ** 2, 1.0)
     tails = tails + taken.outlier_share * np.maximum(far - 1.0, 0.0)
     scale = np.maximum(taken.scale_at(test.targets), floor)

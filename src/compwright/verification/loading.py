@@ -21,7 +21,7 @@ import numpy as np
 from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
 from compwright.records.verification import Candidate, LoadingName, LoadingVerdict
-from compwright.verification.hypotheses import Hypothesis
+from compwright.verification.hypotheses import UNKNOWN_FACTOR, Hypothesis
 from compwright.verification.likelihood import (
     AfterMeans,
     Curves,
@@ -80,6 +80,8 @@ _SEEN: Final = 3.0
 #: Part of what the prediction and the old control leave that a fault may leave besides, where it
 #: explains all the rest: a table's own detail, a cut elsewhere between two nodes.
 _EXPLAINED: Final = 0.15
+#: Distance between two names, in standard errors, from which nearly every test tells them apart.
+_TELLING: Final = 8.0
 #: From which probability on a candidate is told.
 _TOLD: Final = 0.005
 
@@ -376,6 +378,7 @@ def _decided(
         shift_nodes=way.shift_nodes if clear else 0,
         of=way.of if clear else None,
         detail=way.detail if clear else "",
+        near=tuple(one for one in _near(far, rated) if one != name),
         candidates=candidates,
         slope=best.slope if way.sloped else None,
         findings=tuple(found),
@@ -452,7 +455,7 @@ def _factor(best: _Rated) -> float:
     if way.name != "scaled" or way.free is None:
         return way.factor
     size = float(np.sum(way.free**2))
-    return 1.0 + best.amount[0] * 0.7 if size > 0.0 else 1.0
+    return 1.0 + best.amount[0] * UNKNOWN_FACTOR if size > 0.0 else 1.0
 
 
 def _distances(after: AfterMeans, best: _Rated, rated: Sequence[_Rated]) -> FloatArray:
@@ -483,7 +486,8 @@ def _distances(after: AfterMeans, best: _Rated, rated: Sequence[_Rated]) -> Floa
 
 def _equivalent(best: _Rated, far: FloatArray, rated: Sequence[_Rated]) -> tuple[LoadingName, ...]:
     """Return the names that no test could tell from the best. What has the loaded table, or none,
-    as its limit (a factor near one, a cut near an end, a small slope) is no other name there.
+    as its limit (a factor near one, a cut near an end, a small slope) is no other name there; nor
+    is an unknown factor beside an inverted table, whose factor is -1.
     """
     limit = best.name in ("loaded", "not_active")
     found: dict[LoadingName, None] = {}
@@ -494,8 +498,27 @@ def _equivalent(best: _Rated, far: FloatArray, rated: Sequence[_Rated]) -> tuple
             continue
         if each.hypothesis.sloped and each.name != "thermal":
             continue
+        if best.name == "inverted" and each.hypothesis.free is not None:
+            continue
         found[each.name] = None
     return tuple(found)
+
+
+def _near(far: FloatArray, rated: Sequence[_Rated]) -> tuple[LoadingName, ...]:
+    """Return the names whose test lies so close to the best that this one says little of them.
+    Variants that can come as close as they like (a cut near an end, an unknown factor or slope)
+    are no question of it, nor is how the test was measured.
+    """
+    return tuple(
+        dict.fromkeys(
+            each.name
+            for each, off in zip(rated, far, strict=True)
+            if off < _TELLING
+            and each.name != "measurement"
+            and each.hypothesis.free is None
+            and not (each.hypothesis.inner or each.hypothesis.sloped)
+        )
+    )
 
 
 def _candidates(rated: Sequence[_Rated], totals: dict[LoadingName, float]) -> tuple[Candidate, ...]:

@@ -39,7 +39,8 @@ def proven_axis(
     backlash: bool,
     two_curves: bool,
 ) -> ProvenAxis:
-    """Return what the tests of an axis prove whose table was loaded.
+    """Return what the tests of an axis prove whose table was loaded: of a fact, that the test lies
+    far from what it would show otherwise. What is likely beforehand is no proof.
 
     ``loading``: the verdict as its document holds it; ``sign_odds`` as `sign_odds` gives them;
     ``others``: more axes are planned; ``backlash``: the plan changed it; ``two_curves``: the table
@@ -47,6 +48,7 @@ def proven_axis(
     """
     doubted = {
         *loading["equivalent"],
+        *loading["near"],
         *(one["verdict"] for one in loading.get("candidates", ())),
     }
     facts = [

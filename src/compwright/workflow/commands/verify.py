@@ -124,7 +124,7 @@ def verify_job(
     evaluated = _evaluated(found.axes, found.circles)
     files, notes = _files(found.job, found.control, document, *evaluated)
     before, after_loading = evaluated
-    proof, told = proven_files(found, document, out, loaded)
+    proof, told = proven_files(found, document, (out, plan_file.parent), loaded)
     files |= proof
     files |= recorded_verification(
         RunResult(found.plan, found.control, plan_file),

@@ -23,14 +23,15 @@ _FILL_IN: Final = "fill in"
 
 
 def proven_files(
-    found: Verified, document: Mapping[str, Any], out: Path, loaded: Sequence[Path]
+    found: Verified, document: Mapping[str, Any], results: Sequence[Path], loaded: Sequence[Path]
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     """Return the pieces by their relative names, and what has to be said of them; without files
-    where a good verification proves nothing of a machine, with the reason.
+    where a good verification proves nothing of a machine, with the reason. ``results``: the folders
+    of the run and of its verification; ``loaded``: files that were read back.
     """
     if document["verdict"] != "good" or not found.axes or not loaded:
         return {}, ()
-    lacking = next(_lacking(found, out, loaded), None)
+    lacking = next(_lacking(found, results, loaded), None)
     if lacking is not None:
         return {}, (f"nothing is proven of the control: {lacking}",)
     axes = [_proven(found, name) for name in found.axes]
@@ -60,10 +61,10 @@ def proven_files(
     }, (f"what this machine proves of the control stands in {FOLDER}/; add it to the job",)
 
 
-def _lacking(found: Verified, out: Path, loaded: Sequence[Path]) -> Iterator[str]:
+def _lacking(found: Verified, results: Sequence[Path], loaded: Sequence[Path]) -> Iterator[str]:
     """Yield why a good verification proves nothing of a machine."""
-    root = storage.resolved(out)
-    if any(root == path or root in path.parents for path in map(storage.resolved, loaded)):
+    roots = {storage.resolved(folder) for folder in results}
+    if any(roots & {path, *path.parents} for path in map(storage.resolved, loaded)):
         yield "--loaded names files of the result folder, not what was read back"
     for name, axis in found.axes.items():
         codes = {finding.code for finding in axis.findings}

@@ -10,6 +10,7 @@ from compwright.foundations.dates import day_of
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.utf8 import encoded, shown_path
+from compwright.jobs.next_job import number_of_round
 from compwright.records.history import HistoryEntry
 from compwright.workflow.stages.result_folders import ResultFolder
 
@@ -39,7 +40,7 @@ def _entries(folder: ResultFolder) -> Iterator[HistoryEntry]:
     record = folder.record
     machine = {key: _named(record["machine"].get(key)) for key in ("name", "serial")}
     verification = record["verification"] or {}
-    for number, test in enumerate(record["tests"]):
+    for number, test in enumerate(sorted(record["tests"], key=_round)):
         circular = test["kind"] == "circular"
         date = _text(test["date"])
         table, acting = _acted(record, test, _of_axes(verification, test))
@@ -71,6 +72,15 @@ def _entries(folder: ResultFolder) -> Iterator[HistoryEntry]:
             sources=tuple(str(source) for source in test["sources"]),
             simulated=bool(test["simulated"]),
         )
+
+
+def _round(test: Mapping[str, Any]) -> tuple[bool, int]:
+    """Sort the tests of rounds that are over (the states that a next round names so) before all
+    others, the first round first: a job names the test after loading before them.
+    """
+    state = str(test.get("measured_in", ""))
+    over = number_of_round(state) if test["taken"] == "before" else None
+    return over is None, over or 0
 
 
 def _named(value: object) -> str:

@@ -139,6 +139,7 @@ def _told(
         "verdict": loading.verdict,
         **({"of": loading.of} if loading.of is not None else {}),
         "equivalent": list(loading.equivalent),
+        "near": list(loading.near),
         "factor": settled_number(loading.factor),
         "shift_nodes": loading.shift_nodes,
         "margin": settled_number(loading.margin, LOGARITHM),
