@@ -25,6 +25,7 @@ import re
 import zlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -61,7 +62,7 @@ class Registers:
         """Load a file over what is there. Q0 is pitch data, Q1 parameters; without any Q, a file of
         nothing else is pitch data.
         """
-        records = list(_records(text))
+        records = _records(text)
         with_q = any(q for _, q, _ in records)
         whole = bool(records) and all(
             number >= 10000 and [g for g, _ in entries] == [""] for number, _, entries in records
@@ -76,13 +77,19 @@ class Registers:
         return Registers(dict(self.parameters), dict(self.pitch))
 
 
-def _records(text: bytes) -> Iterable[tuple[int, str, list[tuple[str, Entry]]]]:
+@lru_cache(maxsize=32)
+def _records(text: bytes) -> tuple[tuple[int, str, tuple[tuple[str, Entry], ...]], ...]:
+    return tuple(_read(text))
+
+
+def _read(text: bytes) -> Iterable[tuple[int, str, tuple[tuple[str, Entry], ...]]]:
     for line in re.split(r"[\r\n]+", text.decode("ascii")):
         packed = line.replace(" ", "")
         head = _HEAD.match(packed)
         if head is None:
             continue
-        entries = [(e[1] or "", Entry(e[2], e[3])) for e in _ENTRY.finditer(packed[head.end() :])]
+        found = _ENTRY.finditer(packed[head.end() :])
+        entries = tuple((e[1] or "", Entry(e[2], e[3])) for e in found)
         yield int(head[1]), head[2] or "", entries
 
 

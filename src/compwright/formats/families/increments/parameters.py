@@ -156,10 +156,18 @@ class Parameters:
         for file in files:
             if not is_entry_sheet(file):
                 self._read(file)
+        self._held = {
+            number: {value.whose: value for value in values}
+            for number, values in self.values.items()
+        }
 
     def of(self, numbers: Iterable[int]) -> list[Value]:
         """Return all values of some parameters, whoever they belong to."""
         return [value for number in numbers for value in self.values.get(number, ())]
+
+    def held(self, number: int) -> Mapping[tuple[str, int], Value]:
+        """Return the values of a parameter by what they belong to: the last one of each."""
+        return self._held.get(number, {})
 
     def counts(self, number: int) -> bool:
         """Whether a number is on this series the parameter that is meant."""
@@ -206,10 +214,8 @@ class AxisParameters:
     @property
     def path(self) -> int | None:
         """The path that the axis belongs to (981); None where the files do not say it."""
-        paths = [
-            value.whole for value in self.all.of([PATH_OF_AXIS]) if value.whose == ("A", self.index)
-        ]
-        return paths[-1] or None if paths else None
+        said = self.all.held(PATH_OF_AXIS).get(("A", self.index))
+        return None if said is None else said.whole or None
 
     @property
     def system(self) -> Value | None:
@@ -224,7 +230,7 @@ class AxisParameters:
         where the paths differ in what an axis' table hangs on, `rivals` tells it and the axis is
         refused.
         """
-        values = {value.whose: value for value in self.all.of([number])}
+        values = self.all.held(number)
         return next((values[whose] for whose in self._owners() if whose in values), None)
 
     def another(self, number: int) -> Value | None:
