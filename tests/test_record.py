@@ -175,7 +175,7 @@ def test_a_folder_handed_over_alone_can_be_verified(run: Path, tmp_path: Path) -
     assert compwright([*machine, "--out", str(after), "--with-tables", str(folder / OPTIONS)]) == 0
     words = ["verify", str(folder / "inputs" / "job.yaml"), "--plan", str(folder)]
     words += ["--after", str(after / "x.csv")]
-    assert compwright([*words, "--out", str(folder)]) == 0
+    assert compwright(words) == 0  # into the folder itself
     assert record_of(folder)["verification"]["verdict"] == "good"
     # with the results in another folder the record there claims no file of the first
     assert compwright([*words, "--out", str(tmp_path / "third")]) == 0
@@ -285,3 +285,55 @@ def test_files_of_one_name_from_outside_the_job_are_kept_apart(run: Path, tmp_pa
     assert [sha(folder / "job" / copy) for copy in copies] == [
         sha(tmp_path / name / "x.csv") for name in ("a", "b")
     ]
+
+
+def test_a_verified_run_made_again_keeps_its_verification(done: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "job"
+    shutil.copytree(done, folder)
+    before = record_of(folder / "job")
+    assert compwright(["run", str(folder / "job.yaml"), "--force"]) == 0
+    record = record_of(folder / "job")
+    for key in ("verification", "tests"):
+        assert record[key] == before[key]
+    assert [each["copy"] for each in record["inputs"]] == [
+        each["copy"] for each in before["inputs"]
+    ]
+    assert {entry["file"] for entry in record["files"]} == {
+        entry["file"] for entry in before["files"]
+    }
+    assert all(sha(folder / "job" / each["file"]) == each["sha256"] for each in record["files"])
+
+
+def test_no_verdict_stays_beside_another_plan(
+    done: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A page that says good of a table which is not the one that lies there."""
+    folder = tmp_path / "job"
+    shutil.copytree(done, folder)
+    out = folder / "job"
+    (out / "next").mkdir()
+    text = (folder / "job.yaml").read_text(encoding="utf-8")
+    (folder / "job.yaml").write_text(text.replace("A: 8", "A: 9"), encoding="utf-8")
+    assert compwright(["run", str(folder / "job.yaml"), "--force"]) == 0
+    told = capsys.readouterr().err
+    assert "was of another plan, and is removed" in told
+    assert "do not load anything of it" in told
+    left = {path.name for path in out.iterdir()}
+    assert not {"verification.json", "verification.html"} & left
+    assert record_of(out)["verification"] is None
+    measured = out / "inputs" / "verify" / "x.csv"  # perhaps the only copy
+    assert measured.read_bytes() == (folder / "after" / "x.csv").read_bytes()
+    words = ["verify", str(folder / "job.yaml"), "--after", str(measured)]
+    assert compwright([*words, "--force"]) == 0
+    assert record_of(out)["verification"]["verdict"] == "good"
+
+
+def test_a_next_round_of_an_earlier_verification_is_told(
+    done: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = tmp_path / "job"
+    shutil.copytree(done, folder)
+    (folder / "job" / "next").mkdir()
+    words = ["verify", str(folder / "job.yaml"), "--after", str(folder / "after" / "x.csv")]
+    assert compwright([*words, "--force"]) == 0
+    assert "do not load anything of it" in capsys.readouterr().err

@@ -20,6 +20,8 @@ from compwright.records.record import RecordedInput
 
 SCHEMA = "compwright/record/1"
 RECORD = "record.json"
+#: Where the copies of what ``verify`` was given lie.
+COPIES_OF_VERIFY = "inputs/verify/"
 
 
 def definition_told(definition_id: str, data: Any, files: Iterable[str], *, own: bool) -> Any:
@@ -153,6 +155,64 @@ def verified_record(
             "squareness": circles,
             "doubts": list(verification["doubts"]),
         },
+    }
+
+
+def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the record of a run made again where an ``earlier`` one (of `read_record`) lies: with
+    its verification where that is of the same plan; else only with the copies of what
+    was measured after loading, which nobody else may have any more.
+    """
+    of_verify = [entry for entry in earlier["files"] if entry.get("by") == "verify"]
+    own = {entry["file"] for entry in record["files"]}
+    if _planned(earlier) != _planned(record):
+        of_verify = [entry for entry in of_verify if entry["file"].startswith(COPIES_OF_VERIFY)]
+        kept = [entry for entry in of_verify if entry["file"] not in own]
+        return {**record, "files": [*record["files"], *kept]}
+    given = [entry for entry in earlier["inputs"] if entry["by"] == "verify"]
+    return {
+        **record,
+        "inputs": [*record["inputs"], *given],
+        "files": [*record["files"], *(each for each in of_verify if each["file"] not in own)],
+        "tests": [
+            *record["tests"],
+            *(entry for entry in earlier["tests"] if entry["taken"] == "after"),
+        ],
+        "verification": earlier.get("verification"),
+    }
+
+
+def _planned(record: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what a record says of its plan, whatever the files are called and wherever the command
+    was given.
+    """
+    apart = ("version", "plan", "files", "inputs", "tests", "verification")
+    return {
+        **{key: value for key, value in record.items() if key not in apart},
+        "tests": [entry for entry in record["tests"] if entry["taken"] == "before"],
+        "tables": {
+            entry["file"]: entry["sha256"]
+            for entry in record["files"]
+            if entry["file"].startswith("tables/")
+        },
+        "inputs": [
+            (entry["role"], entry["of"], entry["sha256"])
+            for entry in record["inputs"]
+            if entry["by"] == "run" and entry["role"] != "job"
+        ],
+    }
+
+
+def outdated_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> dict[str, str]:
+    """Return the files of the verification that an ``earlier`` record lists (relative name ->
+    SHA-256), where the plan is no longer that which was verified; none of them was measured.
+    """
+    if _planned(earlier) == _planned(record):
+        return {}
+    return {
+        str(entry["file"]): str(entry["sha256"])
+        for entry in earlier["files"]
+        if entry.get("by") == "verify" and not entry["file"].startswith(COPIES_OF_VERIFY)
     }
 
 

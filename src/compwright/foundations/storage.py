@@ -347,6 +347,7 @@ def write_files(
     whole: Sequence[str] = (),
     renewed: Sequence[str] = (),
     completed: Sequence[str] = (),
+    outdated: Sequence[str] = (),
     known: Known = lambda _name, _content: True,
 ) -> list[Path]:
     """Write ``files`` (relative name with ``/`` -> bytes) below ``folder``, and those of
@@ -357,7 +358,8 @@ def write_files(
     folders below ``folder`` that hold exactly these files afterwards; ``renewed``: folders in which
     the user may keep files of his own; ``completed``: files that an earlier command began and this
     one replaces without ``force``. What else lies directly in either is removed with ``force``
-    where it is known; else it stays, and in a ``whole`` folder nothing is written. Returns the
+    where it is known; else it stays, and in a ``whole`` folder nothing is written. So is what is
+    ``outdated``: files that hold no longer with what is written now. Returns the
     paths in the order given. Raises StorageError when a file exists (unless ``force``), was read by
     this command or is not known, for missing permission, for a full disk and for a name that leads
     out of ``folder``; then everything is as it was before, files replaced included.
@@ -365,7 +367,9 @@ def write_files(
     below = {_below(folder, name): name for name in files}
     targets = _merged({path: files[name] for path, name in below.items()}, dict(elsewhere or {}))
     refuse_overwriting(targets, force=force, completed=[_below(folder, name) for name in completed])
-    gone = _strangers(folder, [*whole, *renewed], targets)
+    gone = _strangers(folder, [*whole, *renewed], targets) | {
+        path: name for name in outdated if _is_existing_file(path := _below(folder, name))
+    }
     lost = {
         path: known(name, earlier_bytes(path))
         for path, name in (below | gone).items()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,6 +20,7 @@ from compwright.workflow.showing.recorded import folders_of_copies, recorded_run
 from compwright.workflow.showing.results import NO_STATE, result_files
 from compwright.workflow.stages.finished import Finished
 from compwright.workflow.stages.handed_over import files_of_job
+from compwright.workflow.stages.next_round import FOLDER as ROUND
 from compwright.workflow.stages.worked_through import worked_through
 
 NO_STATE_OPTION = (
@@ -74,7 +75,8 @@ def run_job(
     results = result_files(finished, each)
     earlier = listed_in_record(storage.earlier_bytes(out / RECORD))
     given = files_of_job(job, folder, finished.measured.control.definition.carried)
-    files = {**results.files, **recorded_run(finished, results, given, out)}
+    recorded, outdated = recorded_run(finished, results, given, out)
+    files = {**results.files, **recorded}
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
     sets = [f"{name}/{finished.measured.control.id}" for name in ("tables", "rollback")]
     paths = storage.write_files(
@@ -84,6 +86,7 @@ def run_job(
         elsewhere=elsewhere,
         whole=sets,
         renewed=["card", *folders_of_copies(earlier)],
+        outdated=outdated,
         known=_known_results(out, earlier),
     )
     return RunOutcome(
@@ -101,8 +104,18 @@ def run_job(
             for name, work in finished.works.items()
             if work.refused and not work.stops
         },
-        notes=results.notes,
+        notes=(*results.notes, *_gone(out, outdated)),
     )
+
+
+def _gone(out: Path, outdated: Sequence[str]) -> Iterator[str]:
+    """Yield that a verification was of another plan, with what is left of it in the folder."""
+    if not outdated:
+        return
+    names = ", ".join(encoded(name).decode() for name in outdated)
+    yield f"{out}: the verification there was of another plan, and is removed ({names})"
+    if storage.is_folder(out / ROUND):
+        yield f"{out / ROUND} is of that verification; do not load anything of it"
 
 
 def _known_results(out: Path, recorded: Mapping[str, str]) -> storage.Known:

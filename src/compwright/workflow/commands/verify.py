@@ -225,7 +225,7 @@ def _stored(
 
 def _left_over(out: Path, then: Round | None) -> tuple[str, ...]:
     """Return that a next round lies there which this verification does not stand behind."""
-    if then is None or then.files or not storage.is_folder(out / FOLDER):
+    if (then is not None and then.files) or not storage.is_folder(out / FOLDER):
         return ()
     return (f"{out / FOLDER} is of an earlier verification; do not load anything of it",)
 

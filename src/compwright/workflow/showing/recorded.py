@@ -10,11 +10,14 @@ from typing import Any
 from compwright import __version__
 from compwright.documents.json_text import to_json
 from compwright.documents.record import (
+    COPIES_OF_VERIFY,
     RECORD,
     definition_told,
     elsewhere,
     is_record,
+    kept_verification,
     listed_in_record,
+    outdated_verification,
     planned_record,
     read_record,
     run_record,
@@ -41,8 +44,9 @@ def recorded_run(
     results: Results,
     given: Sequence[GivenFile],
     out: Path,
-) -> dict[str, bytes]:
-    """Return the copies of what a run was made from and its record, by their relative names.
+) -> tuple[dict[str, bytes], tuple[str, ...]]:
+    """Return the copies of what a run was made from and its record, by their relative names, and
+    the files that are there of the verification of another plan.
 
     ``given``: what it was made from (`files_of_job`); ``out``: the result folder.
     """
@@ -79,7 +83,23 @@ def recorded_run(
         measured_in=measured_in,
         errors=errors_of,
     )
-    return {**copies, RECORD: to_json(record).encode()}
+    earlier = _earlier_record(out)
+    if earlier is not None:
+        record = kept_verification(record, earlier)
+    outdated = {} if earlier is None else outdated_verification(record, earlier)
+    stale = [
+        name
+        for name, digest in outdated.items()
+        if fingerprint(storage.earlier_bytes(out / name)) == digest
+    ]
+    return {**copies, RECORD: to_json(record).encode()}, tuple(stale)
+
+
+def _earlier_record(out: Path) -> dict[str, Any] | None:
+    try:
+        return read_record(storage.earlier_bytes(out / RECORD), RECORD)
+    except InputError:
+        return None
 
 
 def _definition(control: Control) -> Any:
@@ -104,9 +124,15 @@ def known_to_record(out: Path) -> storage.Known:
 
 
 def folders_of_copies(names: Mapping[str, Any] | Sequence[str]) -> list[str]:
-    """Return the folders below `INPUTS` in which files of these names lie."""
+    """Return the folders below `INPUTS` in which files of these names lie, but for what ``verify``
+    was given.
+    """
     return list(
-        dict.fromkeys(name.rpartition("/")[0] for name in names if name.startswith(f"{INPUTS}/"))
+        dict.fromkeys(
+            name.rpartition("/")[0]
+            for name in names
+            if name.startswith(f"{INPUTS}/") and not name.startswith(COPIES_OF_VERIFY)
+        )
     )
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from compwright.documents.plan import carried_definition
+from compwright.documents.record import RECORD, copied_by_record
 from compwright.evaluation.drift import environmental_variation
 from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, axis_options
 from compwright.foundations import storage
@@ -143,13 +144,18 @@ def _wrong_axis_options(
 
 def default_folder(job_file: Path) -> Path:
     """Return the folder of a job's results: the job file's name without its ending, beside it. A
-    job that lies among the results of its own run, as that of a next round does, has them there.
+    job that lies among the results of its own run, as that of a next round does, has them there; so
+    does the copy of a job in the folder of its results.
     """
     own = (
         job_file.with_suffix("")
         if job_file.suffix
         else job_file.with_name(f"{job_file.name}-results")
     )
+    above = job_file.parent.parent
+    copies = copied_by_record(storage.earlier_bytes(above / RECORD))
+    if f"{job_file.parent.name}/{job_file.name}" in copies and not storage.is_folder(own):
+        return above
     among = storage.is_there(job_file.parent / PLAN) and not storage.is_folder(own)
     return job_file.parent if among else own
 

@@ -285,7 +285,7 @@ def _worked(
         finished = worked_through(job, folder, folder, each=each)
         results = result_files(finished, each)
         given = files_of_job(job, folder, finished.measured.control.definition.carried)
-    record = recorded_run(finished, results, given, folder)
+    record, _ = recorded_run(finished, results, given, folder)
     return finished, {**results.files, **record}, results.notes
 
 
