@@ -290,5 +290,5 @@ def test_existing_files_are_one_line(folder: Path, capsys: pytest.CaptureFixture
     )
     assert line.endswith(
         "found evaluation.json, prediction.json, plan.json, tables/siemens-840d-sl/AX1_EEC.INI and"
-        " 4 more"
+        " 7 more"
     )
