@@ -302,6 +302,16 @@ def test_a_turned_test_of_a_table_that_leaves_something() -> None:
     assert (told.verdict, told.of) == ("measurement", "sign")
 
 
+@pytest.mark.parametrize("end", [260.0, 400.0], ids=["bump", "step"])
+def test_what_nothing_explains_has_no_candidates(end: float) -> None:
+    """A collision, or values mistyped: the least bad of what does not fit is no lead."""
+    broken = 20 * UM * ((TARGETS > 150.0) & (end > TARGETS))
+    verdict = judge(CASES["loaded"][0] + broken, ONE_TABLE)
+    assert verdict.verdict == "undecided"
+    assert [finding.code for finding in verdict.findings] == ["CW-V001"]
+    assert (verdict.candidates, verdict.margin, verdict.slope) == ((), 0.0, None)
+
+
 @pytest.mark.parametrize("unit", [25.4, 1000.0])
 def test_readings_in_another_unit_scatter_in_it_too(unit: float) -> None:
     verdict = judge(CASES["loaded"][0], ONE_TABLE, read=unit)

@@ -44,9 +44,10 @@ class LoadingVerdict:
     is 100:1). ``message``: plain sentences with numbers. ``equivalent``: names that no test could
     tell from the verdict; ``near``: names of which this test tells little, whatever is likely
     beforehand (less than eight standard errors off). ``candidates``: the likeliest names, first the
-    likeliest. ``detail``: which variant of the verdict, in words. ``of``: for ``measurement``, what
-    is wrong with it; for ``wrong_axis``, the axis. ``factor``: for ``scaled``; ``shift_nodes`` > 0:
-    the loaded table sits so many nodes too far to +. ``slope``: of the after test beside the
+    likeliest, empty where nothing known fits. ``detail``: which variant of the verdict, in words.
+    ``of``: for ``measurement``, what is wrong with it; for ``wrong_axis``, the axis. ``factor``:
+    for ``scaled``; ``shift_nodes`` > 0: the loaded table sits so many nodes too far to +.
+    ``slope``: of the after test beside the
     expected, with its standard error, mm/mm; None where none was found.
     """
 

@@ -355,7 +355,8 @@ def _decided(
     clear = together >= CLEAR and not hidden and (fits or _explains(shown, best))
     verdict: LoadingName = name if clear else "undecided"
     nothing_fits = not clear and not any(each.score <= _REFUSED for each in rated)
-    if nothing_fits:
+    if nothing_fits:  # the least unlikely of what does not fit is no lead
+        candidates, margin = (), 0.0
         text = neither_message(shown)
     elif clear:
         text = _named(shown, best, rated, equivalent, declared_slope or 0.0)
@@ -380,7 +381,7 @@ def _decided(
         detail=way.detail if clear else "",
         near=tuple(one for one in _near(far, rated) if one != name),
         candidates=candidates,
-        slope=best.slope if way.sloped else None,
+        slope=best.slope if way.sloped and not nothing_fits else None,
         findings=tuple(found),
     )
 
