@@ -233,6 +233,17 @@ def test_scatter_that_doubles_is_marked(tmp_path: Path, ask: Ask) -> None:
     assert [(change["parameter"], change["after"]) for change in changes] == [("s", 1)]
 
 
+def test_scatter_that_differs_is_not_laid_to_the_machine_alone(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    record(tmp_path / "1", axis_test(date="2023-01-01", s=0.5))
+    record(tmp_path / "2", axis_test(date="2024-01-01", s=1.5))
+    assert compwright(["history", str(tmp_path)]) == 0
+    told = " ".join(capsys.readouterr().out.split())
+    assert "unchanged machine" not in told
+    assert "the same machine, instrument and hall without drift" in told
+
+
 def test_squareness_after_a_collision(tmp_path: Path, ask: Ask) -> None:
     for year, value in ((2023, 20.0), (2024, 24.0), (2025, 95.0)):
         record(tmp_path / str(year), circle(value, f"{year}-06-01"))

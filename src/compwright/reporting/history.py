@@ -119,8 +119,13 @@ def _told(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
         f"{_MARK} {_name(name)} from {number(change['value_before'])} to"
         f" {number(change['value_after'])} {unit} between {visible(_when(before))} and"
         f" {visible(_when(after))}: {'+' if size > 0 else ''}{number(size)} {unit}{errors}{slope},"
-        f" an unchanged machine shows that {_odds(change['chance'])}. {_TABLES[change['table']]}"
+        f" {_SHOWN.get(name, 'an unchanged machine shows that')} {_odds(change['chance'])}."
+        f" {_TABLES[change['table']]}"
     )
+
+
+#: Scatter tells of the hall and the instrument as well.
+_SHOWN: Final = {"s": "the same machine, instrument and hall without drift show that"}
 
 
 def _name(parameter: str) -> str:
