@@ -110,11 +110,7 @@ def a_test(
     machine: Machine, rng: Generator, acting: Floats | None = None
 ) -> tuple[Machine, Floats]:
     """Readings at the machine's targets, with what acts added."""
-    warm = machine.temperature(rng)
-    readings = measured(machine, rng, warm)
-    if acting is not None:
-        readings = machine.seen(readings + acting[:, :, None])
-    return machine, readings
+    return machine, measured(machine, rng, machine.temperature(rng), acting)
 
 
 def _run(

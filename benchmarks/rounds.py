@@ -98,7 +98,7 @@ def _verify(
 ) -> tuple[float, Mapping[str, Any] | None, str]:
     """Measure with ``acting`` loaded, verify and update: A, the answer, why there is none."""
     machine = axis.after
-    readings = measured(machine, rng, machine.temperature(rng)) + acting[:, :, None]
+    readings = measured(machine, rng, machine.temperature(rng), acting)
     path = out / f"after-{number}.csv"
     path.write_text(csv_of(machine, machine.targets, readings, axis.name), encoding="utf-8")
     code, answer, why = said(

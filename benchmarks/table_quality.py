@@ -87,9 +87,14 @@ def csv_of(machine: Machine, x: Floats, readings: Floats, name: str = "X") -> st
     return "\n".join(lines) + "\n"
 
 
-def measured(machine: Machine, rng: np.random.Generator, warm: float) -> Floats:
-    """Return the first test as the instrument leaves it; NaN where a reading was not made."""
-    readings = machine.seen(machine.measure(machine.targets, rng, warm))
+def measured(
+    machine: Machine, rng: np.random.Generator, warm: float, acting: Floats | None = None
+) -> Floats:
+    """Return a test as the instrument leaves it, which rounds once what the axis does with the
+    correction ``acting`` (2, m); NaN where a reading was not made.
+    """
+    moved = machine.measure(machine.targets, rng, warm)
+    readings = machine.seen(moved if acting is None else moved + acting[:, :, None])
     lost = rng.uniform(size=readings.shape) < machine.missing
     lost[:, :, :2] = False  # a cell keeps two
     readings[lost] = np.nan

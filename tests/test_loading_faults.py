@@ -83,9 +83,11 @@ def judge(
     turned: bool = False,
     read: float = 1.0,
     declared: float | None = 0.0,
+    noise: float = NOISE,
 ) -> LoadingVerdict:
     """The axis has an error that ``new`` takes away but for 0.4 µm; ``acting`` (2, m) acts in the
-    test after loading, whose readings are multiplied by ``read``. ``old`` acted in the first test.
+    test after loading, whose readings scatter by ``noise`` and are multiplied by ``read``. ``old``
+    acted in the first test.
     """
     rng = np.random.default_rng([seed, 12])
     left = 0.4 * UM * np.stack([np.sin(TARGETS / 30.0), np.cos(TARGETS / 41.0)])
@@ -98,16 +100,17 @@ def judge(
     was = shown(old.positive, old.negative, old.backlash) if old.positions.size else 0.0 * error
     first = error + was + NOISE / math.sqrt(RUNS) * rng.standard_normal(error.shape)
     means = error + acting + 9 * UM
-    readings = read * (means[..., None] + NOISE * rng.standard_normal((*means.shape, RUNS)))
+    readings = read * (means[..., None] + noise * rng.standard_normal((*means.shape, RUNS)))
     if turned:
         readings = -readings
     after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
     covariance = np.eye(2 * TARGETS.size) * NOISE**2 / RUNS
     view = view_of(first, covariance, new, old)
     views = [view, *measurement_views(view)]
+    units = unit_views(view, after.sigma / NOISE)
     if read != 1.0:
-        views += unit_views(view, after.sigma / NOISE)
-    return judge_loading(after, views, declared_slope=declared)
+        views += units
+    return judge_loading(after, views, declared_slope=declared, further=lambda: units)
 
 
 def view_of(
@@ -280,6 +283,37 @@ def test_a_fault_that_is_on_no_list_is_no_name(place: int) -> None:
     assert verdict.verdict == "undecided"
     assert [finding.code for finding in verdict.findings] == ["CW-V001"]
     assert f"{TARGETS[place]:g} mm" in verdict.message
+
+
+def test_a_test_that_is_too_noisy_names_nothing() -> None:
+    """A reading scatters by three times the planned effect, so that 22 means of five put loaded and
+    not active 2.5 standard errors (s √(2/n)) apart: 99 % are beyond nearly every such test.
+    """
+    effect = float(np.std(shown(WAVES, WAVES, LOST)))
+    for acting in (CASES["loaded"][0], CASES["nothing"][0]):
+        told = [judge(acting, ONE_TABLE, seed=seed, noise=3.0 * effect) for seed in range(6)]
+        assert sum(each.verdict == "undecided" for each in told) >= 5
+        for each in told:
+            assert {"loaded", "not_active"} & {one.verdict for one in each.candidates}
+
+
+def test_a_step_in_the_axis_is_no_unit() -> None:
+    """A collision: 20 µm more from the middle on, with the scatter of the first test."""
+    acting = CASES["loaded"][0] + np.where(TARGETS > 200.0, 20 * UM, 0.0)
+    verdict = judge(acting, ONE_TABLE)
+    assert verdict.verdict == "undecided", verdict.message
+    assert "measurement" not in {one.verdict for one in verdict.candidates}
+
+
+@pytest.mark.parametrize("slope", [-32e-6, 32e-6])
+def test_a_slope_beside_a_small_table_is_no_second_fault(slope: float) -> None:
+    """A table hardly above the noise on an axis that is longer: one cause is enough, though among
+    all faults with a slope one may fit a little better by chance.
+    """
+    small = compensation(0.1 * WAVES, backlash=0.1 * LOST)
+    acting = 0.1 * shown(WAVES, WAVES, LOST) + slope * (TARGETS - TARGETS.mean())
+    names = Counter(judge(acting, small, seed=seed).verdict for seed in range(8))
+    assert names["thermal"] >= 7
 
 
 # ---------------------------------------------------------------- the measurement

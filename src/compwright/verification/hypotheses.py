@@ -48,7 +48,8 @@ _COMMON: Final = 0.2
 _RARE: Final = 0.05
 _FAMILY: Final = 0.025  # of a whole family of cuts of one kind
 #: Where the values that were read back from the control are those of the plan, a fault of the
-#: values is this much less likely.
+#: values is this much less likely. ``inverted`` is none of these: a control whose sign is another
+#: than was taken (error for correction) turns the effect of values that are those of the plan.
 _READ_BACK: Final = 0.01
 _OF_VALUES: Final = frozenset[LoadingName](
     ("scaled", "shifted", "mirrored", "wrong_axis", "one_direction", "backlash", "partial")
@@ -291,10 +292,10 @@ class _Ways:
             curves = {d: self.table.curve(d)[::-1] for d in Direction}
             yield from self.moved("mirrored", curves, _COMMON)
             # turned about a centre one node further: of a table with one node beside the travel
-            for by in (1, -1):
-                for beside in self.shifts(by):
-                    turned = {d: v[::-1] for d, v in beside.items()}
-                    yield from self.moved("mirrored", turned, _RARE)
+            beside = [held for by in (1, -1) for held in self.shifts(by)]
+            for each in beside:
+                turned = {d: v[::-1] for d, v in each.items()}
+                yield from self.moved("mirrored", turned, _RARE / len(beside))
             # where a control keeps the steps from node to node, they are what is turned round
             held = {d: self.table.curve(d) for d in Direction}
             steps = {d: v[0] + v[-1] - v[::-1] for d, v in held.items()}

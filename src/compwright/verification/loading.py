@@ -56,8 +56,9 @@ _REFUSED: Final = 3.09
 _ANY_SLOPE: Final = 35e-6
 #: No two tests are closer in temperature, mm/mm: 0.03 K of steel.
 _LEAST_SLOPE: Final = 0.3e-6
-#: Prior odds of a fault on an axis that is longer or shorter now against the fault alone, and of
-#: a loaded table on one.
+#: Prior odds of all faults of loading on an axis that is longer or shorter now, two faults at once,
+#: against a loaded table, and of a loaded table on one. Shared among them: a slope takes away what
+#: a curve has of its own, and among hundreds of curves one always fits by chance.
 _SLOPED: Final = 0.002
 _THERMAL: Final = 0.2
 #: Prior odds of a fault of measurement against a loaded table well measured.
@@ -241,7 +242,10 @@ def _rated(
             effect = (float(fits.amount[len(ways), 0]), float(fits.amount[len(ways), 1]))
         rows = [(index, way) for index, way in enumerate(ways)]
         if sloped:
-            rows += [(len(measured) + index, _on_slope(way)) for index, way in enumerate(ways)]
+            share = _SLOPED / max(1.0, sum(each.weight for each in ways if each.name != "loaded"))
+            rows += [
+                (len(measured) + index, _on_slope(way, share)) for index, way in enumerate(ways)
+            ]
         for index, way in rows:
             expected = view.belief.mean + way.change
             amount = float(fits.amount[index, 0]) if way.free is not None else 0.0
@@ -301,9 +305,11 @@ def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
     return replace(inactive, free=loaded.change - inactive.change, slack=0.0)
 
 
-def _on_slope(way: Hypothesis) -> Hypothesis:
-    """Return a way of loading on an axis that is longer or shorter now."""
-    odds = _THERMAL if way.name == "loaded" else _SLOPED
+def _on_slope(way: Hypothesis, share: float) -> Hypothesis:
+    """Return a way of loading on an axis that is longer or shorter now; ``share``: prior odds of a
+    fault there against the fault alone.
+    """
+    odds = _THERMAL if way.name == "loaded" else share
     return replace(way, sloped=True, weight=odds * way.weight)
 
 
