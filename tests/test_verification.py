@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -383,3 +383,31 @@ def test_overall_verdict(
     decisions: list[Decision], loadings: list[LoadingName], verdict: str
 ) -> None:
     assert overall_verdict(decisions, loadings) == verdict
+
+
+def test_a_likeliest_name_that_does_not_fit_is_said_not_to() -> None:
+    """A bump of 2.2 µm at one of 20 targets, 9.8 of its standard errors: far more than noise, and a
+    known fault that would explain it is a thousand million times less usual.
+    """
+    m, noise, runs = 20, 0.5e-3, 5
+    where = np.linspace(0.0, 950.0, m)
+    table = np.tile(20e-3 * np.sin(where / 150.0), (2, 1))
+    bump = np.zeros((2, m))
+    bump[0, 7] = 2.2e-3
+    scatter = noise * np.array([-1.0, -0.5, 0.0, 0.5, 1.0])
+    readings = tuple((table + bump)[side][:, np.newaxis] + scatter[:runs] for side in (0, 1))
+    loaded, inactive, _ = ways_of(table)
+    odd = replace(loaded, name="partial", positive=(table + bump)[0], weight=1e-40)
+    found = judged(
+        (readings[0], readings[1]),
+        table,
+        np.zeros((2, m)),
+        None,
+        noise,
+        positions=where,
+        ways=(loaded, inactive, odd),
+    )
+    assert found.verdict == "undecided"
+    assert "loaded (more than 99 %)" in found.message
+    assert "more than noise" in found.message
+    assert "350 mm approached in +" in found.message

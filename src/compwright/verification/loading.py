@@ -367,7 +367,7 @@ def _decided(
     elif clear:
         text = _named(shown, best, rated, equivalent, declared_slope or 0.0)
     else:
-        text = open_message(shown, candidates)
+        text = open_message(shown, candidates, None if fits else best.expected)
     found: list[Finding] = []
     if nothing_fits:
         found.append(Finding("CW-V001", "warning", text))

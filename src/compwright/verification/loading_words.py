@@ -201,8 +201,14 @@ def _evidence(shown: Shown, name: LoadingName, expected: FloatArray) -> str:
 # ---------------------------------------------------------------- nothing clear
 
 
-def open_message(shown: Shown, candidates: Sequence[Candidate]) -> str:
-    """Return what is said where more than one name fits, and which correction would be seen."""
+def open_message(
+    shown: Shown, candidates: Sequence[Candidate], unexplained: FloatArray | None
+) -> str:
+    """Return what is said where no name is clear, and which correction would be seen.
+
+    ``unexplained`` (2, m): the test that the likeliest name would show, where what the test shows
+    beside it is more than noise; None where it fits.
+    """
     text = (
         "Cannot tell: with and without the new table the targets differ by"
         f" {shown.length(shown.size)} rms, and the noise of a reading is"
@@ -221,7 +227,11 @@ def open_message(shown: Shown, candidates: Sequence[Candidate]) -> str:
         f"{words_of(each.verdict, each.detail)} ({_percent(each.probability)})"
         for each in candidates
     )
-    return f"{text}. Possible: {told}."
+    text = f"{text}. Possible: {told}."
+    if unexplained is None:
+        return text
+    off = _off_text("But beside the first of these", shown.left(unexplained), shown)
+    return f"{text} {off} That is more than noise: something else changed, or the test is at fault."
 
 
 def _percent(probability: float) -> str:
