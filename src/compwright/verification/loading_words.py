@@ -235,7 +235,7 @@ def open_message(
 
 
 def _percent(probability: float) -> str:
-    return f"{100.0 * probability:.2g} %" if probability < 0.995 else "more than 99 %"
+    return f"{significant(100.0 * probability, 2)} %" if probability < 0.995 else "more than 99 %"
 
 
 def neither_message(shown: Shown) -> str:
