@@ -309,7 +309,7 @@ def test_two_readers_that_disagree_write_nothing(
 
 @pytest.mark.parametrize(
     ("factor", "verdict", "code"),
-    [(1.0, "loaded", 0), (0.0, "not_active", 1), (0.5, "undecided", 1), (-1.0, "undecided", 1)],
+    [(1.0, "loaded", 0), (0.0, "not_active", 1), (0.5, "scaled", 1), (-1.0, "inverted", 1)],
 )
 def test_verify_says_whether_the_table_acts(
     folder: Path, factor: float, verdict: str, code: int
@@ -329,12 +329,17 @@ def test_verify_says_whether_the_table_acts(
         "shift_nodes",
         "margin",
         "message",
+        "detail",
+        "candidates",
+        "near",
+        "look_at",
     }
+    assert axis["loading"]["factor"] == (0.5 if verdict == "scaled" else 1.0)
     assert set(axis["accept"]["A"]) == {"limit", "value", "U", "decision"}
     assert axis["accept"]["A"]["decision"] == ("accept" if factor == 1.0 else "reject")
     assert found["verdict"] == ("good" if factor == 1.0 else "bad")
-    if verdict == "undecided":
-        assert [finding["code"] for finding in axis["findings"]] == ["CW-V001"]
+    told = [finding["code"] for finding in axis["findings"]]
+    assert told == ([] if verdict == "loaded" else ["CW-V028"])
 
 
 def test_a_guarded_decision_uses_the_uncertainty(folder: Path) -> None:
