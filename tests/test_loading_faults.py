@@ -43,6 +43,9 @@ BENT = WAVES - 5 * UM - 3 * UM * NODES / 400.0
 OLD = 5 * UM * np.sin(NODES / 61.0 + 1.0) - 5 * UM * np.sin(1.0)
 OTHER = 7 * UM * np.cos(NODES / 37.0) - 7 * UM
 LOST = 4 * UM
+#: Rows of steps from node to node, each for the section below its node, typed in from the last to
+#: the first: the first row, which has no section, now ends the table with no step at all.
+TURNED_ROWS = np.concatenate([[0.0], np.cumsum(np.append(np.diff(WAVES)[::-1][1:], 0.0))])
 
 
 def compensation(
@@ -141,6 +144,7 @@ CASES: dict[str, tuple[FloatArray, str]] = {
         shown(WAVES[-1] - WAVES[::-1], WAVES[-1] - WAVES[::-1], LOST),
         "mirrored",
     ),
+    "turned rows": (shown(TURNED_ROWS, TURNED_ROWS, LOST), "mirrored"),
     "another axis": (shown(OTHER, OTHER, LOST), "wrong_axis"),
     "positive alone": (np.stack([shown(WAVES, WAVES)[0], 0 * TARGETS]), "one_direction"),
     "negative alone": (np.stack([0 * TARGETS, shown(WAVES, WAVES, LOST)[1]]), "one_direction"),

@@ -265,17 +265,20 @@ class _Ways:
             yield from self.both(name, counted, 0.5 * weight, **more)
 
     def shifted(self) -> Iterator[Hypothesis]:
-        nodes = self.table.positions.size
+        nodes, held = self.table.positions.size, self.held()
         for k in range(1, min(MOST_SHIFT, nodes - 2) + 1):
             for by in (k, -k):
-                for curves in self.shifts(by):
+                for curves in self.shifts(by, held):
                     yield from self.moved("shifted", curves, _COMMON / (1 + k), shift_nodes=by)
 
-    def shifts(self, by: int) -> Iterator[dict[Direction, FloatArray]]:
-        """Yield the values ``by`` nodes too far to +: around a turn; else with the end value, or
-        nothing, at the nodes that get none.
+    def held(self) -> _Held:
+        """Return the values of the planned table at its nodes."""
+        return {d: self.table.curve(d) for d in Direction}
+
+    def shifts(self, by: int, held: _Held) -> Iterator[_Held]:
+        """Yield the values ``held`` by ``by`` nodes too far to +: around a turn; else with the end
+        value, or nothing, at the nodes that get none.
         """
-        held = {d: self.table.curve(d) for d in Direction}
         if self.table.period is not None:
             yield {d: _around(values, by) for d, values in held.items()}
             return
@@ -289,27 +292,34 @@ class _Ways:
 
     def mirrored(self) -> Iterator[Hypothesis]:
         if self.table.positions.size > 2:
-            curves = {d: self.table.curve(d)[::-1] for d in Direction}
+            held = self.held()
+            curves = {d: values[::-1] for d, values in held.items()}
             yield from self.moved("mirrored", curves, _COMMON)
             # turned about a centre one node further: of a table with one node beside the travel
-            beside = [held for by in (1, -1) for held in self.shifts(by)]
+            beside = [other for by in (1, -1) for other in self.shifts(by, held)]
             for each in beside:
                 turned = {d: v[::-1] for d, v in each.items()}
                 yield from self.moved("mirrored", turned, _RARE / len(beside))
-            # where a control keeps the steps from node to node, they are what is turned round
-            held = {d: self.table.curve(d) for d in Direction}
+            # Where a control keeps the steps from node to node, they are what is turned round; one
+            # node further where the first or the last of its rows holds a step that never acts.
             steps = {d: v[0] + v[-1] - v[::-1] for d, v in held.items()}
-            yield from self.moved("mirrored", steps, _COMMON, detail="step by step", inner=True)
+            told: dict[str, Any] = {"detail": "step by step", "inner": True}
+            yield from self.moved("mirrored", steps, _COMMON, **told)
+            for by in (1, -1):
+                yield from self.moved("mirrored", next(self.shifts(by, steps)), _RARE, **told)
 
     def wrong_axis(self) -> Iterator[Hypothesis]:
         for name, other in self.loading.others.items():
             if other.kind is not self.table.kind or not other.positions.size:
                 continue
             theirs = self.jump(other)
-            curves = {d: _resized(other.curve(d), self.table.positions.size) for d in Direction}
+            nodes = self.table.positions.size
             by_place = self.at(replace(other, others=(), backlash=0.0))
             ways = [(by_place, "by position")]
-            if self.table.positions.size:
+            # a shorter table ends with nothing, or, where steps are kept, with its last value
+            fills = (True, False) if nodes > other.positions.size else (True,)
+            for held in fills if nodes else ():
+                curves = {d: _resized(other.curve(d), nodes, held=held) for d in Direction}
                 ways.append((self.values(curves), "by node number"))
             for curve, told in ways:
                 yield from self.both("wrong_axis", curve, _OTHER, told, of=name)
@@ -371,7 +381,7 @@ class _Ways:
         nodes = self.table.positions
         if nodes.size < 3:
             return
-        held = {d: self.table.curve(d) for d in Direction}
+        held = self.held()
         beyond: list[tuple[str, _Held | None, bool]] = [
             ("nothing beyond", {d: np.zeros(nodes.size) for d in Direction}, False),
             ("the last value beyond", None, False),
@@ -465,9 +475,11 @@ def _around(values: FloatArray, by: int) -> FloatArray:
     return np.append(turned, turned[0])
 
 
-def _resized(values: FloatArray, size: int) -> FloatArray:
-    """Return the first ``size`` values; nothing at the nodes beyond."""
-    resized = np.zeros(size)
+def _resized(values: FloatArray, size: int, *, held: bool) -> FloatArray:
+    """Return the first ``size`` values; at the nodes beyond the last of them (``held``), or
+    nothing.
+    """
+    resized = np.full(size, values[-1] if held else 0.0)
     count = min(size, values.size)
     resized[:count] = values[:count]
     return resized
