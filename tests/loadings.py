@@ -11,7 +11,8 @@ from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.verification import LoadingVerdict
 from compwright.verification.hypotheses import Hypothesis
 from compwright.verification.likelihood import AfterMeans, ErrorBelief
-from compwright.verification.loading import View, judge_loading, measurement_views
+from compwright.verification.loading import judge_loading
+from compwright.verification.views import View, measurement_views
 
 #: Equally likely noises of a test.
 DRAWS = 6

@@ -16,19 +16,14 @@ from compwright.records.positioning import PositioningTest
 from compwright.records.verification import LoadingVerdict
 from compwright.verification.hypotheses import Loading, loading_hypotheses
 from compwright.verification.likelihood import (
+    Curves,
     ErrorBelief,
     after_means,
     belief_of,
-    curves_of_change,
     fits_of,
 )
-from compwright.verification.loading import (
-    View,
-    judge_loading,
-    measurement_views,
-    of_other_axis,
-    unit_views,
-)
+from compwright.verification.loading import judge_loading
+from compwright.verification.views import View, measurement_views, of_other_axis, unit_views
 from loadings import known, means_of
 
 UM = 1e-3  # mm
@@ -386,7 +381,9 @@ def test_the_likelihood_is_that_of_a_dense_normal_law() -> None:
     readings[1][2] = np.nan  # a target that was not approached in -
     after = means_of(readings, UM, math.inf, np.linspace(0.0, 50.0, m))
     change = rng.standard_normal((2, m, 4)) * UM
-    fits = fits_of(after, belief, curves_of_change(change), 3e-6)
+    fits = fits_of(
+        after, belief, Curves(change=change, free={}, slack=np.zeros(change.shape[2])), 3e-6
+    )
     kept = np.isfinite(after.plain).ravel()
     along = np.tile(after.targets - after.targets.mean(), 2)
     expected = []

@@ -11,9 +11,8 @@ from scipy import stats
 
 from compwright.evaluation.decision import Decision
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.verification import LoadingName
+from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.acceptance import overall_verdict
-from compwright.verification.loading import LoadingVerdict
 from compwright.verification.measurement import normal_score
 from loadings import judged, ways_of
 

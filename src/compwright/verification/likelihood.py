@@ -207,11 +207,6 @@ class Curves:
     slack: FloatArray
 
 
-def curves_of_change(change: FloatArray) -> Curves:
-    """Return curves (2, m, H) of which everything is known."""
-    return Curves(change=change, free={}, slack=np.zeros(change.shape[2]))
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fits:
     """How H curves fit a test.

@@ -22,12 +22,7 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
 from compwright.records.verification import Candidate, LoadingName, LoadingVerdict
 from compwright.verification.hypotheses import UNKNOWN_FACTOR, Hypothesis
-from compwright.verification.likelihood import (
-    AfterMeans,
-    Curves,
-    ErrorBelief,
-    fits_of,
-)
+from compwright.verification.likelihood import AfterMeans, Curves, fits_of
 from compwright.verification.loading_words import (
     Shown,
     named_message,
@@ -37,15 +32,7 @@ from compwright.verification.loading_words import (
     straight_line_message,
     thermal_message,
 )
-
-__all__ = [
-    "LoadingVerdict",
-    "View",
-    "judge_loading",
-    "measurement_views",
-    "of_other_axis",
-    "unit_views",
-]
+from compwright.verification.views import View
 
 #: A name is given from this probability on, those that no test could tell from it counted with it.
 CLEAR: Final = 0.99
@@ -61,18 +48,6 @@ _LEAST_SLOPE: Final = 0.3e-6
 #: a curve has of its own, and among hundreds of curves one always fits by chance.
 _SLOPED: Final = 0.002
 _THERMAL: Final = 0.2
-#: Prior odds of a fault of measurement against a loaded table well measured.
-_MEASURED_WRONG: Final = 0.02
-_OTHER_AXIS: Final = 0.01
-#: Two faults at once, of measurement and of loading, beside one.
-_BOTH: Final = 0.1
-#: Standard deviation of the logarithm of the ratio of two honest noises of one axis.
-_OTHER_NOISE: Final = 0.7
-_NEVER: Final = 1e-300
-#: Noise of the test beside that of the tests before from which units are always asked about.
-UNLIKE: Final = 5.0
-#: Units that are mixed up, as factors on the readings.
-_UNITS: Final = (1000.0, 0.001, 25.4, 1.0 / 25.4)
 #: Logarithm of odds beyond which nobody asks: a second name there is none.
 _CERTAIN: Final = 1e6
 #: Distance from the loaded table and the old control, in standard errors, from which a fault counts
@@ -85,82 +60,6 @@ _EXPLAINED: Final = 0.15
 _TELLING: Final = 8.0
 #: From which probability on a candidate is told.
 _TOLD: Final = 0.005
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class View:
-    """Ways of loading beside one belief of what the test would show without any change."""
-
-    belief: ErrorBelief
-    hypotheses: tuple[Hypothesis, ...]
-
-
-def measurement_views(view: View, *, both: bool = True) -> tuple[View, ...]:
-    """Return the faults of measurement: the loaded table, or the old control, read with the wrong
-    sign or with exchanged directions (``both`` are measured).
-    """
-    stood = [each for each in view.hypotheses if each.name == "loaded"]
-    stood += [each for each in view.hypotheses if each.name == "not_active"][:1]
-    views = [_read(view.belief.scaled(-1.0), stood, -1.0, "sign")]
-    if both:
-        turned = [replace(each, positive=each.negative, negative=each.positive) for each in stood]
-        views.append(_read(view.belief.turned(), turned, 1.0, "direction"))
-    return tuple(views)
-
-
-def unit_views(view: View, louder: float) -> tuple[View, ...]:
-    """Return the loaded table read in another unit.
-
-    ``louder``: the noise of the test over that of the tests before. Readings in another unit
-    scatter by as much more: honest noises differ by a factor of two or so (normal law of its
-    logarithm).
-    """
-    stood = [each for each in view.hypotheses if each.name == "loaded"]
-    views = []
-    for unit in _UNITS:
-        # a scatter nearer to that of the tests before is none of another unit
-        if abs(math.log(louder / unit)) >= abs(math.log(louder)):
-            continue
-        read = _read(view.belief.scaled(unit), stood, unit, "unit")
-        odds = math.exp(_honest(louder / unit) - _honest(louder))
-        ways = (replace(each, weight=max(odds * each.weight, _NEVER)) for each in read.hypotheses)
-        views.append(View(belief=read.belief, hypotheses=tuple(ways)))
-    return tuple(views)
-
-
-def _honest(ratio: float) -> float:
-    """Return the logarithm of the density of a ratio of honest noises, up to a constant."""
-    return -0.5 * (math.log(ratio) / _OTHER_NOISE) ** 2
-
-
-def of_other_axis(name: str, view: View) -> View:
-    """Return that the test is one of another axis ``name``, whose ``view`` this is."""
-    stood = [each for each in view.hypotheses if each.name in ("loaded", "not_active")][:2]
-    read = _read(view.belief, stood, 1.0, "wrong_axis").hypotheses
-    share = _OTHER_AXIS / _MEASURED_WRONG
-    named = (replace(each, weight=share * each.weight, detail=f"axis {name}") for each in read)
-    return View(belief=view.belief, hypotheses=tuple(named))
-
-
-def _read(belief: ErrorBelief, stood: Sequence[Hypothesis], factor: float, of: str) -> View:
-    return View(
-        belief=belief,
-        hypotheses=tuple(
-            replace(
-                each,
-                name="measurement",
-                positive=factor * each.positive,
-                negative=factor * each.negative,
-                weight=_MEASURED_WRONG * (1.0 if each.name == "loaded" else _BOTH) * each.weight,
-                of=of,
-                detail="the table acts" if each.name == "loaded" else "the table does not act",
-                factor=factor,
-                free=None,
-                read=each.name,
-            )
-            for each in stood
-        ),
-    )
 
 
 def judge_loading(

@@ -134,7 +134,7 @@ def named_message(
         others = ", ".join(words_of(other) for other in equivalent)
         text += (
             f" The same test would come from: {others}. No measurement of this axis tells them"
-            " apart; read the values back from the control (--loaded)."
+            " apart; the values that are read back from the control do (--loaded)."
         )
     return text
 

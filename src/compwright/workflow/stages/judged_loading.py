@@ -28,14 +28,8 @@ from compwright.records.positioning import PositioningTest
 from compwright.records.verification import LoadingVerdict
 from compwright.verification.hypotheses import Loading, loading_hypotheses
 from compwright.verification.likelihood import after_means, belief_of, draws_for
-from compwright.verification.loading import (
-    UNLIKE,
-    View,
-    judge_loading,
-    measurement_views,
-    of_other_axis,
-    unit_views,
-)
+from compwright.verification.loading import judge_loading
+from compwright.verification.views import UNLIKE, View, measurement_views, of_other_axis, unit_views
 
 
 def judged_loading(

@@ -26,8 +26,9 @@ from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import PlannedTest
 from compwright.verification.hypotheses import Loading, loading_hypotheses
 from compwright.verification.likelihood import after_means, belief_of, draws_for
-from compwright.verification.loading import View, judge_loading, measurement_views
+from compwright.verification.loading import judge_loading
 from compwright.verification.old_table import OldTable
+from compwright.verification.views import View, measurement_views
 from compwright.workflow.stages.measured import Measured
 
 #: Two corrections are the same below this many mm or deg.
