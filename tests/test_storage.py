@@ -14,6 +14,7 @@ import pytest
 
 from compwright.foundations import storage
 from compwright.foundations.errors import InputError, StorageError
+from compwright.foundations.storage import reading
 
 
 def tree(folder: Path) -> dict[str, bytes | None]:
@@ -262,7 +263,7 @@ def test_reading_says_why_not(tmp_path: Path) -> None:
 def test_endless_file_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(InputError, match="expected an ordinary file, found a device"):
         storage.read_bytes(Path("/dev/zero"))
-    monkeypatch.setattr(storage, "_MOST_BYTES", 1000)
+    monkeypatch.setattr(reading, "_MOST_BYTES", 1000)
     with pytest.raises(InputError, match="too large"):
         storage.read_bytes(Path(__file__))
 

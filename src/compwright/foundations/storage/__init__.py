@@ -1,0 +1,43 @@
+"""The only code that touches the file system: read whole, write whole or not at all.
+
+Files are staged beside their target and then put in place by ``os.replace``; a failure on the way
+removes what was staged and puts back what was there before. Folders made on the way are removed
+too.
+
+What a command has read is never overwritten or deleted by it, whatever name leads there (a link,
+another case of the letters, a way around through ``..``): see `command_inputs`.
+"""
+
+from compwright.foundations.storage.hindrances import refuse_overwriting
+from compwright.foundations.storage.looking import (
+    folders_holding,
+    in_folders_of,
+    is_folder,
+    is_there,
+    list_files,
+    relative,
+    resolved,
+)
+from compwright.foundations.storage.reading import earlier_bytes, read_bytes, state_of, was_read
+from compwright.foundations.storage.shipped import definition_files, demo_files
+from compwright.foundations.storage.writing import Known, write_file, write_files
+
+__all__ = [
+    "Known",
+    "definition_files",
+    "demo_files",
+    "earlier_bytes",
+    "folders_holding",
+    "in_folders_of",
+    "is_folder",
+    "is_there",
+    "list_files",
+    "read_bytes",
+    "refuse_overwriting",
+    "relative",
+    "resolved",
+    "state_of",
+    "was_read",
+    "write_file",
+    "write_files",
+]

@@ -1,0 +1,100 @@
+"""What may not be written over."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from pathlib import Path
+
+from compwright.foundations.errors import Fault, StorageError
+from compwright.foundations.storage.looking import identity, is_existing_file, reason, relative
+from compwright.foundations.storage.reading import was_read
+
+_MOST_NAMED = 4  # files named in a line about several
+
+
+def refuse_overwriting(
+    targets: Mapping[Path, bytes], *, force: bool, completed: Sequence[Path] = ()
+) -> None:
+    """Raise StorageError, naming every file that may not be written.
+
+    Those that exist already, unless ``force`` or among those ``completed``. With ``force`` too:
+    what this command has read (unless the same bytes go there), folders in the place of a file,
+    what is no file at all (a device, a pipe), and a file that would be written twice.
+    """
+    faults = dict.fromkeys(
+        fault for path, content in targets.items() for fault in _hindrances(path, content)
+    )
+    existing = [
+        path for path in targets if not force and path not in completed and is_existing_file(path)
+    ]
+    faults |= dict.fromkeys(_twice(targets))
+    if existing:
+        faults[_exist_already(existing)] = None
+    if faults:
+        raise StorageError(*faults)
+
+
+def _hindrances(path: Path, content: bytes) -> Iterator[Fault]:
+    try:
+        exists, is_file, is_folder = os.path.lexists(path), path.is_file(), path.is_dir()
+        is_link = path.is_symlink()
+        above = next((folder for folder in path.parents if os.path.lexists(folder)), None)
+        blocked = above is not None and not above.is_dir()
+        input_lost = is_file and was_read(path) and path.read_bytes() != content
+    except (OSError, ValueError) as error:
+        yield Fault(message="cannot be written", file=str(path), found=reason(error))
+        return
+    if blocked:
+        yield Fault(message="is no folder", file=str(above), expected="a folder to write into")
+    elif is_folder:
+        yield Fault(message="is a folder", file=str(path), expected="the name of a file")
+    elif (
+        exists and not is_file and not (is_link and not path.exists())
+    ):  # a link to nowhere is only a name
+        yield Fault(message="is no ordinary file", file=str(path), expected="the name of a file")
+    elif input_lost:
+        yield Fault(
+            message="was read by this command and is not overwritten, not even with --force",
+            file=str(path),
+            expected="another name",
+        )
+
+
+def _exist_already(paths: Sequence[Path]) -> Fault:
+    """Return one line about all files that are there already, the first of them named."""
+    if len(paths) == 1:
+        return Fault(
+            message="exists already",
+            file=str(paths[0]),
+            expected="a new file, or --force to replace it",
+        )
+    folder = Path(os.path.commonpath([path.parent for path in paths]))
+    names = [relative(path, folder) for path in paths[:_MOST_NAMED]]
+    more = len(paths) - len(names)
+    return Fault(
+        message=f"{len(paths)} files exist already",
+        file=str(folder),
+        expected="new files, another folder, or --force to replace them",
+        found=", ".join(names) + (f" and {more} more" if more else ""),
+    )
+
+
+def _twice(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
+    """Yield a fault for each file that two different contents would go to, under whatever names."""
+    seen: dict[object, bytes] = {}
+    for path, content in targets.items():
+        where = identity(path) or _place(path)
+        if seen.setdefault(where, content) != content:
+            yield Fault(
+                message="is also the name of another file that is written",
+                file=str(path),
+                expected="another name",
+            )
+
+
+def _place(path: Path) -> str:
+    with suppress(OSError, ValueError, RuntimeError):
+        return os.path.normcase(path.resolve())
+    return str(path)

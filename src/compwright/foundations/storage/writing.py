@@ -1,0 +1,179 @@
+"""Writing several files, all of them or none."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path, PurePosixPath
+
+from compwright.foundations.errors import Fault, StorageError, raise_all
+from compwright.foundations.storage.changes import Changes, beside, make_folder, stage
+from compwright.foundations.storage.hindrances import refuse_overwriting
+from compwright.foundations.storage.looking import identity, is_existing_file, is_folder, reason
+from compwright.foundations.storage.reading import earlier_bytes, was_read
+
+#: Whether the file of this relative name and content, which stands in the way, was written by an
+#: earlier run of the same command.
+Known = Callable[[str, bytes], bool]
+
+
+def write_files(
+    folder: Path,
+    files: Mapping[str, bytes],
+    *,
+    force: bool = False,
+    elsewhere: Mapping[Path, bytes] | None = None,
+    whole: Sequence[str] = (),
+    renewed: Sequence[str] = (),
+    completed: Sequence[str] = (),
+    outdated: Sequence[str] = (),
+    known: Known = lambda _name, _content: True,
+) -> list[Path]:
+    """Write ``files`` (relative name with ``/`` -> bytes) below ``folder``, and those of
+    ``elsewhere``, all of them or none.
+
+    ``known`` tells of a file that stands below ``folder`` in the place of one of ``files`` whether
+    an earlier run wrote it; one that it does not know is the user's and is not replaced. ``whole``:
+    folders below ``folder`` that hold exactly these files afterwards; ``renewed``: folders in which
+    the user may keep files of his own; ``completed``: files that an earlier command began and this
+    one replaces without ``force``. What else lies directly in either is removed with ``force``
+    where it is known; else it stays, and in a ``whole`` folder nothing is written. So is what is
+    ``outdated``: files that hold no longer with what is written now. Returns the
+    paths in the order given. Raises StorageError when a file exists (unless ``force``), was read by
+    this command or is not known, for missing permission, for a full disk and for a name that leads
+    out of ``folder``; then everything is as it was before, files replaced included.
+    """
+    below = {_below(folder, name): name for name in files}
+    targets = _merged({path: files[name] for path, name in below.items()}, dict(elsewhere or {}))
+    refuse_overwriting(targets, force=force, completed=[_below(folder, name) for name in completed])
+    gone = _strangers(folder, [*whole, *renewed], targets) | {
+        path: name for name in outdated if is_existing_file(path := _below(folder, name))
+    }
+    lost = {
+        path: known(name, earlier_bytes(path))
+        for path, name in (below | gone).items()
+        if is_existing_file(path)
+    }
+    raise_all(
+        StorageError,
+        [*_users_files(below, lost, targets), *_in_the_way(folder, whole, gone, lost, force=force)],
+    )
+    removed = [path for path in gone if force and lost[path] and not was_read(path)]
+    changes = Changes()
+    current = folder
+    try:
+        for current, content in targets.items():
+            make_folder(current.parent, changes.made)
+            stage(current, content, changes)
+        for temporary, current in zip(changes.staged, targets, strict=True):
+            temporary.replace(current)
+            changes.placed.append(current)
+        for current in removed:
+            changes.kept[current] = beside(current)
+            current.replace(changes.kept[current])
+            changes.placed.append(current)
+    except (OSError, ValueError) as error:
+        changes.undo()
+        raise StorageError(
+            Fault(message="cannot be written", file=str(current), found=reason(error))
+        ) from error
+    except BaseException:  # Ctrl-C leaves nothing half-written either
+        changes.undo()
+        raise
+    changes.clear()
+    return list(targets)
+
+
+def _merged(files: dict[Path, bytes], others: dict[Path, bytes]) -> dict[Path, bytes]:
+    """Return both; a path in both with different contents is refused, for one of them would be
+    lost.
+    """
+    raise_all(StorageError, list(_twice_named(files, others)))
+    return files | others
+
+
+def _twice_named(files: Mapping[Path, bytes], others: Mapping[Path, bytes]) -> Iterator[Fault]:
+    for path, content in others.items():
+        if files.get(path, content) != content:
+            yield Fault(
+                message="is also the name of another file that is written",
+                file=str(path),
+                expected="another name",
+            )
+
+
+def _strangers(
+    folder: Path, names: Sequence[str], targets: Mapping[Path, bytes]
+) -> dict[Path, str]:
+    """Return the files in the folders ``names`` that are none of ``targets`` by any name, each with
+    its own relative name.
+    """
+    written = {identity(path) for path in targets} - {None}
+    found: dict[Path, str] = {}
+    for name in names:
+        inner = _below(folder, name)
+        for path in sorted(inner.iterdir()) if is_folder(inner) else ():
+            is_target = path in targets or identity(path) in written
+            if not is_target and (path.is_file() or path.is_symlink()):
+                found[path] = f"{name}/{path.name}"
+    return found
+
+
+def _users_files(
+    below: Mapping[Path, str], known: Mapping[Path, bool], targets: Mapping[Path, bytes]
+) -> Iterator[Fault]:
+    """Yield a fault for each file that would be replaced although no earlier run wrote it so."""
+    for path in below:
+        if not known.get(path, True) and earlier_bytes(path) != targets[path]:
+            yield Fault(
+                message=(
+                    "was not written by an earlier run, or was changed since, and is not"
+                    " overwritten"
+                ),
+                file=str(path),
+                expected="it elsewhere (move it), or another folder for the results",
+            )
+
+
+def _in_the_way(
+    folder: Path,
+    whole: Sequence[str],
+    gone: Mapping[Path, str],
+    known: Mapping[Path, bool],
+    *,
+    force: bool,
+) -> Iterator[Fault]:
+    """Yield a fault for each file that may not stay in a folder that is handed on as a whole."""
+    inside = {_below(folder, name) for name in whole}
+    for path in gone:
+        removable = known[path] and not was_read(path)
+        if path.parent in inside and not (force and removable):
+            hint = (
+                "a folder that holds nothing else, or --force to remove it"
+                if removable
+                else "another place for it"
+            )
+            yield Fault(
+                message="is no part of what is written, and all that lies here is handed on",
+                file=str(path),
+                expected=hint,
+            )
+
+
+def write_file(path: Path, content: bytes, *, force: bool = False) -> Path:
+    """Write one file whole. Errors as in `write_files`; with ``force`` any file is replaced that
+    this command has not read.
+    """
+    if not path.name:
+        raise StorageError(
+            Fault(message="is a folder", file=str(path), expected="the name of a file")
+        )
+    return write_files(path.parent, {path.name: content}, force=force)[0]
+
+
+def _below(folder: Path, name: str) -> Path:
+    parts = PurePosixPath(name).parts
+    if not parts or ".." in parts or PurePosixPath(name).is_absolute() or Path(name).is_absolute():
+        raise StorageError(
+            Fault(message="leads out of the folder", file=name, expected=f"a name below {folder}")
+        )
+    return folder.joinpath(*parts)
