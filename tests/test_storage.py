@@ -14,7 +14,7 @@ import pytest
 
 from compwright.foundations import storage
 from compwright.foundations.errors import InputError, StorageError
-from compwright.foundations.storage import reading
+from compwright.foundations.input_sizes import ANY, CONTROL, JSON, MEASUREMENT, YAML, InputKind
 
 
 def tree(folder: Path) -> dict[str, bytes | None]:
@@ -260,12 +260,33 @@ def test_reading_says_why_not(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(not Path("/dev/zero").exists(), reason="no endless device here")
-def test_endless_file_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_endless_file_is_refused() -> None:
     with pytest.raises(InputError, match="expected an ordinary file, found a device"):
         storage.read_bytes(Path("/dev/zero"))
-    monkeypatch.setattr(reading, "_MOST_BYTES", 1000)
-    with pytest.raises(InputError, match="too large"):
-        storage.read_bytes(Path(__file__))
+
+
+@pytest.mark.parametrize("kind", [MEASUREMENT, CONTROL, YAML, JSON, ANY], ids=lambda one: one.name)
+def test_a_file_larger_than_its_kind_is_refused_before_it_is_read(
+    kind: InputKind, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Sizes are told in words, and nothing is opened."""
+    large = tmp_path / "large"
+    with large.open("wb") as stream:
+        stream.truncate(kind.most_bytes + 100_000_000)  # a hole: takes no room on the disk
+    monkeypatch.setattr(os, "open", None)
+    with pytest.raises(InputError) as caught:
+        storage.read_bytes(large, kind)
+    assert str(caught.value) == (
+        f"{large}: is too large; expected {kind.name} of at most {kind.most_bytes // 1_000_000} MB,"
+        f" found {kind.most_bytes // 1_000_000 + 100} MB"
+    )
+
+
+@pytest.mark.skipif(not Path("/proc/self/maps").exists(), reason="no file without a size here")
+def test_a_file_that_does_not_tell_its_size_is_read_so_far_and_refused() -> None:
+    assert Path("/proc/self/maps").stat().st_size == 0
+    with pytest.raises(InputError, match="a map of at most 10 bytes, found more than 10 bytes"):
+        storage.read_bytes(Path("/proc/self/maps"), InputKind("a map", 10))
 
 
 def test_folder_lists_its_files_by_name_without_hidden_ones(tmp_path: Path) -> None:

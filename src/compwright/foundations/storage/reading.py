@@ -7,13 +7,14 @@ import os
 import stat
 from collections.abc import Sequence
 from pathlib import Path
+from typing import BinaryIO
 
 from compwright.foundations.command_inputs import is_input, remember
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.foreseen import foreseen_bytes
+from compwright.foundations.input_sizes import ANY, InputKind, in_words
 from compwright.foundations.storage.looking import identity, reason
 
-_MOST_BYTES = 256 * 1024 * 1024  # no measurement or control file comes near it
 #: Opening what became a pipe since it was looked at must not wait for the other end (POSIX;
 #: elsewhere there is no such flag).
 _NO_WAITING = (
@@ -21,38 +22,41 @@ _NO_WAITING = (
 )
 
 
-def read_bytes(path: Path) -> bytes:
+def read_bytes(path: Path, kind: InputKind = ANY) -> bytes:
     """Return the bytes of a file, and remember that it was read; of one that is to be written with
     what is made of it (`foreseen`) the bytes that it will have.
 
     Raises InputError when it is missing, cannot be read, is no ordinary file (a pipe or device
-    could be waited for without end) or is larger than 256 MiB.
+    could be waited for without end) or is larger than any file of its ``kind``.
     """
     expected = foreseen_bytes(path)
     if expected is not None:
         return expected
     try:
-        refused = _not_to_be_read(path.stat())
+        refused = _not_to_be_read(path.stat(), kind)
         if refused is None:
             with open(path, "rb", opener=_opened) as stream:
                 seen = os.fstat(stream.fileno())
-                refused = _not_to_be_read(seen)
-                content = stream.read(_MOST_BYTES + 1) if refused is None else b""
+                refused = _not_to_be_read(seen, kind)
+                content = b"" if refused else _at_most(stream, kind.most_bytes + 1)
             remember((seen.st_dev, seen.st_ino))
     except (OSError, ValueError) as error:  # ValueError: a name that no file can have (a null byte)
-        raise InputError(
-            Fault(message="cannot be read", file=str(path), found=reason(error))
-        ) from error
+        refused = Fault(message="cannot be read", found=reason(error))
+        raise InputError(refused.in_file(str(path))) from error
+    if refused is None and len(content) > kind.most_bytes:  # longer than it says itself
+        refused = _too_large(kind, f"more than {in_words(kind.most_bytes)}")
     if refused is not None:
-        raise InputError(
-            Fault(
-                message="cannot be read", file=str(path), expected="an ordinary file", found=refused
-            )
-        )
-    if len(content) > _MOST_BYTES:
-        raise InputError(
-            Fault(message="is too large", file=str(path), expected=f"at most {_MOST_BYTES} bytes")
-        )
+        raise InputError(refused.in_file(str(path)))
+    return content
+
+
+def _at_most(stream: BinaryIO, count: int) -> bytes:
+    """Return what can be read at once of a stream, ``count`` bytes at most; raises OSError where it
+    lets us wait, as some files of the system do.
+    """
+    content = stream.read(count)
+    if content is None:
+        raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
     return content
 
 
@@ -61,7 +65,9 @@ def earlier_bytes(path: Path) -> bytes:
     result, not as an input.
     """
     try:
-        return path.read_bytes() if path.is_file() and path.stat().st_size <= _MOST_BYTES else b""
+        return (
+            path.read_bytes() if path.is_file() and path.stat().st_size <= ANY.most_bytes else b""
+        )
     except (OSError, ValueError):
         return b""
 
@@ -70,8 +76,8 @@ def _opened(path: str, flags: int) -> int:
     return os.open(path, flags | _NO_WAITING)
 
 
-def _not_to_be_read(seen: os.stat_result) -> str | None:
-    """Return what it is that cannot be read as a file, None for an ordinary file."""
+def _not_to_be_read(seen: os.stat_result, kind: InputKind) -> Fault | None:
+    """Return why a file cannot be read, None for an ordinary one that is not too large."""
     kinds = (
         (stat.S_ISDIR, os.strerror(errno.EISDIR)),
         (stat.S_ISFIFO, "a pipe"),
@@ -79,7 +85,17 @@ def _not_to_be_read(seen: os.stat_result) -> str | None:
         (stat.S_ISCHR, "a device"),
         (stat.S_ISBLK, "a device"),
     )
-    return next((name for is_kind, name in kinds if is_kind(seen.st_mode)), None)
+    found = next((name for is_kind, name in kinds if is_kind(seen.st_mode)), None)
+    if found is not None:
+        return Fault(message="cannot be read", expected="an ordinary file", found=found)
+    if seen.st_size > kind.most_bytes:
+        return _too_large(kind, in_words(seen.st_size))
+    return None
+
+
+def _too_large(kind: InputKind, found: str) -> Fault:
+    expected = f"{kind.name} of at most {in_words(kind.most_bytes)}"
+    return Fault(message="is too large", expected=expected, found=found)
 
 
 def state_of(paths: Sequence[Path]) -> str:

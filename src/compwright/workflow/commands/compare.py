@@ -15,6 +15,7 @@ from compwright.formats.families.between import in_place
 from compwright.formats.look_at import look_at
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.foundations.input_sizes import JSON
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import ControlFile
@@ -52,7 +53,7 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     Raises UsageError for a plan without tables, InputError for files that cannot be read,
     contradict themselves or say nothing of an axis of the plan.
     """
-    plan = read_plan(storage.read_bytes(plan_file), str(plan_file))
+    plan = read_plan(storage.read_bytes(plan_file, JSON), str(plan_file))
     control = open_control(plan.format, plan.options, plan_origin(plan, plan_file))
     planned = [entry for entry in plan.axes.values() if entry.fitted is not None]
     if not planned:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from compwright.foundations import storage
+from compwright.foundations.input_sizes import YAML
 from compwright.foundations.side_by_side import Crew, alone
 from compwright.jobs.reading import read_job
 from compwright.workflow.commands.run import RunOutcome, ready_for_axes, run_job
@@ -38,7 +39,7 @@ def run_demo(out: Path, *, force: bool = False, crew: Crew = alone) -> DemoOutco
     )
     machine = load_machine(machine_file)
     simulate_files(machine, out / "before", seed=1, force=force)
-    job = read_job(storage.read_bytes(job_file), str(job_file))
+    job = read_job(storage.read_bytes(job_file, YAML), str(job_file))
     result = out / "job"
     with crew(len(job.axes), ready_for_axes) as each:
         run = run_job(job, out, result, force=force, each=each)

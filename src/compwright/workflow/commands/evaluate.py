@@ -22,6 +22,7 @@ from compwright.foundations.errors import (
     collect,
     raise_all,
 )
+from compwright.foundations.input_sizes import MEASUREMENT
 from compwright.foundations.utf8 import encoded, shown_path
 from compwright.instruments.profile import Profile
 from compwright.instruments.reading import read_tests
@@ -216,7 +217,7 @@ def _tests(
     tests: list[PositioningTest | CircularTest] = []
     for file in files:
         try:
-            tests.extend(_read(storage.read_bytes(file), shown_path(file), profile))
+            tests.extend(_read(storage.read_bytes(file, MEASUREMENT), shown_path(file), profile))
         except InputError as error:
             faults.extend(fault.in_file(shown_path(file)) for fault in error.faults)
     if all(isinstance(test, PositioningTest) for test in tests):

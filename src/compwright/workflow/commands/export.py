@@ -17,6 +17,7 @@ from compwright.foundations.errors import (
     raise_all,
 )
 from compwright.foundations.findings import Finding
+from compwright.foundations.input_sizes import JSON
 from compwright.jobs.command_line import ACTIVE
 from compwright.planning.tables import fit_within
 from compwright.records.axis import Axis
@@ -69,7 +70,7 @@ def export_plan(
     the plan says, where it is for the same format. Raises UsageError (2) where the state is not
     known, InputError (3), CapacityError (4), StorageError (5).
     """
-    plan = read_plan(storage.read_bytes(path), str(path))
+    plan = read_plan(storage.read_bytes(path, JSON), str(path))
     addresses = {
         key.removeprefix(ADDRESS): str(options.pop(key))
         for key in list(options)

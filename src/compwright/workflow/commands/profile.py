@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from compwright.foundations import storage
+from compwright.foundations.input_sizes import MEASUREMENT
 from compwright.foundations.utf8 import encoded, shown_path
 from compwright.instruments.profile_of_file import proposed_profile
 
@@ -28,7 +29,7 @@ def propose_profile(file: Path, out: Path, *, force: bool = False) -> ProfileOut
     Raises InputError for a file without a table, UsageError for one that needs no profile,
     StorageError when ``out`` exists (unless ``force``) or cannot be written.
     """
-    proposed = proposed_profile(storage.read_bytes(file), shown_path(file))
+    proposed = proposed_profile(storage.read_bytes(file, MEASUREMENT), shown_path(file))
     (path,) = storage.write_files(Path(), {}, elsewhere={out: encoded(proposed.text)}, force=force)
     return ProfileOutcome(
         path=path, worked=proposed.worked, notes=proposed.notes, open=proposed.open

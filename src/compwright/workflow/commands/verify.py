@@ -19,6 +19,7 @@ from compwright.documents.verification import (
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.input_sizes import JSON
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.records.job import AS_FOUND, Job
 from compwright.records.plan import Plan
@@ -236,7 +237,7 @@ def _planned(job: Job, file: Path) -> tuple[Plan, Control, Job, dict[str, Decode
 
     Raises InputError for the plan of another job.
     """
-    plan = read_plan(storage.read_bytes(file), str(file))
+    plan = read_plan(storage.read_bytes(file, JSON), str(file))
     control = open_control(plan.format, plan.options, plan_origin(plan, file))
     named = open_control(job.format, job.options, replace(origin_of(job), carried=plan.definition))
     if named.id != plan.format:

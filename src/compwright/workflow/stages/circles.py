@@ -11,6 +11,7 @@ from pathlib import Path
 
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
+from compwright.foundations.input_sizes import MEASUREMENT
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_pairs import paired
 from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
@@ -77,7 +78,7 @@ def read_circle(paths: list[Path], name: str) -> CircularTest:
 
 
 def _read_part(path: Path) -> CircularTest:
-    content, file = storage.read_bytes(path), shown_path(path)
+    content, file = storage.read_bytes(path, MEASUREMENT), shown_path(path)
     if not is_circular(content, file):
         raise InputError(
             Fault(

@@ -23,6 +23,7 @@ from compwright.formats.families.family import Family
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.input_sizes import CONTROL
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile, ControlState
 from compwright.records.job import Job
@@ -259,7 +260,9 @@ def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     for path in paths:
         try:
             entries = storage.list_files(path)
-            files.extend(ControlFile(entry.name, storage.read_bytes(entry)) for entry in entries)
+            files.extend(
+                ControlFile(entry.name, storage.read_bytes(entry, CONTROL)) for entry in entries
+            )
         except InputError as error:
             faults.extend(error.faults)
         else:

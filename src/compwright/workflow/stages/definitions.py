@@ -17,11 +17,11 @@ from compwright.formats.definitions import (
 from compwright.formats.gate.gate import check_definition
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.foundations.input_sizes import YAML
 from compwright.records.plan import Texts
 
 _YAML = (".yaml", ".yml")
 #: The largest definition that ships has a tenth of it; YAML of 256 MiB would be read for hours.
-_MOST_BYTES = 1024 * 1024
 
 
 def is_path(name: str) -> bool:
@@ -106,14 +106,7 @@ def _gate(texts: Texts) -> tuple[Fault, ...]:
 
 
 def _content(path: Path) -> bytes:
-    content = storage.read_bytes(path)
-    if len(content) > _MOST_BYTES:
-        expected = f"a definition of a control, at most {_MOST_BYTES} bytes"
-        found = f"{len(content)} bytes"
-        raise InputError(
-            Fault(message="is too large", file=str(path), expected=expected, found=found)
-        )
-    return content
+    return storage.read_bytes(path, YAML)
 
 
 def _beside(folder: Path) -> Find:

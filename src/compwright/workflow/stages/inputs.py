@@ -18,6 +18,7 @@ from compwright.foundations.errors import (
     collect,
     raise_all,
 )
+from compwright.foundations.input_sizes import MEASUREMENT
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.plausibility import skipped_finding
@@ -95,7 +96,7 @@ def read_measurement(path: Path, profile: Profile | None = None, axis: str = "")
     """Read the test in one measurement file, with a profile where there is one; of several that of
     ``axis``. Raises InputError.
     """
-    tests = read_tests(storage.read_bytes(path), shown_path(path), profile)
+    tests = read_tests(storage.read_bytes(path, MEASUREMENT), shown_path(path), profile)
     if len(tests) == 1:
         return tests[0]
     ours = [test for test in tests if axis and test.axis.upper() == axis.upper()]

@@ -21,6 +21,7 @@ from compwright.foundations.errors import (
     collect,
     raise_all,
 )
+from compwright.foundations.input_sizes import MEASUREMENT, YAML
 from compwright.instruments.drift_csv import read_drift
 from compwright.jobs.command_line import job_from_options
 from compwright.jobs.consistency import Contradiction
@@ -42,7 +43,7 @@ def read_job_file(path: Path, plan: Path | None = None) -> Job:
     """
     carried = () if plan is None else carried_definition(storage.earlier_bytes(plan))
     further = partial(wrong_control, folder=path.parent, carried=carried)
-    return _with_drifts(read_job(storage.read_bytes(path), str(path), further), path.parent)
+    return _with_drifts(read_job(storage.read_bytes(path, YAML), str(path), further), path.parent)
 
 
 def _with_drifts(job: Job, folder: Path) -> Job:
@@ -51,7 +52,7 @@ def _with_drifts(job: Job, folder: Path) -> Job:
     for kind, request in job.drifts.items():
         file = folder / request.file
         try:
-            drift = read_drift(storage.read_bytes(file), request.file, kind)
+            drift = read_drift(storage.read_bytes(file, MEASUREMENT), request.file, kind)
         except InputError as error:
             errors.append(error)
             continue

@@ -13,6 +13,7 @@ from typing import Any
 from compwright.formats.definition.extends import EXTENDS
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.input_sizes import MEASUREMENT, YAML
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.instruments.circular_reading import read_circular
 from compwright.jobs.next_job import (
@@ -96,7 +97,7 @@ def next_files(job: Job, plan: Plan, then: Looped) -> dict[str, bytes]:
     Raises InputError where a measurement of the last round is not there any more.
     """
     file = Path(job.file)
-    data = read_yaml(storage.read_bytes(file), job.file).data
+    data = read_yaml(storage.read_bytes(file, YAML), job.file).data
     copies = _Copies()
     was = name_of_round([*job.states, *plan.states])
     paths = _beside_tests(data, file.parent, copies)
@@ -277,7 +278,7 @@ def _beside_tests(data: Mapping[str, Any], folder: Path, copies: _Copies) -> dic
         named += [text] if isinstance(text, str) else []
     return {
         text: copies.add(
-            MEASUREMENTS, PureWindowsPath(text).name, storage.read_bytes(folder / text)
+            MEASUREMENTS, PureWindowsPath(text).name, storage.read_bytes(folder / text, MEASUREMENT)
         )
         for text in dict.fromkeys(named)
     }

@@ -12,6 +12,7 @@ from compwright.documents.older_record import older_record
 from compwright.documents.record import RECORD, read_record
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.input_sizes import JSON
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.utf8 import shown_path
 from compwright.workflow.stages.scatter import errors_of
@@ -74,7 +75,7 @@ def read_folder(path: Path) -> ResultFolder:
     file = path / RECORD
     if not storage.is_there(file):
         return _read_older(path)
-    content = storage.read_bytes(file)
+    content = storage.read_bytes(file, JSON)
     record = read_record(content, shown_path(file))
     try:
         expected = _expected(record)
@@ -137,7 +138,7 @@ def _document(path: Path) -> Mapping[str, Any] | None:
     if not storage.is_there(path):
         return None
     try:
-        data = json.loads(storage.read_bytes(path).decode("utf-8"))
+        data = json.loads(storage.read_bytes(path, JSON).decode("utf-8"))
     except (ValueError, RecursionError) as error:
         raise InputError(
             Fault(message="is not JSON", file=shown_path(path), found=str(error))

@@ -21,6 +21,7 @@ from compwright.foundations.errors import (
     collect,
     raise_all,
 )
+from compwright.foundations.input_sizes import MEASUREMENT
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_reading import is_circular, read_circular
 from compwright.planning.circles import (
@@ -74,7 +75,7 @@ def _circle(plan: Plan, spec: str) -> tuple[str, Path] | None:
     path = Path(tail if named else spec)
     if not storage.is_there(path) or storage.is_folder(path):
         return (head, path) if named else None
-    content = storage.read_bytes(path)
+    content = storage.read_bytes(path, MEASUREMENT)
     file = shown_path(path)
     if not is_circular(content, file):
         return None

@@ -1,0 +1,44 @@
+"""How large an input may be, by what it is: the one place that says so.
+
+What is larger is refused before it is read, so that no input fills the memory. The largest real
+files known are far below: a circle 1 MB, a whole backup of a control some 20 MB, a job 30 kB.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+
+@dataclass(frozen=True, slots=True)
+class InputKind:
+    """``name`` stands in messages; ``most_bytes``: so many bytes a file of this kind has at
+    most.
+    """
+
+    name: str
+    most_bytes: int
+
+
+#: A million readings in the form that writes most beside each (target data) have 40 MB.
+MEASUREMENT: Final = InputKind("a measurement file", 64_000_000)
+CONTROL: Final = InputKind("a file of a control", 64_000_000)
+#: Read by people, written by hand: job, definition, profile, virtual machine.
+YAML: Final = InputKind("a YAML file", 1_000_000)
+#: Plan, record, prediction: they carry files of controls and every target.
+JSON: Final = InputKind("a JSON file of compwright", 128_000_000)
+#: What is copied or compared as it is.
+ANY: Final = InputKind("a file", 128_000_000)
+
+#: A real axis has some hundred readings, a real circle some ten thousand samples.
+MOST_READINGS: Final = 2_000_000
+#: What an archive or a workbook may unpack to.
+MOST_UNPACKED: Final = 256_000_000
+
+
+def in_words(size: int) -> str:
+    """Return a number of bytes as people say it: 64 MB, 1.5 MB, 900 bytes."""
+    if size < 1000:
+        return f"{size} bytes"
+    unit, name = (1_000_000, "MB") if size >= 1_000_000 else (1000, "kB")
+    return f"{size / unit:.1f}".removesuffix(".0") + f" {name}"
