@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.evaluation.repeats import share_a_run
+from compwright.evaluation.repeats import repeat_findings, share_a_run
+from compwright.foundations.provenance import Source
 from compwright.records.positioning import PositioningTest
 from planning_samples import UM, Floats, readings_of
 
@@ -92,3 +93,60 @@ def test_one_direction_of_a_test_is_no_second_test() -> None:
     up = replace(test, negative=np.empty((TARGETS.size, 0)), runs_negative=())
     assert share_a_run(test, up)
     assert share_a_run(up, test)
+
+
+def named(test: PositioningTest, name: str, sha256: str = "") -> PositioningTest:
+    return replace(test, name=name, sources=(Source(name, sha256 or name),))
+
+
+def test_a_copy_is_found_among_many_tests_and_nothing_else() -> None:
+    """Two hundred tests of one grid and of grids of their own; the copies by file, by another zero,
+    by some runs, by some targets, with a reading taken out.
+    """
+    rng = np.random.default_rng(5)
+    grids = [TARGETS, *(np.sort(rng.permutation(TARGETS)[:13]) for _ in range(3))]
+    tests = [
+        named(measured(seed, step=1e-5, targets=grids[seed % 4]), f"t{seed}") for seed in range(200)
+    ]
+    holed = replace(tests[44], positive=tests[44].positive.copy())
+    holed.positive[3, 2] = np.nan
+    copies = {
+        7: named(tests[7], "same file", "t7"),
+        21: named(part(tests[21], [0, 1, 2, 3, 4], 0.0021), "another zero"),
+        40: named(part(tests[40], [4, 2], 0.001), "two runs"),
+        44: named(holed, "a hole"),
+        52: named(
+            replace(
+                tests[52],
+                targets=tests[52].targets[2:13:1],
+                positive=tests[52].positive[2:13],
+                negative=tests[52].negative[2:13],
+            ),
+            "some targets",
+        ),
+    }
+    findings = repeat_findings([*tests, *copies.values()])
+    found = {index: finding.message for index, finding in enumerate(findings) if finding}
+    assert sorted(found) == sorted([*copies, *range(200, 205)])
+    for place, (original, copy) in enumerate(copies.items(), start=200):
+        assert found[original].startswith(f"The same measurement as {copy.name}: ")
+        assert found[place].startswith(f"The same measurement as t{original}: ")
+
+
+def test_of_very_many_copies_some_are_named() -> None:
+    test = measured(1)
+    findings = repeat_findings([named(test, f"copy {i}") for i in range(300)])
+    told = [finding.message if finding else "" for finding in findings]
+    assert told[0].startswith("The same measurement as copy 1, copy 2, copy 3, copy 4 and others:")
+    assert told[2].startswith("The same measurement as copy 0, copy 1, copy 3, copy 4 and others:")
+    assert told[299] == told[298] == told[5]
+
+
+def test_readings_without_scatter_are_the_same_by_file_only() -> None:
+    still = replace(
+        measured(1),
+        positive=np.tile(TARGETS[:, np.newaxis] * 1e-5, 5),
+        negative=np.tile(TARGETS[:, np.newaxis] * 1e-5, 5),
+    )
+    assert repeat_findings([named(still, "a"), named(still, "b")]) == [None, None]
+    assert all(repeat_findings([named(still, "a", "1"), named(still, "b", "1")]))

@@ -7,10 +7,12 @@ than the noise, runs may be the same by chance.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import combinations
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.evaluation.readings import sign_text, text_of
 from compwright.foundations.findings import Finding
@@ -59,8 +61,8 @@ def same_runs_findings(test: PositioningTest) -> list[Finding]:
     """Return the finding CW-T031: runs that agree to the last digit, or nearly so, in one direction
     or between the two.
     """
-    exact = [] if _by_chance(test) else _exact(test)
-    if exact:
+    exact = _exact(test)
+    if exact and not _by_chance(test):
         message = (
             f"The same readings to the last digit: {'; '.join(exact)}. Was one run copied, or are"
             " the readings rounded too coarsely? Repeatability and noise cannot be told from them."
@@ -121,9 +123,8 @@ def _near(test: PositioningTest) -> tuple[list[str], float]:
         if np.any(np.nan_to_num(values))  # zeros have a finding of their own
     ]
     apart = {
-        (one[:2], other[:2]): gap
-        for one, other in combinations(traverses, 2)
-        if (gap := _apart(one[2], other[2])) is not None
+        (traverses[one][:2], traverses[other][:2]): gap
+        for one, other, gap in _all_apart([values for _, _, values in traverses])
     }
     within = [gap for (one, other), gap in apart.items() if one[0] is other[0]]
     noise = float(np.quantile(within, _QUANTILE)) if within else 0.0
@@ -137,18 +138,35 @@ def _near(test: PositioningTest) -> tuple[list[str], float]:
     return near, noise
 
 
-def _apart(one: FloatArray, other: FloatArray) -> float | None:
-    """Return by how much two runs differ, rms, but for a constant and a drift along the run; None
-    with too few targets.
+def _all_apart(runs: Sequence[FloatArray]) -> list[tuple[int, int, float]]:
+    """Return of any two ``runs`` (m,) by how much they differ, rms, but for a constant and a drift
+    along the run; of none with too few targets in common.
     """
-    known = np.isfinite(one) & np.isfinite(other)
-    count = int(np.count_nonzero(known))
-    if count < _TARGETS:
-        return None
-    along = np.linspace(-1.0, 1.0, one.size)[known]
-    gap = (one - other)[known]
-    left = gap - np.polyval(np.polyfit(along, gap, 1), along)
-    return float(np.sqrt(np.sum(left**2) / (count - 2)))
+    if len(runs) < 2:
+        return []
+    columns = np.column_stack(runs)
+    finite = np.isfinite(columns)
+    first, second = np.triu_indices(len(runs), 1)
+    gaps = columns[:, first] - columns[:, second]
+    patterns, which = np.unique(finite[:, first] & finite[:, second], axis=1, return_inverse=True)
+    found = []
+    for index, known in enumerate(patterns.T):
+        alike = np.flatnonzero(which.ravel() == index)
+        if np.count_nonzero(known) >= _TARGETS:
+            sizes = _without_drift(gaps[np.ix_(known, alike)], np.flatnonzero(known))
+            found += list(zip(alike, sizes, strict=True))
+    return [(int(first[pair]), int(second[pair]), float(size)) for pair, size in sorted(found)]
+
+
+def _without_drift(gaps: FloatArray, places: NDArray[np.intp]) -> FloatArray:
+    """Return the rms (p,) of differences (c, p) without their mean and their slope over ``places``
+    (c,).
+    """
+    along = places - np.mean(places)
+    left = gaps - np.mean(gaps, axis=0)
+    left -= np.multiply.outer(along, along @ left) / (along @ along)
+    rms: FloatArray = np.sqrt(np.sum(left**2, axis=0) / (places.size - 2))
+    return rms
 
 
 def _step(test: PositioningTest) -> float:

@@ -4,24 +4,26 @@ same.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from itertools import product
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations, product
 from typing import Final
 
 import numpy as np
 
+from compwright.evaluation.alike import alike_in_a_run, alike_in_all
 from compwright.evaluation.scatter import pooled_scatter
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source, share_a_file
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.positioning import SAME_READING, PositioningTest
-from compwright.records.result import PositioningResult
 
 #: Runs are compared at as many common targets at least.
 _TARGETS: Final = 5
 #: Two runs are the same by chance where this many such pairs are expected.
 _CHANCE: Final = 1e-3
+#: Tests named in a message.
+_NAMED: Final = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,24 +84,37 @@ def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
     place = np.minimum(place, other.targets.size - 1)
     at = np.flatnonzero(np.abs(other.targets[place] - one.targets) <= SAME_READING)
     there = place[at]
+    if at.size < _TARGETS:
+        return False
     zeros: dict[Direction, list[float]] = {}
-    shares, chances = [], []
+    apart, chances = [], []
     for mine, theirs in product(Direction, repeat=2):
-        for left, right in product(one.deviations(mine)[at].T, other.deviations(theirs)[there].T):
-            both = np.isfinite(left - right)
-            gap = (left - right)[both]
-            if gap.size < _TARGETS or np.ptp(left[both]) <= SAME_READING:
-                continue  # too few, or a run of zeros that was not made
+        for gap in _gaps(one.deviations(mine)[at], other.deviations(theirs)[there]):
             if mine is theirs:
                 zeros.setdefault(mine, [])
                 chances.append(gap.size - 1)
             if mine is theirs and np.ptp(gap) <= SAME_READING:
                 zeros[mine].append(float(gap[0]))
             else:
-                shares.append(_most_alike(gap) / gap.size)
-    if not (zeros and shares and _in_common(list(zeros.values()))):
+                apart.append(gap)
+    if not (zeros and apart and _in_common(list(zeros.values()))):
         return False
+    shares = [_most_alike(gap) / gap.size for gap in apart]
     return float(np.sum(np.mean(shares) ** np.asarray(chances))) < _CHANCE
+
+
+def _gaps(mine: FloatArray, theirs: FloatArray) -> Iterator[FloatArray]:
+    """Yield by how much the runs (columns) of two blocks differ, pair by pair, where both have a
+    reading; not those with too few, nor runs of zeros that were not made.
+    """
+    for left in mine.T:
+        for gap, both in zip(
+            (left[:, np.newaxis] - theirs).T,
+            (np.isfinite(left)[:, np.newaxis] & np.isfinite(theirs)).T,
+            strict=True,
+        ):
+            if np.count_nonzero(both) >= _TARGETS and np.ptp(left[both]) > SAME_READING:
+                yield gap[both]
 
 
 def _in_common(zeros: Sequence[Sequence[float]]) -> bool:
@@ -118,21 +133,79 @@ def _most_alike(gaps: FloatArray) -> int:
     return int(np.max(beyond - np.arange(gaps.size)))
 
 
-def with_repeats(results: Sequence[PositioningResult]) -> list[PositioningResult]:
-    """Return the results, each that repeats the measurement of another one with a finding that says
-    so (CW-T034).
+def repeat_findings(tests: Sequence[PositioningTest]) -> list[Finding | None]:
+    """Return for each test that repeats the measurement of others the finding that says so
+    (CW-T034), None for the others. As `same_measurement` of any two of them would find it, in a
+    time that grows with their number, not with its square.
     """
-    named = [Named(_file(result), result.test.sources, result.test) for result in results]
-    found = []
-    for result, mine in zip(results, named, strict=True):
-        others = [
-            other.words for other in named if other is not mine and same_measurement(mine, other)
-        ]
-        message = f"The same measurement as {', '.join(others)}: given twice it proves nothing new."
-        repeated = (Finding("CW-T034", "warning", message),) if others else ()
-        found.append(replace(result, findings=(*result.findings, *repeated)))
+    kinds = _one_of_each(tests)
+    beside = _sharing_runs([tests[members[0]] for members in kinds])
+    found: list[Finding | None] = [None] * len(tests)
+    for kind, members in enumerate(kinds):
+        same = sorted(index for near in (kind, *beside[kind]) for index in kinds[near])
+        for index in members:
+            others = [other for other in same[: _NAMED + 2] if other != index]
+            if others:
+                found[index] = _repeated([_file(tests[other]) for other in others])
     return found
 
 
-def _file(result: PositioningResult) -> str:
-    return result.test.sources[0].file if result.test.sources else result.test.name
+def _sharing_runs(tests: Sequence[PositioningTest]) -> list[set[int]]:
+    """Return for each test those that share a run with it; of very many, more than are named."""
+    beside: list[set[int]] = [set() for _ in tests]
+    looked_at: set[tuple[int, int]] = set()
+    for group in alike_in_a_run(tests, _TARGETS):
+        for one, other in combinations(group, 2):
+            if min(len(beside[one]), len(beside[other])) > _NAMED or (one, other) in looked_at:
+                continue
+            looked_at.add((one, other))
+            if share_a_run(tests[one], tests[other]):
+                beside[one].add(other)
+                beside[other].add(one)
+    return beside
+
+
+def _one_of_each(tests: Sequence[PositioningTest]) -> list[list[int]]:
+    """Return the tests (their indices, ascending) in groups that have the same readings or come
+    from the same file; most groups hold one.
+    """
+    above = list(range(len(tests)))
+
+    def join(one: int, other: int) -> None:
+        low, high = sorted((_top(above, one), _top(above, other)))
+        above[high] = low
+
+    by_file: dict[str, int] = {}
+    for index, test in enumerate(tests):
+        for source in test.sources:
+            join(index, by_file.setdefault(source.sha256, index))
+    for first, *others in alike_in_all(tests):
+        if pooled_scatter(tests[first])[0] > SAME_READING:
+            for other in others:
+                join(first, other)
+    groups: dict[int, list[int]] = {}
+    for index in range(len(tests)):
+        groups.setdefault(_top(above, index), []).append(index)
+    return list(groups.values())
+
+
+def _top(above: list[int], index: int) -> int:
+    """Return the lowest index that ``index`` is joined to, and shorten the way there."""
+    while above[index] != index:
+        above[index] = above[above[index]]
+        index = above[index]
+    return index
+
+
+def _repeated(names: Sequence[str]) -> Finding:
+    others = " and others" if len(names) > _NAMED else ""
+    return Finding(
+        "CW-T034",
+        "warning",
+        f"The same measurement as {', '.join(names[:_NAMED])}{others}: given twice it proves"
+        " nothing new.",
+    )
+
+
+def _file(test: PositioningTest) -> str:
+    return test.sources[0].file if test.sources else test.name

@@ -36,10 +36,14 @@ def pooled(test: PositioningTest) -> tuple[list[FloatArray], float]:
 
 def row_medians(values: FloatArray) -> FloatArray:
     """Return the medians (m, 1) of the readings there are; NaN without one."""
-    medians = [
-        np.median(row[np.isfinite(row)]) if np.any(np.isfinite(row)) else np.nan for row in values
-    ]
-    return np.array(medians, dtype=np.float64).reshape(-1, 1)
+    ordered = np.sort(np.where(np.isfinite(values), values, np.nan), axis=1)  # NaN stands last
+    count = np.count_nonzero(np.isfinite(ordered), axis=1)
+    if not ordered.size:
+        return np.full((len(values), 1), np.nan)
+    rows = np.arange(len(values))
+    low, high = np.maximum(count - 1, 0) // 2, np.minimum(count // 2, ordered.shape[1] - 1)
+    medians: FloatArray = 0.5 * (ordered[rows, low] + ordered[rows, high])
+    return medians.reshape(-1, 1)
 
 
 def run_medians(residual: FloatArray) -> FloatArray:
@@ -55,15 +59,19 @@ def robust_scale(residuals: list[FloatArray], test: PositioningTest) -> float:
     coarse readings which mostly repeat exactly do not make every last digit suspect. Targets with
     fewer than three readings do not count.
     """
-    estimates = []
-    for row in (row for residual in residuals for row in residual):
-        values = np.abs(row[np.isfinite(row)])
-        if values.size >= 3:
-            factor = _MAD_FACTORS.get(values.size, values.size / (values.size - 0.8))
-            estimates.append(1.4826 * factor * float(np.median(values)))
-    if not estimates:
+    estimates = [_unbiased_medians(residual) for residual in residuals]
+    found = np.concatenate(estimates) if estimates else np.empty(0)
+    if not found.size:
         return 0.0
-    return max(float(np.mean(estimates)), _resolution(test))
+    return max(float(np.mean(found)), _resolution(test))
+
+
+def _unbiased_medians(residual: FloatArray) -> FloatArray:
+    """Return the unbiased median absolute residual of each target with three readings or more."""
+    number = np.count_nonzero(np.isfinite(residual), axis=1)
+    enough = number >= 3
+    factors = np.array([_MAD_FACTORS.get(int(n), n / (n - 0.8)) for n in number[enough]])
+    return 1.4826 * factors * row_medians(np.abs(residual[enough])).ravel()
 
 
 def _resolution(test: PositioningTest) -> float:

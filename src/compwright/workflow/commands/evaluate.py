@@ -5,7 +5,7 @@ circular.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
@@ -254,16 +254,16 @@ def _with_repeats(
     ]
     if len(places) < 2:
         return results
-    from compwright.evaluation.repeats import with_repeats
+    from compwright.evaluation.repeats import repeat_findings
 
-    found = dict(
-        zip(
-            places,
-            with_repeats([cast("PositioningResult", results[index]) for index in places]),
-            strict=True,
-        )
-    )
-    return [found.get(index, result) for index, result in enumerate(results)]
+    found = list(results)
+    tested = [cast("PositioningResult", results[index]) for index in places]
+    for index, result, repeated in zip(
+        places, tested, repeat_findings([result.test for result in tested]), strict=True
+    ):
+        if repeated is not None:
+            found[index] = replace(result, findings=(*result.findings, repeated))
+    return found
 
 
 def _evaluated_circle(test: CircularTest, standard: str) -> CircularResult:
