@@ -277,8 +277,13 @@ def test_a_file_that_would_be_overwritten(folder: Path, command: Callable[..., O
     assert (outcome.code, outcome.says("plan.json", "exists already", "--force")) == (5, True)
     outcome = command("evaluate", "x.csv", "--json", "x.json")
     assert (outcome.code, outcome.says("x.json", "exists already")) == (5, True)
+    outcome = command("run", "job.yaml", "--force")
+    assert (outcome.code, outcome.says("plan.json", "not written by an earlier run")) == (5, True)
+    (folder / "job" / "plan.json").unlink()
+    assert compwright(["run", "job.yaml"]) == 0
+    (folder / "job" / "evaluation.json").unlink()
     assert compwright(["run", "job.yaml", "--force"]) == 0
-    assert (folder / "job" / "plan.json").read_text() != "mine"
+    assert (folder / "job" / "evaluation.json").is_file()
 
 
 def test_no_permission(

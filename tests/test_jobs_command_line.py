@@ -22,7 +22,7 @@ def from_options(
 ) -> Job:
     return job_from_options(
         files, format="fanuc-30i", axis=axis, travel=travel, states=states, options=options
-    )
+    ).job
 
 
 def faults_of(**words: object) -> list[str]:

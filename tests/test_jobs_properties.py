@@ -117,7 +117,7 @@ def test_options(
     try:
         job = job_from_options(
             files, format="linuxcnc", axis=axis, travel=travel, states=states, options=options
-        )
+        ).job
         assert list(job.axes) == [axis]
     except UsageError as error:
         faults = error.faults

@@ -60,7 +60,7 @@ def run_command(
     from compwright.workflow.showing.answers import run_summary
     from compwright.workflow.stages.jobs import job_of
 
-    job, folder, default_out = job_of(
+    asked = job_of(
         [str(path) for path in inputs],
         format_id=words["format_id"],
         axis=words["axis"],
@@ -68,12 +68,14 @@ def run_command(
         states=words["states"],
         options=words["options"],
         profile=None if words["profile"] is None else str(words["profile"]),
+        out=out,
     )
-    with crew(len(job.axes), ready_for_axes) as each:
+    with crew(len(asked.job.axes), ready_for_axes) as each:
         outcome = run_job(
-            job,
-            folder,
-            out or default_out,
+            asked.job,
+            asked.folder,
+            asked.out,
+            stated=asked.stated,
             force=words["force"],
             accept_worse=words["accept_worse"],
             json_path=json_file(json_path),

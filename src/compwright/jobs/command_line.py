@@ -8,8 +8,8 @@ accept the same values and refuse the same faults.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from compwright.foundations.errors import Fault, UsageError
@@ -38,6 +38,14 @@ _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", re.ASCII)
 _WHOLE = re.compile(r"[-+]?\d{1,15}", re.ASCII)
 
 
+@dataclass(frozen=True, slots=True)
+class StatedJob:
+    """A job without a file, and what of a job file the options say: its plain ``data``."""
+
+    job: Job
+    data: Mapping[str, Any]
+
+
 def job_from_options(
     files: Sequence[str],
     *,
@@ -48,9 +56,9 @@ def job_from_options(
     options: Sequence[str],
     profile: str | None = None,
     further: Further | None = None,
-) -> Job:
+) -> StatedJob:
     """Return the job that the options of ``run`` describe: one axis, one test of all ``files``,
-    named after the first.
+    named after the first; all paths as they are written.
 
     ``travel`` is ``LO:HI`` in mm or deg; ``states`` are the control's own files, or the single word
     ``none``, or empty (then nothing is known of the control). Of ``options`` (``K=V``) the keys
@@ -89,7 +97,7 @@ def job_from_options(
     faults = [_whole_travel(travel) if fault.place == "--travel" else fault for fault in faults]
     if faults or checked.section is None:
         raise UsageError(*dict.fromkeys(faults))
-    return job_of(checked.section, file="")
+    return StatedJob(job_of(checked.section, file=""), data)
 
 
 def _sorted_options(

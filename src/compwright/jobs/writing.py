@@ -82,7 +82,7 @@ def data_text(data: Mapping[str, Any], heading: Sequence[str]) -> str:
     lines = [f"# {line}" for line in heading]
     for key, value in data.items():
         if key in _SPREAD and isinstance(value, Mapping) and value:
-            lines.append(f"{_word(key)}:")
+            lines.append(f"{word(key)}:")
             for name, inner in value.items():
                 lines += _spread(name, inner, 2)
         else:
@@ -98,7 +98,7 @@ def _spread(name: str, value: object, indent: int) -> list[str]:
     """Return a mapping with a line for each of its keys; anything else on one line."""
     if not (isinstance(value, Mapping) and value):
         return _entry(name, value, indent)
-    lines = [f"{' ' * indent}{_word(name)}:"]
+    lines = [f"{' ' * indent}{word(name)}:"]
     for key, inner in value.items():
         lines += _entry(key, inner, indent + 2)
     return lines
@@ -106,22 +106,22 @@ def _spread(name: str, value: object, indent: int) -> list[str]:
 
 def _entry(key: str, value: object, indent: int) -> list[str]:
     """Return one key with its value on its line; a list of mappings has a line for each."""
-    start = f"{' ' * indent}{_word(key)}:"
+    start = f"{' ' * indent}{word(key)}:"
     if isinstance(value, list) and value and all(isinstance(each, Mapping) for each in value):
-        return [start, *(f"{' ' * indent}  - {_flow(each)}" for each in value)]
-    return [f"{start} {_flow(value)}"]
+        return [start, *(f"{' ' * indent}  - {flow(each)}" for each in value)]
+    return [f"{start} {flow(value)}"]
 
 
-def _flow(value: object) -> str:
+def flow(value: object) -> str:
     """Return a value on one line, words and numbers as they are."""
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{_word(key)}: {_flow(each)}" for key, each in value.items()) + "}"
+        return "{" + ", ".join(f"{word(key)}: {flow(each)}" for key, each in value.items()) + "}"
     if isinstance(value, list | tuple):
-        return "[" + ", ".join(map(_flow, value)) + "]"
-    return _word(value) if isinstance(value, str) else json.dumps(value)
+        return "[" + ", ".join(map(flow, value)) + "]"
+    return word(value) if isinstance(value, str) else json.dumps(value)
 
 
-def _word(text: str) -> str:
+def word(text: str) -> str:
     """Return text as a plain word, or in quotes with everything escaped that no line can show."""
     if _is_word(text):
         return text

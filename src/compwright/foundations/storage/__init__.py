@@ -15,8 +15,11 @@ from compwright.foundations.storage.looking import (
     is_folder,
     is_there,
     list_files,
+    matching,
+    named_from,
     relative,
     resolved,
+    way_to,
 )
 from compwright.foundations.storage.reading import earlier_bytes, read_bytes, state_of, was_read
 from compwright.foundations.storage.shipped import definition_files, demo_files
@@ -32,12 +35,15 @@ __all__ = [
     "is_folder",
     "is_there",
     "list_files",
+    "matching",
+    "named_from",
     "read_bytes",
     "refuse_overwriting",
     "relative",
     "resolved",
     "state_of",
     "was_read",
+    "way_to",
     "write_file",
     "write_files",
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import glob
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -105,6 +106,40 @@ def relative(path: Path, folder: Path) -> str:
         return Path(os.path.relpath(path, folder)).as_posix()
     except ValueError:
         return path.as_posix()
+
+
+def way_to(path: Path, folder: Path) -> str:
+    """Return how ``path`` is named from ``folder`` by a name that holds through links, with ``/``;
+    whole where there is no such way (another drive). The folder need not be there yet.
+    """
+    plain = path.name not in {"", ".."}
+    whole = resolved(path.parent) / path.name if plain else resolved(path)
+    return relative(whole, resolved(folder))
+
+
+def named_from(folder: Path, name: str) -> Path:
+    """Return the path of what a file in ``folder`` calls ``name``: without the way into the folder
+    and out of it again, which may not be there yet.
+    """
+    path = folder / name
+    if ".." not in Path(name).parts:
+        return path
+    short = Path(os.path.normpath(path))
+    there = identity(path)
+    return short if there is None or there == identity(short) else path
+
+
+def matching(pattern: str) -> list[str]:
+    """Return the paths that fit a pattern with ``*`` and ``?`` by name, hidden ones left out; the
+    pattern itself where something is called so, and where nothing fits.
+    """
+    if not {"*", "?"} & set(pattern) or os.path.lexists(pattern):
+        return [pattern]
+    try:
+        found = sorted(glob.glob(pattern.replace("[", "[[]")))
+    except (OSError, ValueError):
+        found = []
+    return found or [pattern]
 
 
 def identity(path: Path) -> Identity | None:

@@ -8,18 +8,18 @@ from pathlib import Path
 from typing import Any
 
 from compwright.documents.decode import assumed_documents, finding_documents
-from compwright.documents.plan import listed_files
 from compwright.documents.record import RECORD, listed_in_record
 from compwright.foundations import storage
 from compwright.foundations.errors import UsageError
-from compwright.foundations.provenance import fingerprint
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.foundations.utf8 import encoded
+from compwright.jobs.assumed_job import assumed_job, assumed_of
 from compwright.records.job import Job
-from compwright.workflow.showing.recorded import folders_of_copies, recorded_run
+from compwright.workflow.showing.recorded import folders_of_copies, known_results, recorded_run
 from compwright.workflow.showing.results import NO_STATE, result_files
 from compwright.workflow.stages.finished import Finished
-from compwright.workflow.stages.handed_over import files_of_job
+from compwright.workflow.stages.handed_over import files_of_job, given_job
+from compwright.workflow.stages.next_files import JOB
 from compwright.workflow.stages.next_round import FOLDER as ROUND
 from compwright.workflow.stages.worked_through import worked_through
 
@@ -58,6 +58,7 @@ def run_job(
     folder: Path,
     out: Path,
     *,
+    stated: Mapping[str, Any] | None = None,
     force: bool = False,
     accept_worse: bool = False,
     json_path: Path | None = None,
@@ -66,17 +67,22 @@ def run_job(
     """Do a whole job and write its files below ``out`` (and the prediction to ``json_path`` too),
     all of them or none.
 
-    ``folder``: what the job's paths are relative to; ``each`` works on the axes, in turn or side by
-    side: the bytes are the same. Raises UsageError (2), InputError (3), CapacityError (4) and
-    StorageError (5); nothing is written then. Without a state of the control, evaluation,
+    ``folder``: what the job's paths are relative to; ``stated``: what the command line said of a
+    job without a file, which then lies among the results; ``each`` works on the axes, in turn or
+    side by side: the bytes are the same. Raises UsageError (2), InputError (3), CapacityError (4)
+    and StorageError (5); nothing is written then. Without a state of the control, evaluation,
     prediction and report are written but no table (exit 2).
     """
     finished = worked_through(job, folder, out, accept_worse=accept_worse, each=each)
     results = result_files(finished, each)
     earlier = listed_in_record(storage.earlier_bytes(out / RECORD))
-    given = files_of_job(job, folder, finished.measured.control.definition.carried)
-    recorded, outdated = recorded_run(finished, results, given, out)
-    files = {**results.files, **recorded}
+    draft = {} if stated is None else {JOB: encoded(_assumed_job(stated, finished))}
+    given = [
+        *(given_job(JOB, out / JOB, content) for content in draft.values()),
+        *files_of_job(job, folder, finished.measured.control.definition.carried),
+    ]
+    recorded, outdated = recorded_run(finished, results, given, out, draft=draft)
+    files = {**results.files, **recorded, **draft}
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
     sets = [f"{name}/{finished.measured.control.id}" for name in ("tables", "rollback")]
     paths = storage.write_files(
@@ -87,13 +93,15 @@ def run_job(
         whole=sets,
         renewed=["card", *folders_of_copies(earlier)],
         outdated=outdated,
-        known=_known_results(out, earlier),
+        known=known_results(out),
     )
     return RunOutcome(
         exit_code=_exit_code(finished),
         evaluation=results.evaluation,
         prediction=results.prediction,
-        assumed=tuple(assumed_documents(finished.assumed)),
+        assumed=tuple(
+            assumed_documents([*(assumed_of(stated) if stated else ()), *finished.assumed])
+        ),
         findings=tuple(finding_documents(finished.findings)),
         files=tuple(paths),
         no_tables=(
@@ -108,6 +116,10 @@ def run_job(
     )
 
 
+def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> str:
+    return assumed_job(stated, finished.fitted.control.options, finished.assumed)
+
+
 def _gone(out: Path, outdated: Sequence[str]) -> Iterator[str]:
     """Yield that a verification was of another plan, with what is left of it in the folder."""
     if not outdated:
@@ -116,16 +128,6 @@ def _gone(out: Path, outdated: Sequence[str]) -> Iterator[str]:
     yield f"{out}: the verification there was of another plan, and is removed ({names})"
     if storage.is_folder(out / ROUND):
         yield f"{out / ROUND} is of that verification; do not load anything of it"
-
-
-def _known_results(out: Path, recorded: Mapping[str, str]) -> storage.Known:
-    """Return what tells the results of an earlier run in ``out`` from what the user has put or
-    changed below it. ``recorded``: what the record of that run lists.
-    """
-    listed = {**listed_files(storage.earlier_bytes(out / "plan.json")), **recorded}
-    return lambda name, content: (
-        "/" not in name or listed.get(encoded(name).decode()) == fingerprint(content)
-    )
 
 
 def _exit_code(finished: Finished) -> int:

@@ -31,7 +31,7 @@ from compwright.workflow.showing.proven import FOLDER as PROVEN
 from compwright.workflow.showing.proven import proven_files
 from compwright.workflow.showing.recorded import (
     RunResult,
-    known_to_record,
+    known_results,
     recorded_verification,
 )
 from compwright.workflow.showing.view import evaluations, verify_view
@@ -219,7 +219,7 @@ def _stored(
             whole=() if then is None else then.whole,
             renewed=[PROVEN, f"{INPUTS}/{BY_VERIFY}", *(() if then is None else then.renewed)],
             completed=[RECORD],
-            known=known_with_rounds(out, known_to_record(out)),
+            known=known_with_rounds(out, known_results(out)),
         )
     )
 
@@ -239,7 +239,11 @@ def _planned(job: Job, file: Path) -> tuple[Plan, Control, Job, dict[str, Decode
     """
     plan = read_plan(storage.read_bytes(file, JSON), str(file))
     control = open_control(plan.format, plan.options, plan_origin(plan, file))
-    named = open_control(job.format, job.options, replace(origin_of(job), carried=plan.definition))
+    named = open_control(
+        job.format,
+        job.options,
+        replace(origin_of(job, Path(job.file).parent), carried=plan.definition),
+    )
     if named.id != plan.format:
         raise InputError(stale("format", named.id, plan.format, str(file)))
     control = replace(control, notes=named.notes)

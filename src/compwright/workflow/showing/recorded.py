@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePath
+from types import MappingProxyType
 from typing import Any
 
 from compwright import __version__
 from compwright.documents.json_text import to_json
+from compwright.documents.plan import listed_files
 from compwright.documents.record import (
     COPIES_OF_VERIFY,
     RECORD,
@@ -26,8 +28,9 @@ from compwright.documents.record import (
 from compwright.foundations import storage
 from compwright.foundations.errors import InputError
 from compwright.foundations.provenance import fingerprint
+from compwright.foundations.utf8 import encoded
 from compwright.records.plan import Plan
-from compwright.workflow.showing.results import Results
+from compwright.workflow.showing.results import PLAN, Results
 from compwright.workflow.stages.control import Control
 from compwright.workflow.stages.finished import Finished
 from compwright.workflow.stages.handed_over import (
@@ -44,11 +47,14 @@ def recorded_run(
     results: Results,
     given: Sequence[GivenFile],
     out: Path,
+    *,
+    draft: Mapping[str, bytes] = MappingProxyType({}),
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     """Return the copies of what a run was made from and its record, by their relative names, and
     the files that are there of the verification of another plan.
 
-    ``given``: what it was made from (`files_of_job`); ``out``: the result folder.
+    ``given``: what it was made from (`files_of_job`); ``out``: the result folder; ``draft``: the
+    job file that it leaves there, where it was made without one.
     """
     job, control = finished.measured.job, finished.measured.control
     there = {
@@ -73,7 +79,8 @@ def recorded_run(
         for name, tests in finished.measured.inputs.tests.items()
         for planned in tests
     } | {circle.name: circle.planned.measured_in for circle in finished.wanted.circles}
-    files = {**results.files, **copies}
+    earlier = _earlier_record(out)
+    files = {**results.files, **copies, **draft, **_own_job(given, out, earlier)}
     record = run_record(
         about,
         inputs,
@@ -83,7 +90,6 @@ def recorded_run(
         measured_in=measured_in,
         errors=errors_of,
     )
-    earlier = _earlier_record(out)
     if earlier is not None:
         record = kept_verification(record, earlier)
     outdated = {} if earlier is None else outdated_verification(record, earlier)
@@ -93,6 +99,23 @@ def recorded_run(
         if fingerprint(storage.earlier_bytes(out / name)) == digest
     ]
     return {**copies, RECORD: to_json(record).encode()}, tuple(stale)
+
+
+def _own_job(
+    given: Sequence[GivenFile], out: Path, earlier: Mapping[str, Any] | None
+) -> dict[str, bytes]:
+    """Return the job file that an earlier run left among its results, where this one was made from
+    it as it stands there; one that was edited since is the user's.
+    """
+    listed = {} if earlier is None else {each["file"]: each["sha256"] for each in earlier["files"]}
+    return {
+        file.path.name: file.content
+        for file in given
+        if file.role == "job"
+        and file.path is not None
+        and storage.resolved(file.path.parent) == storage.resolved(out)
+        and listed.get(file.path.name) == fingerprint(file.content)
+    }
 
 
 def _earlier_record(out: Path) -> dict[str, Any] | None:
@@ -110,15 +133,19 @@ def _definition(control: Control) -> Any:
     )
 
 
-def known_to_record(out: Path) -> storage.Known:
-    """Return what tells the results in a folder from what the user has put or changed there."""
-    content = storage.earlier_bytes(out / RECORD)
-    listed = listed_in_record(content)
+def known_results(folder: Path) -> storage.Known:
+    """Return what tells the results that earlier commands left in a result folder from what the
+    user has put or changed there: by the lists in its record and its plan.
+    """
+    planned = listed_files(storage.earlier_bytes(folder / PLAN))
+    listed = {**planned, **listed_in_record(storage.earlier_bytes(folder / RECORD))}
 
     def known(name: str, found: bytes) -> bool:
         if name == RECORD:
             return is_record(found)
-        return "/" not in name or listed.get(name) == fingerprint(found)
+        if name == PLAN and PLAN not in listed:  # a run of an older version left no record
+            return bool(planned)
+        return listed.get(encoded(name).decode()) == fingerprint(found)
 
     return known
 

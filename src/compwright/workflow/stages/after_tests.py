@@ -51,7 +51,8 @@ def after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[AfterTest]:
         request = next(item for item in entry.before if item.name == name)
         try:
             # a path of the command line is as it stands, that of the job's profile beside the job
-            beside = Path(job.file).parent / request.profile if request.profile else None
+            folder = Path(job.file).parent
+            beside = storage.named_from(folder, request.profile) if request.profile else None
             later = _later(request, paths)
             later = replace(later, profile=str(beside) if beside else None)
             test = read_test(entry, later, Path())
@@ -248,7 +249,7 @@ def _profiles(job: Job) -> list[Path]:
     """Return the profiles of a job; their paths are relative to the job's own file."""
     requests = [request for entry in job.axes.values() for request in entry.before]
     named = dict.fromkeys(request.profile for request in requests if request.profile)
-    return [Path(job.file).parent / name for name in named]
+    return [storage.named_from(Path(job.file).parent, name) for name in named]
 
 
 def _axis_of_name(job: Job, name: str, path: str) -> str:

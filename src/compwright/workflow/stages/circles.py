@@ -51,7 +51,11 @@ def read_circles(job: Job, folder: Path) -> tuple[CircularTest, ...]:
     tests = []
     for request in job.circles:
         try:
-            tests.append(read_circle([folder / file for file in request.files], request.name))
+            tests.append(
+                read_circle(
+                    [storage.named_from(folder, file) for file in request.files], request.name
+                )
+            )
         except InputError as error:
             errors.append(error)
     raise_all(InputError, collect(errors))

@@ -86,11 +86,12 @@ class Origin:
 COMMAND_LINE = Origin()
 
 
-def origin_of(job: Job) -> Origin:
-    """Return where a job says which control it is for."""
+def origin_of(job: Job, folder: Path) -> Origin:
+    """Return where a job says which control it is for; ``folder``: what its paths are relative
+    to.
+    """
     if not job.file:
-        return COMMAND_LINE
-    folder = Path(job.file).parent
+        return replace(COMMAND_LINE, folder=folder)
     return Origin(job.file, "controller.format", "controller.options.", folder)
 
 
@@ -231,7 +232,7 @@ def _definition(name: str, origin: Origin) -> tuple[Definition, tuple[Finding, .
     if not is_path(name):
         return definition_named(name, origin.folder), ()
     try:
-        found = own_definition(origin.folder / name)
+        found = own_definition(storage.named_from(origin.folder, name))
     except InputError as error:
         if Path(name).name != Path(carried.file).name:
             raise UsageError(*error.faults) from error

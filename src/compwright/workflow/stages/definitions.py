@@ -38,7 +38,7 @@ def definition_named(name: str, folder: Path) -> Definition:
     if not is_path(name):
         return _shipped(name)
     try:
-        definition = own_definition(folder / name)
+        definition = own_definition(storage.named_from(folder, name))
         raise_all(InputError, _gate(definition.own))
     except InputError as error:
         raise UsageError(*error.faults) from error

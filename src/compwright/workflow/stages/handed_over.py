@@ -46,20 +46,30 @@ def files_of_job(job: Job, folder: Path, definition: Texts) -> list[GivenFile]:
             of = f"{name} {request.name}"
             found += _measured("test", of, request.files, folder)
             if request.profile:
-                found.append(_given("profile", of, request.profile, folder / request.profile))
+                found.append(
+                    _given(
+                        "profile", of, request.profile, storage.named_from(folder, request.profile)
+                    )
+                )
     for circle in job.circles:
         found += _measured("circle", circle.name, circle.files, folder)
     for drift in job.drifts.values():
-        found.append(_given("drift", "", drift.file, folder / drift.file))
+        found.append(_given("drift", "", drift.file, storage.named_from(folder, drift.file)))
     for state, texts in job.states.items():
         found += [file for text in texts for file in files_at("state", state, text, folder)]
     return found
 
 
+def given_job(name: str, path: Path, content: bytes) -> GivenFile:
+    """Return the file of a job, which may be written with its results."""
+    return GivenFile(role="job", of="", name=name, path=path, content=content)
+
+
 def _measured(role: InputRole, of: str, texts: Iterable[str], folder: Path) -> Iterator[GivenFile]:
     for text in texts:
-        for path in measurement_files(folder / text).files:
-            yield _given(role, of, _named(text, path, folder / text), path)
+        start = storage.named_from(folder, text)
+        for path in measurement_files(start).files:
+            yield _given(role, of, _named(text, path, start), path)
 
 
 def files_of_verify(
@@ -84,8 +94,9 @@ def files_of_verify(
 
 def files_at(role: InputRole, of: str, text: str, folder: Path) -> Iterator[GivenFile]:
     """Yield the file that ``text`` names, or those in the folder that it names."""
-    for path in storage.list_files(folder / text):
-        yield _given(role, of, _named(text, path, folder / text), path)
+    start = storage.named_from(folder, text)
+    for path in storage.list_files(start):
+        yield _given(role, of, _named(text, path, start), path)
 
 
 def _named(text: str, path: Path, start: Path) -> str:

@@ -70,7 +70,7 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
     axes = [entry.axis for entry in job.axes.values()]
     for name, paths in job.states.items():
         try:
-            files = read_files([folder / path for path in paths])
+            files = read_files([storage.named_from(folder, path) for path in paths])
             states[name] = decode(control, files, axes, active=job.active.get(name), asking=True)
         except InputError as error:
             errors.append(error)
@@ -121,10 +121,10 @@ def read_test(entry: AxisJob, request: TestRequest, folder: Path) -> Positioning
     errors: list[CompwrightError] = []
     parts = []
     skipped: tuple[Path, ...] = ()
-    profile = load_profile(folder / request.profile) if request.profile else None
+    profile = load_profile(storage.named_from(folder, request.profile)) if request.profile else None
     for text in request.files:
         try:
-            found = measurement_files(folder / text)
+            found = measurement_files(storage.named_from(folder, text))
         except InputError as error:
             errors.append(error)
             continue

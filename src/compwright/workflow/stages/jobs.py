@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -24,12 +24,13 @@ from compwright.foundations.errors import (
 from compwright.foundations.input_sizes import MEASUREMENT, YAML
 from compwright.instruments.drift_csv import read_drift
 from compwright.jobs.command_line import job_from_options
-from compwright.jobs.consistency import Contradiction
+from compwright.jobs.consistency import NONE_WORD, Contradiction
 from compwright.jobs.reading import read_job
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import Job
 from compwright.records.plan import Texts
 from compwright.workflow.stages.control import Control, Origin, open_control
+from compwright.workflow.stages.definitions import is_path
 
 _YAML = {".yaml", ".yml"}
 PLAN = "plan.json"
@@ -50,7 +51,7 @@ def _with_drifts(job: Job, folder: Path) -> Job:
     """Return the job with the range E_VE that its stand-still tests show."""
     errors: list[CompwrightError] = []
     for kind, request in job.drifts.items():
-        file = folder / request.file
+        file = storage.named_from(folder, request.file)
         try:
             drift = read_drift(storage.read_bytes(file, MEASUREMENT), request.file, kind)
         except InputError as error:
@@ -157,8 +158,20 @@ def default_folder(job_file: Path) -> Path:
     copies = copied_by_record(storage.earlier_bytes(above / RECORD))
     if f"{job_file.parent.name}/{job_file.name}" in copies and not storage.is_folder(own):
         return above
-    among = storage.is_there(job_file.parent / PLAN) and not storage.is_folder(own)
-    return job_file.parent if among else own
+    among = any(storage.is_there(job_file.parent / name) for name in (PLAN, RECORD))
+    return job_file.parent if among and not storage.is_folder(own) else own
+
+
+@dataclass(frozen=True, slots=True)
+class JobToRun:
+    """A job, the folder that its paths are relative to, and the folder of its results; ``stated``:
+    what the command line says of a job without a file, in the form of one.
+    """
+
+    job: Job
+    folder: Path
+    out: Path
+    stated: Mapping[str, Any] | None = None
 
 
 def job_of(
@@ -170,12 +183,12 @@ def job_of(
     states: Sequence[str],
     options: Sequence[str],
     profile: str | None = None,
-) -> tuple[Job, Path, Path]:
-    """Return the job of a run, the folder that its paths are relative to, and the default folder of
-    its results.
+    out: Path | None = None,
+) -> JobToRun:
+    """Return the job of a run. ``out``: the folder of its results, where one was named.
 
-    One YAML file without ``--format`` is a job; anything else are measurement files of one test.
-    Raises UsageError with all faults.
+    One YAML file without ``--format`` is a job; anything else are measurement files of one test,
+    and the job is one that lies in the folder of its results. Raises UsageError with all faults.
     """
     first = Path(inputs[0])
     needed = {"--format": format_id, "--axis": axis, "--travel": travel}
@@ -188,7 +201,7 @@ def job_of(
             if value
         ]
         raise_all(UsageError, faults)
-        return read_job_file(first), first.parent, default_folder(first)
+        return JobToRun(read_job_file(first), first.parent, out or default_folder(first))
     expected = "a value, or one job file JOB.yaml instead of measurement files"
     faults = [
         Fault(message="is missing", place=name, expected=expected)
@@ -196,14 +209,20 @@ def job_of(
         if not value
     ]
     raise_all(UsageError, faults)
-    job = job_from_options(
-        inputs,
-        format=format_id or "",
+    folder = out or default_folder(first)
+
+    def there(text: str) -> str:
+        return storage.way_to(Path(text), folder)
+
+    control = format_id or ""
+    stated = job_from_options(
+        [there(text) for text in inputs],
+        format=there(control) if is_path(control) else control,
         axis=axis or "",
         travel=travel or "",
-        states=states,
+        states=[text if text == NONE_WORD else there(text) for text in states],
         options=options,
-        profile=profile,
-        further=wrong_control,
+        profile=None if profile is None else there(profile),
+        further=partial(wrong_control, folder=folder),
     )
-    return job, Path(), default_folder(first)
+    return JobToRun(stated.job, folder, folder, stated.data)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from compwright.evaluation.repeats import Named
+from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.jobs.idle_keys import idle_keys
@@ -68,8 +69,8 @@ def measured(job: Job, folder: Path, out: Path) -> Measured:
     Raises UsageError and InputError: what cannot be read, contradicts itself, is no measurement of
     this machine, or was made by an earlier run from the same tests.
     """
-    control = open_control(job.format, job.options, origin_of(job))
-    own = [folder / path for path in job.states.get(AS_FOUND, ())]
+    control = open_control(job.format, job.options, origin_of(job, folder))
+    own = [storage.named_from(folder, path) for path in job.states.get(AS_FOUND, ())]
     job, named = named_axes(job, control, lambda: control.format.addresses_by_name(read_files(own)))
     idle = idle_keys(
         job,

@@ -160,7 +160,7 @@ def _axis(
     for each, name in zip(sections, names, strict=True):
         now = old if name == after.repeats else name
         folder = f"{MEASUREMENTS}/{_folder(after.axis, now)}"
-        files = [Path(job.file).parent / text for text in each["files"]]
+        files = [storage.named_from(Path(job.file).parent, text) for text in each["files"]]
         tests.append(earlier_test(each, _measured(files, folder, copies), now, was, paths))
     repeated = sections[names.index(after.repeats)]
     folder = f"{MEASUREMENTS}/{_folder(after.axis, after.repeats)}"
@@ -232,7 +232,7 @@ def _circles(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> l
             continue
         state = was if request.measured_in == AS_FOUND else request.measured_in
         files = (
-            [Path(job.file).parent / text for text in request.files]
+            [storage.named_from(Path(job.file).parent, text) for text in request.files]
             if again is None
             else list(again)
         )
@@ -278,7 +278,9 @@ def _beside_tests(data: Mapping[str, Any], folder: Path, copies: _Copies) -> dic
         named += [text] if isinstance(text, str) else []
     return {
         text: copies.add(
-            MEASUREMENTS, PureWindowsPath(text).name, storage.read_bytes(folder / text, MEASUREMENT)
+            MEASUREMENTS,
+            PureWindowsPath(text).name,
+            storage.read_bytes(storage.named_from(folder, text), MEASUREMENT),
         )
         for text in dict.fromkeys(named)
     }

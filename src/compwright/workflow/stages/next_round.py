@@ -14,7 +14,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any, Final
 
 from compwright.documents.next_round import NextAxis, next_document
-from compwright.documents.record import RECORD, copied_by_record, listed_in_record
+from compwright.documents.record import RECORD, copied_by_record
 from compwright.documents.verification import VerifiedAxis, VerifiedCircle
 from compwright.formats.families.between import together
 from compwright.formats.text.container import is_container
@@ -38,8 +38,8 @@ from compwright.records.job import AS_FOUND, Job, other_axis
 from compwright.records.limits import Limiting
 from compwright.records.plan import Plan
 from compwright.verification.proof import AfterTest
-from compwright.workflow.showing.recorded import recorded_run
-from compwright.workflow.showing.results import PLAN, result_files
+from compwright.workflow.showing.recorded import known_results, recorded_run
+from compwright.workflow.showing.results import result_files
 from compwright.workflow.stages.control import Control, decode
 from compwright.workflow.stages.finished import Finished
 from compwright.workflow.stages.handed_over import files_of_job
@@ -52,7 +52,6 @@ FOLDER: Final = "next"
 #: Findings of an axis that say what its test does not prove.
 LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024", "CW-E010"})
 #: What a run writes beside its folders.
-RESULTS: Final = frozenset({PLAN, "evaluation.json", "prediction.json", "report.html", RECORD})
 _NOBODY: Final = "no axis may be corrected further"
 _KEEPS: Final = "it keeps what is in the control"
 
@@ -368,14 +367,14 @@ def known_with_rounds(out: Path, known: storage.Known) -> storage.Known:
     """Return what tells results in ``out`` from what the user has put or changed there; ``known``
     tells it of all but the folder of the next round.
     """
-    record = storage.earlier_bytes(out / FOLDER / RECORD)
-    listed = {**listed_in_record(record), **copied_by_record(record)}
+    inputs = copied_by_record(storage.earlier_bytes(out / FOLDER / RECORD))
+    of_round = known_results(out / FOLDER)
 
     def known_below(name: str, content: bytes) -> bool:
         if not name.startswith(f"{FOLDER}/"):
             return known(name, content)
         below = encoded(name.removeprefix(f"{FOLDER}/")).decode()
-        return below in RESULTS or listed.get(below) == fingerprint(content)
+        return of_round(below, content) or inputs.get(below) == fingerprint(content)
 
     return known_below
 

@@ -72,7 +72,7 @@ def refuse_own_output(
 def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
     made = [storage.resolved(out / name) for name in _MADE]
     for text in job.states.get("as_found", ()):
-        path = storage.resolved(folder / text)
+        path = storage.resolved(storage.named_from(folder, text))
         if any(below == path or below in path.parents for below in made):
             yield Fault(
                 message="is what this run writes, and cannot be what it starts from",
@@ -94,7 +94,7 @@ def _near(job: Job, folder: Path, out: Path) -> Iterator[Path]:
     yield storage.resolved(out).parent / PLAN  # that of the round before
     for texts in job.states.values():
         for text in texts:
-            path = folder / text
+            path = storage.named_from(folder, text)
             yield path / PLAN
             yield from (above / PLAN for above in list(storage.resolved(path).parents)[:_LEVELS_UP])
     yield from storage.in_folders_of(folder, PLAN)

@@ -1,0 +1,181 @@
+"""The job file that ``run FILE...`` leaves: what its options say, and every value that nobody said,
+each with where it comes from.
+
+What a job file has a key for stands there with the value that was taken. An option of the control
+that was left at its default stands as a comment: given, it would count as known, and results would
+no longer name it as assumed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from compwright.jobs.writing import flow, word
+from compwright.records.correction import Assumption
+from compwright.records.job import AS_FOUND
+
+_HEADING = (
+    "The job that `compwright run` took from its command line. Correct what is not so, and run it",
+    "again: compwright run --force with the path of this file. Paths are relative to this file.",
+    '`assumed`: nobody said it. A line without the "# " in front of its key counts as said.',
+)
+#: Keys of an axis that the options may leave out: the value that then counts, and what it means.
+_OF_AXIS: tuple[tuple[str, object, str], ...] = (
+    ("kind", "linear", "linear or rotary"),
+    ("reference", 0, "machine coordinate of the reference position; the correction is zero there"),
+    ("reference_return", "+", "direction in which the reference position is approached"),
+    ("programmed", "radius", "radius or diameter: how the control counts this axis"),
+)
+_OF_TEST: tuple[tuple[str, object, str], ...] = (
+    ("measured_in", AS_FOUND, "what acted during the test is what is in the control now"),
+    ("motion", "feed", "feed or rapid: how the targets were approached"),
+)
+_OF_JOB: tuple[tuple[str, object, str], ...] = (
+    ("standard", "iso230-2:2014", "the standard of the evaluation"),
+    ("decision_rule", "simple", "simple or guarded (the limit less the uncertainty)"),
+)
+_OPEN = (
+    "screw_pitch: 10    # not said: periods are searched in the readings; mm or deg",
+    "accept: {A: 8}     # not said: no limit is held against the prediction; µm or arcsec",
+)
+_OPTION = "option "
+
+
+@dataclass(frozen=True, slots=True)
+class _Line:
+    """A line of the file: its text, and where what it says comes from."""
+
+    text: str
+    source: str = ""
+
+
+def assumed_of(data: Mapping[str, Any]) -> tuple[Assumption, ...]:
+    """Return what the options of ``run`` left to be assumed of axis, test and job."""
+    ((axis, section),) = data["axes"].items()
+    named = [(f"axis {axis}: {key}", value, what) for key, value, what in _left_out(section)]
+    named += [(f"test: {key}", value, what) for key, value, what in _OF_TEST]
+    named += list(_OF_JOB)
+    return tuple(
+        Assumption(fact, str(value), f"not said; {what}" if what else "not said")
+        for fact, value, what in named
+    )
+
+
+def _left_out(section: Mapping[str, Any]) -> Iterator[tuple[str, object, str]]:
+    for key, value, what in _OF_AXIS:
+        if key not in section and not (key == "programmed" and section.get("kind") == "rotary"):
+            yield key, value, what
+
+
+def assumed_job(
+    data: Mapping[str, Any], options: Mapping[str, object], assumed: Sequence[Assumption]
+) -> str:
+    """Return the job file of a run without one. ``data``: what its command line said, in the form
+    of a job; ``options``: every option of the control, settled; ``assumed``: what a run lists.
+    """
+    ((axis, section),) = data["axes"].items()
+    left = [entry for entry in assumed if entry.fact.startswith(_OPTION)]
+    others = [entry for entry in assumed if entry not in left]
+    lines = [
+        *(_Line(f"# {line}") for line in _HEADING),
+        _Line("compwright: 1"),
+        _Line("# machine: {name: VMC 850, serial: 1111111}", "not said; for report and history"),
+        _Line("controller:"),
+        _Line(f"  format: {flow(data['controller']['format'])}", "--format"),
+        *_options(data["controller"]["options"], left, options),
+        *_states(data),
+        _Line("axes:"),
+        _Line(f"  {word(axis)}:", "--axis"),
+        *_axis(section, axis),
+        *(_Line(f"{key}: {flow(value)}", f"assumed: {what}") for key, value, what in _OF_JOB),
+        *(
+            _Line(f"# assumed beside these: {entry.fact} = {entry.value}", entry.evidence)
+            for entry in others
+        ),
+    ]
+    return "\n".join(_aligned(lines)) + "\n"
+
+
+def _options(
+    given: Mapping[str, object], left: Sequence[Assumption], settled: Mapping[str, object]
+) -> Iterator[_Line]:
+    """Yield the options of the control: those given, and as comments those left at their
+    default.
+    """
+    yield from [_Line("  options:")] if given else []
+    for name, value in given.items():
+        yield _Line(f"    {word(name)}: {flow(value)}", f"--option {name}")
+    if left and not given:
+        yield _Line("#   options:")
+    for entry in left:
+        name = entry.fact.removeprefix(_OPTION)
+        value = settled.get(name)
+        shown = "" if value is None else f" {flow(value)}"
+        yield _Line(f"#     {word(name)}:{shown}", f"assumed: {entry.value}, {entry.evidence}")
+
+
+def _states(data: Mapping[str, Any]) -> Iterator[_Line]:
+    if "states" not in data:
+        yield _Line(
+            f"# states: {{{AS_FOUND}: none}}",
+            "not said: no table is written without it; the control's files, or the word none",
+        )
+        return
+    state = data["states"][AS_FOUND]
+    yield _Line("states:")
+    if isinstance(state, Mapping):
+        yield _Line(f"  {AS_FOUND}:", "--state: what is in the control now")
+        yield from _listed("files", state["files"], 4, "--state")
+        yield _Line(f"    active: {flow(state['active'])}", "--option active")
+    elif len(state) == 1:
+        yield _Line(f"  {AS_FOUND}: {flow(state[0])}", "--state: what is in the control now")
+    else:
+        yield from _listed(AS_FOUND, state, 2, "--state: what is in the control now")
+
+
+def _listed(key: str, files: Sequence[str], indent: int, source: str) -> Iterator[_Line]:
+    yield _Line(f"{' ' * indent}{key}:", source)
+    for file in files:
+        yield _Line(f"{' ' * indent}  - {flow(file)}")
+
+
+def _said(key: str) -> str:
+    """Return the option that fills a key of an axis."""
+    return {"encoder": "--option encoder_system", "table": "--option spacing, mode"}.get(
+        key, f"--option {key}"
+    )
+
+
+def _axis(section: Mapping[str, Any], name: str) -> Iterator[_Line]:
+    yield _Line(f"    travel: {flow(section['travel'])}", "--travel: machine coordinates")
+    if "address" not in section:
+        yield _Line(f"    address: {flow(name)}", "assumed: the control calls the axis so too")
+    for key, value in section.items():
+        if key not in ("travel", "before"):
+            yield _Line(f"    {key}: {flow(value)}", _said(key))
+    for key, value, what in _left_out(section):
+        yield _Line(f"    {key}: {flow(value)}", f"assumed: {what}")
+    yield from (_Line(f"#     {line}") for line in _OPEN if line.partition(":")[0] not in section)
+    yield _Line("    before:")
+    (test,) = section["before"]
+    if len(test["files"]) == 1:
+        yield _Line(f"      - files: {flow(test['files'])}", "FILE: the test")
+    else:
+        yield _Line("      - files:", "FILE: the files of one test")
+        for file in test["files"]:
+            yield _Line(f"          - {flow(file)}")
+    if "profile" in test:
+        yield _Line(f"        profile: {flow(test['profile'])}", "--profile")
+    for key, value, what in _OF_TEST:
+        yield _Line(f"        {key}: {flow(value)}", f"assumed: {what}")
+
+
+#: Column of the comments; a longer line has its comment two blanks behind it.
+_COLUMN = 44
+
+
+def _aligned(lines: Sequence[_Line]) -> Iterator[str]:
+    for line in lines:
+        yield f"{line.text:{_COLUMN}}  # {line.source}" if line.source else line.text

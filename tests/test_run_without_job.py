@@ -1,0 +1,165 @@
+"""``run FILE...`` leaves the job that it assumed: complete, ready to edit and to run again with the
+same bytes.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+import yaml
+
+from compwright.cli import run as compwright
+from compwright.foundations import storage
+from compwright.jobs.assumed_job import assumed_job, assumed_of
+from compwright.jobs.command_line import StatedJob, job_from_options
+from compwright.jobs.reading import read_job
+from compwright.records.correction import Assumption
+from loop import Machine, csv_of
+from test_inputs_stay import tree
+
+pytestmark = pytest.mark.brief
+
+FILE = "Messungen Süd/X Achse vorher.csv"
+WORDS = ["--format", "siemens-840d-sl", "--axis", "X", "--travel", "0:800", "--state", "none"]
+WORDS += ["--option", "address=AX1"]
+OUT = "Ergebnis für X"
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A hall with a measurement, and the results of a run without a job file."""
+    hall = tmp_path_factory.mktemp("Halle 3 ä")
+    machine = Machine()
+    targets = machine.targets()
+    (hall / FILE).parent.mkdir()
+    (hall / FILE).write_text(csv_of(targets, machine.measure(targets, 1)))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(hall)
+        assert compwright(["run", FILE, *WORDS, "--out", OUT]) == 0
+    return hall
+
+
+@pytest.fixture
+def hall(made: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    shutil.copytree(made, tmp_path / "hall")
+    monkeypatch.chdir(tmp_path / "hall")
+    return tmp_path / "hall"
+
+
+def test_the_job_names_the_measurement_from_where_it_lies(made: Path) -> None:
+    data = yaml.safe_load((made / OUT / "job.yaml").read_bytes())
+    (test,) = data["axes"]["X"]["before"]
+    assert test["files"] == [f"../{FILE}"]
+    assert data["axes"]["X"]["travel"] == [0, 800]
+    assert data["states"] == {"as_found": "none"}
+    assert (data["controller"]["format"], data["axes"]["X"]["address"]) == (WORDS[1], "AX1")
+
+
+def test_the_job_gives_the_same_bytes_again(hall: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = tree(hall)
+    job = f"{OUT}/job.yaml"
+    assert compwright(["run", job]) == 5
+    assert "files exist already" in capsys.readouterr().err
+    assert compwright(["run", job, "--force"]) == 0
+    assert tree(hall) == before
+    # and what was assumed is known as the tool's own until somebody edits it
+    text = (hall / job).read_text()
+    (hall / job).write_text(text.replace("kind: linear", "kind:  linear"))
+    edited = tree(hall)
+    assert compwright(["run", FILE, *WORDS, "--out", OUT, "--force"]) == 5
+    assert "job.yaml: was not written by an earlier run, or was changed" in capsys.readouterr().err
+    assert tree(hall) == edited
+    assert compwright(["run", job, "--force"]) == 0
+    assert compwright(["run", FILE, *WORDS, "--out", OUT, "--force"]) == 5
+    assert (hall / job).read_text() == edited[job].decode()
+
+
+def test_a_job_of_the_user_s_own_is_not_replaced(
+    hall: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (hall / "other").mkdir()
+    (hall / "other" / "job.yaml").write_text("compwright: 1\n")
+    assert compwright(["run", FILE, *WORDS, "--out", "other", "--force"]) == 5
+    assert "other/job.yaml: was not written by an earlier run" in capsys.readouterr().err
+    assert tree(hall / "other") == {"job.yaml": b"compwright: 1\n"}
+
+
+def stated(**words: object) -> StatedJob:
+    given: dict[str, object] = {
+        "format": "fanuc-30i",
+        "axis": "Y",
+        "travel": "-850:0",
+        "states": ["none"],
+        "options": [],
+    }
+    return job_from_options(["../a b.csv"], **{**given, **words})  # type: ignore[arg-type]
+
+
+SETTLED = {"detection_unit": 0.001, "cards": ["a", "b"]}
+LEFT = (
+    Assumption("option detection_unit", "0.001", "default of the definition"),
+    Assumption("option cards", "a, b", "default of the definition"),
+    Assumption("axis Y: number of points", "as many as are needed", "nobody says it"),
+)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        {},
+        {"states": []},
+        {"states": ["../back up/A.TXT", "../B.TXT"]},
+        {"states": ["A.TXT"], "options": ["active=yes"]},
+        {"options": ["kind=rotary", "reference=-0.5", "reference_return=-", "k=v"]},
+        {"options": ["encoder_system=2", "screw_pitch=10,4.5", "spacing=10", "mode=single"]},
+        {"profile": "../Süd/p.yaml", "axis": "no"},
+    ],
+)
+def test_the_job_says_what_its_command_line_said(words: dict[str, object]) -> None:
+    """Read back it is the same job, also where every line that is held back is taken in."""
+    said = stated(**words)
+    text = assumed_job(said.data, SETTLED, LEFT)
+    assert read_job(text.encode(), "") == said.job
+    held_back = ("#   options:", *(f"#     {name}:" for name in SETTLED))
+    whole = [
+        line.removeprefix("# ") if line.startswith(held_back) else line
+        for line in text.splitlines()
+    ]
+    assert read_job("\n".join(whole).encode(), "").options == {**said.job.options, **SETTLED}
+
+
+def test_every_value_says_where_it_comes_from() -> None:
+    said = stated(options=["reference=5"])
+    lines = assumed_job(said.data, SETTLED, LEFT).splitlines()
+    values = [line for line in lines if line.split("#")[0].partition(":")[2].strip()]
+    sources = {line.split(":")[0].strip(" -"): line.rpartition("  # ")[2] for line in values}
+    del sources["compwright"]
+    assert all(sources.values())
+    assert sources["reference"] == "--option reference"
+    assert sources["kind"].startswith("assumed: ")
+    listed = {entry.fact for entry in assumed_of(said.data)}
+    assert {"axis Y: kind", "axis Y: reference_return", "test: motion", "standard"} <= listed
+    assert "axis Y: reference" not in listed
+
+
+def test_way_from_one_folder_to_a_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Through links too: what the name says must hold where the job will lie."""
+    (tmp_path / "far" / "away").mkdir(parents=True)
+    (tmp_path / "x.csv").write_text("x")
+    (tmp_path / "out").symlink_to(tmp_path / "far" / "away", target_is_directory=True)
+    monkeypatch.chdir(tmp_path)
+    named = storage.way_to(Path("x.csv"), Path("out"))
+    assert named == "../../x.csv"
+    found = storage.named_from(Path("out"), named)
+    assert found.samefile("x.csv")
+    assert storage.named_from(Path("new/folder"), "../../x.csv") == Path("x.csv")
+    assert storage.named_from(Path("far/away"), "../../x.csv") == Path("x.csv")
+
+    def other_drive(*_: object) -> str:
+        raise ValueError("path is on mount 'D:', start on mount 'C:'")
+
+    monkeypatch.setattr(os.path, "relpath", other_drive)
+    assert storage.way_to(Path("x.csv"), Path("out")) == (tmp_path / "x.csv").as_posix()
