@@ -136,7 +136,8 @@ def matching(pattern: str) -> list[str]:
     if not {"*", "?"} & set(pattern) or os.path.lexists(pattern):
         return [pattern]
     try:
-        found = sorted(glob.glob(pattern.replace("[", "[[]")))
+        # not of pathlib: hidden files stay out, as in a shell
+        found = sorted(glob.glob(pattern.replace("[", "[[]")))  # noqa: PTH207
     except (OSError, ValueError):
         found = []
     return found or [pattern]
