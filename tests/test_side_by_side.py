@@ -49,6 +49,10 @@ def broken_elsewhere(number):
         raise RuntimeError("only there")
     return -number
 
+def slow_elsewhere(number):
+    time.sleep(0.01 if parent_process() is None else 0.5)
+    return os.getpid()
+
 if __name__ == "__main__":
     processes.processors = lambda: int(sys.argv[1])
     said = {{}}
@@ -57,6 +61,7 @@ if __name__ == "__main__":
         results = each(square, range(40))
         said["squares"] = [one for one, _ in results]
         said["processes"] = len({{pid for _, pid in results}})
+        said["kept_back"] = sum(pid != os.getpid() for pid in each(slow_elsewhere, range(20)))
         try:
             each(refused, range(14))
         except CapacityError as error:
@@ -85,6 +90,7 @@ def test_results_and_errors_are_those_of_working_in_turn(tmp_path: Path, process
     said = said_by(tmp_path, processors)
     assert said["squares"] == [number * number for number in range(40)]
     assert said["processes"] == processors
+    assert said["kept_back"] <= 2 * (processors - 1)  # what they began with, no more
     assert said["refused"] == ["no room for 5"]  # the first in the order of the items
     assert said["nothing"] == []
     assert said["broken"] == [-number for number in range(9)]

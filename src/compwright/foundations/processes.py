@@ -6,10 +6,11 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from contextlib import contextmanager
+from concurrent.futures import CancelledError, ProcessPoolExecutor
+from contextlib import contextmanager, suppress
 from multiprocessing import get_context
-from typing import Final, TypeVar
+from threading import Lock, Thread
+from typing import Final, Generic, TypeVar
 
 from compwright.foundations.errors import CompwrightError
 from compwright.foundations.processors import processors
@@ -19,8 +20,8 @@ T = TypeVar("T")
 R = TypeVar("R")
 #: Items that are handed to a process at once: what they share is sent once.
 _AT_ONCE: Final = 4
-#: Fewer batches than this would leave processes idle at the end.
-_BATCHES: Final = 8
+#: Turns that every process is to have at least: the fewer, the longer some are idle at the end.
+_TURNS: Final = 4
 #: More processes than this are not started: each takes some 100 MB.
 _MOST: Final = 8
 
@@ -40,7 +41,7 @@ def side_by_side(items: int, ready: Callable[[], None]) -> Iterator[Each]:
         with _ctrl_c_later():
             for _ in range(others):
                 pool.submit(ready)
-        yield _Several(pool)
+        yield _Several(pool, others)
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
 
@@ -81,41 +82,78 @@ class _Several:
     are those of working in turn.
     """
 
-    def __init__(self, pool: ProcessPoolExecutor) -> None:
-        self._pool = pool
+    def __init__(self, pool: ProcessPoolExecutor, others: int) -> None:
+        self._pool, self._others = pool, others
 
     def __call__(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
-        size = min(_AT_ONCE, max(1, len(items) // _BATCHES))
-        batches = [items[start : start + size] for start in range(0, len(items), size)]
+        shared = _Shared(work, items, self._others)
+        threads = [
+            Thread(target=shared.work_there, args=(self._pool,))
+            for _ in range(min(self._others, len(items) - 1))
+        ]
+        for thread in threads:
+            thread.start()
         try:
-            futures = [self._pool.submit(in_turn, work, batch) for batch in batches]
-        except RuntimeError:  # the other processes have ended
-            return in_turn(work, items)
-        own = _done_here(work, batches, futures)
+            shared.work_here()
+            for thread in threads:
+                thread.join()
+        finally:
+            shared.close()
         return [
             one
-            for batch, future, done in zip(batches, futures, own, strict=True)
-            for one in done or _done_there(future) or in_turn(work, batch)
+            for item, done in zip(items, shared.done, strict=True)
+            for one in done or [work(item)]
         ]
 
 
-def _done_here(
-    work: Callable[[T], R], batches: Sequence[Sequence[T]], futures: Sequence[Future[list[R]]]
-) -> list[list[R] | None]:
-    """Return what was done here, from the last batch on, as long as no other process has begun it;
-    None for the others, and where an error was raised.
+class _Shared(Generic[T, R]):
+    """Items that this and ``others`` processes work on until they meet. ``done``: for every item a
+    list of what was made of it, empty where nothing was.
+
+    A process is handed its next items only when it has done those before, by a thread that waits
+    for it: the queue of an executor would keep back items that this process, idle then, could do.
     """
-    done: list[list[R] | None] = [None] * len(batches)
-    for index in range(len(batches) - 1, -1, -1):
-        if not futures[index].cancel():
-            break
-        try:
-            done[index] = in_turn(work, batches[index])
-        except CompwrightError:  # raised again in turn: an earlier item may raise another
-            continue
-    return done
 
+    def __init__(self, work: Callable[[T], R], items: Sequence[T], others: int) -> None:
+        self._work, self._items, self._others = work, items, others
+        self.done: list[list[R]] = [[] for _ in items]
+        self._first, self._last = 0, len(items)
+        self._taking = Lock()
 
-def _done_there(future: Future[list[R]]) -> list[R] | None:
-    """Return what another process did; None where it could not."""
-    return None if future.cancelled() or future.exception() is not None else future.result()
+    def work_here(self) -> None:
+        """Work on the last items, one by one, until all are begun."""
+        while (place := self._taken_here()) is not None:
+            with suppress(CompwrightError):  # raised again in turn: an earlier item may raise, too
+                self.done[place] = [self._work(self._items[place])]
+
+    def work_there(self, pool: ProcessPoolExecutor) -> None:
+        """Hand the first items to another process until all are begun."""
+        while places := self._taken_there():
+            batch = [self._items[place] for place in places]
+            try:
+                future = pool.submit(in_turn, self._work, batch)
+                if future.exception() is None:
+                    for place, one in zip(places, future.result(), strict=True):
+                        self.done[place] = [one]
+            except (RuntimeError, CancelledError):  # the other processes have ended
+                return
+
+    def close(self) -> None:
+        """Let nothing more be begun."""
+        with self._taking:
+            self._last = self._first
+
+    def _taken_here(self) -> int | None:
+        with self._taking:
+            if self._first == self._last:
+                return None
+            self._last -= 1
+            return self._last
+
+    def _taken_there(self) -> range:
+        """Return the next items of another process: several where many are left."""
+        with self._taking:
+            first = self._first
+            count = -(-(self._last - first) // (_TURNS * (self._others + 1)))
+            self._first += min(count, _AT_ONCE)
+            return range(first, self._first)
