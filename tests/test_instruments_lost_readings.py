@@ -186,15 +186,38 @@ def test_inches_are_answered_with_what_to_do(text: str, column: str) -> None:
     assert f"found '{column}'" in said
 
 
-def test_the_code_page_of_windows_is_answered_with_what_to_do() -> None:
-    text = "# operator: Müller\n" + long(5)
+@pytest.mark.parametrize("code_page", ["cp1252", "cp1251", "gbk"])
+def test_an_older_code_page_in_comments_and_names_is_read_and_said(code_page: str) -> None:
+    """Every number is ASCII, which all code pages share: the same readings, whatever was taken."""
+    words = {"cp1252": "Müller, 20 °C", "cp1251": "Иванов", "gbk": "张伟"}[code_page]
+    text = f"# operator: {words}\r\n" + long(5).replace("\n", "\r\n")
+    plain = read_positioning(text.encode(), "x.csv")
+    test = read_positioning(text.encode(code_page), "x.csv")
+    assert np.array_equal(test.positive, plain.positive)
+    assert np.array_equal(test.negative, plain.negative)
+    (said,) = set(test.findings) - set(plain.findings)
+    assert (said.code, said.severity) == ("CW-R062", "info")
+    assert f"Line 1 says '# operator: {words}'" in said.message
+
+
+def test_a_micro_sign_in_the_name_of_a_column_is_read() -> None:
+    text = long(5).replace("deviation_um", "deviation_µm")
+    test = read_positioning(text.encode("cp1252"), "x.csv")
+    assert np.array_equal(test.positive, read_positioning(text.encode(), "x.csv").positive)
+    assert [one.code for one in test.findings].count("CW-R062") == 1
+
+
+def test_the_code_page_of_windows_among_readings_is_answered_with_what_to_do() -> None:
+    """A dash of a word processor for the direction: a reading hangs on it."""
+    text = long(5).replace(",-,1,", ",–,1,", 1)
+    text = "# Müller\n" + text
     with pytest.raises(InputError) as caught:
         read_positioning(text.encode("cp1252"), "x.csv")
     assert (
         str(caught.value)
-        == "x.csv: line 1: is not text in a known encoding; expected UTF-8: save the file again"
+        == "x.csv: line 4: is not text in a known encoding; expected UTF-8: save the file again"
         " with that encoding (editor: save as, encoding UTF-8; spreadsheet: CSV UTF-8), or write"
-        " u for µ and deg for °, found byte 0xFC, which is 'ü' in Windows-1252"
+        " u for µ and deg for °, found '0,–,1,0.5' (Windows-1252)"
     )
 
 

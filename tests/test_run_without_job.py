@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import os
 import shutil
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -17,15 +18,28 @@ from compwright.jobs.assumed_job import assumed_job, assumed_of
 from compwright.jobs.command_line import StatedJob, job_from_options
 from compwright.jobs.reading import read_job
 from compwright.records.correction import Assumption
-from loop import Machine, csv_of
+from laser_files import laser_file
+from loop import Floats, Machine
 from test_inputs_stay import tree
 
 pytestmark = pytest.mark.brief
 
-FILE = "Messungen Süd/X Achse vorher.csv"
+FILE = "Messungen Süd/X Achse vorher.rtl"
 WORDS = ["--format", "siemens-840d-sl", "--axis", "X", "--travel", "0:800", "--state", "none"]
 WORDS += ["--option", "address=AX1"]
 OUT = "Ergebnis für X"
+
+
+def rtl(targets: Floats, readings: Mapping[int, Floats]) -> str:
+    """A file of the laser's software: CRLF, runs counted by traverse, deviations in µm."""
+    deviations = {
+        (2 * run + (1 if sign > 0 else 2), target + 1): f"{1000 * block[target, run]:.2f}"
+        for sign, block in readings.items()
+        for run in range(block.shape[1])
+        for target in range(block.shape[0])
+    }
+    names = [f"{target:.3f}" for target in targets]
+    return laser_file(names, dict(sorted(deviations.items())), machine="Fräsmaschine Süd, 3 µ")
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +49,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     machine = Machine()
     targets = machine.targets()
     (hall / FILE).parent.mkdir()
-    (hall / FILE).write_text(csv_of(targets, machine.measure(targets, 1)))
+    (hall / FILE).write_bytes(rtl(targets, machine.measure(targets, 1)).encode("cp1252"))
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(hall)
         assert compwright(["run", FILE, *WORDS, "--out", OUT]) == 0

@@ -22,6 +22,7 @@ from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, MILLIMETRES_PER_INCH
 from compwright.instruments.circular_arcs import LARGEST_ANGLE, Sweep, common_arc, run_of, sweep_of
+from compwright.instruments.code_page import read_plain_lines
 from compwright.instruments.comments import Comments, read_comments
 from compwright.instruments.csv_table import INCHES, Table, in_inches, read_table, split_lines
 from compwright.instruments.fault_list import FaultList, shown
@@ -32,7 +33,6 @@ from compwright.instruments.reading_findings import (
     left_out_finding,
     unfinished_finding,
 )
-from compwright.instruments.text_input import read_lines
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun, CircularTest, Sense
 
@@ -80,7 +80,7 @@ def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
     every fault at once.
     """
     faults = FaultList(file)
-    text = read_lines(content, file)
+    text, code_page = read_plain_lines(content, file)
     comment_lines, lines = split_lines(text)
     comments = read_comments(comment_lines, faults, decisive=KEYS)
     _check_form(comments, lines, file)
@@ -99,6 +99,7 @@ def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
             if keys.calibrated is not None
             else ["calibrated: no (the length of the bar is not known)"]
         ),
+        code_page,
         left_out_finding(left_out),
         doubtful_finding(marks.doubtful_point()),
         *map(_gap_finding, sweeps),

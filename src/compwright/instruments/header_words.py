@@ -118,6 +118,9 @@ _UNITS: Final[dict[str, str]] = {
 }
 #: Words before a unit in a line above a table.
 _UNIT_WORDS: Final = re.compile(r"\b(?:units?|einheit|unite|ед|единица|единицы|unita|unidad)\b")
+#: A unit behind the word ``in`` (German, English, Italian) or ``en`` (French, Spanish), or in
+#: brackets.
+_IN_UNIT: Final = re.compile(r"(?:\b(?:in|en|в)\s+|[\[(])\s*([^\s;,\])]+)", re.IGNORECASE)
 _BRACKETS: Final = re.compile(r"[\[({/]\s*([^\])}]+?)\s*[\])}]?\s*$")
 _WORD: Final = re.compile(r"[^\W\d_]+", re.UNICODE)
 #: Words that say which way round a deviation is taken: what is first less what is second.
@@ -186,12 +189,16 @@ def is_unit(text: str) -> bool:
 
 
 def said_unit(line: str) -> str:
-    """Return the unit that a line above a table states, such as ``Einheit: µm``, empty for all
-    other lines.
+    """Return the unit that a line above a table states, such as ``Einheit: µm`` or ``Abweichungen
+    in µm``, empty for all other lines.
     """
+    titled = {unit for match in _IN_UNIT.finditer(line) if (unit := unit_of(match[1]))}
     if not _UNIT_WORDS.search(plain(line)):
-        return ""
+        # a line with a number speaks of a limit or a result
+        title = role_of(line) == "deviation" and not any(map(str.isdigit, line))
+        return titled.pop() if title and len(titled) == 1 else ""
     found = {unit for word in re.split(r"[\s:;,=]+", line) if (unit := unit_of(word))}
+    found -= {"in"} if titled else set()  # a preposition, no inch
     return found.pop() if len(found) == 1 else ""
 
 

@@ -29,6 +29,7 @@ Codes of this room:
 - ``CW-R058`` warning: a compensation table instead of a test
 - ``CW-R059`` warning: rows of a table without a number in the target column were left out
 - ``CW-R061`` warning: sheets of a workbook that were left out
+- ``CW-R062`` info: plain CSV in the code page of an older Windows
 - ``CW-R060`` info: how a laser's file or a table was read, three readings in words
 """
 

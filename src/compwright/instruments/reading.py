@@ -14,6 +14,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source, fingerprint, source_of
 from compwright.instruments.answers import NO_ANSWERS
 from compwright.instruments.assembling import grid_of
+from compwright.instruments.code_page import read_plain_lines
 from compwright.instruments.cut_files import cut_findings
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.forms import PLAIN_CSV, Form, form_of
@@ -114,10 +115,15 @@ def _of_text(content: bytes, faults: FaultList, profile: Profile | None) -> list
         profile = at_its_header(text, profile)
         if has_columns(text, profile) or not is_plain_csv(text):
             return _by_profile(text, profile, faults)
-    text, form = _text_and_form(content, file)
-    if form is PLAIN_CSV:
-        return _by_form(form, plain_parts(text, faults), faults, profile)
-    return _by_form(form, (Part(text),), faults, profile)
+    text, form, code_page = _text_and_form(content, file)
+    parts = plain_parts(text, faults) if form is PLAIN_CSV else (Part(text),)
+    reads = _by_form(form, parts, faults, profile)
+    return [_told(read, code_page) for read in reads] if code_page is not None else reads
+
+
+def _told(read: _Read, finding: Finding) -> _Read:
+    parsed = read.parsed
+    return replace(read, parsed=replace(parsed, findings=(finding, *parsed.findings)))
 
 
 def _by_form(
@@ -268,9 +274,9 @@ def stem(file: str) -> str:
     return name.rpartition(".")[0] or name
 
 
-def _text_and_form(content: bytes, file: str) -> tuple[list[str], Form]:
-    """Return the lines of a file and their form; other encodings than UTF-8 and UTF-16 only where
-    the form has them.
+def _text_and_form(content: bytes, file: str) -> tuple[list[str], Form, Finding | None]:
+    """Return the lines of a file, their form, and what was taken for the encoding of plain CSV;
+    other encodings than UTF-8 and UTF-16 only where the form has them, or no number hangs on it.
     """
     try:
         text = read_lines(content, file)
@@ -281,11 +287,15 @@ def _text_and_form(content: bytes, file: str) -> tuple[list[str], Form]:
             _refuse_dynamic_data(content, file)
             raise strict from None
         form = form_of(text, file)
-        foreign = form is PLAIN_CSV and not is_plain_csv(text) and has_table(text)
+        if form is PLAIN_CSV and is_plain_csv(text):
+            text, finding = read_plain_lines(content, file)
+            return text, form, finding
+        foreign = form is PLAIN_CSV and has_table(text)
         if not form.code_pages and not foreign:
             raise
-        return text, form  # a table of another program is told what it is, whatever its encoding
-    return text, form_of(text, file)
+        # a table of another program is told what it is, whatever its encoding
+        return text, form, None
+    return text, form_of(text, file), None
 
 
 def _refuse_dynamic_data(content: bytes, file: str) -> None:

@@ -1,0 +1,56 @@
+"""Plain CSV in the code page of an older Windows: read where nothing that counts hangs on it.
+
+Numbers, directions and key words are ASCII, which all these code pages share. Only what people
+write (comment lines, and names in the header row) may need the code page, and that is said.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.findings import Finding
+from compwright.instruments.comments import comment_text
+from compwright.instruments.csv_table import first_row
+from compwright.instruments.fault_list import shown
+from compwright.instruments.text_input import read_any_lines, read_lines
+
+_NAMES = {"cp1252": "Windows-1252", "cp1251": "Windows-1251", "gbk": "GBK"}
+
+
+def read_plain_lines(content: bytes, file: str) -> tuple[list[str], Finding | None]:
+    """Return the lines of a plain CSV file as `read_lines` does, of one in a code page too, and
+    what was taken for its encoding.
+
+    Raises InputError as `read_lines` does, also where a row of readings is not ASCII in a file that
+    is no UTF-8: what stands there may count.
+    """
+    try:
+        return read_lines(content, file), None
+    except InputError as strict:
+        try:
+            lines, encoding = read_any_lines(content, file)
+        except InputError:
+            raise strict from None
+        name = _NAMES.get(encoding, encoding)
+        header = first_row(lines)
+        foreign = {n: line for n, line in enumerate(lines, start=1) if not line.isascii()}
+        for number, line in foreign.items():
+            if comment_text(line) is None and (header is None or number != header[0]):
+                faults = [_in_row(fault, number, line, name) for fault in strict.faults]
+                raise InputError(*faults) from None
+        return lines, _finding(name, *next(iter(foreign.items())))
+
+
+def _in_row(fault: Fault, number: int, line: str, name: str) -> Fault:
+    return replace(fault, place=f"line {number}", found=f"{shown(line)} ({name})")
+
+
+def _finding(name: str, number: int, line: str) -> Finding:
+    return Finding(
+        "CW-R062",
+        "info",
+        f"The file is not UTF-8 and was read as {name}; only comments and"
+        " names of columns depend on it, no number does. Line"
+        f" {number} says {shown(line.strip())}.",
+    )
