@@ -26,9 +26,21 @@ VALUES: st.SearchStrategy[Any] = st.recursive(
 )
 
 
+#: Delete and the C1 control characters, the marks that turn the direction of writing, and the line
+#: and paragraph separators (Unicode 15, UAX 9): JSON allows them as they are.
+TERMINAL_OBEYS = (
+    *(*range(0x7F, 0xA0), 0x61C, 0x200E, 0x200F),
+    *(*range(0x2028, 0x202F), *range(0x2066, 0x206A)),
+)
+
+
 @given(st.dictionaries(st.text(max_size=4), VALUES, max_size=4))
 def test_it_is_what_the_standard_library_writes(document: dict[str, Any]) -> None:
-    assert to_json(document) == json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+    written = json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+    for code in TERMINAL_OBEYS:
+        written = written.replace(chr(code), f"\\u{code:04x}")
+    assert to_json(document) == written
+    assert json.loads(to_json(document)) == json.loads(json.dumps(document))
 
 
 def test_words_with_commas_and_numbers_of_numpy() -> None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import base64
 import copy
+import hashlib
 import json
 import os
 import random
 import shutil
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import redirect_stdout
+from io import StringIO
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +20,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.documents.plan import plan_document, read_plan
 from compwright.foundations.errors import InputError
+from compwright.foundations.utf8 import visible
 from loop import Machine, csv_of
 from places import PROJECT
 
@@ -49,15 +53,31 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+#: Would clear the screen and turn the direction of writing; a file system of Windows takes the
+#: second only.
+SPEAKING = "x\u202e" if os.name == "nt" else "x\x1b[2J\u202e"
+
+
 @pytest.fixture(scope="module")
-def plan(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+def named(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """A run of a measurement whose name a terminal would obey, and what was printed."""
     folder = tmp_path_factory.mktemp("plan")
     machine = Machine()
     targets = machine.targets()
-    (folder / "x.csv").write_text(csv_of(targets, machine.measure(targets, 1)))
-    (folder / "job.yaml").write_text(JOB)
-    assert compwright(["run", str(folder / "job.yaml")]) == 0
-    document: dict[str, Any] = json.loads((folder / "job" / "plan.json").read_text())
+    (folder / "runs").mkdir()
+    text = csv_of(targets, machine.measure(targets, 1))
+    (folder / "runs" / f"{SPEAKING}.csv").write_text(
+        f"# machine: VMC \x9b31m <b>\n{text}", encoding="utf-8"
+    )
+    (folder / "job.yaml").write_text(JOB.replace("x.csv", "runs"))
+    with redirect_stdout(StringIO()) as said:
+        assert compwright(["run", str(folder / "job.yaml")]) == 0
+    return folder / "job", said.getvalue()
+
+
+@pytest.fixture(scope="module")
+def plan(named: tuple[Path, str]) -> dict[str, Any]:
+    document: dict[str, Any] = json.loads((named[0] / "plan.json").read_text(encoding="utf-8"))
     return document
 
 
@@ -217,6 +237,24 @@ def test_pipes_and_devices_are_refused_at_once(
     )
 
 
+def test_a_name_that_a_terminal_would_obey_is_shown_in_every_file(
+    named: tuple[Path, str],
+) -> None:
+    folder, said = named
+    places = [path for path in sorted(folder.rglob("*")) if path.is_file()]
+    texts = {
+        path.name: path.read_text(encoding="utf-8") for path in places if "inputs" not in path.parts
+    }
+    for name, text in {**texts, "terminal": said}.items():
+        obeyed = {c for c in text if not c.isprintable() and c not in "\n\u00a0\u202f"}
+        assert not obeyed, (name, obeyed)
+    assert visible(SPEAKING) in texts["report.html"]
+    assert visible(SPEAKING) in said
+    plan = json.loads(texts["plan.json"])["axes"]["X"]["tests"][0]
+    assert SPEAKING in plan["sources"][0]["file"]
+    assert plan["header"]["machine"] == "VMC \x9b31m <b>"
+
+
 # ---------------------------------------------------------------------------------------------------- numbers, keys
 
 
@@ -297,6 +335,11 @@ def edited(plan: dict[str, Any], path: tuple[str | int, ...], value: object) -> 
     return json.dumps(changed).encode()
 
 
+def key_path(path: tuple[str | int, ...]) -> str:
+    """As a fault writes it: ``axes.X.tests[0]``."""
+    return "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in path).lstrip(".")
+
+
 VALUES = [GONE, None, "x", -1, 1e308, 1e-320, True, [], {}, [None], [[1]], "\ud800"]
 
 
@@ -305,13 +348,57 @@ def test_an_edited_plan_is_read_or_refused(plan: dict[str, Any]) -> None:
     everywhere = [(path, value) for path in paths(plan) for value in VALUES]
     read = 0
     for path, value in random.Random(1).sample(everywhere, 60):  # noqa: S311 - not for secrets
-        with suppress(InputError):
+        try:
             again = plan_document(read_plan(edited(plan, path, value), "plan.json"))
+        except InputError as error:
+            said = [fault.place for fault in error.faults]
+            here = key_path(path)
+            assert any(place.startswith(here) or here.startswith(place) for place in said), here
+        else:
             assert plan_document(read_plan(json.dumps(again).encode(), "plan.json")) == again
             read += 1
     assert 0 < read < 60
     as_it_is = plan_document(read_plan(json.dumps(plan).encode(), "plan.json"))
     assert json.loads(json.dumps(as_it_is)) == plan
+
+
+def test_everything_that_is_wrong_in_a_plan_is_told_at_once(plan: dict[str, Any]) -> None:
+    axis = copy.deepcopy(plan["axes"]["X"])
+    axis["axis"]["travel"] = [800.0, 0.0]
+    del axis["wanted"]["noise"]
+    axis["fitted"]["mode"] = "both"
+    axis["estimate"]["periods"] = []  # their place is beside the estimate
+    broken = {**plan, "axes": {"X": axis}, "states": {"as_found": [{"name": "a", "base64": "?"}]}}
+    with pytest.raises(InputError) as refused:
+        read_plan(json.dumps(broken).encode(), "plan.json")
+    assert sorted(fault.place for fault in refused.value.faults) == [
+        "axes.X.axis",
+        "axes.X.estimate.periods",
+        "axes.X.fitted.mode",
+        "axes.X.wanted.noise",
+        "states.as_found[0].base64",
+    ]
+    assert all(fault.file == "plan.json" for fault in refused.value.faults)
+    assert all(fault.expected for fault in refused.value.faults)
+
+
+def test_a_copy_in_a_plan_is_the_one_that_was_written(plan: dict[str, Any]) -> None:
+    def with_copy(content: bytes) -> bytes:
+        copies = [{"name": "A.TXT", "base64": base64.b64encode(content).decode()}]
+        return json.dumps({**plan, "results": listed, "states": {"as_found": copies}}).encode()
+
+    listed = {f"rollback/{CONTROL}/A.TXT": hashlib.sha256(b"as it was").hexdigest()}
+    assert read_plan(with_copy(b"as it was"), "plan.json").states["as_found"]
+    with pytest.raises(
+        InputError, match=r"as_found\[0\]\.base64: contradicts the rest of the plan"
+    ):
+        read_plan(with_copy(b"changed"), "plan.json")
+
+
+def test_a_key_that_stands_twice_in_a_plan(plan: dict[str, Any]) -> None:
+    content = json.dumps(plan).replace('"standard":', '"standard": "vdi3441", "standard":', 1)
+    with pytest.raises(InputError, match="the key 'standard' twice in one object"):
+        read_plan(content.encode(), "plan.json")
 
 
 @pytest.mark.parametrize(
@@ -347,7 +434,53 @@ def test_an_edited_plan_is_read_or_refused(plan: dict[str, Any]) -> None:
             None,
             "axes.X.axis.encoder.system: does not fit",
         ),
-        (("axes", "X", "tests"), "x", "does not fit the schema"),
+        (("axes", "X", "tests"), "x", "axes.X.tests: does not fit the schema"),
+        (
+            ("axes", "X", "active", "backlash"),
+            GONE,
+            "axes.X.active.backlash: a key is missing; expected this key",
+        ),
+        (
+            ("axes", "X", "tests", 0, "positive", 3),
+            ["x"],
+            "axes.X.tests[0].positive[3]: does not fit the schema of plans; expected 5 readings",
+        ),
+        (
+            ("axes", "X", "axis", "backslash"),
+            1,
+            "axes.X.axis.backslash: unknown key",
+        ),
+        (
+            ("axes", "X", "axis", "name"),
+            "Y",
+            "axes.X.axis.name: contradicts the rest of the plan; expected X, found 'Y'",
+        ),
+        (
+            ("axes", "X", "unit"),
+            "deg",
+            "axes.X.unit: does not fit the schema of plans; expected mm, found 'deg'",
+        ),
+        (
+            ("states",),
+            {"../x": [], "C:x": [], "a\x1b[2J": []},
+            "states.C:x: contradicts the rest of the plan; expected a plain name",
+        ),
+        (("active",), {"now": True}, "active.now: contradicts the rest of the plan"),
+        (
+            ("axes", "X", "wanted", "scenarios"),
+            {
+                "count": -1,
+                "positions": [0.0, 1.0],
+                "positive": [0.0, 0.0],
+                "negative": [0.0],
+                "half_positive": [0.0, float("nan")],
+                "half_negative": [0.0],
+            },
+            (
+                "axes.X.wanted.scenarios.half_positive: does not fit the schema of plans; expected a"
+                " list of numbers, none larger than 1e+09, found nan"
+            ),
+        ),
     ],
 )
 def test_an_edited_plan_is_refused_by_its_key(

@@ -10,7 +10,7 @@ from typing import Any
 
 import click
 
-from compwright.foundations.utf8 import visible
+from compwright.foundations.utf8 import visible, visible_lines
 
 #: A file of the wrong kind is wrong in every line: nobody reads more than these.
 _MOST_ERRORS = 25
@@ -28,7 +28,7 @@ def print_safely(say: Callable[[], None]) -> None:
 
 def print_lines(lines: Iterable[str]) -> None:
     """Print lines on standard output."""
-    print_safely(lambda: click.echo("\n".join(lines)))
+    print_safely(lambda: click.echo("\n".join(map(visible_lines, lines))))
 
 
 def answer(
@@ -69,6 +69,6 @@ def tell(line: str) -> None:
     code says it.
     """
     try:
-        click.echo(line, err=True)
+        click.echo(visible_lines(line), err=True)
     except OSError:
         sys.stderr = StringIO()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
@@ -10,16 +11,21 @@ from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.utf8 import encoded
 
 _PLAIN: Final = json.JSONEncoder(allow_nan=False, ensure_ascii=False).encode
+#: Control characters that JSON allows as they are, and characters that turn the direction of
+#: writing: a terminal would obey them (``--json -``).
+_UNSEEN: Final = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
 
 
 def to_json(document: Mapping[str, Any]) -> str:
     """Return ``document`` as JSON, indented by two blanks, with a final newline, characters as they
     are (write it as UTF-8).
 
-    Keys keep their order; what no encoding has (a file's name that is no UTF-8) stands as its
-    escape. Raises ValueError for NaN or infinity: what is not known is null in a document.
+    Keys keep their order; what no encoding has (a file's name that is no UTF-8) and what a terminal
+    would obey stands as its escape. Raises ValueError for NaN or infinity: what is not known is
+    null in a document.
     """
-    return encoded("".join(_pieces(document, "\n"))).decode("utf-8") + "\n"
+    text = encoded("".join(_pieces(document, "\n"))).decode("utf-8")
+    return _UNSEEN.sub(lambda found: f"\\u{ord(found[0]):04x}", text) + "\n"
 
 
 def _pieces(value: Any, line: str) -> Iterator[str]:
@@ -50,12 +56,22 @@ def _pieces(value: Any, line: str) -> Iterator[str]:
         yield _PLAIN(value)
 
 
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """Return the mapping of an object. Raises ValueError where a key stands twice."""
+    data = dict(pairs)
+    if len(data) < len(pairs):
+        names = [key for key, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise ValueError(f"the key {twice!a} twice in one object")
+    return data
+
+
 def read_json(content: bytes, file: str, schema: str, name: str, expected: str) -> dict[str, Any]:
     """Return a document of this ``schema``; ``name``: what it is called, ``expected``: what should
     have been given. Raises InputError for anything else (file, key, expected, found).
     """
     try:
-        data = json.loads(content.decode("utf-8"))
+        data = json.loads(content.decode("utf-8"), object_pairs_hook=_once)
     except (ValueError, RecursionError) as error:
         raise InputError(
             Fault(message="is not JSON", file=file, expected=expected, found=str(error))

@@ -5,6 +5,7 @@ characters that no encoding has.
 from __future__ import annotations
 
 from pathlib import Path
+from unicodedata import category
 
 
 def encoded(text: str) -> bytes:
@@ -22,13 +23,19 @@ def shown_path(path: Path) -> str:
 
 
 def visible(text: str) -> str:
-    """Return ``text`` as one line that a terminal may show: a name may hold line breaks and control
-    codes.
+    r"""Return ``text`` as one line in which everything can be seen: line breaks and other white
+    space as blanks, control characters and those that turn the direction of writing as their
+    escapes (``\x1b``, ``\u202e``), which no terminal obeys.
     """
-    return "".join(map(_visible, text))
+    return text if text.isprintable() else "".join(map(_visible, text))
+
+
+def visible_lines(text: str) -> str:
+    """Return ``text`` as `visible` does, line breaks as they are."""
+    return "\n".join(map(visible, text.split("\n")))
 
 
 def _visible(character: str) -> str:
-    if character.isprintable():
+    if character.isprintable() or category(character) == "Zs":
         return character
-    return " " if character.isspace() else "?"
+    return " " if character.isspace() else ascii(character)[1:-1]

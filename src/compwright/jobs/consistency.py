@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import PureWindowsPath
 from typing import Any
 
+from compwright.foundations.plain_names import PLAIN_NAME, is_plain_name
 from compwright.foundations.units import TO_INSIDE
 from compwright.foundations.yaml_reader import KeyPath
 from compwright.jobs.faults import number_hint, shown, suggestion, too_large
@@ -122,6 +123,8 @@ def _states(states: Any) -> Iterator[Contradiction]:
             yield Contradiction(
                 ("states", name), "is a state without a name", "as_found, or a name of your own"
             )
+        elif not is_plain_name(name):
+            yield Contradiction(("states", name), "is no name for a state", PLAIN_NAME, shown(name))
         if len(_sequence(files)) > 1 and NONE_WORD in _sequence(files):
             yield Contradiction(
                 path, "names files and none at once", "the word none, or the control's files"

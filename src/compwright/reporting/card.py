@@ -19,6 +19,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from compwright.foundations.utf8 import visible
 from compwright.reporting.numbering import numbering_svg, numbering_text
 from compwright.reporting.numbers import (
     MISSING,
@@ -358,7 +359,7 @@ def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def _one_line(text: str) -> str:
-    return " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
+    return " ".join(visible(text).split())
 
 
 def _paragraph(text: str) -> str:

@@ -14,10 +14,10 @@ from typing import Any, Final
 from rich.console import Group, RenderableType
 from rich.rule import Rule
 from rich.table import Table
-from rich.text import Text
 
 from compwright.reporting.causes import Cause, ranked_causes
 from compwright.reporting.numbers import MISSING, number, plain, standard_text
+from compwright.reporting.shown import Text
 from compwright.reporting.summaries import finding_lines
 
 #: Rows of the parameter table: words, letter, keys for ccw, cw and both.

@@ -7,9 +7,9 @@ from typing import Any, Final
 
 from rich.console import RenderableType
 from rich.table import Table
-from rich.text import Text
 
 from compwright.reporting.numbers import number, plain, unit_text
+from compwright.reporting.shown import Text
 from compwright.reporting.summaries import finding_lines, plain_table
 
 #: Rows for one axis, and groups of others; the JSON has all of them.

@@ -10,10 +10,9 @@ from typing import Any, Final
 from rich.console import RenderableType
 from rich.rule import Rule
 from rich.table import Table
-from rich.text import Text
 
-from compwright.foundations.utf8 import visible
 from compwright.reporting.numbers import MISSING, number, symbol, unit_text
+from compwright.reporting.shown import Text
 
 _AXIS: Final = ("A", "E", "R", "B", "B_mean", "s")
 _PLANE: Final = ("squareness", "G_bidirectional", "G_ccw", "G_cw")
@@ -35,7 +34,7 @@ def history_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     shown: list[RenderableType] = []
     for machine in document["machines"]:
         title = " · ".join(filter(None, (machine["name"], machine["serial"]))) or "no name given"
-        shown += [Text(visible(title), style="bold"), Text()]
+        shown += [Text(title, style="bold"), Text()]
         for name, one in machine["axes"].items():
             shown += _series(f"axis {name}", one, _AXIS)
         for name, one in machine["planes"].items():
@@ -50,7 +49,7 @@ def _series(title: str, one: Mapping[str, Any], values: Sequence[str]) -> list[R
     ordered = sorted(changes, key=lambda change: change["table"] == "changed")
     return [
         Rule(
-            Text(visible(f"{title}, {unit_text(tests[-1]['unit'])}"), style="bold"),
+            Text(f"{title}, {unit_text(tests[-1]['unit'])}", style="bold"),
             align="left",
             characters="─",
         ),
@@ -79,9 +78,9 @@ def _table(
         table.add_column(heading, no_wrap=True)
     for place, test in enumerate(tests):
         table.add_row(
-            visible(test["day"].partition(" ")[0] or test["date"] or MISSING),
-            visible(test["folder"]),
-            visible(f"{test['test']} {test['taken']}"),
+            test["day"].partition(" ")[0] or test["date"] or MISSING,
+            test["folder"],
+            f"{test['test']} {test['taken']}",
             *(_value(test, name, marked=(place, name) in marked) for name in values),
             _word(test["table"]),
             _word(test["verdict"]),
@@ -100,7 +99,7 @@ def _value(test: Mapping[str, Any], name: str, *, marked: bool) -> Text:
 
 
 def _word(word: str) -> Text:
-    return Text(visible(word.replace("_", " ")), style=_STYLES.get(word, ""))
+    return Text(word.replace("_", " "), style=_STYLES.get(word, ""))
 
 
 def _told(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
@@ -117,8 +116,8 @@ def _told(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
     )
     return (
         f"{_MARK} {_name(name)} from {number(change['value_before'])} to"
-        f" {number(change['value_after'])} {unit} between {visible(_when(before))} and"
-        f" {visible(_when(after))}: {'+' if size > 0 else ''}{number(size)} {unit}{errors}{slope},"
+        f" {number(change['value_after'])} {unit} between {_when(before)} and"
+        f" {_when(after)}: {'+' if size > 0 else ''}{number(size)} {unit}{errors}{slope},"
         f" {_SHOWN.get(name, 'an unchanged machine shows that')} {_odds(change['chance'])}."
         f" {_TABLES[change['table']]}"
     )
@@ -148,16 +147,16 @@ def _odds(chance: float) -> str:
 def _remarks(document: Mapping[str, Any]) -> list[RenderableType]:
     """Return what has to be said of folders: what is not as it was written first."""
     lines = [
-        Text(visible(f"{folder['folder']}/{file['file']}: {_STATES[file['state']]}"), "yellow")
+        Text(f"{folder['folder']}/{file['file']}: {_STATES[file['state']]}", "yellow")
         for folder in document["folders"]
         for file in folder["files"]
     ]
     lines += [
-        Text(visible(f"{folder['folder']}: {note}"))
+        Text(f"{folder['folder']}: {note}")
         for folder in document["folders"]
         for note in folder["notes"]
     ]
-    return [*lines, *(Text(visible(note)) for note in document["notes"])]
+    return [*lines, *(Text(note) for note in document["notes"])]
 
 
 _STATES: Final = {

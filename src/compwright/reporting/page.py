@@ -1,8 +1,9 @@
 """Self-contained HTML pages: templates and style sheet inside the package, figures inline, no
 script, nothing fetched.
 
-Everything that a document says is escaped by the template engine; characters that no HTML may hold
-become spaces. The pages are well-formed XML as well, so that any tool can read them.
+Everything that a document says is escaped by the template engine; control characters, and those
+that turn the direction of writing, stand as their escapes. The pages are well-formed XML as well,
+so that any tool can read them.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from collections.abc import Mapping
 from typing import Any, Final
 from urllib.parse import quote
 
-from compwright.foundations.utf8 import encoded
+from compwright.foundations.utf8 import encoded, visible_lines
 from compwright.reporting.extra import need
 from compwright.reporting.numbers import MISSING, number, plain, unit_text
 
@@ -75,8 +76,8 @@ def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
 
 
 def _clean(value: Any) -> Any:
-    """Replace what no page may hold, in plain text only: markup is ours and clean."""
-    return _NOT_TEXT.sub(" ", value) if type(value) is str else value
+    """Show what no page may hold, in plain text only: markup is ours and clean."""
+    return visible_lines(value) if type(value) is str else value
 
 
 def _link(name: object) -> str:

@@ -12,12 +12,12 @@ from typing import Any, Final
 from rich.console import RenderableType
 from rich.rule import Rule
 from rich.table import Table
-from rich.text import Text
 
 from compwright.foundations.findings import DOUBTS_FIRST
 from compwright.reporting.limiting import limits_line
 from compwright.reporting.numbers import MISSING, number, plain, symbol, unit_text
 from compwright.reporting.sections import rule_lines
+from compwright.reporting.shown import Text
 
 _STYLES: Final = {
     "accept": "green",

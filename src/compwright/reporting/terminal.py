@@ -11,13 +11,13 @@ from collections.abc import Mapping, Sequence
 from pathlib import PurePath
 from typing import Any, Final
 
-from rich.console import Console, Group, RenderableType
+from rich.console import Group, RenderableType
 from rich.padding import Padding
 from rich.rule import Rule
 from rich.table import Table
-from rich.text import Text
 
 from compwright.foundations.findings import DOUBTS
+from compwright.reporting.shown import Text
 
 _UNITS: Final = {"um": "µm", "arcsec": "arcsec"}
 _MISSING: Final = "–"
@@ -73,17 +73,6 @@ def evaluation_tables(
     if document["errors"]:
         shown.append(_errors(document["errors"]))
     return shown
-
-
-def print_renderables(renderables: Sequence[RenderableType]) -> None:
-    """Print renderables on standard output: in colour on a terminal, plain and at least 100 columns
-    wide elsewhere.
-    """
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=max(console.width, 100))
-    for renderable in renderables:
-        console.print(renderable)
 
 
 def number(value: float | None, digits: int = 2, *, signed: bool = False) -> str:

@@ -24,7 +24,7 @@ def write_document(document: Mapping[str, Any], path: Path, *, force: bool) -> N
 
 def show(renderables: list[Any]) -> None:
     """Print renderables on standard output."""
-    from compwright.reporting.terminal import print_renderables
+    from compwright.reporting.shown import print_renderables
 
     print_renderables(renderables)
 

@@ -1,4 +1,5 @@
-"""That a plan which was read holds what its records promise: types, finite numbers, sizes, order.
+"""What the records of a plan promise beyond the types of their fields: finite numbers, sizes,
+order, names that belong together.
 
 A plan may have been edited, or cut and pasted, before it comes back; a record that breaks its word
 would end as a fault of compwright's own somewhere later, or, worse, as a table.
@@ -6,147 +7,93 @@ would end as a fault of compwright's own somewhere later, or, worse, as a table.
 
 from __future__ import annotations
 
-import types
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import fields, is_dataclass
-from enum import Enum
-from functools import cache
-from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
+from typing import Any, Final
 
 import numpy as np
 
 from compwright.foundations.errors import Fault
+from compwright.foundations.plain_names import PLAIN_NAME, is_plain_name
+from compwright.foundations.provenance import fingerprint
 from compwright.records.axis import Axis, Encoder
 from compwright.records.circular import CircularRun, CircularTest
 from compwright.records.correction import AxisCompensation, ControlFile, CrossCompensation
-from compwright.records.estimate import ErrorEstimate, WantedCorrection
+from compwright.records.estimate import AxisPeriod, ErrorEstimate, Scenarios, WantedCorrection
 from compwright.records.fitted import TableRequest
-from compwright.records.plan import PlannedAxis, PlannedTest
+from compwright.records.job import AS_FOUND
+from compwright.records.plan import Plan, PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest
 
-#: No position, correction or feed of a machine tool is larger, mm, deg, mm/min.
-LARGEST = 1e9
-_PLAIN: Mapping[Any, str] = {
-    str: "text",
-    bool: "true or false",
-    int: "a whole number",
-    bytes: "bytes",
-    type(None): "null",
-}
+
+def contradictions(plan: Plan) -> Iterator[Fault]:
+    """Yield what does not hold together between the parts of a plan, each with its key path."""
+    yield from _names(plan)
+    yield from _between(plan)
+    yield from _copies(plan)
 
 
-def plan_faults(plan: Any) -> list[Fault]:
-    """Return what is wrong in a plan, each with its key path; empty when all is as the records
-    say.
-    """
-    return list(_record(plan, ""))
+def _names(plan: Plan) -> Iterator[Fault]:
+    """Keys are names that belong to what they name; those of states stand in paths of files."""
+    named = [("axes", name, entry.axis.name) for name, entry in plan.axes.items()]
+    named += [("untested", name, axis.name) for name, axis in plan.untested.items()]
+    for where, name, own in named:
+        if own != name:
+            place = f"{where}.{name}.axis.name" if where == "axes" else f"{where}.{name}.name"
+            yield _fault(place, name, own)
+    for name, circle in plan.circles.items():
+        if circle.test.name != name:
+            yield _fault(f"circles.{name}.test.name", name, circle.test.name)
+    for name in plan.states:
+        if not is_plain_name(name):
+            yield _fault(f"states.{name}", PLAIN_NAME, name)
 
 
-def _record(record: Any, place: str) -> Iterator[Fault]:
-    cls: Any = type(record)
-    found = [
-        fault
-        for name, hint in _hints(cls).items()
-        for fault in _value(getattr(record, name), hint, f"{place}.{name}".lstrip("."))
-    ]
-    yield from found
-    if not found:
-        for expected in _broken_rules(record):
-            yield Fault(message="contradicts itself", place=place, expected=expected)
+def _between(plan: Plan) -> Iterator[Fault]:
+    axes = {*plan.axes, *plan.untested}
+    for index, entry in enumerate(plan.cross):
+        for key, name in (("input", entry.input), ("output", entry.output)):
+            if name not in axes:
+                yield _fault(f"cross[{index}].{key}", f"an axis of the plan: {_list(axes)}", name)
+    for name in plan.active:
+        if name not in plan.states:
+            yield _fault(f"active.{name}", f"a state of the plan: {_list(plan.states)}", name)
+    for name, axis in plan.axes.items():
+        tests = [planned.test.name for planned in axis.tests]
+        if axis.accept is not None and axis.accept.test not in (None, *tests):
+            expected = f"a test of the axis: {_list(tests)}"
+            yield _fault(f"axes.{name}.accept.test", expected, str(axis.accept.test))
 
 
-@cache
-def _hints(cls: Any) -> Mapping[str, Any]:
-    hints = get_type_hints(cls)
-    return {field.name: hints[field.name] for field in fields(cls)}
+def _copies(plan: Plan) -> Iterator[Fault]:
+    """The copies of the control's own files are those that the run wrote for the way back."""
+    for index, file in enumerate(plan.states.get(AS_FOUND, ())):
+        listed = plan.results.get(f"rollback/{plan.format}/{file.name}")
+        found = fingerprint(file.content)
+        if listed is not None and listed != found:
+            place = f"states.{AS_FOUND}[{index}].base64"
+            yield _fault(place, f"bytes with the SHA-256 {listed} (results)", found)
 
 
-def _value(value: Any, hint: Any, place: str) -> Iterator[Fault]:
-    origin = get_origin(hint)
-    if origin is Literal:
-        if not any(
-            value is option or (isinstance(value, str) and value == option)
-            for option in get_args(hint)
-        ):
-            yield _wrong(place, " or ".join(map(repr, get_args(hint))), value)
-    elif origin in {Union, types.UnionType}:
-        options = [
-            list(_value(value, option, place))
-            for option in get_args(hint)
-            if value is None or option is not type(None)
-        ]
-        if all(options):
-            yield from options[0]
-    elif origin is np.ndarray:
-        if not isinstance(value, np.ndarray) or value.ndim == 0 or np.any(np.abs(value) > LARGEST):
-            yield _wrong(place, f"a list of numbers, none larger than {LARGEST:g}", value)
-    elif origin is tuple:
-        yield from _items(value, get_args(hint), place)
-    elif origin is not None:  # a mapping; what is in options is checked by the control's definition
-        yield from _mapping(value, get_args(hint)[1], place)
-    elif isinstance(hint, type) and is_dataclass(hint):
-        yield from (
-            _record(value, place)
-            if isinstance(value, hint)
-            else [_wrong(place, "keys with values", value)]
-        )
-    else:
-        yield from _single(value, hint, place)
-
-
-def _items(value: Any, hints: tuple[Any, ...], place: str) -> Iterator[Fault]:
-    if not isinstance(value, tuple) or (hints[-1] is not Ellipsis and len(value) != len(hints)):
-        yield _wrong(place, "a list", value)
-        return
-    for index, item in enumerate(value):
-        yield from _value(
-            item, hints[0] if hints[-1] is Ellipsis else hints[index], f"{place}[{index}]"
-        )
-
-
-def _mapping(value: Any, hint: Any, place: str) -> Iterator[Fault]:
-    if not isinstance(value, Mapping):
-        yield _wrong(place, "keys with values", value)
-        return
-    for key, item in value.items():
-        if hint is not object:
-            yield from _value(item, hint, f"{place}.{key}")
-
-
-def _single(value: Any, hint: Any, place: str) -> Iterator[Fault]:
-    if hint is float:
-        number = isinstance(value, (int, float)) and not isinstance(value, bool)
-        if not number or not abs(value) <= LARGEST:
-            yield _wrong(place, f"a number, not larger than {LARGEST:g}", value)
-    elif isinstance(hint, type) and issubclass(hint, Enum):
-        if not isinstance(value, hint):
-            yield _wrong(place, " or ".join(repr(member.value) for member in hint), value)
-    elif hint in _PLAIN and (
-        not isinstance(value, hint) or (hint is int and isinstance(value, bool))
-    ):
-        yield _wrong(place, _PLAIN[hint], value)
-
-
-def _wrong(place: str, expected: str, value: Any) -> Fault:
+def _fault(place: str, expected: str, found: str) -> Fault:
     return Fault(
-        message="does not fit the schema of plans",
+        message="contradicts the rest of the plan",
         place=place,
         expected=expected,
-        found=repr(value),
+        found=ascii(found),
     )
 
 
-def _broken_rules(record: Any) -> Iterator[str]:
-    """Yield what a record promises beyond the types of its fields and does not keep."""
-    rules = _RULES_OF.get(type(record))
-    return iter(()) if rules is None else rules(record)
+def _list(names: Any) -> str:
+    return ", ".join(sorted(names)) or "none"
 
 
 def _axis(axis: Axis) -> Iterator[str]:
+    suggested = () if axis.suggested_period is None else (axis.suggested_period,)
+    periods = (*axis.screw_pitch, *suggested)
     return _rules(
         (axis.travel[0] < axis.travel[1], "a travel from a lower to a higher position"),
         (axis.modulo is None or axis.modulo > 0, "a modulo above 0"),
-        (all(period > 0 for period in axis.screw_pitch), "periods above 0"),
+        (all(period > 0 for period in periods), "periods above 0"),
     )
 
 
@@ -163,6 +110,12 @@ def _wanted(wanted: WantedCorrection) -> Iterator[str]:
     )
 
 
+def _period(one: AxisPeriod) -> Iterator[str]:
+    return _rules(
+        (one.period > 0 and 0 <= one.probability <= 1, "a period above 0 with its probability")
+    )
+
+
 def _estimate(estimate: ErrorEstimate) -> Iterator[str]:
     curves = (
         estimate.mean_positive,
@@ -172,11 +125,20 @@ def _estimate(estimate: ErrorEstimate) -> Iterator[str]:
     )
     yield from _curves(estimate.positions, *curves, least=2)
     yield from _rules(
-        (
-            all(one.period > 0 and 0 <= one.probability <= 1 for one in estimate.periods),
-            "periods above 0 with probabilities",
-        ),
         (estimate.noise > 0 and estimate.noise_dof > 0, "noise and its degrees of freedom above 0"),
+    )
+
+
+def _scenarios(tests: Scenarios) -> Iterator[str]:
+    """As many targets in every test; of a direction that was not measured there is nothing."""
+    size = tests.positions.size
+    sides = ((tests.positive, tests.half_positive), (tests.negative, tests.half_negative))
+    whole = tests.count > 0 and size > 0 and size % tests.count == 0
+    same = all(mean.shape == half.shape and mean.size in {0, size} for mean, half in sides)
+    yield from _rules(
+        (whole, "a count above 0 and as many targets in every test"),
+        (same, "one number for each target in each direction that was measured, or none"),
+        (any(mean.size for mean, _ in sides), "a direction that was measured"),
     )
 
 
@@ -250,13 +212,16 @@ def _one_kind(axis: PlannedAxis) -> Iterator[str]:
     yield from _rules((len(kinds) == 1, "one kind of axis throughout"))
 
 
-_RULES_OF: Mapping[type, Callable[[Any], Iterator[str]]] = {
+#: By class of a record.
+RULES: Final[Mapping[type, Callable[[Any], Iterator[str]]]] = {
     Axis: _axis,
     Encoder: lambda encoder: _rules((encoder.system in {1, 2}, "measuring system 1 or 2")),
     AxisCompensation: _table,
     CrossCompensation: _table,
     WantedCorrection: _wanted,
     PlannedTest: _acted,
+    AxisPeriod: _period,
+    Scenarios: _scenarios,
     ErrorEstimate: _estimate,
     PositioningTest: _readings,
     TableRequest: lambda request: _rules(

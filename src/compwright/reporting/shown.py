@@ -1,0 +1,60 @@
+"""The door to the terminal for tables: whatever a name or a comment holds, a terminal gets text
+that can be seen, and no commands.
+
+Documents hold names from files: of programs, axes, sheets, of files themselves. A control character
+in one could colour, erase or rename what the user reads; a character that turns the direction of
+writing could show another name. Cells are made of `Text` or of plain strings, both become visible
+before they are measured; what got past that is caught when it is printed. Loads rich.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import rich.text
+from rich.console import Console, ConsoleOptions, RenderableType
+from rich.segment import Segment
+from rich.style import Style
+
+from compwright.foundations.utf8 import visible, visible_lines
+
+
+class Text(rich.text.Text):
+    """A text of one line as a terminal may show it."""
+
+    def __init__(self, text: str = "", style: str | Style = "", **words: Any) -> None:
+        super().__init__(visible(text), style, **words)
+
+    def append(
+        self, text: rich.text.Text | str, style: str | Style | None = None
+    ) -> rich.text.Text:
+        """Append a text, made visible."""
+        return super().append(visible(text) if isinstance(text, str) else text, style)
+
+
+class _Shown(Console):
+    """A console in which no text is a command: neither markup nor control characters."""
+
+    def __init__(self, **words: Any) -> None:
+        super().__init__(highlight=False, markup=False, emoji=False, **words)
+
+    def render_str(self, text: str, **words: Any) -> rich.text.Text:
+        return super().render_str(visible(text), **words)
+
+    def render(
+        self, renderable: RenderableType, options: ConsoleOptions | None = None
+    ) -> Iterable[Segment]:
+        for segment in super().render(renderable, options):
+            yield Segment(visible_lines(segment.text), segment.style, segment.control)
+
+
+def print_renderables(renderables: Sequence[RenderableType]) -> None:
+    """Print renderables on standard output: in colour on a terminal, plain and at least 100 columns
+    wide elsewhere.
+    """
+    console = _Shown()
+    if not console.is_terminal:
+        console = _Shown(width=max(console.width, 100))
+    for renderable in renderables:
+        console.print(renderable)
