@@ -7,6 +7,9 @@ takes several values at once.
 
 from __future__ import annotations
 
+import os
+from pathlib import Path
+
 import pytest
 
 from compwright import cli
@@ -54,6 +57,15 @@ def test_loaded_takes_several_files_at_once(words: str) -> None:
         ("verify job.yaml --after x=a y=b --loaded c d --out o", "after", ["x=a", "y=b"]),
         ("verify job.yaml --after x=a y=b --loaded c d --out o", "loaded", ["c", "d"]),
         ("verify --after a b job.yaml", "after", ["a", "b"]),
+        ("verify --after a b job.yaml --loaded c d", "after", ["a", "b"]),
+        ("verify --after a b job.yaml --loaded c d", "loaded", ["c", "d"]),
+        ("verify --loaded=c d --after=x=a y=b job.yaml", "after", ["x=a", "y=b"]),
+        ("verify --loaded=c d --after=x=a y=b job.yaml", "loaded", ["c", "d"]),
+        ("new --from=a b --format f --out j", "files", ["a", "b"]),
+        ("diff --with n1 n2 --format f -- o1 o2", "new", ["n1", "n2"]),
+        ("diff o1 o2 --with=n1 n2 --format f", "old", ["o1", "o2"]),
+        ("export --state a b plan.json --option k=1 l=2 --format f --out o", "states", ["a", "b"]),
+        ("export --option=k=1 l=2 plan.json --format f --out o", "options", ["k=1", "l=2"]),
         ("export plan.json --format f --state a b --out o --option k=1 l=2", "states", ["a", "b"]),
         (
             "export plan.json --format f --state a b --out o --option k=1 l=2",
@@ -91,6 +103,61 @@ def test_each_option_with_dots_takes_several_values(
 )
 def test_files_of_the_command_stay_its_own(words: str, key: str, expected: list[str]) -> None:
     assert names(told(words)[key]) == expected
+
+
+@pytest.fixture
+def hall(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    for name in ("x 1.csv", "x 2.csv", "y[1].csv", ".x.csv", "B1.INI", "B2.INI"):
+        (tmp_path / name).write_text("")
+    (tmp_path / "Süd").mkdir()
+    (tmp_path / "Süd" / "x.csv").write_text("")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("command", "values", "key", "expected"),
+    [
+        ("evaluate", ["x*.csv"], "paths", ["x 1.csv", "x 2.csv"]),
+        ("evaluate", ["x ?.csv", "S*/x.csv"], "paths", ["x 1.csv", "x 2.csv", "Süd/x.csv"]),
+        ("evaluate", ["y[1].*"], "paths", ["y[1].csv"]),
+        ("evaluate", ["no*.csv"], "paths", ["no*.csv"]),
+        (
+            "verify",
+            ["job.yaml", "--after", "vorn=x*.csv"],
+            "after",
+            ["vorn=x 1.csv", "vorn=x 2.csv"],
+        ),
+        (
+            "verify",
+            ["job.yaml", "--after", "a", "--loaded", "B?.INI"],
+            "loaded",
+            ["B1.INI", "B2.INI"],
+        ),
+        (
+            "run",
+            ["x.csv", "--format", "f", "--state", "B*.INI", "none"],
+            "states",
+            ["B1.INI", "B2.INI", "none"],
+        ),
+        ("new", ["--from", "B*", "--format", "f", "--out", "j*"], "files", ["B1.INI", "B2.INI"]),
+    ],
+)
+def test_wildcards_that_the_shell_leaves_are_the_files_that_fit(
+    command: str, values: list[str], key: str, expected: list[str], hall: Path
+) -> None:
+    context = cli.compwright.commands[command].make_context(command, values)
+    found = [str(one).replace(os.sep, "/") for one in context.params[key]]
+    assert found == expected
+    if command == "new":
+        assert str(context.params["out"]) == "j*"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no file can have such a name")
+def test_a_name_that_is_there_wins_over_what_it_fits(hall: Path) -> None:
+    (hall / "x*.csv").write_text("")
+    context = cli.compwright.commands["evaluate"].make_context("evaluate", ["x*.csv"])
+    assert names(context.params["paths"]) == ["x*.csv"]
 
 
 def test_the_help_shows_which_options_take_several_values(

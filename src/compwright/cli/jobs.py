@@ -9,6 +9,7 @@ import click
 
 from compwright.cli.saying import answer, errors, json_file, print_lines, tell
 from compwright.cli.words import (
+    FILE_WORD,
     PATH,
     compwright,
     control_options,
@@ -134,6 +135,7 @@ def new(
     "--after",
     multiple=True,
     required=True,
+    type=FILE_WORD,
     metavar="[TEST=]FILE...",
     help="Tests made after loading.",
 )

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import wraps
 from pathlib import Path
-from typing import ParamSpec
+from typing import Any, ParamSpec
 
 import click
 
 from compwright import __version__
-from compwright.foundations.command_words import Form, spread
+from compwright.foundations.command_words import Form, Own, spread
 from compwright.foundations.errors import Fault, UsageError
 
 P = ParamSpec("P")
@@ -35,6 +35,32 @@ class _PathType(click.ParamType[Path]):
         return Path(str(value))
 
 
+class _FileWord(click.ParamType[str]):
+    """A file among words that mean something else: ``none``, or ``TEST=FILE``."""
+
+    name = "file"
+
+    def convert(
+        self, value: object, param: click.Parameter | None, ctx: click.Context | None
+    ) -> str:
+        del param, ctx
+        return str(value)
+
+
+def _matched(kind: click.ParamType[Any], values: Iterable[object]) -> Iterator[Any]:
+    """Yield the files that values of several stand for: where the shell leaves ``*`` and ``?`` to
+    the program (Windows), those that fit.
+    """
+    for value in values:
+        text = str(value)
+        if not {"*", "?"} & set(text):
+            yield value
+            continue
+        from compwright.workflow.stages.matching import files_matching
+
+        yield from (kind.convert(name, None, None) for name in files_matching(text))
+
+
 class _Command(click.Command):
     """A command whose options take several values at once where their value ends in ``...``; see
     `command_words`.
@@ -46,16 +72,24 @@ class _Command(click.Command):
                 flag=param.is_flag or param.count,
                 several=param.multiple,
                 more=_MORE.get(name, _another),
+                files=name not in _MORE,
             )
             for param in self.get_params(ctx)
             if isinstance(param, click.Option)
             for name in param.opts
         }
         files = [param for param in self.params if isinstance(param, click.Argument)]
-        many = any(param.nargs < 0 for param in files)
-        return super().parse_args(
-            ctx, spread(args, forms, needed=sum(param.required for param in files), many=many)
+        own = Own(
+            needed=sum(param.required for param in files),
+            many=any(param.nargs < 0 for param in files),
+            endings=_ENDINGS.get(files[0].metavar or "", ()) if files else (),
         )
+        left = super().parse_args(ctx, spread(args, forms, own))
+        for param in self.get_params(ctx):
+            values = ctx.params.get(param.name or "")
+            if isinstance(values, tuple) and isinstance(param.type, _PathType | _FileWord):
+                ctx.params[param.name or ""] = tuple(_matched(param.type, values))
+        return left
 
 
 class _Group(click.Group):
@@ -75,7 +109,12 @@ _MORE: Mapping[str, Callable[[str, str], bool]] = {
 }
 
 
+#: How the file of a command ends that is called so.
+_ENDINGS: Mapping[str, tuple[str, ...]] = {"JOB.yaml": (".yaml", ".yml"), "PLAN.json": (".json",)}
+
+
 PATH = _PathType()
+FILE_WORD = _FileWord()
 
 
 json_option = click.option(
@@ -112,6 +151,7 @@ state_option = click.option(
     "--state",
     "states",
     multiple=True,
+    type=FILE_WORD,
     metavar="none|FILE...",
     help="What is active in the control: none, or its files.",
 )

@@ -1,10 +1,11 @@
 """Options that take several values at once: ``--loaded a b c`` is ``--loaded a --loaded b --loaded
 c``.
 
-The words behind such an option are its values up to the next option. Three things hold words back
-from it: what does not look like a value of it (`Form.more`), ``--``, and the files that the command
-itself still lacks. Where these stand nowhere else, they are the last words behind the last such
-option: one word for one file, all but the first where the command takes many.
+The words behind such an option are its values up to the next option; the first may be set off by
+``=``. Three things hold words back from it: what does not look like a value of it (`Form.more`),
+``--``, and the files that the command itself still lacks. Where these stand nowhere else, the one
+word with the ending of such a file is it; else they are the last words behind the last such option
+with files: one word for one file, all but the first where the command takes many.
 """
 
 from __future__ import annotations
@@ -16,52 +17,75 @@ from dataclasses import dataclass
 @dataclass(frozen=True, slots=True)
 class Form:
     """How an option is written. ``several``: it takes several values; ``more``: whether a word may
-    follow a value of it.
+    follow a value of it; ``files``: its values are files.
     """
 
     flag: bool = False
     several: bool = False
     # any word is a value
     more: Callable[[str, str], bool] = lambda value, word: True  # noqa: ARG005
+    files: bool = True
 
 
-def spread(
-    words: Sequence[str], options: Mapping[str, Form], *, needed: int, many: bool
-) -> list[str]:
+@dataclass(frozen=True, slots=True)
+class Own:
+    """The files of the command itself: how many it asks for at least, whether it takes any number,
+    and with what the name of one ends where that is known.
+    """
+
+    needed: int
+    many: bool = False
+    endings: tuple[str, ...] = ()
+
+
+def spread(words: Sequence[str], options: Mapping[str, Form], own: Own) -> list[str]:
     """Return ``words`` with the files of the command first and each value behind an option of its
     own.
-
-    ``needed``: how many files the command asks for at least; ``many``: it takes any number.
     """
     given, files, further = _sorted(words, options)
-    if needed and not files and further:
-        kept = further if many else further[-needed:]
+    if own.needed and not files and further:
+        kept = _held_back(given, further, own)
         files = [given[place] for place in kept]
-        del given[kept[0] - 1 : kept[-1] + 1]
+        for place in reversed(kept):
+            del given[place - 1 : place + 1]
     dashed = [file for file in files if _is_option(file)]
     plain = [file for file in files if not _is_option(file)]
     return [*plain, *given, "--", *dashed] if dashed else [*plain, *given]
 
 
+def _held_back(given: Sequence[str], further: Sequence[range], own: Own) -> Sequence[int]:
+    """Return the places of the words that are files of the command."""
+    named = [
+        place
+        for places in further
+        for place in places
+        if own.endings and given[place].lower().endswith(own.endings)
+    ]
+    if len(named) == own.needed and not own.many:
+        return named
+    return further[-1] if own.many else further[-1][-own.needed :]
+
+
 def _sorted(
     words: Sequence[str], options: Mapping[str, Form]
-) -> tuple[list[str], list[str], range]:
-    """Return options with their values, the files, and the places of the further values behind the
-    last option that has some.
+) -> tuple[list[str], list[str], list[range]]:
+    """Return options with their values, the files, and for each option with several files the
+    places of those behind the first.
     """
     given: list[str] = []
     files: list[str] = []
-    further = range(0)
+    further: list[range] = []
     left = list(words)
     while left:
         word = left.pop(0)
         if word == "--":
             files += left
             break
-        form = options.get(word)
         if not _is_option(word):
             files.append(word)
             continue
+        word = _set_off(word, options, left)
+        form = options.get(word)
         given.append(word)
         if form is None or form.flag or not left:
             continue
@@ -69,9 +93,21 @@ def _sorted(
         place = len(given)
         while form.several and left and not _is_option(left[0]) and form.more(given[-1], left[0]):
             given += [word, left.pop(0)]
-        if len(given) > place:
-            further = range(place + 1, len(given), 2)
+        if form.files and len(given) > place:
+            further.append(range(place + 1, len(given), 2))
     return given, files, further
+
+
+def _set_off(word: str, options: Mapping[str, Form], left: list[str]) -> str:
+    """Return the option of a word such as ``--state=a``, its value put in front of what is
+    ``left``; any other word as it is.
+    """
+    name, mark, value = word.partition("=")
+    form = options.get(name)
+    if not mark or form is None or form.flag or not form.several:
+        return word
+    left.insert(0, value)
+    return name
 
 
 def _is_option(word: str) -> bool:

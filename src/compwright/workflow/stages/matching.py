@@ -1,0 +1,16 @@
+"""Names with ``*`` and ``?`` that the shell left to the program, as it does on Windows."""
+
+from __future__ import annotations
+
+from compwright.foundations import storage
+
+
+def files_matching(text: str) -> list[str]:
+    """Return the files that ``text`` stands for, by name: itself where it is the name of one or
+    nothing fits. Of ``TEST=FILE`` each file has the test in front.
+    """
+    found = storage.matching(text)
+    name, mark, rest = text.partition("=")
+    if found == [text] and mark:
+        return [f"{name}={file}" for file in storage.matching(rest)]
+    return found
