@@ -30,8 +30,11 @@ JSON: Final = InputKind("a JSON file of compwright", 128_000_000)
 #: What is copied or compared as it is.
 ANY: Final = InputKind("a file", 128_000_000)
 
-#: A real axis has some hundred readings, a real circle some ten thousand samples.
+#: Of one test: a real axis has some hundred readings, a real circle some ten thousand samples.
 MOST_READINGS: Final = 2_000_000
+MOST_TARGETS: Final = 100_000
+#: Targets times traverses: a table with holes has more cells than readings.
+MOST_CELLS: Final = 4_000_000
 #: What an archive or a workbook may unpack to.
 MOST_UNPACKED: Final = 256_000_000
 

@@ -14,25 +14,27 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Final, Literal, cast
+from typing import Final
 
 import numpy as np
 
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
+from compwright.foundations.input_sizes import MOST_READINGS
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, MILLIMETRES_PER_INCH
 from compwright.instruments.circular_arcs import LARGEST_ANGLE, Sweep, common_arc, run_of, sweep_of
 from compwright.instruments.code_page import read_plain_lines
 from compwright.instruments.comments import Comments, read_comments
 from compwright.instruments.csv_table import INCHES, Table, in_inches, read_table, split_lines
 from compwright.instruments.fault_list import FaultList, shown
-from compwright.instruments.numbers import DecimalMarks, parse_count, parse_number
+from compwright.instruments.numbers import DecimalMarks, counts_of, parse_number
 from compwright.instruments.reading_findings import (
     assumed_finding,
     doubtful_finding,
     left_out_finding,
     unfinished_finding,
 )
+from compwright.instruments.readings import IntArray
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun, CircularTest, Sense
 
@@ -44,6 +46,7 @@ _VALUES: Final = ("radius_mm", "deviation_um")
 _COLUMNS: Final[tuple[str, ...]] = ("direction", "run", "angle_deg", *_VALUES)
 _PLANE: Final = re.compile(r"([A-Za-z][0-9]{0,2})[ ,/-]?([A-Za-z][0-9]{0,2})")
 _FORM_KEY: Final = re.compile(r"circular\s+([0-9]{1,9})")
+_SENSES: Final[tuple[Sense, ...]] = ("ccw", "cw")
 _YES: Final[Mapping[str, bool]] = {"yes": True, "true": True, "no": False, "false": False}
 #: Radii whose median lies farther from nominal than this are in another unit or of another circle.
 _FAR: Final = (1.0, 0.05)  # mm, share of the nominal radius; the larger of both
@@ -57,11 +60,15 @@ _RADII: Final = {
 }  # a unit in mm
 
 
-@dataclass(frozen=True, slots=True)
-class _Sample:
-    angle: float
-    value: float
-    line: int
+@dataclass(frozen=True, slots=True, eq=False)
+class _Samples:
+    """Of one run, in the order of the file: commanded angles (n,) deg, values (n,) as written, and
+    lines.
+    """
+
+    angles: FloatArray
+    values: FloatArray
+    lines: IntArray
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -286,75 +293,94 @@ def _value_column(table: Table, faults: FaultList) -> str:
 
 def _samples(
     table: Table, value: str, marks: DecimalMarks, faults: FaultList
-) -> dict[tuple[Sense, int], list[_Sample]]:
+) -> dict[tuple[Sense, int], _Samples]:
     """Return the rows by direction and run."""
-    at = {name: table.columns.index(name) for name in _COLUMNS if name in table.columns}
-    samples: dict[tuple[Sense, int], list[_Sample]] = {}
-    for row in table.rows:
-        place = f"line {row.line}, column "
-        sense = _sense(row.cells[at["direction"]], place, faults)
-        run = _run(row.cells[at["run"]], place, faults) if "run" in at else 1
-        angle = marks.parse(
-            row.cells[at["angle_deg"]], place=f"{place}angle_deg", column="angle_deg"
+    _check_size(table, faults)
+    senses = _senses(table, faults)
+    numbered = "run" in table.columns
+    runs = (
+        counts_of(table.of("run"), table.place("run"), "run", faults)
+        if numbered
+        else np.ones(len(table.lines), dtype=np.int64)
+    )
+    angles, values = (
+        marks.parse_all(table.of(name), table.lines, table.place(name), name)
+        for name in ("angle_deg", value)
+    )
+    for index in np.flatnonzero(np.abs(angles) > LARGEST_ANGLE).tolist():
+        faults.add(
+            "is no angle on the circle",
+            place=table.place("angle_deg")(index),
+            expected=f"-{LARGEST_ANGLE:g} to {LARGEST_ANGLE:g} deg",
+            found=f"{angles[index]:g}",
         )
-        number = marks.parse(row.cells[at[value]], place=f"{place}{value}", column=value)
-        if angle is not None and abs(angle) > LARGEST_ANGLE:
-            expected = f"-{LARGEST_ANGLE:g} to {LARGEST_ANGLE:g} deg"
-            faults.add(
-                "is no angle on the circle",
-                place=f"{place}angle_deg",
-                expected=expected,
-                found=f"{angle:g}",
-            )
-        if sense is not None and run is not None and angle is not None and number is not None:
-            samples.setdefault((sense, run), []).append(_Sample(angle, number, row.line))
+    whole = (senses >= 0) & (runs > 0) & np.isfinite(angles) & np.isfinite(values)
+    lines = np.array(table.lines, dtype=np.int64)
+    taken = np.flatnonzero(whole)
+    taken = taken[np.lexsort((taken, runs[taken], senses[taken]))]
+    ends = np.flatnonzero(np.diff(runs[taken]) | np.diff(senses[taken])) + 1
+    samples = {
+        (_SENSES[senses[ours[0]]], int(runs[ours[0]])): _Samples(
+            angles[ours], values[ours], lines[ours]
+        )
+        for ours in np.split(taken, ends)
+        if ours.size
+    }
     if not samples and not faults:
         faults.add("holds no samples", expected="at least one run below the header")
-    for (sense, run), ours in samples.items():
-        _check_unique(ours, f"{sense} run {run}", "run" in at, faults)
+    for (sense, run), of_run in samples.items():
+        _check_unique(of_run, f"{sense} run {run}", numbered, faults)
     return samples
 
 
-def _sense(text: str, place: str, faults: FaultList) -> Sense | None:
-    if text.lower() in {"ccw", "cw"}:
-        return cast("Literal['ccw', 'cw']", text.lower())
-    faults.add(
-        "direction is neither ccw nor cw",
-        place=f"{place}direction",
-        expected="ccw or cw",
-        found=shown(text),
-    )
-    return None
+def _check_size(table: Table, faults: FaultList) -> None:
+    if len(table.lines) > MOST_READINGS:
+        faults.add(
+            "holds too many samples",
+            expected=f"at most {MOST_READINGS} in one test",
+            found=str(len(table.lines)),
+        )
+        faults.raise_if_any()
 
 
-def _run(text: str, place: str, faults: FaultList) -> int | None:
-    try:
-        return parse_count(text)
-    except ValueError as reason:
-        faults.add(f"run {reason}", place=f"{place}run", expected="1, 2, 3, ...", found=shown(text))
-        return None
+def _senses(table: Table, faults: FaultList) -> IntArray:
+    """Return the place in `_SENSES` of the direction of each row, -1 after noting a fault."""
+    cells, place = table.of("direction"), table.place("direction")
+    known = {text: {"ccw": 0, "cw": 1}.get(text.lower(), -1) for text in set(cells)}
+    if -1 in known.values():
+        for index, text in enumerate(cells):
+            if known[text] < 0:
+                faults.add(
+                    "direction is neither ccw nor cw",
+                    place=place(index),
+                    expected="ccw or cw",
+                    found=shown(text),
+                )
+    return np.fromiter(map(known.__getitem__, cells), np.int64, len(cells))
 
 
 # one caller
-def _check_unique(samples: Sequence[_Sample], name: str, numbered: bool, faults: FaultList) -> None:  # noqa: FBT001
+def _check_unique(samples: _Samples, name: str, numbered: bool, faults: FaultList) -> None:  # noqa: FBT001
+    if np.unique(samples.angles).size == samples.angles.size:
+        return
     lines: dict[float, int] = {}
-    for sample in samples:
-        first = lines.setdefault(sample.angle, sample.line)
-        if first != sample.line:
+    for angle, line in zip(samples.angles.tolist(), samples.lines.tolist(), strict=True):
+        first = lines.setdefault(angle, line)
+        if first != line:
             faults.add(
                 "a sample is given twice",
-                place=f"line {sample.line}",
+                place=f"line {line}",
                 expected=(
                     "each angle once per direction and run"
                     if numbered
                     else "a column 'run' if a direction has several"
                 ),
-                found=f"{sample.angle:.10g} deg of {name} also in line {first}",
+                found=f"{angle:.10g} deg of {name} also in line {first}",
             )
 
 
 def _assembled(
-    samples: Mapping[tuple[Sense, int], Sequence[_Sample]],
+    samples: Mapping[tuple[Sense, int], _Samples],
     value: str,
     keys: _Keys,
     faults: FaultList,
@@ -365,8 +391,8 @@ def _assembled(
     sweeps: list[Sweep] = []
     deviations: list[FloatArray] = []
     for (sense, number), ours in sorted(samples.items(), key=lambda item: item[0]):
-        sweep = sweep_of(sense, number, np.array([sample.angle for sample in ours]), faults)
-        values = np.array([sample.value for sample in ours])
+        sweep = sweep_of(sense, number, ours.angles, faults)
+        values = ours.values
         if value == "radius_mm":
             _check_unit(values, keys.radius, f"{sense} run {number}", faults)
             values = values - keys.radius

@@ -13,13 +13,17 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
+import numpy as np
+
 from compwright.foundations.findings import Finding
+from compwright.foundations.input_sizes import MOST_TARGETS
 from compwright.instruments.answers import Answers
-from compwright.instruments.assembling import Reading, as_text
+from compwright.instruments.assembling import as_text
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.foreign_units import LENGTHS
 from compwright.instruments.numbers import DecimalMarks, parse_number
 from compwright.instruments.parsed import Parsed
+from compwright.instruments.readings import readings_at
 from compwright.instruments.sections import Line
 from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction
@@ -92,17 +96,20 @@ def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answ
     if "combined" in columns and "forward" not in columns:
         columns = {"forward": columns["combined"], "reverse": columns["combined"]}
     pairs = ((Direction.POSITIVE, "forward"), (Direction.NEGATIVE, "reverse"))
-    readings = [
-        Reading(position + 0.0, direction, 1, value * factor * sign, f"line {line}")
+    rows = [
+        (line, position, direction is Direction.POSITIVE, value)
         for direction, name in pairs
         for position, value, line in columns[name]
     ]
+    lines, positions, positive, values = zip(*rows, strict=True) if rows else ((), (), (), ())
+    deviations = np.array(values, dtype=np.float64) * factor * sign
+    readings = readings_at(lines, positions, positive, [1] * len(rows), deviations)
     header = {key: value for key, (value, _) in found.keys.items() if value}
     if found.other:
         header["comment"] = "\n".join(found.other)
     return Parsed(
         kind=AxisKind.LINEAR,
-        readings=tuple(readings),
+        readings=readings,
         header=header,
         assumed=("forward: approach in direction +", *(() if answers.unit else ("unit: mm",))),
         findings=(
@@ -184,7 +191,7 @@ def _grid(found: _Text, marks: DecimalMarks, faults: FaultList) -> list[float]:
     if start is None or end is None or spacing is None:
         return []
     steps = (end - start) / spacing if spacing else -1.0
-    if steps < 0 or abs(steps - round(steps)) * abs(spacing) > _SAME or steps > 1e6:
+    if steps < 0 or abs(steps - round(steps)) * abs(spacing) > _SAME or steps > MOST_TARGETS:
         faults.add(
             "start, end and spacing do not fit together",
             place=found.place("compensation spacing"),

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import csv
 import re
+from array import array
 from collections import Counter
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
 
 from compwright.foundations.errors import Fault, InputError
 from compwright.instruments.comments import comment_text
@@ -53,6 +54,7 @@ _INCH = re.compile(
     r"(?:target|deviation|measured|radius|unit)["
     r" _]?\(?(?:in|inch|inches|\"|mil|mils|thou|uin|u?inch|microinch(?:es)?)\)?"
 )
+_AT_ONCE = 4096  # rows that are turned into columns at once
 #: What to do with inches, which no form of measurement files takes.
 INCHES = (
     "target_mm and deviation_um: multiply targets in inches by 25.4 to get mm, deviations in 0.001"
@@ -61,21 +63,26 @@ INCHES = (
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
-    """One row: its line in the file and its cells, stripped, one per column."""
-
-    line: int
-    cells: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
 class Table:
-    """``columns`` are the names as `column_name` gives them; ``line`` is that of the header row."""
+    """``columns`` are the names as `column_name` gives them; ``line`` is that of the header row.
+
+    The rows stand column by column, for there may be a million: ``lines`` of the file, and for each
+    name the ``cells``, stripped.
+    """
 
     delimiter: str
     line: int
     columns: tuple[str, ...]
-    rows: tuple[Row, ...]
+    lines: Sequence[int]
+    cells: tuple[Sequence[str], ...]
+
+    def of(self, column: str) -> Sequence[str]:
+        """Return the cells of a column."""
+        return self.cells[self.columns.index(column)]
+
+    def place(self, column: str) -> Callable[[int], str]:
+        """Return what tells the place of a cell of a column by the index of its row."""
+        return lambda index: f"line {self.lines[index]}, column {column}"
 
 
 def column_name(text: str) -> str:
@@ -207,14 +214,15 @@ def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> Table:
                 expected="each column once",
                 found=shown(name),
             )
-    rows = _rows(lines[1:], delimiter, columns, faults)
-    return _without_unnamed(Table(delimiter, number, columns, tuple(rows)), faults)
+    at, cells = _rows(lines[1:], delimiter, columns, faults)
+    return _without_unnamed(Table(delimiter, number, columns, at, cells), faults)
 
 
 def _rows(
     lines: Iterable[tuple[int, str]], delimiter: str, columns: Sequence[str], faults: FaultList
-) -> list[Row]:
-    rows = []
+) -> tuple[Sequence[int], tuple[Sequence[str], ...]]:
+    """Return the lines of the rows and the cells of each column."""
+    found = Gathered(len(columns))
     for number, line in lines:
         cells = _cells(line, delimiter)
         if cells is None:
@@ -222,7 +230,7 @@ def _rows(
                 "a quote is not closed on its line", place=f"line {number}", found=shown(line)
             )
         elif len(cells) == len(columns):
-            rows.append(Row(number, tuple(cells)))
+            found.add(number, cells)
         elif any(cells):
             faults.add(
                 "the row has not as many cells as the header row",
@@ -230,7 +238,33 @@ def _rows(
                 expected=f"{len(columns)} cells with the {DELIMITERS[delimiter]} as delimiter",
                 found=f"{len(cells)}{_decimal_comma_hint(cells, delimiter, len(columns))}",
             )
-    return rows
+    return found.lines, found.columns()
+
+
+class Gathered:
+    """Rows on their way into columns, some thousand at a time."""
+
+    def __init__(self, width: int) -> None:
+        self.lines = array("q")
+        self._columns: tuple[list[str], ...] = tuple([] for _ in range(width))
+        self._rows: list[Sequence[str]] = []
+
+    def add(self, line: int, cells: Sequence[str]) -> None:
+        """Add the cells of a row, one per column."""
+        self.lines.append(line)
+        self._rows.append(cells)
+        if len(self._rows) >= _AT_ONCE:
+            self._turn()
+
+    def columns(self) -> tuple[Sequence[str], ...]:
+        """Return the cells of each column."""
+        self._turn()
+        return self._columns
+
+    def _turn(self) -> None:
+        for column, cells in zip(self._columns, zip(*self._rows, strict=True), strict=False):
+            column.extend(cells)
+        self._rows.clear()
 
 
 def _decimal_comma_hint(cells: Sequence[str], delimiter: str, wanted: int) -> str:
@@ -260,25 +294,30 @@ def _without_unnamed(table: Table, faults: FaultList) -> Table:
     """Drop columns without a name: spreadsheets leave them at the end of every row. A value in one
     of them is a fault.
     """
+    for index, name in enumerate(table.columns):
+        if not name and any(table.cells[index]):
+            for line, cell in zip(table.lines, table.cells[index], strict=True):
+                if cell:
+                    faults.add(
+                        "a value stands below a column without a name",
+                        place=f"line {line}, column {index + 1}",
+                        expected="a name in the header row or an empty cell",
+                        found=shown(cell),
+                    )
     kept = [index for index, name in enumerate(table.columns) if name]
-    unnamed = [index for index, name in enumerate(table.columns) if not name]
-    for row in table.rows:
-        for index in unnamed:
-            if row.cells[index]:
-                faults.add(
-                    "a value stands below a column without a name",
-                    place=f"line {row.line}, column {index + 1}",
-                    expected="a name in the header row or an empty cell",
-                    found=shown(row.cells[index]),
-                )
-    rows = tuple(Row(row.line, tuple(row.cells[index] for index in kept)) for row in table.rows)
-    return Table(table.delimiter, table.line, tuple(table.columns[index] for index in kept), rows)
+    return replace(
+        table,
+        columns=tuple(table.columns[index] for index in kept),
+        cells=tuple(table.cells[index] for index in kept),
+    )
 
 
 def _cells(line: str, delimiter: str) -> list[str] | None:
     """Return the stripped cells of one line, None when a quote is not closed or a cell is absurdly
     long.
     """
+    if '"' not in line and len(line) < csv.field_size_limit():
+        return [cell.strip() for cell in line.split(delimiter)] if line else []
     if line.count('"') % 2:
         return None
     try:

@@ -4,49 +4,49 @@ readings while all others are whole, or it holds less than it says itself.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Mapping, Sequence
-from typing import Final, TypeVar
+from collections.abc import Mapping
+from typing import Final
+
+import numpy as np
 
 from compwright.foundations.findings import Finding
-from compwright.instruments.assembling import Reading, as_text
+from compwright.instruments.assembling import as_text
 from compwright.instruments.numbers import parse_count
 from compwright.instruments.reading_findings import cut_finding
+from compwright.instruments.readings import IntArray, Readings
 from compwright.records.axis import AxisKind
-
-_Key = TypeVar("_Key")
 
 #: Keys of a header that say how much a file holds (small letters, one blank between words).
 _TARGETS: Final = frozenset({"targets", "n targets", "number of targets", "positions"})
 _RUNS: Final = frozenset({"runs", "n runs", "number of runs", "cycles", "number of cycles"})
 
 
-def cut_findings(
-    readings: Sequence[Reading], kind: AxisKind, header: Mapping[str, str]
-) -> list[Finding]:
+def cut_findings(readings: Readings, kind: AxisKind, header: Mapping[str, str]) -> list[Finding]:
     """Return the findings; ``readings`` in the order of the file."""
     why = (_unfinished(readings, kind), *_promises(readings, header))
     return [cut_finding(words) for words in why if words]
 
 
-def _unfinished(readings: Sequence[Reading], kind: AxisKind) -> str:
+def _unfinished(readings: Readings, kind: AxisKind) -> str:
     """Return why the last rows may be the rest of a traverse or target that was cut, in words."""
-    if not readings:
+    if not len(readings):
         return ""
-    last = readings[-1]
-    traverses = Counter((reading.direction, reading.run) for reading in readings)
-    targets = Counter(reading.target for reading in readings)
-    return _short(
-        traverses, (last.direction, last.run), f"run {last.direction}{last.run}"
-    ) or _short(targets, last.target, f"target {as_text(last.target)} {kind.unit}")
+    last = readings.one(-1)
+    _, traverse = np.unique(2 * readings.runs + readings.positive, return_inverse=True)
+    _, target = np.unique(readings.targets, return_inverse=True)
+    return _short(traverse, f"run {last.direction}{last.run}") or _short(
+        target, f"target {as_text(last.target)} {kind.unit}"
+    )
 
 
-def _short(counts: Counter[_Key], mine: _Key, words: str) -> str:
-    """Return in words that ``mine`` alone has fewer readings than the others, empty where it has
-    not.
+def _short(groups: IntArray, words: str) -> str:
+    """Return in words that the group of the last reading alone has fewer readings than the others,
+    empty where it has not; ``groups`` (n,): the group of each, from 0.
     """
-    whole = max(counts.values())
-    if len(counts) < 3 or [key for key, count in counts.items() if count < whole] != [mine]:
+    counts = np.bincount(groups)
+    mine = groups[-1]
+    whole = int(counts.max())
+    if counts.size < 3 or np.flatnonzero(counts < whole).tolist() != [mine]:
         return ""
     return (
         f"The last rows are of {words}, which lacks {whole - counts[mine]} of {whole} readings"
@@ -54,10 +54,10 @@ def _short(counts: Counter[_Key], mine: _Key, words: str) -> str:
     )
 
 
-def _promises(readings: Sequence[Reading], header: Mapping[str, str]) -> list[str]:
+def _promises(readings: Readings, header: Mapping[str, str]) -> list[str]:
     found = {
-        "targets": (_TARGETS, len({reading.target for reading in readings})),
-        "runs": (_RUNS, len({reading.run for reading in readings})),
+        "targets": (_TARGETS, np.unique(readings.targets).size),
+        "runs": (_RUNS, np.unique(readings.runs).size),
     }
     told = []
     for what, (keys, count) in found.items():

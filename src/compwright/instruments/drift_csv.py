@@ -49,15 +49,11 @@ def read_drift(content: bytes, file: str, kind: AxisKind) -> DriftTest:
         )
         faults.raise_if_any()
     marks = DecimalMarks(faults)
-    at = [table.columns.index(name) for name in (_TIME, _VALUE[kind])]
-    rows: list[tuple[float, float]] = []
-    for row in table.rows:
-        minutes, value = (
-            marks.parse(row.cells[index], place=f"line {row.line}", column=table.columns[index])
-            for index in at
-        )
-        if minutes is not None and value is not None:
-            rows.append((minutes, value))
+    minutes, values = (
+        marks.parse_all(table.of(name), table.lines, table.place(name), name).tolist()
+        for name in (_TIME, _VALUE[kind])
+    )
+    rows = list(zip(minutes, values, strict=True))
     marks.check(comma_is_delimiter=table.delimiter == ",")
     _refuse_too_few(rows, faults)
     sign = sign_of(comments, faults) or 1.0

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from compwright.instruments.comments import comment_text
-from compwright.instruments.csv_table import Row
+from compwright.instruments.csv_table import Gathered
 from compwright.instruments.fault_list import FaultList, shown
 
 #: Delimiters by their names in a profile; blanks: any number of them.
@@ -20,11 +20,19 @@ DELIMITERS: Final = {"semicolon": ";", "tab": "\t", "comma": ",", "bar": "|", "b
 
 @dataclass(frozen=True, slots=True)
 class ForeignTable:
-    """``columns``: a name for each; ``before``: the lines above the header row, not blank."""
+    """``columns``: a name for each; ``before``: the lines above the header row, not blank.
 
-    columns: tuple[str, ...]
-    rows: tuple[Row, ...]
+    The rows stand column by column: ``lines`` of the file, and the ``cells`` of each column.
+    """
+
+    columns: tuple[str, ...] = ()
+    lines: Sequence[int] = ()
+    cells: tuple[Sequence[str], ...] = ()
     before: tuple[str, ...] = ()
+
+    def of(self, column: str) -> Sequence[str]:
+        """Return the cells of a column."""
+        return self.cells[self.columns.index(column)]
 
 
 def cells_of(line: str, delimiter: str) -> list[str] | None:
@@ -34,6 +42,8 @@ def cells_of(line: str, delimiter: str) -> list[str] | None:
     """
     if delimiter == " ":
         return line.split()
+    if '"' not in line and len(line) < csv.field_size_limit():
+        return [" ".join(cell.split()) for cell in line.split(delimiter)] if line else []
     if line.count('"') % 2:
         return None
     try:
@@ -68,26 +78,26 @@ def foreign_table(
             place=f"line {header_line}",
             expected=f"header_line of at most {len(text)}",
         )
-        return ForeignTable((), ())
+        return ForeignTable()
     body = [
         (number, line)
         for number, line in enumerate(text[header_line:], start=header_line + 1)
         if line.strip(" \t,;|") and comment_text(line) is None
     ]
-    rows: list[Row] = []
     header = cells_of(text[header_line - 1], delimiter) if header_line else None
     if header_line and not header:
         faults.add("the header row cannot be read", place=f"line {header_line}")
-        return ForeignTable((), ())
-    width = len(header) if header else 0
+        return ForeignTable()
+    width = len(header) if header else _widest(body, delimiter)
+    rows = Gathered(width)
     for number, line in body:
         cells = cells_of(line, delimiter)
         if cells is None:
             faults.add("a quote is not closed on its line", place=f"line {number}")
             continue
-        while len(cells) > (width or len(cells)) and not cells[-1]:
+        while len(cells) > width and not cells[-1]:
             cells.pop()
-        if header and len(cells) > width:
+        if len(cells) > width:
             faults.add(
                 "the row has more cells than the header row",
                 place=f"line {number}",
@@ -95,17 +105,14 @@ def foreign_table(
                 found=f"{len(cells)}: {shown(line)}",
             )
             continue
-        rows.append(Row(number, tuple(cells)))
-    if not header:
-        width = max((len(row.cells) for row in rows), default=0)
-    columns = named_columns(header or [""] * width)
+        rows.add(number, cells + [""] * (width - len(cells)))
     return ForeignTable(
-        columns,
-        tuple(
-            row
-            if len(row.cells) == len(columns)
-            else Row(row.line, row.cells + ("",) * (len(columns) - len(row.cells)))
-            for row in rows
-        ),
+        named_columns(header or [""] * width),
+        rows.lines,
+        rows.columns(),
         tuple(line.strip() for line in text[: max(header_line - 1, 0)] if line.strip(" \t,;|")),
     )
+
+
+def _widest(body: Sequence[tuple[int, str]], delimiter: str) -> int:
+    return max((len(cells_of(line, delimiter) or ()) for _, line in body), default=0)

@@ -8,7 +8,6 @@ target. Layout, units and sign after six independent readers and writers; no rea
 from __future__ import annotations
 
 import re
-from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -18,15 +17,16 @@ import numpy as np
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import ARCSECONDS_PER_DEGREE
 from compwright.instruments.answers import Answers
-from compwright.instruments.assembling import Reading, as_text
+from compwright.instruments.assembling import as_text
+from compwright.instruments.csv_table import Gathered
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.foreign_units import ANGLES, LENGTHS
 from compwright.instruments.mean_blocks import is_mean_blocks
 from compwright.instruments.numbers import DecimalMarks, parse_count
 from compwright.instruments.parsed import Parsed
 from compwright.instruments.reading_findings import cut_finding, falling_finding
+from compwright.instruments.readings import IntArray, Readings, readings_at
 from compwright.instruments.sections import (
-    Line,
     Sections,
     check_units,
     has_section,
@@ -36,10 +36,12 @@ from compwright.instruments.sections import (
     with_axis,
 )
 from compwright.instruments.worked_rows import read_so_finding
-from compwright.records.axis import AxisKind, Direction
+from compwright.records.axis import AxisKind, Direction, FloatArray
 
 _TARGETS, _RUNS, _ROWS = "TARGET DATA", "RUNS", "DEVIATIONS"
 _ROW_HEADER = re.compile(r"run\s+target\s+data\s*:?", re.IGNORECASE)
+#: Run and target of a row, counted from 1.
+_INDICES = re.compile(r"(?![0-9]{10})0*[1-9][0-9]* (?![0-9]{10})0*[1-9][0-9]*")
 _KINDS = {"rtl": AxisKind.LINEAR, "rta": AxisKind.ROTARY}
 #: Other files of the family: what they hold, for the message that refuses them.
 _OTHER_KINDS = {
@@ -58,13 +60,22 @@ _UNIT = {AxisKind.LINEAR: "um", AxisKind.ROTARY: "urad"}
 _LEAST_MICRORADIAN = 5.0
 
 
-@dataclass(slots=True)
-class _Runs:
-    """Rows of the file by run number, in the order of the file: (target index, deviation as
-    written, line).
+@dataclass(frozen=True, slots=True, eq=False)
+class _Rows:
+    """Rows in the order of the file: ``indices`` (n,) of targets from 1, ``values`` (n,) as
+    written, and their ``lines``.
     """
 
-    rows: dict[int, list[tuple[int, float, int]]]
+    indices: IntArray
+    values: FloatArray
+    lines: IntArray
+
+
+@dataclass(slots=True)
+class _Runs:
+    """Rows by run number."""
+
+    rows: dict[int, _Rows]
     targets: list[float]
     promised: int | None
 
@@ -72,12 +83,12 @@ class _Runs:
         """Return +1 where the targets of a run stand in rising order, -1 in falling, 0 in neither
         or for a single one.
         """
-        steps = {int(np.sign(b - a)) for (a, _, _), (b, _, _) in pairwise(self.rows[run])}
-        return steps.pop() if len(steps) == 1 else 0
+        steps = np.unique(np.sign(np.diff(self.rows[run].indices))).tolist()
+        return int(steps[0]) if len(steps) == 1 else 0
 
     def zero(self, run: int) -> bool:
         """Whether every deviation of a run is exactly zero."""
-        return all(value == 0.0 for _, value, _ in self.rows[run])
+        return not np.any(self.rows[run].values)
 
 
 def is_laser_runs(text: Sequence[str]) -> bool:
@@ -111,26 +122,38 @@ def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) ->
     factor, unit_words, unit_finding = _unit(kind, runs, answers, faults)
     faults.raise_if_any()
     sign = -1.0 if answers.sign == "target minus measured" else 1.0
-    readings = [
-        Reading(runs.targets[index - 1] + 0.0, *directions[run], value * factor * sign, place(line))
-        for run, rows in runs.rows.items()
-        if run in directions
-        for index, value, line in rows
-    ]
+    readings = _readings(runs, directions, factor * sign)
     header = header_of(sections, ["HEADER", "USER-TEXT", "EQUIPMENT", "ENVIRONMENT"])
     signs = () if answers.sign else ("deviation: measured minus target",)
     worked = read_so_finding(readings, kind)
     about = (no_end_finding(sections), _fewer_runs(runs), unit_finding, *findings, worked)
     return Parsed(
         kind=kind,
-        readings=tuple(readings),
+        readings=readings,
         header=with_axis(header, sections.value("USER-TEXT", "Axis")[0]),
         assumed=(*unit_words, *signs, *assumed, *_other_version(sections)),
         findings=tuple(finding for finding in about if finding is not None),
     )
 
 
-def place(line: int) -> str:
+def _readings(
+    runs: _Runs, directions: Mapping[int, tuple[Direction, int]], factor: float
+) -> Readings:
+    """Return the rows of the runs that count; ``factor`` to mm or deg, measured minus target."""
+    used = [(rows, *directions[run]) for run, rows in runs.rows.items() if run in directions]
+    sizes = [rows.lines.size for rows, _, _ in used]
+    indices = np.concatenate([rows.indices for rows, _, _ in used])
+    values = np.concatenate([rows.values for rows, _, _ in used])
+    return readings_at(
+        np.concatenate([rows.lines for rows, _, _ in used]),
+        np.array(runs.targets)[indices - 1],
+        np.repeat([direction is Direction.POSITIVE for _, direction, _ in used], sizes),
+        np.repeat([number for _, _, number in used], sizes),
+        values * factor,
+    )
+
+
+def place(line: int | np.int64) -> str:
     """Return a line of the file as the place of a fault."""
     return f"line {line}"
 
@@ -169,35 +192,33 @@ def _targets(sections: Sections, marks: DecimalMarks) -> list[float]:
     return targets
 
 
-def _rows(
-    sections: Sections, marks: DecimalMarks, faults: FaultList
-) -> dict[int, list[tuple[int, float, int]]]:
-    rows: defaultdict[int, list[tuple[int, float, int]]] = defaultdict(list)
+def _rows(sections: Sections, marks: DecimalMarks, faults: FaultList) -> dict[int, _Rows]:
+    """Return the rows by run, in ascending order of the runs."""
+    table = Gathered(3)
     for number, text in sections.lines.get(_ROWS, ()):
-        if _ROW_HEADER.fullmatch(text):
-            continue
-        row = _row((number, text), marks, faults)
-        if row is not None:
-            run, index, value = row
-            rows[run].append((index, value, number))
-    return dict(sorted(rows.items()))
-
-
-def _row(line: Line, marks: DecimalMarks, faults: FaultList) -> tuple[int, int, float] | None:
-    number, text = line
-    cells = text.split()
-    try:
-        run, index, written = parse_count(cells[0]), parse_count(cells[1]), *cells[2:]
-    except (ValueError, IndexError):
-        faults.add(
-            "is no row of run, target and deviation",
-            place=place(number),
-            expected="such as '1  1  0.3'",
-            found=shown(text),
-        )
-        return None
-    value = marks.parse(written, place=place(number), column="deviations")
-    return None if value is None else (run, index, value)
+        cells = text.split()
+        if len(cells) == 3 and _INDICES.fullmatch(f"{cells[0]} {cells[1]}"):
+            table.add(number, cells)
+        elif not _ROW_HEADER.fullmatch(text):
+            faults.add(
+                "is no row of run, target and deviation",
+                place=place(number),
+                expected="such as '1  1  0.3'",
+                found=shown(text),
+            )
+    lines = np.array(table.lines, dtype=np.int64)
+    runs, indices, written = table.columns()
+    values = marks.parse_all(written, lines, lambda index: place(lines[index]), "deviations")
+    found = np.flatnonzero(np.isfinite(values))
+    numbers = np.fromiter(map(int, runs), np.int64, lines.size)[found]
+    targets = np.fromiter(map(int, indices), np.int64, lines.size)
+    order = np.argsort(numbers, kind="stable")
+    ends = np.flatnonzero(np.diff(numbers[order])) + 1
+    return {
+        int(runs[ours[0]]): _Rows(targets[ours], values[ours], lines[ours])
+        for ours in np.split(found[order], ends)
+        if ours.size
+    }
 
 
 def _count(sections: Sections, section: str, key: str, faults: FaultList) -> int | None:
@@ -225,21 +246,21 @@ def _check_counts(sections: Sections, runs: _Runs, faults: FaultList) -> None:
     if not runs.rows:
         faults.add("holds no readings", expected="rows below 'Run Target Data:' in DEVIATIONS::")
     for run, rows in runs.rows.items():
-        for index, _, line in rows:
-            if index > len(runs.targets) > 0:
-                faults.add(
-                    "names a target that is not there",
-                    place=place(line),
-                    expected=f"1 to {len(runs.targets)}",
-                    found=str(index),
-                )
-            if runs.promised is not None and run > runs.promised:
-                faults.add(
-                    "names a run that is not there",
-                    place=place(line),
-                    expected=f"1 to {runs.promised} (Run-count)",
-                    found=str(run),
-                )
+        beyond = rows.indices > len(runs.targets) if runs.targets else rows.indices < 0
+        for index, line in zip(rows.indices[beyond], rows.lines[beyond], strict=True):
+            faults.add(
+                "names a target that is not there",
+                place=place(line),
+                expected=f"1 to {len(runs.targets)}",
+                found=str(index),
+            )
+        for line in rows.lines if runs.promised is not None and run > runs.promised else ():
+            faults.add(
+                "names a run that is not there",
+                place=place(line),
+                expected=f"1 to {runs.promised} (Run-count)",
+                found=str(run),
+            )
 
 
 def _directions(
@@ -276,7 +297,7 @@ def _directions(
         wrong = next(run for run in (*odd, *even) if runs.order(run) < 0)
         faults.add(
             "the order of its rows contradicts its direction",
-            place=place(runs.rows[wrong][0][2]),
+            place=place(runs.rows[wrong].lines[0]),
             expected="rows from the first target to the last in odd runs, and in all runs of a test"
             " in one direction (Flags: 0 1 2 0)",
             found=f"run {wrong} from the last target to the first",
@@ -365,7 +386,7 @@ def _unit(
     factor = units[_UNIT[kind]]
     if kind is AxisKind.LINEAR:
         return factor, ("unit: um",), None
-    largest = max(abs(value) for rows in runs.rows.values() for _, value, _ in rows)
+    largest = max(float(np.max(np.abs(rows.values))) for rows in runs.rows.values())
     if 0.0 < largest < _LEAST_MICRORADIAN:
         faults.add(
             "nothing in the file tells the unit of its angles, and its numbers are too small to be"

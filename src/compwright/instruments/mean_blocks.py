@@ -16,12 +16,13 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.instruments.answers import Answers
-from compwright.instruments.assembling import Reading, as_text
+from compwright.instruments.assembling import as_text
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.foreign_units import LENGTHS
 from compwright.instruments.numbers import DecimalMarks
 from compwright.instruments.parsed import Parsed
 from compwright.instruments.reading_findings import cut_finding, falling_finding
+from compwright.instruments.readings import readings_at
 from compwright.instruments.sections import (
     check_units,
     header_of,
@@ -74,11 +75,15 @@ def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -
     listed = list(out)
     rising = len(listed) < 2 or listed[-1] > listed[0]
     directions = (Direction.POSITIVE, Direction.NEGATIVE)[:: 1 if rising else -1]
-    readings = [
-        Reading(position + 0.0, direction, 1, value * factor, f"line {line}")
+    rows = [
+        (line, position, direction is Direction.POSITIVE, value)
         for direction, block in zip(directions, (out, back), strict=True)
         for position, (value, line) in block.items()
     ]
+    lines, positions, positive, values = zip(*rows, strict=True)
+    readings = readings_at(
+        lines, positions, positive, [1] * len(rows), np.array(values, dtype=np.float64) * factor
+    )
     header = header_of(sections, ["HEADER", "USER-TEXT", "EQUIPMENT"])
     assumed = [] if answers.unit else ["unit: mm"]
     assumed += [] if answers.sign else ["deviation: measured minus target"]
@@ -92,7 +97,7 @@ def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -
     ]
     return Parsed(
         kind=AxisKind.LINEAR,
-        readings=tuple(readings),
+        readings=readings,
         header=with_axis(header, sections.value("USER-TEXT", "Axis")[0]),
         assumed=tuple(assumed),
         findings=tuple(

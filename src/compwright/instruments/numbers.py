@@ -5,9 +5,14 @@ throughout a file.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.readings import IntArray
+from compwright.records.axis import FloatArray
 
 #: Typographic minus (U+2212), which word processors put in the place of the hyphen.
 TYPOGRAPHIC_MINUS = "\u2212"
@@ -21,6 +26,10 @@ _COULD_BE_THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2}(?:[.,][0-9]{3})+")
 _THOUSANDS = re.compile(r"[+-]?[0-9]{1,3}(?:[.,'’ \u00a0\u202f][0-9]{3})+(?:[.,][0-9]*)?")
 _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity|1\.?#\w+|#num!?|∞)", re.IGNORECASE)
 _INTEGER = re.compile(r"[0-9]{1,9}")
+#: Numbers that need no second look: short, and with one decimal mark if any.
+_PLAIN = {
+    mark: re.compile(rf"[+-]?[0-9]{{1,9}}(?:{re.escape(mark)}[0-9]{{1,12}})?") for mark in ".,"
+}
 
 
 def parse_number(text: str) -> float:
@@ -55,11 +64,48 @@ def parse_count(text: str) -> int:
     return int(stripped)
 
 
+def plain_numbers(cells: Sequence[str], mark: str) -> FloatArray | None:
+    """Return the numbers (n,) in cells that are all short and have no other decimal mark than
+    ``mark``, as `parse_number` reads them; None where a cell is anything else.
+    """
+    if not all(map(_PLAIN[mark].fullmatch, cells)):
+        return None
+    texts = cells if mark == "." else [text.replace(mark, ".") for text in cells]
+    return np.fromiter(map(float, texts), np.float64, len(texts))
+
+
+def counts_of(
+    cells: Sequence[str], place: Callable[[int], str], what: str, faults: FaultList
+) -> IntArray:
+    """Return the whole numbers of at least 1 in the cells of a column, 0 where one is none, after
+    noting the fault.
+    """
+    known: dict[str, int] = {}
+    reasons: dict[str, str] = {}
+    for text in set(cells):
+        try:
+            known[text] = parse_count(text)
+        except ValueError as reason:
+            known[text], reasons[text] = 0, str(reason)
+    if reasons:
+        for index, text in enumerate(cells):
+            if text in reasons:
+                faults.add(
+                    f"{what} {reasons[text]}",
+                    place=place(index),
+                    expected="1, 2, 3, ...",
+                    found=shown(text),
+                )
+    return np.fromiter(map(known.__getitem__, cells), np.int64, len(cells))
+
+
 @dataclass(slots=True)
 class _Marked:
     """The numbers of a file that carry one decimal mark."""
 
     count: int = 0
+    #: Line (0 where it is not counted) and place of the first.
+    line: int = 0
     place: str = ""
     text: str = ""
     #: Whether one of them can only be a decimal fraction.
@@ -106,6 +152,52 @@ class DecimalMarks:
         )
         seen.columns.add(column)
         return value
+
+    def parse_all(
+        self,
+        cells: Sequence[str],
+        lines: Sequence[int] | IntArray,
+        place: Callable[[int], str],
+        column: str,
+        expected: str = "a number",
+    ) -> FloatArray:
+        """Return the numbers (n,) in the cells of a column, each as `parse` reads it, NaN after
+        noting a fault; ``place`` of a cell by its index.
+        """
+        for mark in _PLAIN:
+            plain = plain_numbers(cells, mark)
+            if plain is not None:
+                self._see(mark, cells, lines, place, column)
+                return plain
+        found = (
+            self.parse(text, place=place(index), column=column, expected=expected)
+            for index, text in enumerate(cells)
+        )
+        numbers = (np.nan if value is None else value for value in found)
+        return np.fromiter(numbers, np.float64, len(cells))
+
+    def _see(
+        self,
+        mark: str,
+        cells: Sequence[str],
+        lines: Sequence[int] | IntArray,
+        place: Callable[[int], str],
+        column: str,
+    ) -> None:
+        """Note the marks of plain numbers, as `parse` does one by one."""
+        at = [index for index, text in enumerate(cells) if mark in text]
+        if len(at) < len(cells):
+            self._unmarked_columns.add(column)
+        if not at:
+            return
+        seen = self._marked[mark]
+        if not seen.count or lines[at[0]] < seen.line:
+            seen.line, seen.place, seen.text = lines[at[0]], place(at[0]), cells[at[0]]
+        seen.count += len(at)
+        seen.proven = seen.proven or not all(
+            _COULD_BE_THOUSANDS.fullmatch(cells[index]) for index in at
+        )
+        seen.columns.add(column)
 
     def check(self, *, comma_is_delimiter: bool = False) -> None:
         """Note a fault when points and commas are mixed, the comma is the delimiter too, or it may

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from compwright.foundations.findings import Finding
-from compwright.instruments.assembling import Reading
+from compwright.instruments.readings import Readings
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import Cycle
 
@@ -22,7 +22,7 @@ class Parsed:
     """
 
     kind: AxisKind
-    readings: tuple[Reading, ...]
+    readings: Readings
     header: Mapping[str, str] = field(default_factory=dict)
     cycle: Cycle | None = None
     assumed: tuple[str, ...] = ()

@@ -12,8 +12,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from compwright.foundations.units import TO_INSIDE
-from compwright.instruments.assembling import Reading
 from compwright.instruments.comments import Comments, sign_of
 from compwright.instruments.csv_table import (
     COLUMNS,
@@ -25,9 +26,10 @@ from compwright.instruments.csv_table import (
     traverse_of,
 )
 from compwright.instruments.fault_list import FaultList, shown
-from compwright.instruments.numbers import DecimalMarks, parse_count
+from compwright.instruments.numbers import DecimalMarks, counts_of
 from compwright.instruments.parts import AXIS_COLUMN
-from compwright.records.axis import AxisKind, Direction
+from compwright.instruments.readings import IntArray, Readings, readings_at
+from compwright.records.axis import AxisKind
 
 _KIND_OF_TARGET = {"target_mm": AxisKind.LINEAR, "target_deg": AxisKind.ROTARY}
 #: Columns of values; the unit is the last part of the name.
@@ -49,7 +51,7 @@ class CsvReadings:
     """
 
     kind: AxisKind
-    readings: tuple[Reading, ...]
+    readings: Readings
     measured: bool = False
     sign_said: bool = False
     left_out: tuple[str, ...] = ()
@@ -95,7 +97,7 @@ def read_csv(table: Table, comments: Comments, faults: FaultList) -> CsvReadings
     marks.check(comma_is_delimiter=table.delimiter == ",")
     return CsvReadings(
         kind=_KIND_OF_TARGET[target],
-        readings=tuple(readings),
+        readings=readings,
         measured=value.startswith("measured"),
         sign_said=sign is not None,
         left_out=tuple(column for column in table.columns if column not in (*used, AXIS_COLUMN)),
@@ -266,28 +268,42 @@ def _wide_factor(target: str, comments: Comments, faults: FaultList) -> float:
 
 def _long(
     table: Table, columns: tuple[str, str], sign: float, marks: DecimalMarks, faults: FaultList
-) -> list[Reading]:
+) -> Readings:
     target, value = columns
-    where = {name: table.columns.index(name) for name in (target, "direction", "run", value)}
     factor = TO_INSIDE[value.rpartition("_")[2]][1]
-    absolute = value.startswith("measured")
-    readings = []
-    for row in table.rows:
-        cell = {name: row.cells[index] for name, index in where.items()}
-        position = marks.parse(cell[target], place=_place(row.line, target), column=target)
-        direction = _direction(cell["direction"], row.line, faults)
-        run = _run(cell["run"], row.line, faults)
-        number = marks.parse(
-            cell[value],
-            place=_place(row.line, value),
-            column=value,
-            expected="a number, or no row for a reading that was not made",
-        )
-        if position is None or direction is None or run is None or number is None:
-            continue
-        deviation = number * factor - position if absolute else sign * (number * factor)
-        readings.append(Reading(position + 0.0, direction, run, deviation, f"line {row.line}"))
-    return readings
+    positions = marks.parse_all(table.of(target), table.lines, table.place(target), target)
+    signs = _signs(table, faults)
+    runs = counts_of(table.of("run"), table.place("run"), "run", faults)
+    numbers = marks.parse_all(
+        table.of(value),
+        table.lines,
+        table.place(value),
+        value,
+        "a number, or no row for a reading that was not made",
+    )
+    if value.startswith("measured"):
+        deviations = numbers * factor - positions
+    else:
+        deviations = sign * (numbers * factor)
+    readings = readings_at(table.lines, positions, signs > 0, runs, deviations)
+    whole = np.isfinite(deviations) & np.isfinite(positions) & (runs > 0) & (signs != 0)
+    return readings if whole.all() else readings.only(whole)
+
+
+def _signs(table: Table, faults: FaultList) -> IntArray:
+    """Return +1 or -1 for the direction of each row, 0 after noting a fault."""
+    cells, place = table.of("direction"), table.place("direction")
+    known = {text: {"+": 1, "-": -1}.get(plain_signs(text), 0) for text in set(cells)}
+    if 0 in known.values():
+        for index, text in enumerate(cells):
+            if not known[text]:
+                faults.add(
+                    "direction is neither + nor -",
+                    place=place(index),
+                    expected="+ or -",
+                    found=shown(text),
+                )
+    return np.fromiter(map(known.__getitem__, cells), np.int64, len(cells))
 
 
 def _wide(
@@ -296,62 +312,51 @@ def _wide(
     factor: float,
     marks: DecimalMarks,
     faults: FaultList,
-) -> list[Reading]:
+) -> Readings:
     target, traverses = columns
-    at = table.columns.index(target)
-    where = [
-        (column, table.columns.index(column), Direction(sign), run)
-        for column, (sign, run) in traverses.items()
-    ]
-    lines: dict[float, int] = {}
-    readings = []
-    for row in table.rows:
-        position = marks.parse(row.cells[at], place=_place(row.line, target), column=target)
-        if position is not None and lines.setdefault(position, row.line) != row.line:
-            faults.add(
-                "a target is given twice",
-                place=_place(row.line, target),
-                expected="one row per target",
-                found=f"{shown(row.cells[at])} also in line {lines[position]}",
-            )
-            continue  # its readings would each be told as given twice
-        for column, index, direction, run in where:
-            if not row.cells[index]:
-                continue
-            place = _place(row.line, column)
-            number = marks.parse(
-                row.cells[index],
-                place=place,
-                column="traverses",
-                expected="a number, or an empty cell for a reading not made",
-            )
-            if position is not None and number is not None:
-                readings.append(Reading(position + 0.0, direction, run, number * factor, place))
-    return readings
+    names = list(traverses)
+    positions = marks.parse_all(table.of(target), table.lines, table.place(target), target)
+    rows = _rows_of_new_targets(table, target, positions.tolist(), faults)
+    of = [table.of(name) for name in names]
+    made = [(row, index) for row in rows for index in range(len(names)) if of[index][row]]
+    row, column = np.array(made, dtype=np.int64).reshape(-1, 2).T
+    lines = np.array(table.lines, dtype=np.int64)[row]
 
+    def place(index: int) -> str:
+        return f"line {lines[index]}, column {names[column[index]]}"
 
-def _place(line: int, column: str) -> str:
-    return f"line {line}, column {column}"
-
-
-def _direction(text: str, line: int, faults: FaultList) -> Direction | None:
-    sign = plain_signs(text)
-    if sign in {"+", "-"}:
-        return Direction(sign)
-    faults.add(
-        "direction is neither + nor -",
-        place=_place(line, "direction"),
-        expected="+ or -",
-        found=shown(text),
+    cells = [of[index][row] for row, index in made]
+    numbers = marks.parse_all(
+        cells,
+        lines,
+        place,
+        "traverses",
+        "a number, or an empty cell for a reading not made",
     )
-    return None
+    signs = np.array([sign == "+" for sign, _ in traverses.values()], dtype=np.bool_)
+    runs = np.array([run for _, run in traverses.values()], dtype=np.int64)
+    readings = Readings(positions[row] + 0.0, signs[column], runs[column], numbers * factor, place)
+    whole = np.isfinite(readings.targets) & np.isfinite(numbers)
+    return readings if whole.all() else readings.only(whole)
 
 
-def _run(text: str, line: int, faults: FaultList) -> int | None:
-    try:
-        return parse_count(text)
-    except ValueError as reason:
+def _rows_of_new_targets(
+    table: Table, target: str, positions: Sequence[float], faults: FaultList
+) -> list[int]:
+    """Return the rows but those whose target stands above already, after noting the fault: their
+    readings would each be told as given twice.
+    """
+    first: dict[float, int] = {}
+    rows = []
+    for row, position in enumerate(positions):
+        above = first.setdefault(position, row) if position == position else row
+        if above == row:
+            rows.append(row)
+            continue
         faults.add(
-            f"run {reason}", place=_place(line, "run"), expected="1, 2, 3, ...", found=shown(text)
+            "a target is given twice",
+            place=table.place(target)(row),
+            expected="one row per target",
+            found=f"{shown(table.of(target)[row])} also in line {table.lines[above]}",
         )
-        return None
+    return rows

@@ -123,10 +123,10 @@ def _as_written(proposal: Proposal) -> list[str]:
     keys, told = proposal.keys, []
     names = [keys.get(key) for key in ("target", "value", "direction", "run")]
     names += list(keys.get("traverses") or ())[:2]
-    at = {name: index for index, name in enumerate(proposal.table.columns)}
-    for row in proposal.table.rows[:3]:
-        cells = [f"{name} = {row.cells[at[name]]}" for name in names if name in at]
-        told.append(f"line {row.line} says: {', '.join(cells or row.cells)}")
+    table = proposal.table
+    for row, line in enumerate(table.lines[:3]):
+        cells = [f"{name} = {table.of(name)[row]}" for name in names if name in table.columns]
+        told.append(f"line {line} says: {', '.join(cells or [of[row] for of in table.cells])}")
     return told
 
 

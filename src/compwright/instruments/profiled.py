@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -10,8 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from compwright.foundations.findings import Finding
-from compwright.instruments.assembling import Reading, as_text
-from compwright.instruments.csv_table import Row
+from compwright.instruments.assembling import as_text
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.foreign_table import (
     ForeignTable,
@@ -21,13 +21,14 @@ from compwright.instruments.foreign_table import (
 )
 from compwright.instruments.foreign_units import ANGLES, LENGTHS
 from compwright.instruments.header_words import axis_above, difference_of, said_unit, unit_of
-from compwright.instruments.numbers import parse_number
+from compwright.instruments.numbers import parse_number, plain_numbers
 from compwright.instruments.parsed import Parsed
 from compwright.instruments.parts import Part, parts_by_axis
 from compwright.instruments.profile import Profile
 from compwright.instruments.reading_findings import left_out_finding
+from compwright.instruments.readings import Readings, readings_at
 from compwright.instruments.worked_rows import read_so_finding
-from compwright.records.axis import Direction
+from compwright.records.axis import Direction, FloatArray
 
 _COUNT = re.compile(r"[^0-9]*([0-9]{1,9})[^0-9]*")
 _LISTED = 5
@@ -35,17 +36,17 @@ _LOOKED_AT = 200  # lines of a file that may hold its header row
 _SAME_STEP = 1e-4  # mm, deg: rounding of printed positions
 
 
-@dataclass(frozen=True, slots=True)
-class _Row:
-    """What one row says: target and deviation in mm or deg, what its direction and run columns
-    hold.
+@dataclass(frozen=True, slots=True, eq=False)
+class _Rows:
+    """What rows say: targets and deviations (n,) in mm or deg, what their direction and run columns
+    hold, and their lines.
     """
 
-    target: float
-    deviation: float
-    direction: str
-    run: str
-    line: int
+    targets: FloatArray
+    deviations: FloatArray
+    directions: Sequence[str]
+    runs: Sequence[str]
+    lines: Sequence[int]
 
 
 def at_its_header(text: Sequence[str], profile: Profile) -> Profile:
@@ -96,8 +97,9 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
     _refuse_contradictions(table.before, axis, profile, faults)
     faults.raise_if_any()
     cells = _Cells(table, profile, faults)
-    unused = [row for row in table.rows if not _has_digit(cells.text(row, profile.target))]
-    rows = [row for row in table.rows if _has_digit(cells.text(row, profile.target))]
+    numbered = list(map(_has_digit, table.of(profile.target)))
+    unused = [row for row, used in enumerate(numbered) if not used]
+    rows = [row for row, used in enumerate(numbered) if used]
     if profile.layout == "wide":
         readings = _wide(rows, cells, profile)
     else:
@@ -109,13 +111,13 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
     ]
     about = (
         left_out_finding(left),
-        _unused(unused, profile),
+        _unused(unused, table, profile),
         read_so_finding(readings, profile.kind, f"the profile {profile.file}"),
     )
     header = {"comment": "\n".join(table.before)} if table.before else {}
     return Parsed(
         kind=profile.kind,
-        readings=tuple(readings),
+        readings=readings,
         header={**header, **({"axis": profile.axis or axis} if profile.axis or axis else {})},
         cycle=profile.cycle,
         findings=tuple(finding for finding in about if finding is not None),
@@ -150,8 +152,8 @@ def profiled_parts(text: Sequence[str], profile: Profile, faults: FaultList) -> 
         return (Part(text),)
     table = foreign_table(text, profile.delimiter, profile.header_line, FaultList(""))
     column = table.columns.index(profile.axis_column)
-    target = table.columns.index(profile.target)
-    rows = [row.line for row in table.rows if _has_digit(row.cells[target])]
+    targets = zip(table.lines, table.of(profile.target), strict=True)
+    rows = [line for line, target in targets if _has_digit(target)]
     return parts_by_axis(text, profile.delimiter, (profile.header_line, column), rows, faults)
 
 
@@ -165,25 +167,36 @@ def _wanted(profile: Profile) -> list[str]:
 
 
 def _has_digit(text: str) -> bool:
-    return any(character.isdigit() for character in text)
+    return any(map(str.isdigit, text))
 
 
 class _Cells:
     """Cells by the name of their column, and as numbers with the decimal mark of the profile."""
 
     def __init__(self, table: ForeignTable, profile: Profile, faults: FaultList) -> None:
-        self.at = {name: index for index, name in enumerate(table.columns)}
-        self.rows, self.profile, self.faults = table.rows, profile, faults
+        self.table, self.profile, self.faults = table, profile, faults
 
-    def text(self, row: Row, name: str) -> str:
-        return row.cells[self.at[name]] if name else ""
+    def text(self, rows: Sequence[int], name: str) -> list[str]:
+        """Return the cells of a column in these rows, empty ones where it has no name."""
+        if not name:
+            return [""] * len(rows)
+        cells = self.table.of(name)
+        return [cells[row] for row in rows]
 
     def filled(self, name: str) -> bool:
-        return any(row.cells[self.at[name]] for row in self.rows)
+        return any(self.table.of(name))
 
-    def number(self, row: Row, name: str) -> float | None:
-        text = self.text(row, name)
-        place = f"line {row.line}, column {name}"
+    def numbers(self, rows: Sequence[int], name: str) -> FloatArray:
+        """Return the numbers (n,) of a column in these rows, NaN after noting a fault."""
+        texts = self.text(rows, name)
+        plain = plain_numbers(texts, self.profile.decimal)
+        if plain is not None:
+            return plain
+        found = (self._number(row, name, text) for row, text in zip(rows, texts, strict=True))
+        return np.fromiter(found, np.float64, len(texts))
+
+    def _number(self, row: int, name: str, text: str) -> float:
+        place = f"line {self.table.lines[row]}, column {name}"
         other = {".": ",", ",": "."}[self.profile.decimal]
         if other in text and _has_digit(text):
             mark = {".": "point", ",": "comma"}
@@ -193,82 +206,92 @@ class _Cells:
                 expected="one decimal mark throughout, no thousands marks",
                 found=shown(text),
             )
-            return None
+            return np.nan
         try:
             return parse_number(text)
         except ValueError as reason:
             self.faults.add(str(reason), place=place, expected="a number", found=shown(text))
-            return None
+            return np.nan
 
-    def deviation(self, row: Row, name: str, target: float) -> float | None:
-        """Return measured minus target in mm or deg of the value in a column; ``target`` in mm or
-        deg.
+    def targets(self, rows: Sequence[int]) -> FloatArray:
+        """Return the targets (n,) in mm or deg."""
+        return self.numbers(rows, self.profile.target) * _factor(self.profile.target_unit) + 0.0
+
+    def deviations(self, rows: Sequence[int], name: str, targets: FloatArray) -> FloatArray:
+        """Return measured minus target (n,) in mm or deg of the values in a column; ``targets`` in
+        mm or deg.
         """
-        number = self.number(row, name)
-        if number is None:
-            return None
-        value = number * _factor(self.profile.unit or "")
+        values = self.numbers(rows, name) * _factor(self.profile.unit or "")
         if self.profile.measured:
-            return value - target
-        return -value if self.profile.sign == "target minus measured" else value
+            return values - targets
+        return -values if self.profile.sign == "target minus measured" else values
 
 
 def _factor(unit: str) -> float:
     return {**LENGTHS, **ANGLES}[unit]
 
 
-def _wide(rows: Sequence[Row], cells: _Cells, profile: Profile) -> list[Reading]:
-    readings = []
-    for row in rows:
-        number = cells.number(row, profile.target)
-        if number is None:
-            continue
-        target = number * _factor(profile.target_unit) + 0.0
-        for column, (direction, run) in profile.traverses.items():
-            if not cells.text(row, column):
-                continue
-            deviation = cells.deviation(row, column, target)
-            if deviation is not None:
-                place = f"line {row.line}, column {column}"
-                readings.append(Reading(target, direction, run, deviation, place))
-    return readings
+def _wide(rows: Sequence[int], cells: _Cells, profile: Profile) -> Readings:
+    targets = cells.targets(rows)
+    lines = np.array([cells.table.lines[row] for row in rows], dtype=np.int64)
+    names = list(profile.traverses)
+    blocks = []
+    for column, name in enumerate(names):
+        texts = cells.text(rows, name)
+        made = np.array([bool(text) for text in texts], dtype=np.bool_) & np.isfinite(targets)
+        here = np.flatnonzero(made)
+        used = [rows[index] for index in here.tolist()]
+        values = cells.deviations(used, name, targets[here])
+        blocks.append((here, np.full(here.size, column), values))
+    at, columns, deviations = (np.concatenate(parts) for parts in zip(*blocks, strict=True))
+    order = np.lexsort((columns, at))  # row by row, as in the file
+    order = order[np.isfinite(deviations[order])]
+    at, columns, deviations = at[order], columns[order], deviations[order]
+    ways = list(profile.traverses.values())
+    return Readings(
+        targets[at],
+        np.array([way is Direction.POSITIVE for way, _ in ways], dtype=np.bool_)[columns],
+        np.array([run for _, run in ways], dtype=np.int64)[columns],
+        deviations,
+        lambda index: f"line {lines[at[index]]}, column {names[columns[index]]}",
+    )
 
 
-def _long(rows: Sequence[Row], cells: _Cells, profile: Profile, faults: FaultList) -> list[Reading]:
-    taken = []
+def _long(rows: Sequence[int], cells: _Cells, profile: Profile, faults: FaultList) -> Readings:
+    targets = cells.targets(rows)
+    values = cells.text(rows, profile.value)
+    # an empty value is a reading that was not made; `plausibility` counts them
+    made = np.array([bool(text) for text in values], dtype=np.bool_) & np.isfinite(targets)
+    rows, targets = [rows[index] for index in np.flatnonzero(made).tolist()], targets[made]
+    deviations = cells.deviations(rows, profile.value, targets)
+    whole = np.isfinite(deviations)
+    rows = [rows[index] for index in np.flatnonzero(whole).tolist()]
     by_column = profile.direction_from == "column"
-    for row in rows:
-        number = cells.number(row, profile.target)
-        if number is None or not cells.text(row, profile.value):
-            continue  # an empty value is a reading that was not made; `plausibility` counts them
-        target = number * _factor(profile.target_unit) + 0.0
-        deviation = cells.deviation(row, profile.value, target)
-        if deviation is not None:
-            direction = cells.text(row, profile.direction if by_column else "")
-            run = cells.text(row, profile.run)
-            taken.append(_Row(target, deviation, direction, run, row.line))
+    taken = _Rows(
+        targets[whole],
+        deviations[whole],
+        cells.text(rows, profile.direction if by_column else ""),
+        cells.text(rows, profile.run),
+        [cells.table.lines[row] for row in rows],
+    )
     _refuse_steps(taken, profile, faults)
     directions = list(_directions(taken, profile, faults))
-    if None in directions:
-        return []
     told = [direction for direction in directions if direction is not None]
-    runs = _runs(taken, told, profile, faults)
-    return [
-        Reading(row.target, direction, run, row.deviation, f"line {row.line}")
-        for row, direction, run in zip(taken, told, runs, strict=True)
-        if run is not None
-    ]
+    if len(told) < len(directions):
+        rows, told = [], []
+        taken = _Rows(np.empty(0), np.empty(0), (), (), ())
+    runs = np.array(_runs(taken, told, profile, faults), dtype=np.int64)
+    positive = [direction is Direction.POSITIVE for direction in told]
+    readings = readings_at(taken.lines, taken.targets, positive, runs, taken.deviations)
+    return readings if runs.all() else readings.only(runs > 0)
 
 
-def _refuse_steps(rows: Sequence[_Row], profile: Profile, faults: FaultList) -> None:
+def _refuse_steps(rows: _Rows, profile: Profile, faults: FaultList) -> None:
     """Note values that are the distances of the targets: some programs print them beside."""
-    steps = [b.target - a.target for a, b in pairwise(rows)]
-    if profile.measured or len(steps) < 2 or not any(steps):
+    steps = np.diff(rows.targets)
+    if profile.measured or steps.size < 2 or not np.any(steps):
         return
-    if all(
-        abs(abs(row.deviation) - abs(step)) <= _SAME_STEP
-        for row, step in zip(rows[1:], steps, strict=True)
-    ):
+    if np.all(np.abs(np.abs(rows.deviations[1:]) - np.abs(steps)) <= _SAME_STEP):
         faults.add(
             "the values are the distances between the targets, not deviations",
             place=f"column {profile.value}",
@@ -276,97 +299,96 @@ def _refuse_steps(rows: Sequence[_Row], profile: Profile, faults: FaultList) -> 
         )
 
 
-def _directions(
-    rows: Sequence[_Row], profile: Profile, faults: FaultList
-) -> Iterator[Direction | None]:
+def _directions(rows: _Rows, profile: Profile, faults: FaultList) -> Iterator[Direction | None]:
     if profile.direction_from in {"+", "-"}:
-        yield from [Direction(profile.direction_from)] * len(rows)
+        yield from [Direction(profile.direction_from)] * len(rows.lines)
         return
     if profile.direction_from == "order":
         yield from _by_order(rows, faults)
         return
-    for row in rows:
-        direction = profile.directions.get(row.direction.casefold())
-        if direction is None:
+    known = {word: profile.directions.get(word.casefold()) for word in set(rows.directions)}
+    for line, word in zip(rows.lines, rows.directions, strict=True):
+        if known[word] is None:
             faults.add(
                 "the direction is none of the words of the profile",
-                place=f"line {row.line}, column {profile.direction}",
+                place=f"line {line}, column {profile.direction}",
                 expected=", ".join(profile.directions),
-                found=shown(row.direction),
+                found=shown(word),
             )
-        yield direction
+        yield known[word]
 
 
-def traverses_of(targets: Sequence[float]) -> list[slice]:
-    """Return the traverses of targets in the order of time: a new one begins where a target follows
-    itself.
+def traverses_of(targets: FloatArray) -> list[slice]:
+    """Return the traverses of targets (n,) in the order of time: a new one begins where a target
+    follows itself.
     """
-    ends = [index for index, (a, b) in enumerate(pairwise(targets), start=1) if a == b]
+    ends = (np.flatnonzero(np.diff(targets) == 0.0) + 1).tolist()
     return [slice(a, b) for a, b in pairwise([0, *ends, len(targets)])]
 
 
-def _by_order(rows: Sequence[_Row], faults: FaultList) -> Iterator[Direction | None]:
+def _by_order(rows: _Rows, faults: FaultList) -> Iterator[Direction | None]:
     """Yield the direction of each row: rising targets are approached from below, falling ones from
     above; the axis turns where a target follows itself.
     """
-    targets = [row.target for row in rows]
-    for part in traverses_of(targets):
-        steps = {int(np.sign(b - a)) for a, b in pairwise(targets[part])}
+    for part in traverses_of(rows.targets):
+        targets = rows.targets[part]
+        steps = np.unique(np.sign(np.diff(targets))).tolist()
         if len(steps) != 1:
             faults.add(
                 "the order of the rows does not tell the directions",
-                place=f"line {rows[part.start].line}" if part.stop > part.start else "",
+                place=f"line {rows.lines[part.start]}" if part.stop > part.start else "",
                 expected="targets up and down in turns, the one at each end twice",
-                found=f"targets {', '.join(map(as_text, targets[part][:6]))}",
+                found=f"targets {', '.join(map(as_text, targets[:6].tolist()))}",
             )
             yield from [None] * (part.stop - part.start)
         else:
-            direction = Direction.POSITIVE if steps.pop() > 0 else Direction.NEGATIVE
+            direction = Direction.POSITIVE if steps[0] > 0 else Direction.NEGATIVE
             yield from [direction] * (part.stop - part.start)
 
 
 def _runs(
-    rows: Sequence[_Row], directions: Sequence[Direction], profile: Profile, faults: FaultList
-) -> list[int | None]:
-    """Return the run of each row: by its column, or how often its target came in this direction."""
+    rows: _Rows, directions: Sequence[Direction], profile: Profile, faults: FaultList
+) -> list[int]:
+    """Return the run of each row: by its column, or how often its target came in this direction; 0
+    after noting a fault.
+    """
     if not profile.run:
-        times: dict[tuple[float, Direction], int] = {}
-        counted: list[int | None] = []
-        for row, direction in zip(rows, directions, strict=True):
-            key = (row.target, direction)
-            times[key] = times.get(key, 0) + 1
+        times: Counter[tuple[float, Direction]] = Counter()
+        counted = []
+        for key in zip(rows.targets.tolist(), directions, strict=True):
+            times[key] += 1
             counted.append(times[key])
         return counted
-    runs: list[int | None] = []
-    for row in rows:
-        match = _COUNT.fullmatch(row.run)
-        number = int(match[1]) if match else 0
-        if number < 1:
+    known = {text: _count(text) for text in set(rows.runs)}
+    runs = [known[text] for text in rows.runs]
+    for line, text, run in zip(rows.lines, rows.runs, runs, strict=True):
+        if not run:
             faults.add(
                 "the run holds not one number of at least 1",
-                place=f"line {row.line}, column {profile.run}",
+                place=f"line {line}, column {profile.run}",
                 expected="1, 2, 3, ..",
-                found=shown(row.run),
+                found=shown(text),
             )
-        runs.append(number or None)
     if profile.run_counts == "runs":
         return runs
-    ranks = {
-        direction: sorted(
-            {run for run, one in zip(runs, directions, strict=True) if run and one is direction}
-        )
-        for direction in Direction
-    }
-    return [
-        ranks[direction].index(run) + 1 if run else None
-        for run, direction in zip(runs, directions, strict=True)
-    ]
+    ways = list(zip(directions, runs, strict=True))
+    of = {one: sorted({run for way, run in ways if run and way is one}) for one in Direction}
+    ranks = {(one, run): rank for one in of for rank, run in enumerate(of[one], start=1)}
+    return [ranks.get(way, 0) for way in ways]
 
 
-def _unused(rows: Sequence[Row], profile: Profile) -> Finding | None:
+def _count(text: str) -> int:
+    match = _COUNT.fullmatch(text)
+    return int(match[1]) if match else 0
+
+
+def _unused(rows: Sequence[int], table: ForeignTable, profile: Profile) -> Finding | None:
     if not rows:
         return None
-    told = [f"{row.line} {shown('; '.join(filter(None, row.cells)))}" for row in rows[:_LISTED]]
+    told = []
+    for row in rows[:_LISTED]:
+        cells = filter(None, (column[row] for column in table.cells))
+        told.append(f"{table.lines[row]} {shown('; '.join(cells))}")
     more = f" and {len(rows) - _LISTED} more" if len(rows) > _LISTED else ""
     return Finding(
         "CW-R059",

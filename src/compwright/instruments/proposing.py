@@ -115,8 +115,8 @@ def _names(table: ForeignTable) -> str:
 def _decimal(table: ForeignTable, proposal: Proposal) -> str | None:
     marks = Counter(
         mark
-        for row in table.rows
-        for cell in row.cells
+        for column in table.cells
+        for cell in column
         if number_in(cell, None) is not None
         for mark in ".,"
         if mark in cell
@@ -134,10 +134,7 @@ class _Columns:
 
     def __init__(self, table: ForeignTable, decimal: str) -> None:
         self.table, self.decimal = table, decimal
-        self.texts = {
-            name: [row.cells[index] for row in table.rows]
-            for index, name in enumerate(table.columns)
-        }
+        self.texts = dict(zip(table.columns, table.cells, strict=True))
         self._numbers: dict[str, FloatArray] = {}
         self.roles: dict[str, Role | None] = {name: role_of(name) for name in table.columns}
 
@@ -346,7 +343,7 @@ def _order(columns: _Columns, target: str | None) -> str:
         return ""
     values = columns.numbers(target)
     values = values[np.isfinite(values)]
-    parts = traverses_of([float(one) for one in values])
+    parts = traverses_of(values)
     signs = [{int(np.sign(b - a)) for a, b in pairwise(values[part])} for part in parts]
     if len(parts) > 1 and all(len(sign) == 1 for sign in signs):
         return "turns" if all(a != b for a, b in pairwise(signs)) else ""

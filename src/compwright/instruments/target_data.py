@@ -14,10 +14,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice, pairwise
 
+import numpy as np
+
 from compwright.foundations.units import TO_INSIDE
-from compwright.instruments.assembling import Reading
 from compwright.instruments.fault_list import TOLD_PER_KIND, FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, parse_count
+from compwright.instruments.readings import Readings, readings_at
 from compwright.records.axis import AxisKind, Direction
 
 _ASSIGNMENT = re.compile(
@@ -38,7 +40,7 @@ class TargetData:
     """
 
     kind: AxisKind
-    readings: tuple[Reading, ...]
+    readings: Readings
     header: Mapping[str, str]
     unit_said: bool
     descending: bool
@@ -89,22 +91,20 @@ def read_target_data(lines: Sequence[tuple[int, str]], faults: FaultList) -> Tar
     marks.check()
     unit, factor = _unit(entries, faults)
     _check_complete(entries, faults)
-    readings = [
-        Reading(
-            entries.targets[i][0] * factor + 0.0,
-            direction,
-            j,
-            (value - entries.targets[i][0]) * factor,
-            f"line {line}",
-        )
+    rows = [
+        (line, entries.targets[i][0], direction is Direction.POSITIVE, j, value)
         for direction in Direction
         for (i, j), (value, line) in entries.readings[direction].items()
         if i in entries.targets
     ]
+    lines_of, targets, positive, runs, values = zip(*rows, strict=True) if rows else [()] * 5
+    measured, wanted = (np.array(column, dtype=np.float64) for column in (values, targets))
+    deviations = (measured - wanted) * factor
+    readings = readings_at(lines_of, wanted * factor, positive, runs, deviations)
     listed = [entries.targets[index][0] for index in sorted(entries.targets)]
     return TargetData(
         kind=AxisKind.LINEAR if unit == "mm" else AxisKind.ROTARY,
-        readings=tuple(readings),
+        readings=readings,
         header={key: value for key, (value, _) in entries.keys.items()},
         unit_said="UNIT" in entries.keys,
         descending=len(listed) > 1 and all(later < earlier for earlier, later in pairwise(listed)),

@@ -2,40 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.instruments.assembling import Reading, as_text
+from compwright.instruments.assembling import as_text
+from compwright.instruments.readings import Reading, Readings
 from compwright.records.axis import AxisKind, Direction
 
 _FROM = {Direction.POSITIVE: "approached from below", Direction.NEGATIVE: "approached from above"}
 _SHOWN = 3
 
 
-def worked_readings(readings: Sequence[Reading], kind: AxisKind) -> list[str]:
+def worked_readings(readings: Readings, kind: AxisKind) -> list[str]:
     """Return up to three readings in words: the largest deviation of each direction, and one of the
     middle target.
     """
     chosen: dict[str, Reading] = {}
-    for direction in Direction:
-        ours = [reading for reading in readings if reading.direction is direction]
-        if ours:
-            largest = max(ours, key=lambda reading: abs(reading.deviation))
-            chosen.setdefault(largest.place, largest)
-    middle = sorted(readings, key=lambda reading: (reading.target, reading.run))
-    for reading in middle[len(middle) // 2 :] + middle[: len(middle) // 2]:
+    for positive in (True, False):
+        ours = np.flatnonzero(readings.positive == positive)
+        if ours.size:
+            largest = ours[np.argmax(np.abs(readings.deviations[ours]))]
+            chosen.setdefault(readings.place(int(largest)), readings.one(int(largest)))
+    middle = np.lexsort((readings.runs, readings.targets))
+    for index in np.roll(middle, -(middle.size // 2)).tolist():
         if len(chosen) >= _SHOWN:
             break
-        chosen.setdefault(reading.place, reading)
+        chosen.setdefault(readings.place(index), readings.one(index))
     return [in_words(reading, kind) for reading in chosen.values()]
 
 
-def read_so_finding(readings: Sequence[Reading], kind: AxisKind, by: str = "") -> Finding | None:
+def read_so_finding(readings: Readings, kind: AxisKind, by: str = "") -> Finding | None:
     """Return the finding that tells readings in words, None where there are none; ``by``: what said
     how to read them.
     """
-    if not readings:
+    if not len(readings):
         return None
     told = "; ".join(worked_readings(readings, kind))
     return Finding("CW-R060", "info", f"Read{by and f' by {by}'}: {told}.")

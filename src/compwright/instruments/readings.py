@@ -1,0 +1,86 @@
+"""The readings of one test as columns: a file may hold a million of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from compwright.records.axis import Direction, FloatArray
+
+IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One approach: ``target`` and ``deviation`` (measured minus target) in mm or deg, and where in
+    the file it stands.
+    """
+
+    target: float
+    direction: Direction
+    run: int
+    deviation: float
+    place: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Readings:
+    """The approaches of one test in the order of the file: ``targets`` and ``deviations`` (n,) in
+    mm or deg, ``positive`` (n,) whether approached in direction +, ``runs`` (n,) from 1.
+
+    ``place`` tells where in the file a reading stands, by its index.
+    """
+
+    targets: FloatArray
+    positive: BoolArray
+    runs: IntArray
+    deviations: FloatArray
+    place: Callable[[int], str]
+
+    def __len__(self) -> int:
+        """Return how many there are."""
+        return int(self.targets.size)
+
+    def one(self, index: int) -> Reading:
+        """Return a reading by its index."""
+        return Reading(
+            float(self.targets[index]),
+            Direction.POSITIVE if self.positive[index] else Direction.NEGATIVE,
+            int(self.runs[index]),
+            float(self.deviations[index]),
+            self.place(index),
+        )
+
+    def only(self, chosen: BoolArray | IntArray) -> Readings:
+        """Return those that are chosen by a mask or by their indices, in that order."""
+        indices = np.arange(len(self))[chosen]
+        place = self.place
+        return Readings(
+            self.targets[indices],
+            self.positive[indices],
+            self.runs[indices],
+            self.deviations[indices],
+            lambda index: place(int(indices[index])),
+        )
+
+
+def readings_at(
+    lines: Sequence[int] | IntArray,
+    targets: Sequence[float] | FloatArray,
+    positive: Sequence[bool] | BoolArray,
+    runs: Sequence[int] | IntArray,
+    deviations: Sequence[float] | FloatArray,
+) -> Readings:
+    """Return readings of which each stands on a line of its own; all (n,), mm or deg."""
+    at = np.array(lines, dtype=np.int64)
+    return Readings(
+        np.array(targets, dtype=np.float64) + 0.0,  # no negative zero
+        np.array(positive, dtype=np.bool_),
+        np.array(runs, dtype=np.int64),
+        np.array(deviations, dtype=np.float64),
+        lambda index: f"line {at[index]}",
+    )
