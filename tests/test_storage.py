@@ -6,8 +6,7 @@ from __future__ import annotations
 
 import errno
 import os
-import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -197,13 +196,38 @@ def test_failure_while_putting_in_place_restores_what_was_there(
     assert tree(tmp_path) == before
 
 
-def test_full_disk_while_keeping_the_old_file(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("name", ["open", "write", "fsync", "chmod", "replace", "mkdir", "unlink"])
+def test_whatever_the_disk_refuses_everything_is_as_before(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
-    storage.write_files(tmp_path, {"x": b"old"})
-    monkeypatch.setattr(shutil, "copy2", failing(0, errno.ENOSPC, shutil.copy2))
-    faults_of(lambda: storage.write_files(tmp_path, {"new": b"1", "x": b"2"}, force=True))
-    assert tree(tmp_path) == {"x": b"old"}
+    """Each call of that name in turn, once; what had happened already (the journal is gone) stays,
+    and is whole too.
+    """
+    old = {"x": b"old", "set/y": b"old", "set/gone": b"old"}
+    new = {"x": b"new", "set/y": b"new", "sub/z": b"new"}
+    real = getattr(os, name)
+    for number in range(99):
+        folder, calls = tmp_path / str(number), iter(range(99))
+        storage.write_files(folder, old)
+        before = tree(folder)
+
+        def refusing(*arguments: object, calls: Iterator[int] = calls, at: int = number) -> object:
+            if next(calls) == at:
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+            return real(*arguments)
+
+        with monkeypatch.context() as patch:
+            patch.setattr(os, name, refusing)
+            try:
+                storage.write_files(folder, new, force=True, whole=["set"])
+            except StorageError as error:
+                assert os.strerror(errno.ENOSPC) in str(error)  # noqa: PT017 - not every one raises
+                assert tree(folder) == before
+        if tree(folder) != before:
+            assert {file: text for file, text in tree(folder).items() if text == b"new"} == new
+        if next(calls) < number:
+            break
+    assert number > 1
 
 
 def test_interruption_leaves_nothing_behind(
@@ -232,7 +256,7 @@ def test_target_never_holds_a_part_of_the_content(
 
     monkeypatch.setattr(os, "fsync", watching)
     storage.write_file(target, b"new", force=True)
-    assert seen == [b"old"]
+    assert seen == [b"old", b"new"]  # once for the content, once for the name
     assert target.read_bytes() == b"new"
 
 

@@ -1,21 +1,23 @@
 """The only code that touches the file system: read whole, write whole or not at all.
 
-Files are staged beside their target and then put in place by ``os.replace``; a failure on the way
-removes what was staged and puts back what was there before. Folders made on the way are removed
-too.
+What a command writes goes from old to new as one (`transaction`); a failure on the way puts back
+what was there before, and where the process itself was stopped, the next one that reads or writes
+there does (`recovery`).
 
 What a command has read is never overwritten or deleted by it, whatever name leads there (a link,
 another case of the letters, a way around through ``..``): see `command_inputs`.
 """
 
 from compwright.foundations.storage.hindrances import refuse_overwriting
-from compwright.foundations.storage.looking import (
+from compwright.foundations.storage.listing import (
     folders_holding,
     in_folders_of,
-    is_folder,
     is_there,
     list_files,
     matching,
+)
+from compwright.foundations.storage.looking import (
+    is_folder,
     named_from,
     relative,
     resolved,

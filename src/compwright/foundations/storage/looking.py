@@ -1,93 +1,11 @@
-"""What lies where, without reading it."""
+"""What lies at a name, by the file system alone."""
 
 from __future__ import annotations
 
-import glob
 import os
-from collections.abc import Sequence
 from pathlib import Path
 
 from compwright.foundations.command_inputs import Identity
-from compwright.foundations.errors import Fault, InputError
-from compwright.foundations.foreseen import foreseen_bytes
-
-
-def list_files(path: Path) -> list[Path]:
-    """Return ``[path]`` for a file or for nothing, and for a folder all in it but folders by name,
-    hidden ones left out.
-
-    What is no ordinary file (a pipe, a link to nowhere) is listed too: `read_bytes` says so. Raises
-    InputError when the folder cannot be listed.
-    """
-    try:
-        if not path.is_dir():
-            return [path]
-        return sorted(
-            entry for entry in path.iterdir() if not (entry.name.startswith(".") or entry.is_dir())
-        )
-    except (OSError, ValueError) as error:
-        raise InputError(
-            Fault(message="folder cannot be read", file=str(path), found=reason(error))
-        ) from error
-
-
-def in_folders_of(folder: Path, name: str) -> list[Path]:
-    """Return the files called ``name`` that lie in the folders of ``folder``, one level down; what
-    cannot be listed has none.
-    """
-    try:
-        return sorted(path for path in folder.glob(f"*/{name}") if path.is_file())
-    except OSError:
-        return []
-
-
-def folders_holding(top: Path, names: Sequence[str]) -> tuple[list[Path], list[Fault]]:
-    """Return ``top`` and the folders below it that hold a file of one of ``names``, in the order of
-    their names, and those that cannot be read; hidden folders and links to folders are left out.
-
-    Raises InputError where ``top`` is no folder.
-    """
-    if not is_folder(top):
-        raise InputError(
-            Fault(
-                message="is no folder",
-                file=str(top),
-                expected="a folder with results",
-                found="a file" if is_there(top) else "nothing",
-            )
-        )
-    found: list[Path] = []
-    faults: list[Fault] = []
-
-    def refused(error: OSError) -> None:
-        faults.append(
-            Fault(
-                message="folder cannot be read",
-                file=str(error.filename or top),
-                found=reason(error),
-            )
-        )
-
-    for folder, below, files in os.walk(top, onerror=refused):
-        below[:] = sorted(name for name in below if not name.startswith("."))
-        if not set(names).isdisjoint(files):
-            found.append(Path(folder))
-    return sorted(found), faults
-
-
-def resolved(path: Path) -> Path:
-    """Return ``path`` from the root, without links; as it is where it cannot be followed."""
-    try:
-        return path.resolve()
-    except (OSError, ValueError, RuntimeError):
-        return path
-
-
-def is_there(path: Path) -> bool:
-    """Whether there is a file, folder or link at ``path``; False for a name that no file can
-    have.
-    """
-    return foreseen_bytes(path) is not None or os.path.lexists(path)
 
 
 def is_folder(path: Path) -> bool:
@@ -96,6 +14,14 @@ def is_folder(path: Path) -> bool:
         return path.is_dir()
     except (OSError, ValueError):
         return False
+
+
+def resolved(path: Path) -> Path:
+    """Return ``path`` from the root, without links; as it is where it cannot be followed."""
+    try:
+        return path.resolve()
+    except (OSError, ValueError, RuntimeError):
+        return path
 
 
 def relative(path: Path, folder: Path) -> str:
@@ -127,20 +53,6 @@ def named_from(folder: Path, name: str) -> Path:
     short = Path(os.path.normpath(path))
     there = identity(path)
     return short if there is None or there == identity(short) else path
-
-
-def matching(pattern: str) -> list[str]:
-    """Return the paths that fit a pattern with ``*`` and ``?`` by name, hidden ones left out; the
-    pattern itself where something is called so, and where nothing fits.
-    """
-    if not {"*", "?"} & set(pattern) or os.path.lexists(pattern):
-        return [pattern]
-    try:
-        # not of pathlib: hidden files stay out, as in a shell
-        found = sorted(glob.glob(pattern.replace("[", "[[]")))  # noqa: PTH207
-    except (OSError, ValueError):
-        found = []
-    return found or [pattern]
 
 
 def identity(path: Path) -> Identity | None:

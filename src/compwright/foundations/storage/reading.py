@@ -14,6 +14,7 @@ from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.foreseen import foreseen_bytes
 from compwright.foundations.input_sizes import ANY, InputKind, in_words
 from compwright.foundations.storage.looking import identity, reason
+from compwright.foundations.storage.recovery import put_right_above
 
 #: Opening what became a pipe since it was looked at must not wait for the other end (POSIX;
 #: elsewhere there is no such flag).
@@ -32,6 +33,7 @@ def read_bytes(path: Path, kind: InputKind = ANY) -> bytes:
     expected = foreseen_bytes(path)
     if expected is not None:
         return expected
+    put_right_above(path, InputError)
     try:
         refused = _not_to_be_read(path.stat(), kind)
         if refused is None:
@@ -62,8 +64,10 @@ def _at_most(stream: BinaryIO, count: int) -> bytes:
 
 def earlier_bytes(path: Path) -> bytes:
     """Return the bytes of a result of an earlier run, empty where there is none; it counts as a
-    result, not as an input.
+    result, not as an input. Raises InputError where a stopped command left it half-written and that
+    cannot be put right.
     """
+    put_right_above(path, InputError)
     try:
         return (
             path.read_bytes() if path.is_file() and path.stat().st_size <= ANY.most_bytes else b""
@@ -104,6 +108,7 @@ def state_of(paths: Sequence[Path]) -> str:
     """
     told = []
     for path in paths:
+        put_right_above(path, InputError)
         try:
             seen = path.stat()
             remember((seen.st_dev, seen.st_ino))

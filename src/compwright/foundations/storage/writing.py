@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path, PurePosixPath
 
+from compwright.foundations.command_inputs import look_again
 from compwright.foundations.errors import Fault, StorageError, raise_all
-from compwright.foundations.storage.changes import Changes, beside, make_folder, stage
 from compwright.foundations.storage.hindrances import refuse_overwriting
-from compwright.foundations.storage.looking import identity, is_existing_file, is_folder, reason
+from compwright.foundations.storage.looking import identity, is_existing_file, is_folder
 from compwright.foundations.storage.reading import earlier_bytes, was_read
+from compwright.foundations.storage.recovery import put_right_above, put_right_in
+from compwright.foundations.storage.transaction import put
 
 #: Whether the file of this relative name and content, which stands in the way, was written by an
 #: earlier run of the same command.
@@ -43,11 +45,14 @@ def write_files(
     out of ``folder``; then everything is as it was before, files replaced included.
     """
     below = {_below(folder, name): name for name in files}
+    _put_right(folder, [*below, *(elsewhere or ())], [*whole, *renewed])
     targets = _merged({path: files[name] for path, name in below.items()}, dict(elsewhere or {}))
+    unchanged = _Unchanged(targets)
     refuse_overwriting(targets, force=force, completed=[_below(folder, name) for name in completed])
     gone = _strangers(folder, [*whole, *renewed], targets) | {
         path: name for name in outdated if is_existing_file(path := _below(folder, name))
     }
+    unchanged.add(gone)
     lost = {
         path: known(name, earlier_bytes(path))
         for path, name in (below | gone).items()
@@ -58,29 +63,51 @@ def write_files(
         [*_users_files(below, lost, targets), *_in_the_way(folder, whole, gone, lost, force=force)],
     )
     removed = [path for path in gone if force and lost[path] and not was_read(path)]
-    changes = Changes()
-    current = folder
-    try:
-        for current, content in targets.items():
-            make_folder(current.parent, changes.made)
-            stage(current, content, changes)
-        for temporary, current in zip(changes.staged, targets, strict=True):
-            temporary.replace(current)
-            changes.placed.append(current)
-        for current in removed:
-            changes.kept[current] = beside(current)
-            current.replace(changes.kept[current])
-            changes.placed.append(current)
-    except (OSError, ValueError) as error:
-        changes.undo()
-        raise StorageError(
-            Fault(message="cannot be written", file=str(current), found=reason(error))
-        ) from error
-    except BaseException:  # Ctrl-C leaves nothing half-written either
-        changes.undo()
-        raise
-    changes.clear()
+    put(folder, targets, removed, unchanged.check)
     return list(targets)
+
+
+def _put_right(folder: Path, paths: Sequence[Path], names: Sequence[str]) -> None:
+    """Take back what stopped commands had begun where this one writes; another look is taken, for
+    one may have been stopped meanwhile.
+    """
+    look_again()
+    for path in paths:
+        put_right_above(path, StorageError)
+    for name in names:
+        put_right_in(_below(folder, name), StorageError)
+
+
+class _Unchanged:
+    """Files as they were when it was decided that they may be replaced or removed."""
+
+    def __init__(self, paths: Iterable[Path]) -> None:
+        self._seen = {path: _seen(path) for path in paths}
+
+    def add(self, paths: Iterable[Path]) -> None:
+        self._seen |= {path: _seen(path) for path in paths}
+
+    def check(self) -> None:
+        """Raise StorageError naming each file that another program has changed since."""
+        faults = [
+            Fault(
+                message="was changed by another program in this moment, and is not overwritten",
+                file=str(path),
+                expected="the command once more",
+            )
+            for path, seen in self._seen.items()
+            if _seen(path) != seen
+        ]
+        raise_all(StorageError, faults)
+
+
+def _seen(path: Path) -> tuple[int, ...]:
+    """Return what the file system says of a file: the same as long as it was not changed."""
+    try:
+        seen = path.lstat()
+    except (OSError, ValueError):
+        return ()
+    return (seen.st_dev, seen.st_ino, seen.st_size, seen.st_mtime_ns)
 
 
 def _merged(files: dict[Path, bytes], others: dict[Path, bytes]) -> dict[Path, bytes]:

@@ -1,0 +1,78 @@
+"""The few things that are done to a disk, so that they last when the power fails."""
+
+from __future__ import annotations
+
+import errno
+import os
+from pathlib import Path
+
+_NEW = (
+    os.O_WRONLY
+    | os.O_CREAT
+    | os.O_EXCL
+    | getattr(os, "O_BINARY", 0)
+    | getattr(os, "O_CLOEXEC", 0)
+    | getattr(os, "O_NOINHERIT", 0)
+)
+#: What a file system answers that cannot make a folder last by itself.
+_NOT_FOR_FOLDERS = {
+    getattr(errno, name)
+    for name in ("EINVAL", "ENOTSUP", "EOPNOTSUPP", "ENOSYS", "EBADF")
+    if hasattr(errno, name)
+}
+
+
+def write_new(path: Path, content: bytes) -> None:
+    """Write a file that is not there yet and have it on the disk. Raises OSError."""
+    handle = os.open(path, _NEW, 0o666)  # less the bits of the user's mask
+    try:
+        rest = memoryview(content)
+        while rest:
+            rest = rest[os.write(handle, rest) :]
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def sync_folder(folder: Path) -> None:
+    """Have the names in a folder on the disk. Raises OSError.
+
+    Windows opens no folders and keeps the order of what is done to names itself (NTFS); a file
+    system that knows no such thing is left to its own order too.
+    """
+    if not hasattr(os, "O_DIRECTORY"):
+        return
+    try:
+        handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+    except PermissionError:  # a folder to write into, not to list
+        return
+    try:
+        os.fsync(handle)
+    except OSError as error:
+        if error.errno not in _NOT_FOR_FOLDERS:
+            raise
+    finally:
+        os.close(handle)
+
+
+def remove(path: Path) -> None:
+    """Remove a file, on Windows one that is marked as read-only too. Raises OSError."""
+    try:
+        path.unlink(missing_ok=True)
+    except PermissionError:
+        if os.name != "nt":
+            raise
+        path.chmod(0o666)
+        path.unlink(missing_ok=True)
+
+
+def make_folder(folder: Path, made: list[Path]) -> None:
+    """Make a folder and those above it, noting each one made, also when a later one fails."""
+    missing: list[Path] = []
+    probe = folder
+    while not probe.exists():
+        missing.append(probe)
+        probe = probe.parent
+    for path in reversed(missing):
+        path.mkdir(exist_ok=True)
+        made.append(path)

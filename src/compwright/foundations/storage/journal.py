@@ -1,0 +1,167 @@
+"""What is written down before files are moved, so that the next command can put them back.
+
+While files are written, a folder of ours stands in each folder that takes part. It holds the lock,
+the new files (``0.new``, ``1.new``, ..), the earlier ones (``0.old``, ..) and the journal, in which
+files are known by their place in the list. The journal of one folder, the first, decides for all:
+as long as it is there, nothing has happened. Those of the others say where it is.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import stat
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from compwright.foundations.storage import disk
+
+#: The name of our folder: whoever sees it should know what it is.
+UNFINISHED = ".compwright-unfinished"
+JOURNAL = "journal.json"
+_PART = "journal.part"
+_FORM = "compwright/unfinished/1"
+_MOST_BYTES = 16 * 1024 * 1024  # of a journal: 50 000 files
+
+
+class DamagedError(Exception):
+    """A journal that cannot be followed; the text says why."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Entry:
+    """A file that is written or, without ``digest`` (sha256 of the new bytes), removed.
+
+    ``name``: below the folder, with ``/``; ``there``: whether something stood there before.
+    """
+
+    name: str
+    there: bool
+    digest: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Journal:
+    """What is done in a folder. ``made``: folders below it that are made for it; ``parts``: the
+    other folders that take part, or ``first``, the one that decides; both named from this folder.
+    """
+
+    key: str
+    entries: tuple[Entry, ...]
+    made: tuple[str, ...] = ()
+    parts: tuple[str, ...] = ()
+    first: str = ""
+
+
+def new_file(folder: Path, number: int) -> Path:
+    """Return where the new file of entry ``number`` waits."""
+    return folder / UNFINISHED / f"{number}.new"
+
+
+def old_file(folder: Path, number: int) -> Path:
+    """Return where the earlier file of entry ``number`` waits."""
+    return folder / UNFINISHED / f"{number}.old"
+
+
+def is_ours(name: str) -> bool:
+    """Whether a file in the folder of what is unfinished is one that is removed with it."""
+    number, _, kind = name.partition(".")
+    return name in (JOURNAL, _PART) or (number.isdecimal() and kind in ("new", "old"))
+
+
+def digest_of(content: bytes) -> str:
+    """Return the sha256 by which a new file is known again."""
+    return hashlib.sha256(content).hexdigest()
+
+
+def is_new(path: Path, entry: Entry) -> bool:
+    """Whether the file at ``path`` is the new one of ``entry``. Raises OSError."""
+    if not stat.S_ISREG(path.lstat().st_mode):
+        return False
+    with path.open("rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest() == entry.digest
+
+
+def put_journal(folder: Path, journal: Journal) -> None:
+    """Put a journal in place by one rename, on the disk before it returns. Raises OSError."""
+    staging = folder / UNFINISHED
+    disk.write_new(staging / _PART, _text(journal).encode("ascii"))
+    (staging / _PART).replace(staging / JOURNAL)
+    disk.sync_folder(staging)
+
+
+def read_journal(folder: Path) -> Journal | None:
+    """Return the journal of a folder, None where there is none.
+
+    Raises DamagedError for one that names files outside of the folder or is not as it was written,
+    OSError where it cannot be read.
+    """
+    staging = folder / UNFINISHED
+    try:
+        if not stat.S_ISDIR(staging.lstat().st_mode):
+            raise DamagedError("is no folder")
+        seen = (staging / JOURNAL).lstat()
+        if not stat.S_ISREG(seen.st_mode) or seen.st_size > _MOST_BYTES:
+            raise DamagedError("its journal is no file that compwright has written")
+        content = (staging / JOURNAL).read_bytes()
+    except FileNotFoundError:
+        return None
+    journal = _read(content)
+    for name in (*(entry.name for entry in journal.entries), *journal.made):
+        if not _is_inside(folder, name):
+            raise DamagedError(f"its journal names a file outside of the folder: {name}")
+    return journal
+
+
+def _text(journal: Journal) -> str:
+    data = {
+        "form": _FORM,
+        "key": journal.key,
+        "files": [[entry.name, entry.there, entry.digest] for entry in journal.entries],
+        "made": list(journal.made),
+        "parts": list(journal.parts),
+        "first": journal.first,
+    }
+    return json.dumps({**data, "sha256": _checksum(data)}, indent=1)
+
+
+def _checksum(data: dict[str, Any]) -> str:
+    return digest_of(json.dumps(data, sort_keys=True).encode("ascii"))
+
+
+def _read(content: bytes) -> Journal:
+    try:
+        data = json.loads(content)
+        checksum = data.pop("sha256")
+        if data["form"] != _FORM:
+            raise DamagedError("its journal is of another version of compwright")
+        if checksum != _checksum(data):
+            raise DamagedError("its journal is damaged")
+        entries = tuple(
+            Entry(name=str(name), there=bool(there), digest=str(digest))
+            for name, there, digest in data["files"]
+        )
+        return Journal(
+            key=str(data["key"]),
+            entries=entries,
+            made=tuple(map(str, data["made"])),
+            parts=tuple(map(str, data["parts"])),
+            first=str(data["first"]),
+        )
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+        raise DamagedError("its journal is damaged") from error
+
+
+def _is_inside(folder: Path, name: str) -> bool:
+    """Whether a name leads to a file below the folder, whatever links there are on the way, and not
+    to what is unfinished itself.
+    """
+    parts = Path(*PurePosixPath(name).parts).parts  # as this system divides it
+    if not parts or ".." in parts or UNFINISHED in parts or "\0" in name:
+        return False
+    if PurePosixPath(name).is_absolute() or Path(name).is_absolute() or Path(name).drive:
+        return False
+    way = Path(os.path.realpath(folder.joinpath(*parts[:-1])))
+    return way.is_relative_to(os.path.realpath(folder))

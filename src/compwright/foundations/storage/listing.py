@@ -1,0 +1,131 @@
+"""What lies in folders, after what stopped commands left there was put right."""
+
+from __future__ import annotations
+
+import glob
+import os
+from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.foreseen import foreseen_bytes
+from compwright.foundations.storage.journal import UNFINISHED
+from compwright.foundations.storage.looking import is_folder, reason
+from compwright.foundations.storage.recovery import put_right_above, put_right_in
+
+
+def list_files(path: Path) -> list[Path]:
+    """Return ``[path]`` for a file or for nothing, and for a folder all in it but folders by name,
+    hidden ones left out.
+
+    What is no ordinary file (a pipe, a link to nowhere) is listed too: `read_bytes` says so. Raises
+    InputError when the folder cannot be listed.
+    """
+    put_right_in(path, InputError)
+    try:
+        if not path.is_dir():
+            return [path]
+        return sorted(
+            entry for entry in path.iterdir() if not (entry.name.startswith(".") or entry.is_dir())
+        )
+    except (OSError, ValueError) as error:
+        raise InputError(
+            Fault(message="folder cannot be read", file=str(path), found=reason(error))
+        ) from error
+
+
+def in_folders_of(folder: Path, name: str) -> list[Path]:
+    """Return the files called ``name`` that lie in the folders of ``folder``, one level down; what
+    cannot be listed has none.
+    """
+    found = []
+    try:
+        for inner in sorted(path for path in folder.iterdir() if path.is_dir()):
+            with suppress(InputError):
+                put_right_in(inner, InputError)
+                found += [inner / name] if (inner / name).is_file() else []
+    except (OSError, ValueError):
+        return []
+    return found
+
+
+def folders_holding(top: Path, names: Sequence[str]) -> tuple[list[Path], list[Fault]]:
+    """Return ``top`` and the folders below it that hold a file of one of ``names``, in the order of
+    their names, and those that cannot be read; hidden folders and links to folders are left out.
+
+    Raises InputError where ``top`` is no folder.
+    """
+    if not is_folder(top):
+        raise InputError(
+            Fault(
+                message="is no folder",
+                file=str(top),
+                expected="a folder with results",
+                found="a file" if is_there(top) else "nothing",
+            )
+        )
+    found: list[Path] = []
+    faults: list[Fault] = []
+
+    def refused(error: OSError) -> None:
+        faults.append(
+            Fault(
+                message="folder cannot be read",
+                file=str(error.filename or top),
+                found=reason(error),
+            )
+        )
+
+    put_right_above(top, InputError)
+    for folder, below, files in os.walk(top, onerror=refused):
+        if UNFINISHED in below:
+            try:
+                put_right_in(Path(folder), InputError)
+                below[:], files[:] = _names_in(Path(folder))
+            except InputError as left:
+                faults.extend(left.faults)
+                below[:], files[:] = [], []
+        below[:] = sorted(name for name in below if not name.startswith("."))
+        if not set(names).isdisjoint(files):
+            found.append(Path(folder))
+    return sorted(found), faults
+
+
+def _names_in(folder: Path) -> tuple[list[str], list[str]]:
+    """Return the names of the folders and of the files in a folder, none where it cannot be listed
+    any more.
+    """
+    try:
+        with os.scandir(folder) as entries:
+            kinds = [(entry.name, entry.is_dir()) for entry in entries]
+    except OSError:
+        return [], []
+    return [name for name, is_dir in kinds if is_dir], [
+        name for name, is_dir in kinds if not is_dir
+    ]
+
+
+def is_there(path: Path) -> bool:
+    """Whether there is a file, folder or link at ``path``; False for a name that no file can
+    have. Raises InputError where a stopped command left that open.
+    """
+    if foreseen_bytes(path) is not None:
+        return True
+    put_right_above(path, InputError)
+    return os.path.lexists(path)
+
+
+def matching(pattern: str) -> list[str]:
+    """Return the paths that fit a pattern with ``*`` and ``?`` by name, hidden ones left out; the
+    pattern itself where something is called so, and where nothing fits.
+    """
+    if not {"*", "?"} & set(pattern) or os.path.lexists(pattern):
+        return [pattern]
+    put_right_above(Path(pattern), InputError)
+    try:
+        # not of pathlib: hidden files stay out, as in a shell
+        found = sorted(glob.glob(pattern.replace("[", "[[]")))  # noqa: PTH207
+    except (OSError, ValueError):
+        found = []
+    return found or [pattern]

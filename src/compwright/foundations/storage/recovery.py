@@ -1,0 +1,297 @@
+"""What a stopped process left: taken back by the next command, whichever reads or writes there.
+
+As long as the journal is there, nothing has happened: new files are removed, earlier ones put back,
+then the journal goes. Each step can be done again, so that this too may be stopped anywhere. First
+all that is new goes, then what was there before comes back: old and new never lie beside each other
+under their own names.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, suppress
+from pathlib import Path
+
+from compwright.foundations.command_inputs import (
+    is_seen_to,
+    left_over,
+    note_left,
+    note_put_right,
+    see_to,
+)
+from compwright.foundations.errors import CompwrightError, Fault
+from compwright.foundations.storage import disk
+from compwright.foundations.storage.journal import (
+    JOURNAL,
+    UNFINISHED,
+    DamagedError,
+    Journal,
+    is_new,
+    is_ours,
+    new_file,
+    old_file,
+    read_journal,
+)
+from compwright.foundations.storage.locking import PATIENCE, Lock, take
+from compwright.foundations.storage.looking import reason, resolved
+
+#: A folder with what its journal says.
+Set = tuple[Path, Journal]
+
+
+class NotPutRightError(Exception):
+    """What a stopped process left cannot be taken back; the faults say why."""
+
+    def __init__(self, *faults: Fault) -> None:
+        super().__init__("\n".join(map(str, faults)))
+        self.faults = faults
+
+
+# ---------------------------------------------------------------- whoever reads or writes next
+
+
+def put_right_above(path: Path, error: type[CompwrightError]) -> None:
+    """Take back what stopped processes left in the folder of ``path`` and in those above it, looked
+    for once a command.
+
+    Raises ``error`` where that is impossible and ``path`` is a file that would have to be put back,
+    or a folder with such a file directly in it.
+    """
+    folder = os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - for every file read
+    if not is_seen_to(folder):
+        for above in _unfinished_above(folder):
+            _put_right(above)
+        see_to(folder)
+    for left, faults in left_over().items():
+        if _concerns(Path(left), path):
+            what = "belongs to what a stopped command had begun to write"
+            raise error(Fault(message=what, file=str(path)), *faults)
+
+
+def put_right_in(folder: Path, error: type[CompwrightError]) -> None:
+    """Do as `put_right_above` for a folder and the files in it."""
+    put_right_above(folder / UNFINISHED, error)
+    put_right_above(folder, error)
+
+
+def _unfinished_above(folder: str) -> Iterator[Path]:
+    """Yield the folders from the root to ``folder`` in which something is unfinished, as it is
+    named and as it is without links.
+    """
+    named, real = Path(folder), resolved(Path(folder))
+    for path in dict.fromkeys((*reversed(named.parents), named, *reversed(real.parents), real)):
+        if os.path.lexists(path / UNFINISHED):
+            yield path
+
+
+def _put_right(folder: Path) -> None:
+    """Take back what was begun in a folder, or note why that is impossible."""
+    if str(folder) in left_over():
+        return
+    try:
+        _take_back(folder)
+    except NotPutRightError as left:
+        note_left(str(folder), left.faults)
+    except (OSError, DamagedError) as error:
+        fault = Fault(
+            message="what a stopped command had begun to write here cannot be taken back",
+            file=str(folder / UNFINISHED),
+            found=reason(error) if isinstance(error, OSError) else str(error),
+        )
+        note_left(str(folder), (fault,))
+
+
+def _concerns(folder: Path, path: Path) -> bool:
+    """Whether ``path`` is, or is the folder of, a file that the journal in ``folder`` names, or is
+    any below it where that cannot be read.
+    """
+    real, root = resolved(path.parent) / path.name, resolved(folder)
+    try:
+        journal = read_journal(folder)
+    except (OSError, DamagedError):
+        return root in (real, *real.parents)
+    named = {root.joinpath(entry.name) for entry in journal.entries} if journal else set()
+    return real in named or real in {file.parent for file in named}
+
+
+# ---------------------------------------------------------------- one folder, or several as one
+
+
+def _take_back(folder: Path) -> None:
+    journal = read_journal(folder)
+    if journal is None:
+        _sweep(folder)
+    elif journal.first:
+        _take_back_part(folder, journal)
+    else:
+        _take_back_first(folder)
+
+
+def _sweep(folder: Path) -> None:
+    """Remove what was prepared and never begun, or done and not cleared away; what a living process
+    holds, or what cannot be removed, stays and is in nobody's way.
+    """
+    with suppress(OSError):
+        lock = take(folder / UNFINISHED, patience=0.0)
+        try:
+            if read_journal(folder) is None:
+                clear(lock)
+        finally:
+            lock.release()
+
+
+def _take_back_first(folder: Path) -> None:
+    with ExitStack() as held:
+        first = _held(folder, held)
+        journal = read_journal(folder)
+        if journal is None:  # a living process has finished meanwhile
+            clear(first)
+            return
+        others = [(other, theirs, _held(other, held)) for other, theirs in _parts(folder, journal)]
+        withdraw([(folder, journal), *((other, theirs) for other, theirs, _ in others)])
+        for lock in (*(lock for *_, lock in others), first):
+            with suppress(OSError):
+                clear(lock)
+    note_put_right(str(folder))
+
+
+def _held(folder: Path, held: ExitStack) -> Lock:
+    lock = take(folder / UNFINISHED, patience=PATIENCE)
+    held.callback(lock.release)
+    return lock
+
+
+def _parts(folder: Path, journal: Journal) -> Iterator[Set]:
+    """Yield the other folders that take part and say so themselves: a folder that was copied since
+    has none.
+    """
+    for name in journal.parts:
+        other = _from(folder, name)
+        theirs = read_journal(other)
+        if theirs is None or theirs.key != journal.key or not theirs.first:
+            continue
+        if resolved(_from(other, theirs.first)) == resolved(folder):
+            yield other, theirs
+
+
+def _from(folder: Path, name: str) -> Path:
+    return Path(os.path.normpath(folder / name))
+
+
+def _take_back_part(folder: Path, journal: Journal) -> None:
+    first = _from(folder, journal.first)
+    if not first.is_dir():
+        raise NotPutRightError(
+            Fault(
+                message=(
+                    "a command was stopped while it wrote here, and the folder that says whether it"
+                    " had finished is gone"
+                ),
+                file=str(folder / UNFINISHED),
+                expected=f"{first} in its place, or {UNFINISHED} removed, which keeps what is here",
+            )
+        )
+    if _decides(first, journal):
+        _take_back_first(first)
+    with suppress(FileNotFoundError), ExitStack() as held:
+        lock = _held(folder, held)
+        if read_journal(folder) in (None, journal):
+            if _decides(first, journal):
+                raise DamagedError(f"{first} does not know of it")
+            clear(lock)
+
+
+def _decides(first: Path, journal: Journal) -> bool:
+    """Whether what the journal of a part tells of is not done, by the folder that decides."""
+    theirs = read_journal(first)
+    return theirs is not None and theirs.key == journal.key
+
+
+def clear(lock: Lock) -> None:
+    """Remove what is ours in the folder of what is unfinished, and the folder; nothing where that
+    was done before. Raises OSError.
+    """
+    if lock.handle < 0:
+        return
+    for name in os.listdir(lock.staging):  # noqa: PTH208 - names, no paths
+        if is_ours(name):
+            disk.remove(lock.staging / name)
+    lock.remove()
+
+
+# ---------------------------------------------------------------- files
+
+
+def withdraw(sets: Sequence[Set]) -> None:
+    """Put back what was there before in folders whose locks are held, the first of which decides,
+    and remove its journal.
+
+    Raises NotPutRightError, and nothing was done, where a file was changed since; OSError.
+    """
+    faults = [fault for folder, journal in sets for fault in _changed_since(folder, journal)]
+    if faults:
+        raise NotPutRightError(*faults)
+    for folder, journal in sets:
+        _remove_new(folder, journal)
+    for folder, journal in sets:
+        _restore_old(folder, journal)
+    first, _ = sets[0]
+    for folder in folders_of(sets):
+        disk.sync_folder(folder)
+    (first / UNFINISHED / JOURNAL).unlink()
+    disk.sync_folder(first / UNFINISHED)
+
+
+def folders_of(sets: Sequence[Set]) -> list[Path]:
+    """Return the folders in which names change, those that are there."""
+    touched = [
+        path
+        for folder, journal in sets
+        for path in (
+            folder / UNFINISHED,
+            folder,
+            *((folder / name).parent for name in journal.made),
+            *((folder / entry.name).parent for entry in journal.entries),
+        )
+    ]
+    return [path for path in dict.fromkeys(touched) if path.is_dir()]
+
+
+def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
+    """Yield a fault for each file that is neither the earlier nor the new one and stands in the
+    place of one.
+    """
+    for number, entry in enumerate(journal.entries):
+        target = folder / entry.name
+        kept = os.path.lexists(old_file(folder, number))
+        in_question = kept or (not entry.there and _is_placed(folder, number, journal))
+        if not in_question or not os.path.lexists(target):
+            continue
+        if not (_is_placed(folder, number, journal) and is_new(target, entry)):
+            yield Fault(
+                message="was changed since a command was stopped that had begun to write it",
+                file=str(target),
+                expected="it elsewhere (move it), so that the earlier file can be put back",
+            )
+
+
+def _is_placed(folder: Path, number: int, journal: Journal) -> bool:
+    """Whether the new file of an entry left the place where it waited."""
+    return bool(journal.entries[number].digest) and not os.path.lexists(new_file(folder, number))
+
+
+def _remove_new(folder: Path, journal: Journal) -> None:
+    for number, entry in enumerate(journal.entries):
+        kept = os.path.lexists(old_file(folder, number))
+        if _is_placed(folder, number, journal) and (kept or not entry.there):
+            disk.remove(folder / entry.name)
+
+
+def _restore_old(folder: Path, journal: Journal) -> None:
+    for number, entry in enumerate(journal.entries):
+        if os.path.lexists(old_file(folder, number)):
+            old_file(folder, number).replace(folder / entry.name)
+    for name in reversed(journal.made):
+        with suppress(OSError):  # the user has put something there
+            (folder / name).rmdir()

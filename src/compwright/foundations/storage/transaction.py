@@ -1,0 +1,285 @@
+"""Files that go from old to new as one, whatever stops the process on the way.
+
+What is written waits in a folder of ours, on the disk, before anything is touched. Then a journal
+is put there by one rename, earlier files are moved to it, new ones to their places, and the removal
+of the journal is the one moment at which all of it has happened. Stopped before, the next command
+takes it back (`recovery`); so does this one after an error or Ctrl-C. One file whose folder is
+there needs no journal: it is one rename.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from compwright.foundations.command_inputs import left_over
+from compwright.foundations.errors import Fault, StorageError
+from compwright.foundations.storage import disk
+from compwright.foundations.storage.journal import (
+    JOURNAL,
+    UNFINISHED,
+    Entry,
+    Journal,
+    digest_of,
+    is_ours,
+    new_file,
+    old_file,
+    put_journal,
+)
+from compwright.foundations.storage.locking import Lock, take
+from compwright.foundations.storage.looking import reason, relative, resolved
+from compwright.foundations.storage.recovery import (
+    NotPutRightError,
+    clear,
+    folders_of,
+    withdraw,
+)
+
+
+def put(
+    folder: Path,
+    targets: Mapping[Path, bytes],
+    removed: Sequence[Path],
+    check: Callable[[], None],
+) -> None:
+    """Write ``targets`` (path -> bytes) and remove what is ``removed``, all of it or nothing.
+
+    ``folder``: the one that decides, where any of them lies below it. ``check`` is called when no
+    other process can write there any more, and raises where something has changed. Raises
+    StorageError; then everything is as it was before.
+    """
+    try:
+        parts = _parts(folder, targets, removed)
+    except OSError as error:
+        fault = Fault(message="cannot be written", file=str(folder), found=reason(error))
+        raise StorageError(fault) from error
+    if parts:
+        _Work(parts, next(iter((*targets, *removed)))).do(check)
+
+
+@dataclass(frozen=True, slots=True)
+class _Change:
+    """A file that is written or, without ``content``, removed. ``name``: below its part."""
+
+    name: str
+    path: Path  # as the caller named it
+    content: bytes | None
+
+
+@dataclass(slots=True)
+class _Part:
+    """A folder on one file system with what is changed below it."""
+
+    folder: Path
+    changes: dict[str, _Change] = field(default_factory=dict)
+
+
+def _parts(folder: Path, targets: Mapping[Path, bytes], removed: Sequence[Path]) -> list[_Part]:
+    """Return the changes by folders: those below ``folder`` on its file system first, then the
+    others each in its own.
+    """
+    root = resolved(folder)
+    found = {root: _Part(root)}
+    contents: dict[Path, bytes | None] = {**targets, **dict.fromkeys(removed)}
+    for path, content in contents.items():
+        home = resolved(path.parent)
+        near = home.is_relative_to(root) and _device(home) == _device(root)
+        part = found.setdefault(root if near else home, _Part(root if near else home))
+        name = (home / path.name).relative_to(part.folder).as_posix()
+        part.changes[os.path.normcase(name)] = _Change(name, path, content)
+    return [part for part in found.values() if part.changes]
+
+
+def _device(folder: Path) -> int:
+    """Return on which file system a folder is, or would be made."""
+    there = next((path for path in (folder, *folder.parents) if path.exists()), folder)
+    return there.stat().st_dev
+
+
+class _Work:
+    """What was done so far, so that it can be taken back."""
+
+    def __init__(self, parts: list[_Part], current: Path) -> None:
+        self.parts = parts
+        self.current = current  # the file that is said to be the trouble
+        self.above: list[Path] = []  # folders that were made to hold the results
+        self.locks: list[Lock] = []
+        self.sets: list[tuple[Path, Journal]] = []
+
+    def do(self, check: Callable[[], None]) -> None:
+        """Do all of it. Raises StorageError; it is taken back then, and on Ctrl-C too."""
+        try:
+            self._prepare(check)
+            if self._is_one_step():
+                self._place_one()
+            else:
+                self._begin()
+                self._move()
+                self._finish()
+        except (OSError, ValueError) as error:
+            more = self._take_back()
+            raise StorageError(
+                Fault(message="cannot be written", file=str(self.current), found=reason(error)),
+                *more,
+            ) from error
+        except BaseException:  # Ctrl-C leaves nothing half-written either
+            self._take_back()
+            raise
+        finally:
+            for lock in self.locks:
+                lock.release()
+
+    def _prepare(self, check: Callable[[], None]) -> None:
+        """Write all new files, on the disk before anything is touched."""
+        for part in sorted(self.parts, key=lambda part: str(part.folder)):
+            self.current = next(iter(part.changes.values())).path
+            disk.make_folder(part.folder, self.above)
+            lock = take(part.folder / UNFINISHED, make=True)
+            self.locks.append(lock)
+            self._sweep(lock)
+        check()
+        for part in self.parts:
+            for number, change in enumerate(part.changes.values()):
+                if change.content is not None:
+                    self.current = change.path
+                    self._stage(part, number, change.content)
+
+    def _sweep(self, lock: Lock) -> None:
+        """Remove what a stopped process prepared; what it began was taken back before."""
+        if os.path.lexists(lock.staging / JOURNAL):
+            why = left_over().get(str(lock.staging.parent), ())
+            now = Fault(
+                message="what another command had begun stands there", file=str(lock.staging)
+            )
+            raise StorageError(*(why or (now,)))
+        for name in os.listdir(lock.staging):  # noqa: PTH208 - names, no paths
+            if is_ours(name):
+                disk.remove(lock.staging / name)
+
+    def _stage(self, part: _Part, number: int, content: bytes) -> None:
+        """Write a new file where it waits, with the rights of the one that it will replace."""
+        waiting = new_file(part.folder, number)
+        disk.write_new(waiting, content)
+        if self.current.is_file():
+            shutil.copymode(self.current, waiting)
+
+    def _is_one_step(self) -> bool:
+        changes = [(part, change) for part in self.parts for change in part.changes.values()]
+        (part, change), *more = changes
+        return (
+            not more and change.content is not None and (part.folder / change.name).parent.is_dir()
+        )
+
+    def _place_one(self) -> None:
+        (part,) = self.parts
+        (change,) = part.changes.values()
+        target = part.folder / change.name
+        new_file(part.folder, 0).replace(target)
+        with suppress(OSError):  # it is done
+            disk.sync_folder(target.parent)
+            self._clear()
+
+    def _begin(self) -> None:
+        """Put the journals in place, that of the folder which decides last: from now on the earlier
+        files are what is put back.
+        """
+        key = os.urandom(8).hex()
+        first, *others = self.parts
+        self.sets = [
+            (
+                part.folder,
+                Journal(
+                    key=key,
+                    entries=tuple(_entry(part, change) for change in part.changes.values()),
+                    made=_missing(part),
+                    parts=tuple(relative(other.folder, first.folder) for other in others)
+                    if part is first
+                    else (),
+                    first="" if part is first else relative(first.folder, part.folder),
+                ),
+            )
+            for part in self.parts
+        ]
+        for folder in (
+            *(made.parent for made in self.above),
+            *(part.folder for part in self.parts),
+        ):
+            disk.sync_folder(folder)
+        for folder, journal in reversed(self.sets):
+            put_journal(folder, journal)
+
+    def _move(self) -> None:
+        """Move the earlier files out of the way, all of them before the first new one stands there:
+        old and new never lie beside each other under their own names.
+        """
+        for folder, journal in self.sets:
+            for number, entry in enumerate(journal.entries):
+                if entry.there:
+                    self.current = folder / entry.name
+                    self.current.replace(old_file(folder, number))
+        for folder, journal in self.sets:
+            for name in journal.made:
+                self.current = folder / name
+                self.current.mkdir(exist_ok=True)
+            for number, entry in enumerate(journal.entries):
+                if entry.digest:
+                    self.current = folder / entry.name
+                    new_file(folder, number).replace(self.current)
+
+    def _finish(self) -> None:
+        """Let it have happened: by the removal of the journal, once all else is on the disk."""
+        for folder in folders_of(self.sets):
+            disk.sync_folder(folder)
+        first, _ = self.sets[0]
+        (first / UNFINISHED / JOURNAL).unlink()
+        with suppress(OSError):  # it is done; what is left is cleared away by the next command
+            disk.sync_folder(first / UNFINISHED)
+            self._clear()
+
+    def _clear(self) -> None:
+        """Remove the folders of what is unfinished, that of the folder which decides last."""
+        first = self.parts[0].folder / UNFINISHED
+        for lock in sorted(self.locks, key=lambda lock: lock.staging == first):
+            clear(lock)
+
+    def _take_back(self) -> tuple[Fault, ...]:
+        """Undo what was done; return why that was not possible, where it was not."""
+        try:
+            if self.sets and os.path.lexists(self.sets[0][0] / UNFINISHED / JOURNAL):
+                withdraw(self.sets)
+        except (OSError, NotPutRightError) as error:
+            left = Fault(
+                message="is not as it was before; the next command that reads it puts that right",
+                file=str(self.sets[0][0]),
+                found=reason(error) if isinstance(error, OSError) else str(error),
+            )
+            return (left,)
+        with suppress(OSError):
+            self._clear()
+        for folder in reversed(self.above):
+            with suppress(OSError):
+                folder.rmdir()
+        return ()
+
+
+def _entry(part: _Part, change: _Change) -> Entry:
+    return Entry(
+        name=change.name,
+        there=os.path.lexists(part.folder / change.name),
+        digest="" if change.content is None else digest_of(change.content),
+    )
+
+
+def _missing(part: _Part) -> tuple[str, ...]:
+    """Return the folders below the part that are to be made, outer ones first."""
+    found: dict[str, None] = {}
+    for change in part.changes.values():
+        above = (part.folder / change.name).relative_to(part.folder).parents
+        for folder in reversed(list(above)[:-1]):
+            if not (part.folder / folder).exists():
+                found[folder.as_posix()] = None
+    return tuple(found)
