@@ -6,10 +6,13 @@ room, of the examples and of the plots that `evaluate` writes. Of the rest most 
 measured axis is only the way to a control's files, the same stages run with fewer sweeps and fewer
 fresh tests; what the estimate and the prediction say is tested where nothing is brief. Fixed seeds:
 a test fails every time or never; new cases are tried in ``benchmarks/``.
+
+No power fails while tests run: nothing waits until it is on the disk.
 """
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 
 import pytest
@@ -21,6 +24,14 @@ from frames import unpaint
 
 settings.register_profile("suite", derandomize=True, deadline=None)
 settings.load_profile("suite")
+
+
+@pytest.fixture(autouse=True, scope="session")
+def powered() -> Iterator[None]:
+    """Let nothing wait for the disk."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(os, "fsync", lambda _handle: None)
+        yield
 
 
 @pytest.fixture(autouse=True, scope="module")

@@ -1,9 +1,10 @@
 """A process that dies at one of its calls to the disk: from then on nothing reaches the disk, no
-matter what the code does to undo its work.
+matter what the code does to undo its work. Or one whose call is refused.
 """
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -26,11 +27,13 @@ class Killed(BaseException):
 
 class Process:
     """Counts its calls to the disk and dies at call ``at`` (from 1; 0: never), before it is made or,
-    for what is written, with half of it done.
+    for what is written, with half of it done. With ``refused`` that call fails instead, as on a
+    full disk, and the process goes on.
     """
 
-    def __init__(self, at: int = 0) -> None:
+    def __init__(self, at: int = 0, *, refused: bool = False) -> None:
         self.at = at
+        self.refused = refused
         self.made: list[str] = []
         self.dead = False
 
@@ -44,6 +47,8 @@ class Process:
                 raise Killed
             self.made.append(name)
             if len(self.made) == self.at:
+                if self.refused:
+                    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
                 self.dead = True
                 if name == "write":
                     real(arguments[0], bytes(arguments[1])[: len(arguments[1]) // 2])

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import errno
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -194,40 +194,6 @@ def test_failure_while_putting_in_place_restores_what_was_there(
     assert os.strerror(errno.EACCES) in fault
     assert calls > after
     assert tree(tmp_path) == before
-
-
-@pytest.mark.parametrize("name", ["open", "write", "fsync", "chmod", "replace", "mkdir", "unlink"])
-def test_whatever_the_disk_refuses_everything_is_as_before(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
-) -> None:
-    """Each call of that name in turn, once; what had happened already (the journal is gone) stays,
-    and is whole too.
-    """
-    old = {"x": b"old", "set/y": b"old", "set/gone": b"old"}
-    new = {"x": b"new", "set/y": b"new", "sub/z": b"new"}
-    real = getattr(os, name)
-    for number in range(99):
-        folder, calls = tmp_path / str(number), iter(range(99))
-        storage.write_files(folder, old)
-        before = tree(folder)
-
-        def refusing(*arguments: object, calls: Iterator[int] = calls, at: int = number) -> object:
-            if next(calls) == at:
-                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-            return real(*arguments)
-
-        with monkeypatch.context() as patch:
-            patch.setattr(os, name, refusing)
-            try:
-                storage.write_files(folder, new, force=True, whole=["set"])
-            except StorageError as error:
-                assert os.strerror(errno.ENOSPC) in str(error)  # noqa: PT017 - not every one raises
-                assert tree(folder) == before
-        if tree(folder) != before:
-            assert {file: text for file, text in tree(folder).items() if text == b"new"} == new
-        if next(calls) < number:
-            break
-    assert number > 1
 
 
 def test_interruption_leaves_nothing_behind(

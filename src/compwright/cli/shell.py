@@ -15,10 +15,11 @@ import click
 from compwright import __version__
 from compwright.cli.saying import errors, tell
 from compwright.cli.words import compwright
-from compwright.foundations.command_inputs import start_command
+from compwright.foundations.command_inputs import put_right, start_command
 from compwright.foundations.errors import CompwrightError, StorageError, UsageError
 from compwright.foundations.processors import use_one_thread
 from compwright.foundations.side_by_side import Crew, Each, alone
+from compwright.foundations.utf8 import visible
 
 
 def main() -> NoReturn:
@@ -44,6 +45,17 @@ def run(arguments: list[str], crew: Crew = alone) -> int:
     traceback. ``crew``: who works on the axes of a job.
     """
     start_command()
+    try:
+        return _done(arguments, crew)
+    finally:
+        for folder in put_right():
+            tell(
+                f"{visible(folder)}: a command that was stopped had begun to write here; its files"
+                " are again as they were before it"
+            )
+
+
+def _done(arguments: list[str], crew: Crew) -> int:
     try:
         code = compwright.main(
             args=arguments, prog_name="compwright", standalone_mode=False, obj=crew

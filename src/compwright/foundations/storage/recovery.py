@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, suppress
+from itertools import takewhile
 from pathlib import Path
 
 from compwright.foundations.command_inputs import (
@@ -60,9 +61,10 @@ def put_right_above(path: Path, error: type[CompwrightError]) -> None:
     """
     folder = os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - for every file read
     if not is_seen_to(folder):
-        for above in _unfinished_above(folder):
-            _put_right(above)
-        see_to(folder)
+        for above in _not_seen_to(Path(folder)):
+            if os.path.lexists(above / UNFINISHED):
+                _put_right(above)
+            see_to(str(above))
     for left, faults in left_over().items():
         if _concerns(Path(left), path):
             what = "belongs to what a stopped command had begun to write"
@@ -75,14 +77,15 @@ def put_right_in(folder: Path, error: type[CompwrightError]) -> None:
     put_right_above(folder, error)
 
 
-def _unfinished_above(folder: str) -> Iterator[Path]:
-    """Yield the folders from the root to ``folder`` in which something is unfinished, as it is
-    named and as it is without links.
+def _not_seen_to(folder: Path) -> list[Path]:
+    """Return ``folder`` and the folders above it, as it is named and as it is without links, outer
+    ones first, as far as nobody has looked there yet.
     """
-    named, real = Path(folder), resolved(Path(folder))
-    for path in dict.fromkeys((*reversed(named.parents), named, *reversed(real.parents), real)):
-        if os.path.lexists(path / UNFINISHED):
-            yield path
+    found: list[Path] = []
+    for way in (folder, resolved(folder)):
+        inner = takewhile(lambda path: not is_seen_to(str(path)), (way, *way.parents))
+        found.extend(reversed(list(inner)))
+    return list(dict.fromkeys(found))
 
 
 def _put_right(folder: Path) -> None:

@@ -1,0 +1,429 @@
+"""A set of files goes from old to new as one: a process killed at any of its calls to the disk, or
+a disk that refuses any of them, leaves one whole set to whoever reads next.
+"""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from compwright.foundations import storage
+from compwright.foundations.command_inputs import put_right, start_command
+from compwright.foundations.errors import InputError, StorageError
+from compwright.foundations.storage import locking
+from compwright.foundations.storage.locking import take
+from dying import Process, running
+
+UNFINISHED = ".compwright-unfinished"
+OLD = {"set/x": b"old x", "set/y": b"old y", "record": b"old record", "set/gone": b"old gone"}
+NEW = {"set/x": b"new x", "set/y": b"new y", "record": b"new record", "deep/er/z": b"new z"}
+JSON = "beside/answer.json"
+
+
+def make(top: Path) -> Path:
+    """Make a result folder, a file beside it that belongs to it, and the notes of the user."""
+    for name, content in {
+        **{f"out/{name}": content for name, content in OLD.items()},
+        JSON: b"old answer",
+        "out/notes.txt": b"mine",
+        "beside/notes.txt": b"mine too",
+    }.items():
+        (top / name).parent.mkdir(parents=True, exist_ok=True)
+        (top / name).write_bytes(content)
+    return top
+
+
+def write(top: Path) -> None:
+    beside = {top / JSON: b"new answer"}
+    storage.write_files(top / "out", NEW, force=True, elsewhere=beside, whole=["set"])
+
+
+def files(top: Path) -> dict[str, bytes]:
+    """Return all files, hidden ones too."""
+    return {
+        path.relative_to(top).as_posix(): path.read_bytes()
+        for path in sorted(top.rglob("*"))
+        if path.is_file()
+    }
+
+
+def named(top: Path) -> dict[str, bytes]:
+    """Return what somebody sees who knows nothing of compwright."""
+    return {name: content for name, content in files(top).items() if UNFINISHED not in name}
+
+
+def is_begun(top: Path) -> bool:
+    return any(name.endswith("out/.compwright-unfinished/journal.json") for name in files(top))
+
+
+def stopped(top: Path, at: int) -> Path:
+    make(top)
+    with running(Process(at)):
+        write(top)
+    return top
+
+
+class Course:
+    """How a whole write goes: what is there before and after, and its calls to the disk."""
+
+    def __init__(self, top: Path) -> None:
+        self.old = files(make(top))
+        process = Process()
+        with running(process):
+            write(top)
+        self.new = files(top)
+        self.calls = process.made
+        shutil.rmtree(top)
+        #: the call with which the first file is moved, of those after the journals are there
+        moves = [at for at, name in enumerate(self.calls, 1) if name == "replace"]
+        self.first_move, self.last_move = moves[2], moves[-1]
+
+    def is_unmixed(self, top: Path) -> bool:
+        """Whether no new file lies beside an earlier one that it replaces."""
+        seen = named(top).items()
+        return seen <= self.old.items() or seen <= self.new.items()
+
+
+@pytest.fixture(scope="module")
+def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
+    return Course(tmp_path_factory.mktemp("course") / "top")
+
+
+def test_the_course_is_what_was_asked_for(course: Course) -> None:
+    assert {name.removeprefix("out/"): text for name, text in course.new.items()} == {
+        **NEW,
+        JSON: b"new answer",
+        "notes.txt": b"mine",
+        "beside/notes.txt": b"mine too",
+    }
+    assert len(course.calls) > 50
+    assert {"write", "fsync", "replace", "unlink", "mkdir", "rmdir"} <= set(course.calls)
+
+
+def test_killed_at_any_call_one_whole_set_is_left(tmp_path: Path, course: Course) -> None:
+    found = []
+    for at in range(1, len(course.calls) + 1):
+        top = stopped(tmp_path / str(at), at)
+        assert course.is_unmixed(top), at
+        begun = is_begun(top)
+        # whoever reads either folder
+        storage.read_bytes(top / (JSON if at % 2 else "out/notes.txt"))
+        storage.read_bytes(top / ("out/notes.txt" if at % 2 else JSON))
+        assert bool(put_right()) == begun
+        assert files(top) in (course.old, course.new), (at, course.calls[at - 1])
+        found.append(files(top) == course.new)
+    assert found == sorted(found)  # old up to one moment, new from then on
+    assert {True, False} == set(found)
+
+
+def test_putting_right_may_be_killed_at_any_call(tmp_path: Path, course: Course) -> None:
+    for at in (course.first_move + 2, course.last_move + 1):
+        whole = stopped(tmp_path / f"{at}", at)
+        for then in range(1, 99):
+            top = tmp_path / f"{at}-{then}"
+            shutil.copytree(whole, top)
+            process = Process(then)
+            with running(process):
+                storage.read_bytes(top / JSON)
+            assert course.is_unmixed(top), (at, then)
+            storage.read_bytes(top / JSON)
+            storage.read_bytes(top / "out" / "notes.txt")
+            assert files(top) == course.old, (at, then)
+            if not process.dead:
+                break
+        assert then > 10
+
+
+def test_a_disk_that_refuses_any_call_leaves_one_whole_set(tmp_path: Path, course: Course) -> None:
+    said = 0
+    for at in range(1, len(course.calls) + 1):
+        top = make(tmp_path / str(at))
+        try:
+            with running(Process(at, refused=True)):
+                write(top)
+        except StorageError as error:
+            said += 1
+            assert os.strerror(errno.ENOSPC) in str(error)  # noqa: PT017 - the last ones do not raise
+            assert named(top) == course.old, at
+        else:
+            assert named(top) == course.new, at
+        start_command()
+        storage.read_bytes(top / "out" / "notes.txt")
+        storage.read_bytes(top / JSON)
+        assert files(top) in (course.old, course.new), at
+    assert said > 30
+
+
+READERS: dict[str, Callable[[Path], object]] = {
+    "read_bytes": lambda out: storage.read_bytes(out / "set" / "x"),
+    "earlier_bytes": lambda out: storage.earlier_bytes(out / "record"),
+    "list_files": lambda out: storage.list_files(out / "set"),
+    "in_folders_of": lambda out: storage.in_folders_of(out.parent, "record"),
+    "folders_holding": lambda out: storage.folders_holding(out.parent, ["record"]),
+    "is_there": lambda out: storage.is_there(out / "set" / "x"),
+    "state_of": lambda out: storage.state_of([out / "record"]),
+    "matching": lambda out: storage.matching(str(out / "set" / "*")),
+    "write_files": lambda out: storage.write_files(out, {"other": b"new"}),
+}
+
+
+@pytest.mark.parametrize("reader", READERS)
+def test_whoever_reads_next_finds_the_earlier_files(
+    tmp_path: Path, course: Course, reader: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    top = stopped(tmp_path / "top", course.last_move)
+    assert named(top) != course.old
+    monkeypatch.chdir(tmp_path)  # by a name that is not from the root
+    told = READERS[reader](Path("top/out"))
+    (top / "out" / "other").unlink(missing_ok=True)
+    assert files(top) == course.old
+    assert told == READERS[reader](Path("top/out"))
+    assert put_right() == (str(top / "out"),)
+
+
+def test_through_a_link_too(tmp_path: Path, course: Course) -> None:
+    top = stopped(tmp_path / "top", course.last_move)
+    (tmp_path / "link").symlink_to(top / "out" / "set")
+    assert storage.read_bytes(tmp_path / "link" / "x") == b"old x"
+    assert files(top) == course.old
+
+
+def test_a_folder_that_was_moved_is_put_right_where_it_is(tmp_path: Path, course: Course) -> None:
+    top = stopped(tmp_path / "top", course.last_move)
+    top.rename(tmp_path / "elsewhere")
+    assert storage.read_bytes(tmp_path / "elsewhere" / JSON) == b"old answer"
+    assert files(tmp_path / "elsewhere") == course.old
+
+
+def test_a_copy_of_the_folder_alone_is_put_right_and_the_rest_stays(
+    tmp_path: Path, course: Course
+) -> None:
+    top = stopped(tmp_path / "top", course.last_move)
+    shutil.copytree(top / "out", top / "copy")
+    beside = named(top / "beside")
+    assert storage.read_bytes(top / "copy" / "set" / "x") == b"old x"
+    assert named(top / "beside") == beside
+    shutil.rmtree(top / "copy")
+    assert storage.read_bytes(top / JSON) == b"old answer"
+    assert files(top) == course.old
+
+
+def test_where_the_folder_that_decides_is_gone_its_file_is_refused_and_others_are_read(
+    tmp_path: Path, course: Course
+) -> None:
+    top = stopped(tmp_path / "top", course.last_move + 1)
+    shutil.rmtree(top / "out")
+    assert storage.read_bytes(top / "beside" / "notes.txt") == b"mine too"
+    with pytest.raises(InputError, match="the folder that says whether it had finished is gone"):
+        storage.read_bytes(top / JSON)
+    with pytest.raises(StorageError, match="belongs to what a stopped command had begun"):
+        storage.write_file(top / JSON, b"", force=True)
+    shutil.rmtree(top / "beside" / UNFINISHED)  # as the message says
+    start_command()
+    assert storage.read_bytes(top / JSON) == b"new answer"
+
+
+def test_what_the_user_changed_meanwhile_is_refused_by_name_and_stays(
+    tmp_path: Path, course: Course
+) -> None:
+    top = stopped(tmp_path / "top", course.last_move + 1)
+    (top / "out" / "set" / "x").write_bytes(b"mine")
+    before = files(top)
+    with pytest.raises(InputError) as caught:
+        storage.read_bytes(top / "out" / "record")
+    assert f"{top / 'out' / 'set' / 'x'}: was changed since" in str(caught.value)
+    assert storage.read_bytes(top / "out" / "notes.txt") == b"mine"
+    assert files(top) == before
+    (top / "out" / "set" / "x").rename(top / "out" / "my-x")
+    start_command()
+    assert storage.read_bytes(top / "out" / "set" / "x") == b"old x"
+    assert files(top) == {**course.old, "out/my-x": b"mine"}
+
+
+def test_what_cannot_be_put_right_is_refused_by_name(
+    tmp_path: Path, course: Course, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As on a medium that is read-only: nobody can write there, neither lock nor file."""
+    top = stopped(tmp_path / "top", course.last_move)
+    real = os.open
+
+    def read_only(path: str, flags: int, mode: int = 0o777) -> int:
+        if flags & (os.O_CREAT | os.O_WRONLY | os.O_RDWR):
+            raise OSError(errno.EROFS, os.strerror(errno.EROFS))
+        return real(path, flags, mode)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "open", read_only)
+        for name in ("out/set/x", "out/deep/er/z", JSON):
+            with pytest.raises(InputError) as caught:
+                storage.read_bytes(top / name)
+            assert str(top / name) in str(caught.value)
+            assert os.strerror(errno.EROFS) in str(caught.value)
+        with pytest.raises(InputError):
+            storage.list_files(top / "out" / "set")
+        assert storage.folders_holding(top, ["notes.txt"])[1]
+        assert storage.read_bytes(top / "out" / "notes.txt") == b"mine"
+    start_command()
+    assert storage.read_bytes(top / "out" / "set" / "x") == b"old x"
+
+
+def test_what_was_only_prepared_is_in_nobody_s_way_on_a_read_only_medium(
+    tmp_path: Path, course: Course, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    top = stopped(tmp_path / "top", 20)
+    monkeypatch.setattr(os, "unlink", Process(1, refused=True).standing_for("unlink"))
+    assert storage.read_bytes(top / "out" / "set" / "x") == b"old x"
+    assert named(top) == course.old
+
+
+DAMAGE: dict[str, Callable[[dict[str, object]], object]] = {
+    "no JSON": lambda _data: "cut",
+    "no journal": lambda _data: [],
+    "another version": lambda data: {**data, "form": "compwright/unfinished/2"},
+    "a bit": lambda data: {**data, "key": "0"},
+    "another file": lambda data: {**data, "files": [["record", False, "0"]]},
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE)
+def test_a_damaged_journal_is_not_followed(tmp_path: Path, course: Course, damage: str) -> None:
+    top = stopped(tmp_path / "top", course.last_move)
+    journal = top / "out" / UNFINISHED / "journal.json"
+    journal.write_text(json.dumps(DAMAGE[damage](json.loads(journal.read_text()))))
+    before = files(top)
+    with pytest.raises(InputError, match="journal"):
+        storage.read_bytes(top / "out" / "record")
+    with pytest.raises(StorageError, match="journal"):
+        write(top)
+    assert files(top) == before
+
+
+OUTSIDE = ["../victim", "set/../../victim", "/etc/victim", "link/victim", f"{UNFINISHED}/0.old", ""]
+
+
+@pytest.mark.parametrize("name", OUTSIDE)
+def test_a_journal_that_names_files_outside_of_its_folder_is_not_followed(
+    tmp_path: Path, name: str
+) -> None:
+    """As one that somebody made and sent."""
+    from compwright.foundations.storage.journal import Entry, Journal, digest_of, put_journal
+
+    folder, victim = tmp_path / "sent", tmp_path / "victim"
+    (folder / UNFINISHED).mkdir(parents=True)
+    (folder / "link").symlink_to(tmp_path)
+    victim.write_bytes(b"mine")
+    entry = Entry(name=name, there=False, digest=digest_of(b"mine"))
+    put_journal(folder, Journal(key="1", entries=(entry,), parts=("..",)))
+    (folder / "plan").write_bytes(b"plan")
+    with pytest.raises(InputError, match="names a file outside"):
+        storage.read_bytes(folder / "plan")
+    assert victim.read_bytes() == b"mine"
+    assert storage.read_bytes(victim) == b"mine"
+
+
+def test_a_link_in_place_of_the_folder_is_not_followed(tmp_path: Path, course: Course) -> None:
+    top = stopped(tmp_path / "top", course.last_move)
+    (top / "other").mkdir()
+    (top / "other" / UNFINISHED).symlink_to(top / "out" / UNFINISHED)
+    (top / "other" / "x").write_bytes(b"x")
+    before = files(top)
+    with pytest.raises(InputError, match="is no folder"):
+        storage.read_bytes(top / "other" / "x")
+    assert files(top) == before
+
+
+def test_a_living_process_is_waited_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "x").write_bytes(b"old")
+    lock = take(tmp_path / UNFINISHED, make=True)
+    monkeypatch.setattr(locking, "sleep", lambda _seconds: lock.remove())  # it finishes meanwhile
+    storage.write_file(tmp_path / "x", b"new", force=True)
+    assert files(tmp_path) == {"x": b"new"}
+
+
+def test_a_living_process_that_does_not_end_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lock = take(tmp_path / UNFINISHED, make=True)
+    clock = iter(range(0, 1000, 6))
+    monkeypatch.setattr(locking, "monotonic", lambda: next(clock))
+    monkeypatch.setattr(locking, "sleep", lambda _seconds: None)
+    with pytest.raises(StorageError, match="another command is writing there"):
+        storage.write_file(tmp_path / "x", b"new")
+    assert storage.list_files(tmp_path) == []  # what it only prepares hinders no reader
+    lock.remove()
+    storage.write_file(tmp_path / "x", b"new")
+
+
+def test_a_file_that_appears_in_the_last_moment_is_not_overwritten(tmp_path: Path) -> None:
+    (tmp_path / "x").write_bytes(b"old")
+
+    def changing(_name: str, _content: bytes) -> bool:
+        (tmp_path / "x").write_bytes(b"of another program")
+        return True
+
+    with pytest.raises(StorageError, match="was changed by another program in this moment"):
+        storage.write_files(tmp_path, {"x": b"new", "y": b"new"}, force=True, known=changing)
+    assert files(tmp_path) == {"x": b"of another program"}
+
+
+def test_links_stay_links(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A link that is replaced is put back as one; a folder that is a link is written through."""
+    (tmp_path / "far").mkdir()
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "set").symlink_to("../far")
+    (tmp_path / "far" / "x").write_bytes(b"old")
+    (tmp_path / "far" / "w").write_bytes(b"old")
+    (tmp_path / "out" / "y").symlink_to("set/w")
+    new = {"set/x": b"new", "y": b"new too", "z": b"new"}
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "replace", Process(7, refused=True).standing_for("replace"))
+        with pytest.raises(StorageError):
+            storage.write_files(tmp_path / "out", new, force=True)
+    assert (tmp_path / "out" / "y").readlink() == Path("set/w")
+    assert files(tmp_path) == {"far/w": b"old", "far/x": b"old", "out/y": b"old"}
+    storage.write_files(tmp_path / "out", new, force=True)
+    assert (tmp_path / "out" / "set").is_symlink()
+    assert files(tmp_path) == {
+        "far/w": b"old",
+        "far/x": b"new",
+        "out/y": b"new too",
+        "out/z": b"new",
+    }
+
+
+def test_a_single_file_is_one_rename(tmp_path: Path) -> None:
+    storage.write_file(tmp_path / "x", b"old")
+    process = Process()
+    with running(process):
+        storage.write_file(tmp_path / "x", b"new", force=True)
+    assert process.made.count("replace") == 1
+    for at in range(1, len(process.made) + 1):
+        folder = tmp_path / str(at)
+        folder.mkdir()
+        (folder / "x").write_bytes(b"old")
+        with running(Process(at)):
+            storage.write_file(folder / "x", b"new", force=True)
+        assert storage.read_bytes(folder / "x") in (b"old", b"new")
+        assert list(files(folder)) == ["x"]
+        assert [path.name for path in folder.iterdir()] == ["x"]
+
+
+def test_looking_costs_a_folder_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    storage.write_files(tmp_path, {f"{number}.csv": b"" for number in range(50)})
+    start_command()
+    calls: list[Path] = []
+
+    def looked(path: Path) -> bool:
+        calls.append(path)
+        return False
+
+    monkeypatch.setattr(os.path, "lexists", looked)
+    for path in storage.list_files(tmp_path):
+        storage.read_bytes(path)
+    assert len(calls) == len(set(calls)) == len(tmp_path.parents) + 1
