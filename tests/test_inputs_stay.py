@@ -246,9 +246,13 @@ def test_the_control_s_own_files_are_not_replaced_by_export(
             folder, capsys, "export", "second/plan.json", "--format", CONTROL, "--out", "control"
         )
     assert '"results"' in text
-    assert (
-        compwright(["export", "second/plan.json", "--format", CONTROL, "--out", "new", "--force"])
-        == 0
+    words = ["export", "second/plan.json", "--format", CONTROL, "--out", "new"]
+    assert compwright([*words, "--force"]) == 0
+    assert compwright(["decode", "new", "--format", CONTROL]) == 0
+    table = folder / "new" / "AX1_EEC.INI"
+    table.write_bytes(table.read_bytes() + b"; by hand\n")
+    assert "AX1_EEC.INI: was not written by an earlier run, or was changed" in refused(
+        folder, capsys, *words
     )
 
 
@@ -261,6 +265,11 @@ def test_simulate_replaces_its_own_files_and_no_real_ones(
     )
     said = refused(folder, capsys, "simulate", "machine.yaml", "--out", ".")
     assert "x.csv: was not written by an earlier run" in said
+    edited = folder / "virtual" / "x.csv"
+    edited.write_bytes(edited.read_bytes() + b"# looked at\n")
+    said = refused(folder, capsys, "simulate", "machine.yaml", "--out", "virtual")
+    assert "x.csv: was not written by an earlier run, or was changed since" in said
+    assert compwright(["evaluate", "virtual"]) == 0  # the list is no measurement
 
 
 def test_the_demo_leaves_a_job_of_the_user_alone(

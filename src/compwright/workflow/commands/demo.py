@@ -14,6 +14,7 @@ from compwright.jobs.reading import read_job
 from compwright.workflow.commands.run import RunOutcome, ready_for_axes, run_job
 from compwright.workflow.commands.simulate import load_machine, simulate_files
 from compwright.workflow.commands.verify import VerifyOutcome, verify_job
+from compwright.workflow.stages.own_files import write_listed
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,9 +35,7 @@ def run_demo(out: Path, *, force: bool = False, crew: Crew = alone) -> DemoOutco
     """
     shipped = storage.demo_files()
     files = {name: shipped[name] for name in ("machine.yaml", "job.yaml")}
-    machine_file, job_file = storage.write_files(
-        out, files, force=force, known=lambda name, content: content == files[name]
-    )
+    machine_file, job_file = write_listed(out, files, command="demo", force=force, as_set=True)
     machine = load_machine(machine_file)
     simulate_files(machine, out / "before", seed=1, force=force)
     job = read_job(storage.read_bytes(job_file, YAML), str(job_file))

@@ -34,6 +34,7 @@ from compwright.workflow.stages.control import (
     read_files,
 )
 from compwright.workflow.stages.cross_tables import write_planned
+from compwright.workflow.stages.own_files import write_listed
 from compwright.workflow.stages.own_output import refuse_added_again
 from compwright.workflow.stages.settled import settled_axis
 from compwright.workflow.stages.written import deliver, write_fitted
@@ -103,13 +104,12 @@ def export_plan(
     )
     axes = [axis for axis, _ in fitted]
     delivery = deliver(control, cross.files, state, axes, None if cross.written else image)
-    written = storage.write_files(
+    written = write_listed(
         out,
         {file.name: file.content for file in delivery.files},
+        command="export",
         force=force,
-        known=lambda _name, content: (
-            not any(file.content == content for files in plan.states.values() for file in files)
-        ),
+        as_set=True,
     )
     return ExportOutcome(
         files=tuple(written),

@@ -27,9 +27,8 @@ from compwright.workflow.stages.control import (
     open_control,
     read_files,
 )
+from compwright.workflow.stages.own_files import write_listed
 
-#: What every simulated ballbar file names as its instrument.
-_BALLBAR = b'MODEL="virtual ballbar"'
 #: What every simulated CSV says of itself: it proves nothing of a machine.
 SIMULATED = {"simulated": "by compwright, not measured on a machine"}
 
@@ -66,26 +65,7 @@ def simulate_files(
         files[_circle_file(machine, name)] = _measured_circle(
             machine, name, seed=_seed_of(seed, number), loaded=loaded
         )
-    return storage.write_files(
-        out, files, force=force, known=lambda name, content: _is_simulated(content, files[name])
-    )
-
-
-def _is_simulated(content: bytes, new: bytes) -> bool:
-    """Whether a file that stands where ``new`` goes is an earlier simulation of this machine, and
-    no measurement of a real one.
-    """
-    if _BALLBAR in new:
-        return _BALLBAR in content
-    of_real_tests = any(
-        line.startswith((b"# date", b"# instrument", b"# operator"))
-        for line in content.splitlines()
-    )
-    return not of_real_tests and _about_machine(content) == _about_machine(new)
-
-
-def _about_machine(content: bytes) -> list[bytes]:
-    return [line for line in content.splitlines() if line.startswith((b"# machine:", b"# serial:"))]
+    return write_listed(out, files, command="simulate", force=force, as_set=True)
 
 
 def _seed_of(seed: int, number: int) -> int:

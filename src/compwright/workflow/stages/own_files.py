@@ -1,0 +1,54 @@
+"""Files of a command in a folder that has no record: by a hidden list of them an earlier run's are
+told from the user's, which are never replaced and never removed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from compwright.documents.file_list import LIST, list_text, listed_before, listed_now
+from compwright.foundations import storage
+from compwright.foundations.provenance import fingerprint
+from compwright.foundations.utf8 import encoded
+
+
+def write_listed(
+    out: Path, files: Mapping[str, bytes], *, command: str, force: bool, as_set: bool
+) -> list[Path]:
+    """Write ``files`` (relative name -> bytes) and their list into ``out``, all or nothing; return
+    their paths in the order given, without the list.
+
+    With ``force`` what an earlier command wrote there and nobody changed is replaced. ``as_set``:
+    what an earlier run of this ``command`` wrote and this one does not is removed then. Raises
+    StorageError as `storage.write_files` does, for a file that is not in the list or was changed
+    too.
+    """
+    earlier = listed_before(storage.earlier_bytes(out / LIST))
+    still = {
+        name: entry
+        for name, entry in earlier.items()
+        if fingerprint(storage.earlier_bytes(out / name)) == entry.sha256
+    }
+    now = listed_now(files, command)
+    outdated = [
+        name
+        for name, entry in still.items()
+        if as_set and force and entry.by == command and name not in now
+    ]
+    kept = {name: entry for name, entry in still.items() if name not in outdated}
+
+    def known(name: str, content: bytes) -> bool:
+        if name == LIST:
+            return bool(listed_before(content))
+        entry = earlier.get(encoded(name).decode())
+        return entry is not None and entry.sha256 == fingerprint(content)
+
+    return storage.write_files(
+        out,
+        {**files, LIST: list_text({**kept, **now})},
+        force=force,
+        completed=[LIST],
+        outdated=outdated,
+        known=known,
+    )[: len(files)]
