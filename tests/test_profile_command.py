@@ -130,7 +130,7 @@ def test_a_workbook_of_several_axes(tmp_path: Path) -> None:
             sheet.append(list(row))
     path = tmp_path / "both.xlsx"
     book.save(path)
-    assert [one.test.axis for one in evaluate_files([path]).results] == ["X", "Y"]  # type: ignore[union-attr]
+    assert [one["axis"] for one in evaluate_files([path]).document["results"]] == ["X", "Y"]
     assert read_measurement(path, axis="y").positive[1, 0] == pytest.approx(0.003)
     with pytest.raises(InputError, match=r"holds 2 tests, and none of axis Z.*found X, Y"):
         read_measurement(path, axis="Z")

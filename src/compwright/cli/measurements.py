@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from compwright.cli.progress import progress
 from compwright.cli.saying import answer, errors, json_file, print_lines, print_safely, tell
 from compwright.cli.words import (
     PATH,
@@ -44,7 +45,10 @@ _STANDARDS = (
 @json_option
 @force_option
 @exiting
+@click.pass_obj
 def evaluate(
+    crew: Crew,
+    /,
     paths: tuple[Path, ...],
     standards: tuple[str, ...],
     spread: str,
@@ -61,7 +65,16 @@ def evaluate(
         write_evaluation,
     )
 
-    outcome = evaluate_files(paths, standards, spread, profile=profile)
+    with progress(shown=json_path is None) as watch:
+        outcome = evaluate_files(
+            paths,
+            standards,
+            spread,
+            profile=profile,
+            whole=json_path is not None or plot is not None or targets,
+            crew=crew,
+            watch=watch,
+        )
     written = write_evaluation(
         outcome.document, json_path=json_file(json_path), plot_path=plot, force=force
     )

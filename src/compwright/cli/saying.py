@@ -10,6 +10,7 @@ from typing import Any
 
 import click
 
+from compwright import __version__
 from compwright.foundations.utf8 import visible, visible_lines
 
 #: A file of the wrong kind is wrong in every line: nobody reads more than these.
@@ -72,3 +73,10 @@ def tell(line: str) -> None:
         click.echo(visible_lines(line), err=True)
     except OSError:
         sys.stderr = StringIO()
+
+
+def ask_for_report() -> None:
+    """Say, behind a fault of compwright's own, what to do with it."""
+    tell(
+        f"Please report this line with the command, the input files and the version {__version__}."
+    )

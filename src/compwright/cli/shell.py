@@ -7,16 +7,15 @@ import sys
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 from io import StringIO, TextIOWrapper
-from pathlib import Path
 from typing import NoReturn
 
 import click
 
-from compwright import __version__
-from compwright.cli.saying import errors, tell
+from compwright.cli.saying import ask_for_report, errors, tell
 from compwright.cli.words import compwright
 from compwright.foundations.command_inputs import put_right, start_command
 from compwright.foundations.errors import CompwrightError, StorageError, UsageError
+from compwright.foundations.own_faults import OWN_FAULT, own_fault
 from compwright.foundations.processors import use_one_thread
 from compwright.foundations.side_by_side import Crew, Each, alone
 from compwright.foundations.utf8 import visible
@@ -96,21 +95,6 @@ def _wrong_words(error: click.ClickException) -> int:
 
 
 def _own_fault(error: Exception) -> int:
-    import traceback
-
-    frames = traceback.extract_tb(error.__traceback__)
-    where = next(
-        (frame for frame in reversed(frames) if "compwright" in frame.filename), frames[-1]
-    )
-    errors(
-        [
-            (
-                f"a fault of compwright itself: {type(error).__name__}: {error}"
-                f" ({Path(where.filename).name}, line {where.lineno})"
-            )
-        ]
-    )
-    tell(
-        f"Please report this line with the command, the input files and the version {__version__}."
-    )
-    return 70
+    errors([str(own_fault(error))])
+    ask_for_report()
+    return OWN_FAULT

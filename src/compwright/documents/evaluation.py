@@ -68,8 +68,21 @@ def result_document(result: PositioningResult) -> dict[str, Any]:
         "targets": _targets(result, factor),
         "not_applicable": dict(result.not_applicable),
         "header": dict(test.header),
-        "findings": _findings(result.findings),
+        "findings": findings_document(result.findings),
     }
+
+
+#: What an entry holds of single readings, and what was derived from them for pictures.
+_AT_LENGTH = frozenset(
+    {"targets", "header", "runs", "minimum_zone", "correlation", "correlation_names", "vendor"}
+)
+
+
+def in_short(entry: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the entry of a test, of either kind, without what its size grows with: parameters,
+    causes, facts and findings stay. Of a thousand tests in one answer that is not JSON.
+    """
+    return {key: value for key, value in entry.items() if key not in _AT_LENGTH}
 
 
 def _outside(value: float | None, factor: float) -> float | None:
@@ -124,7 +137,8 @@ def _count(test: PositioningTest, i: int) -> tuple[int, int]:
     return int(np.isfinite(test.positive[i]).sum()), int(np.isfinite(test.negative[i]).sum())
 
 
-def _findings(findings: Iterable[Finding]) -> list[dict[str, str]]:
+def findings_document(findings: Iterable[Finding]) -> list[dict[str, str]]:
+    """Return the findings of a result as they stand in its entry, each once."""
     unique = dict.fromkeys(findings)
     return [
         {"code": entry.code, "severity": entry.severity, "message": entry.message}

@@ -4,12 +4,23 @@ are.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
-from typing import Protocol, TypeVar
+from itertools import islice
+from typing import Final, Protocol, TypeVar
 
 T = TypeVar("T")
 R = TypeVar("R")
+#: Seconds of work, in turn, for which processes are started beside this one.
+_WORTH: Final = 1.0
+#: Items from which the time of the others is judged.
+_FIRST: Final = 4
+#: Seconds of work that a crew is handed at once, and the least that an item is taken to need.
+_WINDOW: Final = 1.0
+_SHORTEST: Final = 1e-3
+#: Bytes of the items that are handed on at once.
+_WEIGHT: Final = 32 * 1024 * 1024
 
 
 class Each(Protocol):
@@ -40,3 +51,66 @@ def in_turn(work: Callable[[T], R], items: Sequence[T]) -> list[R]:
 def alone(items: int, ready: Callable[[], None]) -> Iterator[Each]:  # noqa: ARG001
     """Provide what works on items in turn, in this process."""
     yield in_turn
+
+
+def in_order(
+    work: Callable[[T], R],
+    items: Iterable[T],
+    *,
+    crew: Crew,
+    ready: Callable[[], None],
+    count: int,
+    weight: Callable[[T], int],
+) -> Iterator[R]:
+    """Yield what ``work`` makes of each of at most ``count`` ``items``, in their order, as soon as
+    it is known; items are taken when they are needed. Raises what ``work`` raises, as `Each` does.
+
+    Work begins in turn. A crew is called where the items that are left would take longer than
+    `_WORTH` in turn, by the time that those before them took: to start a process takes a good part
+    of that. It is handed as many items at once as take about `_WINDOW`, together with a ``weight``
+    (bytes) of at most `_WEIGHT`, so that results come steadily and nothing piles up.
+    """
+    waiting = iter(items)
+    begun = False
+    while count > 0:
+        first = time.perf_counter()
+        done = [work(item) for item in islice(waiting, _FIRST if begun else 1)]
+        takes = (time.perf_counter() - first) / max(len(done), 1)
+        yield from done
+        count -= len(done)
+        if not done:
+            return
+        # The first item alone: what all need was loaded with it.
+        if begun and count * takes > _WORTH:
+            yield from _by_the_crew(work, waiting, crew(count, ready), takes, weight)
+            return
+        begun = True
+
+
+def _by_the_crew(
+    work: Callable[[T], R],
+    waiting: Iterator[T],
+    crew: AbstractContextManager[Each],
+    takes: float,
+    weight: Callable[[T], int],
+) -> Iterator[R]:
+    with crew as each:
+        while some := _taken(waiting, round(_WINDOW / max(takes, _SHORTEST)), weight):
+            first = time.perf_counter()
+            done = each(work, some)
+            takes = (time.perf_counter() - first) / len(some)
+            yield from done
+
+
+def _taken(waiting: Iterator[T], most: int, weight: Callable[[T], int]) -> list[T]:
+    """Return the next items: one at least, ``most`` of them at most, and no more than weigh
+    `_WEIGHT`.
+    """
+    taken: list[T] = []
+    heavy = 0
+    for item in waiting:
+        taken.append(item)
+        heavy += weight(item)
+        if len(taken) >= most or heavy >= _WEIGHT:
+            break
+    return taken

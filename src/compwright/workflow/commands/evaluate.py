@@ -4,15 +4,15 @@ circular.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Final
 
-from compwright.documents.evaluation import evaluation_document, result_document
+from compwright.documents.evaluation import evaluation_document, findings_document
 from compwright.documents.json_text import to_json
-from compwright.evaluation.standards import DEFAULT_STANDARD, evaluate, standard_by_id
+from compwright.evaluation.standards import DEFAULT_STANDARD, standard_by_id
 from compwright.foundations import storage
 from compwright.foundations.errors import (
     CompwrightError,
@@ -23,31 +23,51 @@ from compwright.foundations.errors import (
     raise_all,
 )
 from compwright.foundations.input_sizes import MEASUREMENT
+from compwright.foundations.own_faults import OWN_FAULT
+from compwright.foundations.side_by_side import Crew, alone, in_order
 from compwright.foundations.utf8 import encoded, shown_path
-from compwright.instruments.profile import Profile
-from compwright.instruments.reading import read_tests
-from compwright.records.positioning import PositioningTest
-from compwright.records.result import PositioningResult
+from compwright.workflow.stages.evaluated import (
+    Asked,
+    CirclesEvaluator,
+    Evaluated,
+    FilesEvaluator,
+    GivenFile,
+    Noted,
+    ready,
+)
 from compwright.workflow.stages.measurement_files import load_profile, measurement_files
 
 if TYPE_CHECKING:  # positioning tests, the common case, start without the circular records
-    from compwright.records.circular import CircularResult, CircularTest
+    from compwright.records.circular import CircularTest
 
 _CIRCULAR = "iso230-4:"
 _DEFAULT_CIRCULAR = "iso230-4:2005"  # of evaluation.circular, which positioning tests do not load
 
 
+#: From more files or tests than this on, a line each and a summary are shown instead of a page
+#: each: what a machine with its axes and circles has still fits.
+_PAGES: Final = 10
+
+#: Told how many of how many things are done: files, or circles.
+Watch = Callable[[str, int, int], None]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvaluationRun:
-    """``document`` is the JSON of ``evaluate``, ``results`` the same as records.
+    """``document`` is the JSON of ``evaluate``. ``many``: of so many files or tests that a page
+    each is too much.
 
     ``exit_code`` is 0, 3 for a file that cannot be read, 2 where the standard asked for does not
-    fit a test and all else is read.
+    fit a test and all else is read, 70 where compwright itself failed at one.
     """
 
     document: Mapping[str, Any]
-    results: tuple[PositioningResult | CircularResult, ...]
+    many: bool
     exit_code: int
+
+
+def _unwatched(what: str, done: int, count: int) -> None:
+    pass
 
 
 def evaluate_files(
@@ -56,17 +76,22 @@ def evaluate_files(
     spread: str = "std",
     *,
     profile: Path | None = None,
+    whole: bool = True,
+    crew: Crew = alone,
+    watch: Watch = _unwatched,
 ) -> EvaluationRun:
     """Evaluate every file of ``paths`` (folders: every file in them, hidden ones left out), each
-    kind of test to its standard.
+    kind of test to its standard, in the order of the files, by ``crew``.
 
     ``profile``: of tables of other programs. ``standards``: at most one for positioning and one
-    for circular tests; without one the default of the kind. Two files that hold one direction
-    each of the same circular test are one test (`circular_pairs.paired`). A file that cannot be
-    read, also one in a folder that is no measurement file, becomes an entry in ``errors`` and
-    the rest is evaluated; what lies beside measurements in a folder (plots, JSON, jobs) is
-    skipped and named in ``skipped``. Raises UsageError for unknown standards, two of one kind,
-    a range method that the standard or the only test does not have, or no path at all.
+    for circular tests; without one the default of the kind. ``whole``: entries of many files hold
+    targets and readings too; else only what a summary and a table need (`in_short`). Two files
+    that hold one direction each of the same circular test are one test (`circular_pairs.paired`).
+    A file that cannot be read, also one in a folder that is no measurement file, becomes an entry
+    in ``errors`` and the rest is evaluated; what lies beside measurements in a folder (plots,
+    JSON, jobs) is skipped and named in ``skipped``. Raises UsageError for unknown standards, two
+    of one kind, a range method that the standard or the only test does not have, or no path at
+    all.
     """
     positioning, circular = _standards(standards, spread)
     if not paths:
@@ -75,29 +100,39 @@ def evaluate_files(
         )
     mapping = None if profile is None else load_profile(profile)
     files, skipped, faults = _files(paths)
-    unfit: list[UsageError] = []
-    results: list[PositioningResult | CircularResult] = []
-    for test in _tests(files, mapping, faults):
-        try:
-            if isinstance(test, PositioningTest):
-                results.append(_evaluated(test, positioning, spread))
-            else:
-                results.append(_evaluated_circle(test, circular))
-        except InputError as error:
-            faults.extend(fault.in_file(test.sources[0].file) for fault in error.faults)
-        except UsageError as error:  # the method does not fit this test; it may fit the others
-            unfit.append(error)
-    if unfit and not results and not faults:
-        raise UsageError(*collect(unfit))
-    exit_code = InputError.exit_code if faults else UsageError.exit_code if unfit else 0
-    results = _with_repeats(results)
+    asked = Asked(
+        positioning=positioning,
+        circular=circular,
+        spread=spread,
+        profile=mapping,
+        whole=whole or len(files) <= _PAGES,
+    )
+    tests, noted = _evaluated(files, asked, crew, watch)
+    by_reason = {
+        why: [one.fault for one in noted if one.why == why]
+        for why in ("unread", "refused", "unfit", "own")
+    }
+    faults += [*by_reason["unread"], *by_reason["refused"]]
+    unfit, own = by_reason["unfit"], by_reason["own"]
+    if unfit and not (tests or faults or own):
+        raise UsageError(*unfit)
     document = {
-        **evaluation_document((), [*faults, *collect(unfit)]),
-        "results": [_entry(result) for result in results],
+        **evaluation_document((), [*faults, *unfit, *own]),
+        "results": _with_repeats(tests),
     }
     if skipped:
         document["skipped"] = [shown_path(path) for path in skipped]
-    return EvaluationRun(document=document, results=tuple(results), exit_code=exit_code)
+    return EvaluationRun(
+        document=document,
+        many=max(len(files), len(tests)) > _PAGES,
+        exit_code=OWN_FAULT
+        if own
+        else InputError.exit_code
+        if faults
+        else UsageError.exit_code
+        if unfit
+        else 0,
+    )
 
 
 def evaluation_renderables(document: Mapping[str, Any], *, targets: bool = False) -> list[Any]:
@@ -208,82 +243,83 @@ def _files(paths: Sequence[Path]) -> tuple[list[Path], list[Path], list[Fault]]:
     return list(files), [path for path in skipped if path not in files], faults
 
 
-def _tests(
-    files: Sequence[Path], profile: Profile | None, faults: list[Fault]
-) -> list[PositioningTest | CircularTest]:
-    """Return the tests in the files, those of one circular test joined; what cannot be read goes to
-    ``faults``.
-    """
-    tests: list[PositioningTest | CircularTest] = []
-    for file in files:
-        try:
-            tests.extend(_read(storage.read_bytes(file, MEASUREMENT), shown_path(file), profile))
-        except InputError as error:
-            faults.extend(fault.in_file(shown_path(file)) for fault in error.faults)
-    if all(isinstance(test, PositioningTest) for test in tests):
-        return tests
+def _evaluated(
+    files: Sequence[Path], asked: Asked, crew: Crew, watch: Watch
+) -> tuple[list[Evaluated], list[Noted]]:
+    """Return the tests in the files, those of one circular test joined, and what is wrong."""
+    found: list[Evaluated | CircularTest] = []
+    noted: list[Noted] = []
+    given = (_given(file) for file in files)
+    work = in_order(
+        FilesEvaluator(asked),
+        given,
+        crew=crew,
+        ready=ready,
+        count=len(files),
+        weight=lambda one: len(one.content),
+    )
+    for done, one in enumerate(work, start=1):
+        found += one.tests
+        noted += one.noted
+        watch("files", done, len(files))
+    if all(isinstance(test, Evaluated) for test in found):
+        return [test for test in found if isinstance(test, Evaluated)], noted
+    return _with_circles(found, noted, asked, crew, watch)
+
+
+def _given(file: Path) -> GivenFile:
+    try:
+        return GivenFile(shown_path(file), storage.read_bytes(file, MEASUREMENT))
+    except InputError as error:
+        return GivenFile(shown_path(file), faults=error.faults)
+
+
+def _with_circles(
+    found: Sequence[Evaluated | CircularTest],
+    noted: Sequence[Noted],
+    asked: Asked,
+    crew: Crew,
+    watch: Watch,
+) -> tuple[list[Evaluated], list[Noted]]:
+    """Return the tests with the circular ones joined and evaluated, each in its place."""
     from compwright.workflow.stages.circles import pairs_joined
 
-    return pairs_joined(tests)
+    joined = pairs_joined(found)
+    circles = [test for test in joined if not isinstance(test, Evaluated)]
+    work = in_order(
+        CirclesEvaluator(asked),
+        circles,
+        crew=crew,
+        ready=ready,
+        count=len(circles),
+        weight=lambda test: 16 * sum(run.angles.size for run in test.runs),
+    )
+    tests: list[Evaluated] = []
+    more = list(noted)
+    done = 0
+    for test in joined:
+        if isinstance(test, Evaluated):
+            tests.append(test)
+            continue
+        one = next(work)
+        tests += [each for each in one.tests if isinstance(each, Evaluated)]
+        more += one.noted
+        done += 1
+        watch("circles", done, len(circles))
+    return tests, more
 
 
-def _read(
-    content: bytes, file: str, profile: Profile | None
-) -> Sequence[PositioningTest | CircularTest]:
-    try:
-        return read_tests(content, file, profile)
-    except InputError:
-        from compwright.workflow.stages.circles import (
-            read_if_circular,
-        )  # only now: the way of a positioning test stays short
-
-        test = read_if_circular(content, file)
-        if test is None:
-            raise
-        return (test,)
-
-
-def _with_repeats(
-    results: list[PositioningResult | CircularResult],
-) -> list[PositioningResult | CircularResult]:
-    """Return the results, positioning tests that repeat another one's measurement with a
-    finding.
+def _with_repeats(tests: Sequence[Evaluated]) -> list[dict[str, Any]]:
+    """Return the entries of the tests, of positioning tests that repeat another one's measurement
+    with a finding.
     """
-    places = [
-        index for index, result in enumerate(results) if isinstance(result, PositioningResult)
-    ]
-    if len(places) < 2:
-        return results
+    readings = [one.test for one in tests if one.test is not None]
+    if len(readings) < 2:
+        return [one.entry for one in tests]
     from compwright.evaluation.repeats import repeat_findings
 
-    found = list(results)
-    tested = [cast("PositioningResult", results[index]) for index in places]
-    for index, result, repeated in zip(
-        places, tested, repeat_findings([result.test for result in tested]), strict=True
-    ):
-        if repeated is not None:
-            found[index] = replace(result, findings=(*result.findings, repeated))
-    return found
-
-
-def _evaluated_circle(test: CircularTest, standard: str) -> CircularResult:
-    from compwright.planning.diagnosed import diagnosed_circle
-
-    return diagnosed_circle(test, standard)
-
-
-def _entry(result: PositioningResult | CircularResult) -> dict[str, Any]:
-    if isinstance(result, PositioningResult):
-        return result_document(result)
-    from compwright.documents.circular import circular_document
-
-    return circular_document(result)
-
-
-def _evaluated(test: PositioningTest, standard: str, spread: str) -> PositioningResult:
-    try:
-        return evaluate(test, standard, spread=cast("Literal['std', 'range']", spread))
-    except UsageError as error:
-        raise UsageError(
-            *(fault.in_file(test.sources[0].file) for fault in error.faults)
-        ) from error
+    repeated = iter(repeat_findings(readings))
+    for one in tests:
+        if one.test is not None and (finding := next(repeated)) is not None:
+            one.entry["findings"] += findings_document([finding])
+    return [one.entry for one in tests]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TypeVar
 
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
@@ -17,8 +18,9 @@ from compwright.instruments.circular_pairs import paired
 from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
 from compwright.records.circular import CircularTest
 from compwright.records.job import Job
-from compwright.records.positioning import PositioningTest
 from compwright.workflow.stages.measurement_files import measurement_files
+
+T = TypeVar("T")
 
 
 def read_if_circular(content: bytes, file: str) -> CircularTest | None:
@@ -28,15 +30,13 @@ def read_if_circular(content: bytes, file: str) -> CircularTest | None:
     return read_circular(content, file) if is_circular(content, file) else None
 
 
-def pairs_joined(
-    tests: Sequence[PositioningTest | CircularTest],
-) -> list[PositioningTest | CircularTest]:
+def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:
     """Return the tests with the two files of a circular test joined (`circular_pairs.paired`), in
-    the place of the first file.
+    the place of the first file; what is no circular test stands where it stood.
     """
     joined = paired([test for test in tests if isinstance(test, CircularTest)])
     by_source = {source: test for test in joined for source in test.sources}
-    kept: dict[int, PositioningTest | CircularTest] = {}
+    kept: dict[int, T | CircularTest] = {}
     for test in tests:
         whole = by_source[test.sources[0]] if isinstance(test, CircularTest) else test
         kept.setdefault(id(whole), whole)

@@ -1,0 +1,28 @@
+"""A fault of compwright itself, said as one line instead of a traceback."""
+
+from __future__ import annotations
+
+import traceback
+from pathlib import Path
+
+from compwright.foundations.errors import Fault
+
+#: Exit code of a fault of compwright's own.
+OWN_FAULT = 70
+
+
+def own_fault(error: Exception, file: str = "") -> Fault:
+    """Return what is to be reported of an error that nobody meant, met with ``file``: its kind, its
+    words, and the line of ours where it came up.
+    """
+    frames = traceback.extract_tb(error.__traceback__)
+    where = next(
+        (frame for frame in reversed(frames) if "compwright" in frame.filename), frames[-1]
+    )
+    return Fault(
+        message=(
+            f"a fault of compwright itself: {type(error).__name__}: {error}"
+            f" ({Path(where.filename).name}, line {where.lineno})"
+        ),
+        file=file,
+    )
