@@ -76,7 +76,7 @@ OTHERS: dict[str, set[str]] = {
     "rich": {"reporting"},
     "matplotlib": {"reporting"},
     "jinja2": {"reporting"},
-    "openpyxl": {"instruments"},
+    "openpyxl": {"instruments", "reporting"},
 }
 SLOW_TO_IMPORT = {"scipy", "osqp", "cvxpy", "matplotlib", "pydantic", "rich", "jinja2", "numpy"}
 

@@ -6,8 +6,15 @@ from pathlib import Path
 
 import click
 
-from compwright.cli.progress import progress
-from compwright.cli.saying import answer, errors, json_file, print_lines, print_safely, tell
+from compwright.cli.saying import (
+    answer,
+    ask_for_report,
+    errors,
+    json_file,
+    print_lines,
+    print_safely,
+    tell,
+)
 from compwright.cli.words import (
     PATH,
     compwright,
@@ -16,6 +23,7 @@ from compwright.cli.words import (
     json_option,
     profile_option,
 )
+from compwright.foundations.own_faults import OWN_FAULT
 from compwright.foundations.side_by_side import Crew
 
 _STANDARDS = (
@@ -42,6 +50,12 @@ _STANDARDS = (
 @profile_option
 @click.option("--plot", type=PATH, help="Plot to a file: .svg, .png or .pdf.")
 @click.option("--targets", is_flag=True, help="Show the values of every target too.")
+@click.option(
+    "--table",
+    type=PATH,
+    metavar="PATH",
+    help="Write all parameters, a row per test, to a file: .csv or .xlsx.",
+)
 @json_option
 @force_option
 @exiting
@@ -55,15 +69,18 @@ def evaluate(
     profile: Path | None,
     plot: Path | None,
     targets: bool,  # noqa: FBT001 - a flag of the command line
+    table: Path | None,
     json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
-    """Evaluate positioning and circular tests to a standard."""
+    """Evaluate positioning and circular tests to a standard: a page each, of many a line each."""
     from compwright.workflow.commands.evaluate import (
         evaluate_files,
         evaluation_renderables,
+        many_renderables,
         write_evaluation,
     )
+    from compwright.workflow.showing.progress import progress
 
     with progress(shown=json_path is None) as watch:
         outcome = evaluate_files(
@@ -76,12 +93,20 @@ def evaluate(
             watch=watch,
         )
     written = write_evaluation(
-        outcome.document, json_path=json_file(json_path), plot_path=plot, force=force
+        outcome.document,
+        json_path=json_file(json_path),
+        plot_path=plot,
+        table_path=table,
+        force=force,
     )
     answer(
         outcome.document,
         json_path,
-        lambda: evaluation_renderables({**outcome.document, "errors": []}, targets=targets),
+        lambda: (
+            many_renderables(outcome.document)
+            if outcome.many and not targets
+            else evaluation_renderables({**outcome.document, "errors": []}, targets=targets)
+        ),
     )
     errors(
         ": ".join(filter(None, (entry["file"], entry["message"])))
@@ -91,6 +116,8 @@ def evaluate(
         tell(f"note: {name}: skipped, by its ending no measurement")
     for path in written:
         tell(f"written: {path}")
+    if outcome.exit_code == OWN_FAULT:
+        ask_for_report()
     return outcome.exit_code
 
 

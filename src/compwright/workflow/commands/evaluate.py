@@ -48,6 +48,9 @@ _DEFAULT_CIRCULAR = "iso230-4:2005"  # of evaluation.circular, which positioning
 #: each: what a machine with its axes and circles has still fits.
 _PAGES: Final = 10
 
+#: Tests in one picture, one below the other: more are refused.
+_PLOTTED: Final = 40
+
 #: Told how many of how many things are done: files, or circles.
 Watch = Callable[[str, int, int], None]
 
@@ -150,45 +153,79 @@ def evaluation_renderables(document: Mapping[str, Any], *, targets: bool = False
     return [*shown, *evaluation_tables({"results": [], "errors": document["errors"]})]
 
 
+def many_renderables(document: Mapping[str, Any]) -> list[Any]:
+    """Return what a terminal shows of an evaluation document of many tests: a line each, and a
+    summary.
+    """
+    from compwright.documents.evaluation_summary import summary_document
+    from compwright.reporting.evaluation_list import evaluation_list
+
+    return evaluation_list(document, summary_document(document))
+
+
 def write_evaluation(
     document: Mapping[str, Any],
     *,
     json_path: Path | None = None,
     plot_path: Path | None = None,
+    table_path: Path | None = None,
     force: bool = False,
 ) -> list[Path]:
-    """Write the JSON document and the plot (svg, png or pdf by its ending), all or none; returns
-    the paths written.
+    """Write the JSON document, the plot (svg, png or pdf by its ending) and the table (csv or
+    xlsx), all or none; returns the paths written.
 
     Raises StorageError when a file exists (unless ``force``) or cannot be written, UsageError for
-    another ending of the plot or when there is nothing to plot.
+    another ending of the plot or the table, one file for two of them, or when there is nothing to
+    plot or more than fits in a picture.
     """
     files: dict[Path, bytes] = {}
-    if plot_path is not None:
-        files[plot_path] = _plot(document, plot_path)
-    if json_path is not None and json_path == plot_path:
-        raise UsageError(
-            Fault(
-                message="is the file of --plot too",
-                file=str(json_path),
-                place="--json",
-                expected="another file",
+    makers: tuple[tuple[str, Path | None, Callable[[Path], bytes]], ...] = (
+        ("--plot", plot_path, lambda path: _plot(document, path)),
+        ("--table", table_path, lambda path: _table(document, path)),
+        ("--json", json_path, lambda path: encoded(to_json(document))),  # noqa: ARG005
+    )
+    named: dict[Path, str] = {}
+    for option, path, make in makers:
+        if path is None:
+            continue
+        if path in files:
+            raise UsageError(
+                Fault(
+                    message=f"is the file of {named[path]} too",
+                    file=shown_path(path),
+                    place=option,
+                    expected="another file",
+                )
             )
-        )
-    if json_path is not None:
-        files[json_path] = encoded(to_json(document))
+        named[path] = option
+        try:
+            files[path] = make(path)
+        except UsageError as error:
+            raise UsageError(
+                *(fault.within(option).in_file(shown_path(path)) for fault in error.faults)
+            ) from error
     return storage.write_files(Path(), {}, elsewhere=files, force=force)
 
 
 def _plot(document: Mapping[str, Any], path: Path) -> bytes:
     from compwright.reporting.plots import evaluation_plot
 
-    try:
-        return evaluation_plot(dict(document), format=path.suffix.lower().removeprefix("."))
-    except UsageError as error:
+    count = len(document["results"])
+    if count > _PLOTTED:
         raise UsageError(
-            *(fault.within("--plot").in_file(str(path)) for fault in error.faults)
-        ) from error
+            Fault(
+                message="so many tests do not fit in one picture",
+                expected=f"at most {_PLOTTED} tests, or --table",
+                found=str(count),
+            )
+        )
+    return evaluation_plot(dict(document), format=path.suffix.lower().removeprefix("."))
+
+
+def _table(document: Mapping[str, Any], path: Path) -> bytes:
+    from compwright.reporting.evaluation_table import table_bytes
+
+    return table_bytes(document, path.suffix)
 
 
 def _standards(names: Sequence[str], spread: str) -> tuple[str, str]:

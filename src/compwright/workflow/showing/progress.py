@@ -1,0 +1,52 @@
+"""How far a long command is: a bar on a terminal, nothing elsewhere."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Final
+
+if TYPE_CHECKING:  # loads rich: only where a bar is drawn
+    from compwright.reporting.progress import ProgressBar
+
+#: Seconds that pass before a bar is drawn, and between two drawings.
+_PATIENCE: Final = 0.5
+_BETWEEN: Final = 0.1
+
+
+@contextmanager
+def progress(*, shown: bool) -> Iterator[Callable[[str, int, int], None]]:
+    """Provide what is told of which things (a word) how many of how many are done, and draws a bar
+    on standard error until the work is done: where that is a terminal, ``shown``, and not done at
+    once.
+    """
+    if not (shown and sys.stderr.isatty()):
+        yield lambda what, done, count: None  # noqa: ARG005
+        return
+    watcher = _Watcher()
+    try:
+        yield watcher.tell
+    finally:
+        watcher.stop()
+
+
+class _Watcher:
+    def __init__(self) -> None:
+        self._due = time.monotonic() + _PATIENCE
+        self._bar: ProgressBar | None = None
+
+    def tell(self, what: str, done: int, count: int) -> None:
+        if time.monotonic() < self._due:
+            return
+        if self._bar is None:
+            from compwright.reporting.progress import ProgressBar
+
+            self._bar = ProgressBar()
+        self._bar.tell(what, done, count)
+        self._due = time.monotonic() + _BETWEEN
+
+    def stop(self) -> None:
+        if self._bar is not None:
+            self._bar.stop()
