@@ -11,6 +11,7 @@ from compwright.cli.saying import (
     ask_for_report,
     errors,
     json_file,
+    on_terminal,
     print_lines,
     print_safely,
     tell,
@@ -82,7 +83,7 @@ def evaluate(
     )
     from compwright.workflow.showing.progress import progress
 
-    with progress(shown=json_path is None) as watch:
+    with progress(shown=json_path is None and on_terminal()) as watch:
         outcome = evaluate_files(
             paths,
             standards,

@@ -80,3 +80,8 @@ def ask_for_report() -> None:
     tell(
         f"Please report this line with the command, the input files and the version {__version__}."
     )
+
+
+def on_terminal() -> bool:
+    """Whether messages go to a terminal, where a bar may be drawn."""
+    return sys.stderr.isatty()

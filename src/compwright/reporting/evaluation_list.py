@@ -12,14 +12,14 @@ from pathlib import PurePath
 from typing import Any, Final
 
 from rich.cells import cell_len, set_cell_size
-from rich.console import Console, ConsoleOptions, RenderableType
+from rich.console import ConsoleOptions, RenderableType
 from rich.rule import Rule
-from rich.text import Text
 
 from compwright.foundations.findings import DOUBTS
 from compwright.foundations.utf8 import visible
 from compwright.reporting.causes import ranked_causes
 from compwright.reporting.numbers import number, standard_text, symbol, unit_text
+from compwright.reporting.shown import Text
 
 _Result = Mapping[str, Any]
 #: Parameters with a column of their own, by kind of test and edition.
@@ -91,23 +91,19 @@ class _Columns:
 
     columns: Sequence[_Column]
 
-    def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterable[Text]:
+    def __rich_console__(self, console: object, options: ConsoleOptions) -> Iterable[Text]:
         fixed = sum(_GAP + column.width for column in self.columns if not column.cut)
         room = max(options.max_width - fixed, _NARROWEST)
         widths = [min(c.width, room) if c.cut else c.width for c in self.columns]
         heads = [_Cell(column.head, "bold") for column in self.columns]
-        lines = Text(no_wrap=True, overflow="ellipsis")
-        for row in zip(
-            *((head, *c.cells) for head, c in zip(heads, self.columns, strict=True)), strict=True
-        ):
-            line = Text()
+        rows = [column.cells for column in self.columns]
+        for row in (heads, *zip(*rows, strict=True)):
+            line = Text(no_wrap=True, overflow="ellipsis")
             for cell, column, width in zip(row, self.columns, widths, strict=True):
                 line.append(" " * _GAP if line else "")
                 line.append(_fitted(cell.text, width, right=column.right), cell.style)
             line.rstrip()
-            lines.append_text(line).append("\n")
-        lines.rstrip()
-        yield lines
+            yield line
 
 
 def _fitted(text: str, width: int, *, right: bool) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from rich.console import Console
 from rich.progress import (
     BarColumn,
     MofNCompleteColumn,
@@ -11,6 +10,8 @@ from rich.progress import (
     TextColumn,
     TimeRemainingColumn,
 )
+
+from compwright.reporting.shown import messages_console
 
 
 class ProgressBar:
@@ -25,7 +26,7 @@ class ProgressBar:
             BarColumn(),
             MofNCompleteColumn(),
             TimeRemainingColumn(),
-            console=Console(stderr=True),
+            console=messages_console(),
             transient=True,
             auto_refresh=False,
         )

@@ -46,7 +46,10 @@ class _Shown(Console):
         self, renderable: RenderableType, options: ConsoleOptions | None = None
     ) -> Iterable[Segment]:
         for segment in super().render(renderable, options):
-            yield Segment(visible_lines(segment.text), segment.style, segment.control)
+            if segment.control:  # moves of the cursor that rich makes itself, for a bar
+                yield segment
+            else:
+                yield Segment(visible_lines(segment.text), segment.style)
 
 
 def print_renderables(renderables: Sequence[RenderableType]) -> None:
@@ -58,3 +61,8 @@ def print_renderables(renderables: Sequence[RenderableType]) -> None:
         console = _Shown(width=max(console.width, 100))
     for renderable in renderables:
         console.print(renderable)
+
+
+def messages_console() -> Console:
+    """Return a console on standard error, for what is no answer."""
+    return _Shown(stderr=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -19,10 +18,9 @@ _BETWEEN: Final = 0.1
 @contextmanager
 def progress(*, shown: bool) -> Iterator[Callable[[str, int, int], None]]:
     """Provide what is told of which things (a word) how many of how many are done, and draws a bar
-    on standard error until the work is done: where that is a terminal, ``shown``, and not done at
-    once.
+    on standard error until the work is done, where it is to be ``shown`` and not done at once.
     """
-    if not (shown and sys.stderr.isatty()):
+    if not shown:
         yield lambda what, done, count: None  # noqa: ARG005
         return
     watcher = _Watcher()
