@@ -1,7 +1,9 @@
 """The command line: thin, and quick to start; what a command needs is imported inside it."""
 
-from compwright.cli import controls, histories, jobs, measurements
+from compwright.cli import controls, histories, jobs, measurements, redacting
 from compwright.cli.shell import main, run
 from compwright.cli.words import compwright
 
-__all__ = ["compwright", "controls", "histories", "jobs", "main", "measurements", "run"]
+__all__ = [
+    *("compwright", "controls", "histories", "jobs", "main", "measurements", "redacting", "run"),
+]

@@ -45,6 +45,16 @@ def answer(
         print_safely(lambda: show(renderables()))
 
 
+def answer_lines(
+    document: Mapping[str, Any], json_path: Path | None, lines: Callable[[], Iterable[str]]
+) -> None:
+    """Print the answer of a command that has no table: as JSON for ``--json -``, else as lines."""
+    if _on_output(json_path):
+        answer(document, json_path, list)
+    else:
+        print_lines(map(visible, lines()))
+
+
 def _on_output(json_path: Path | None) -> bool:
     return json_path is not None and str(json_path) == "-"
 

@@ -56,7 +56,7 @@ def at_its_header(text: Sequence[str], profile: Profile) -> Profile:
     As it is where its own line has them, where there is no header row, and where no line or more
     than one has them all.
     """
-    wanted = set(_wanted(profile))
+    wanted = set(columns_of(profile))
     if not profile.header_line or not wanted:
         return profile
     found = [
@@ -74,7 +74,7 @@ def has_columns(text: Sequence[str], profile: Profile) -> bool:
     faults = FaultList("")
     top = text[: profile.header_line] if profile.header_line else text
     table = foreign_table(top, profile.delimiter, profile.header_line, faults)
-    return not faults and set(_wanted(profile)) <= set(table.columns)
+    return not faults and set(columns_of(profile)) <= set(table.columns)
 
 
 def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) -> Parsed:
@@ -85,7 +85,7 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
     are missing.
     """
     table = foreign_table(text, profile.delimiter, profile.header_line, faults)
-    for name in _wanted(profile):
+    for name in columns_of(profile):
         if name not in table.columns:
             faults.add(
                 "a column of the profile is not in the file",
@@ -107,7 +107,7 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
     left = [
         name
         for name in table.columns
-        if name not in {*_wanted(profile), *profile.leave_out} and cells.filled(name)
+        if name not in {*columns_of(profile), *profile.leave_out} and cells.filled(name)
     ]
     about = (
         left_out_finding(left),
@@ -157,7 +157,8 @@ def profiled_parts(text: Sequence[str], profile: Profile, faults: FaultList) -> 
     return parts_by_axis(text, profile.delimiter, (profile.header_line, column), rows, faults)
 
 
-def _wanted(profile: Profile) -> list[str]:
+def columns_of(profile: Profile) -> list[str]:
+    """Return the names of the columns that a profile reads."""
     axis = [profile.axis_column] if profile.axis_column else []
     if profile.layout == "wide":
         return [profile.target, *profile.traverses, *axis]

@@ -1,0 +1,56 @@
+"""The command that makes copies which can be given away."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from compwright.cli.saying import answer_lines, errors, json_file
+from compwright.cli.words import (
+    PATH,
+    compwright,
+    exiting,
+    force_option,
+    json_option,
+    profile_option,
+)
+
+
+@compwright.command()
+@click.argument("paths", nargs=-1, required=True, metavar="FILE|FOLDER...", type=PATH)
+@click.option("--out", required=True, type=PATH, metavar="DIR", help="Folder for the copies.")
+@profile_option
+@click.option(
+    "--format",
+    "format_id",
+    metavar="ID",
+    help="The control that all the files are of; without it their content tells.",
+)
+@click.option("--show", is_flag=True, help="Print the texts that were taken out too.")
+@json_option
+@force_option
+@exiting
+def redact(
+    paths: tuple[Path, ...],
+    out: Path,
+    profile: Path | None,
+    format_id: str | None,
+    show: bool,  # noqa: FBT001 - a flag of the command line
+    json_path: Path | None,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Copy measurement and control files without names, serial numbers and remarks."""
+    from compwright.workflow.commands.redact import redact_files, redaction_lines
+
+    outcome = redact_files(
+        paths,
+        out,
+        profile=profile,
+        format_id=format_id,
+        json_path=json_file(json_path),
+        force=force,
+    )
+    errors(map(str, outcome.faults))
+    answer_lines(outcome.document, json_path, lambda: redaction_lines(outcome, show=show))
+    return outcome.exit_code

@@ -1,0 +1,94 @@
+"""Lines of a control's files that hold addresses, numbers and keywords and nothing else, by the
+shape of its tables: whatever compwright reads of them, nobody is named in them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from functools import cache
+from typing import Final
+
+from compwright.formats.definition.schema import Definition
+
+_NUMBER: Final = r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
+#: What may stand where a control names an axis.
+_AXIS: Final = r"(?:[A-Za-z]{1,2}|AX|M[AXSC]_?[A-Z]?|CA_?[A-Z]|SP)[0-9]{0,2}"
+_VALUE: Final = (
+    rf"(?:{_NUMBER}|'[HB][0-9A-F]+'?|TRUE|FALSE|n/a|\"(?:{_AXIS})?\"|\((?:{_AXIS}|[0-9]+)?\))"
+)
+_INDEX: Final = rf"\[\s*(?:{_AXIS}|[0-9]+)(?:\s*,\s*(?:{_AXIS}|[0-9]+))*\s*\]"
+_COLUMN: Final = r"(?:AXISPOS|BACKLASH|ACTIVE|[A-Z]{1,2}[0-9]?|[0-9]{1,2}=F\([A-Z]?[0-9]?\))"
+#: The sections and keys of settings of a machine that stand beside its compensation.
+_SECTIONS: Final = (
+    r"EMC|DISPLAY|FILTER|RS274NGC|EMCMOT|TASK|HAL|HALUI|APPLICATIONS|TRAJ|KINS|EMCIO|EMCSERVER"
+    r"|(?:JOINT|SPINDLE)_[0-9]{1,2}|AXIS_[A-Z0-9]"
+)
+_SETTINGS: Final = (
+    r"(?:MIN|MAX|HOME|STEPGEN|DEFAULT|FERROR|SCALE|INPUT_SCALE|OUTPUT_SCALE|ENCODER_SCALE|JOINTS"
+    r"|SERVO|BASE|CYCLE|STEP|STEPLEN|STEPSPACE|DIRSETUP|DIRHOLD|DEADBAND|BIAS|FF[0-3]|[PID]"
+    r"|BACKLASH|COMP_FILE_TYPE|LOCKING|VOLATILE|LATCH|INCREMENTS|SPINDLES|POSITION|NO_FORCE)"
+)
+
+#: Whole lines without comments, case ignored.
+_LINES: Final[Mapping[str, tuple[str, ...]]] = {
+    "section_increments": (
+        "%",
+        rf"N[0-9]{{4,5}}(?:Q[0-9])?(?:(?:[ALSTKDG][0-9]{{1,3}})?[PMIR]{_NUMBER})+",
+        r"(?:N[0-9]{1,5})?G1[01](?:L5[0-2])?;?",
+    ),
+    "values_by_index": (
+        (
+            rf"(?:N[0-9]+\s+)?\$(?:M[NACD]|S[NAC]|A[NAC])_[A-Z0-9_]+(?:{_INDEX})?\s*(?:=|\s)\s*{_VALUE}"
+            r"(?:\s+'[0-9A-F]{4})?"
+        ),
+        r"CHANDATA\([0-9]{1,2}\)",
+        r"METRIC|INCH|M17|M30|M0?2|M0|NEWCONF|STOPRE",
+        (
+            r"%_N_(?:N?C?_?(?:AX[0-9]*|NC|CH[0-9]*|COMPLETE|INITIAL|TOA[0-9]*|UFR|EEC|CEC|QEC|TEA|SEA"
+            r"|INI|MPF|SPF|ACT|DIR)_?)+"
+        ),
+    ),
+    "rows_by_position": (
+        rf"{_NUMBER}(?:\s+{_NUMBER}){{0,2}}",
+        rf"\[(?:{_SECTIONS})\]",
+        rf"{_SETTINGS}(?:_[A-Z0-9_]+)?\s*=\s*{_NUMBER}(?:\s+{_NUMBER})*",
+    ),
+    "user_tables": (
+        r"\[END\]",
+        rf"NR(?:\s+{_COLUMN})+",
+        rf"[0-9]+(?:\s+(?:\*|{_NUMBER}|[A-Z]{{1,2}}[0-9]?\s*\.COM))*",
+        (
+            rf"(?:BEGIN|END)\s+(?:{_AXIS}|CONFIG)\s*\.(?:COM|CMA)(?:\s+(?:MM|INCH))?"
+            rf"(?:\s+DATUM:\s*{_NUMBER})?(?:\s+DIST:\s*{_NUMBER})?(?:\s+Version:\s*'Update:[0-9.]+')?"
+            r"(?:\s+U)?"
+        ),
+        (
+            r"#STRUCT(?:BEGIN|END)|TableDescription\s*\(|columns\s*:=\s*\[|CfgColumnDescription\s*\("
+            r"|[)\]]\s*,?"
+        ),
+        rf"NAME\s*=\s*{_COLUMN}|key\s*:=\s*\"(?:NR|{_COLUMN})\"\s*,?|TYPE\s*=\s*[A-Z]",
+        rf"(?:WIDTH|DEC|POS)\s*=\s*{_NUMBER}",
+        r"primaryKey\s*:=\s*\"(?:NR)?\"\s*,?",
+        (
+            rf"(?:width|initial|minimum|maximum|decimals|unit)\s*:=\s*\"?(?:{_NUMBER}|mm|LENGTH)?\"?"
+            r"\s*,?"
+        ),
+        rf"(?:unit|unitIsInch|readOnly|unique)\s*:=\s*(?:TRUE|FALSE|{_NUMBER}|\"[A-Z]+\")\s*,?",
+        rf"MP[0-9]{{1,5}}(?:\.[0-9]{{1,3}}){{0,2}}\s*[:=]?\s*[%$]?{_NUMBER}",
+    ),
+    "lists_by_axis": (rf"zahl_(?:kw|mp)\s+{_NUMBER}",),
+    "wrapped_counts": (
+        rf"(?:[IPQM][0-9]{{1,5}}\s*=\s*(?:\$[0-9A-F]+|{_NUMBER})\s*)+",
+        r"#[0-9]{1,2}\s*DEF(?:INE)?\s+(?:BL|T)?COMP\s+[0-9#D,\s]+",
+        rf"{_NUMBER}(?:\s+{_NUMBER})*",
+        r"OPEN\s+[A-Z]*|CLOSE|CLEAR|DELETE\s+(?:BL|T)?COMP|(?:#[0-9]{1,2}\s*)?(?:K|A|J/|\$\$\$)",
+    ),
+}
+
+
+@cache
+def kept_lines(definition: Definition) -> re.Pattern[str]:
+    """Return what matches a whole line that may stay as it is, blanks around it left out."""
+    lines = _LINES[definition.layout.shape]
+    return re.compile("|".join(f"(?:{line})" for line in lines), re.IGNORECASE | re.ASCII)

@@ -1,0 +1,277 @@
+"""A control's text without what is somebody's: statements that are read stay with their numbers,
+and so do lines of numbers and keywords; remarks, programs and names do not.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Final
+
+from compwright.formats.definition.schema import Definition, TextKind
+from compwright.formats.definition.statements import Occurrence, Token
+from compwright.formats.text.texts import AS_IT_IS, BY_HAND, Line, ReadText, TextReader
+from compwright.foundations.redaction import Cuts
+from compwright.records.correction import ControlFile
+
+#: Types of fields that hold texts of somebody's choice.
+_TEXTS: Final = frozenset({"name", "label", "word", "text"})
+_HARMLESS: Final = re.compile(
+    r"(?:[A-Za-z]{1,2}|AX|M[AXSC]_?[A-Z]?|CA_?[A-Z]|SP)[0-9]{0,2}"  # axes
+    r"|[%$]?[+-]?[0-9][0-9.,]*|\$[0-9A-Fa-f]+"
+    r"|mm|inch|in|um|deg|degree|arcsec|metric|mm/m|LINEAR|ANGULAR|error|correction"
+    r"|[a-z]*kins(?:\s+coordinates=[A-Za-z]+)?(?:\s+kinstype=[A-Za-z0-9]+)?"
+    r"|(?:JOINT|SPINDLE)_[0-9]+|AXIS_[A-Z]|TRAJ|KINS|FALSE|TRUE|CONFIG",
+    re.IGNORECASE,
+)
+_QUOTED: Final = re.compile(r'"([^"\r\n]*)"')
+_SECTION: Final = re.compile(r"\s*\[(?P<name>[^\[\]]*)\]\s*")
+_BEHIND: Final = re.compile(r"[\s)\]\"';,]*(?:'[0-9A-F]{4})?\s*", re.IGNORECASE)
+_LETTERS: Final = re.compile(r"[A-Za-z]{4,}")
+
+
+@dataclass(slots=True)
+class RedactedText:
+    """The text of a copy; ``renamed``: names in it by what they were; ``words``: the keywords in
+    it, in small letters.
+    """
+
+    file: ControlFile
+    renamed: dict[str, str] = field(default_factory=dict)
+    words: set[str] = field(default_factory=set)
+
+
+def redacted_text(
+    reader: TextReader,
+    file: ControlFile,
+    read: ReadText,
+    kept: re.Pattern[str],
+    cuts: Cuts,
+) -> RedactedText:
+    """Return a copy of a control's text without what is somebody's.
+
+    ``read``: the statements in it; ``kept`` matches other lines that may stay whole. File names in
+    it lose their folders.
+    """
+    return _Redactor(reader, file, read, kept, cuts).copy()
+
+
+class _Redactor:
+    def __init__(
+        self,
+        reader: TextReader,
+        file: ControlFile,
+        read: ReadText,
+        kept: re.Pattern[str],
+        cuts: Cuts,
+    ) -> None:
+        self.reader, self.file, self.kept, self.cuts = reader, file, kept, cuts
+        self.kind: TextKind = reader.definition.texts[read.kind]
+        self.by_line: dict[int, list[Occurrence]] = defaultdict(list)
+        for one in read.occurrences:
+            self.by_line[one.line].append(one)
+        self.result = RedactedText(file)
+
+    def copy(self) -> RedactedText:
+        text = self.file.content.decode("latin-1")
+        made, end = [], 0
+        for line in self.reader.lines(text):
+            made += [text[end : line.start], self.line(line)]
+            end = line.start + len(line.text)
+        made.append(text[end:])
+        content = "".join(made).encode("latin-1", errors="replace")
+        self.result.file = ControlFile(self.file.name, content)
+        return self.result
+
+    def line(self, line: Line) -> str:
+        statements = self.by_line.get(line.number)
+        if statements and self._said_in_remark(line):
+            return self.statement(line, line.text, statements)
+        code, mark, remark = self._apart(line.text)
+        if statements:
+            return self.statement(line, code, statements) + self.remark(mark, remark)
+        if not code.strip():
+            return code + self.remark(mark, remark)
+        return self.other(code) + self.remark(mark, remark)
+
+    def _said_in_remark(self, line: Line) -> bool:
+        return line.text.startswith(
+            tuple(m + said for m in self.kind.comment_marks for said in (BY_HAND, AS_IT_IS))
+        )
+
+    def _apart(self, text: str) -> tuple[str, str, str]:
+        """Return a line up to its remark, the mark of the remark, and the remark."""
+        marks = self.kind.comment_marks
+        if not self.kind.comments_anywhere and not text.lstrip(" \t").startswith(marks or ("\0",)):
+            return text, "", ""
+        places = [(place, mark) for mark in marks if (place := text.find(mark)) >= 0]
+        if not places:
+            return text, "", ""
+        place, mark = min(places)
+        remark = text[place + len(mark) :]
+        if mark == "(" and ")" in remark:
+            inside, _, behind = remark.partition(")")
+            return (
+                text[:place] + behind if not behind.strip() else text[:place],
+                mark,
+                (inside if not behind.strip() else remark),
+            )
+        return text[:place], mark, remark
+
+    def remark(self, mark: str, text: str) -> str:
+        said = self.cuts.remark(text)
+        if mark == "(":
+            return f"({said})"
+        return f"{mark} {said}".rstrip() if mark else ""
+
+    def statement(self, line: Line, code: str, statements: Sequence[Occurrence]) -> str:
+        """Return a line with statements; names in it that may be somebody's get others."""
+        tokens = sorted(self._tokens(line, code, statements), key=lambda one: one[0].start)
+        made, end = [], 0
+        for token, kind in tokens:
+            start = token.start - line.start
+            if start < end:
+                continue
+            stop = token.end - line.start
+            made += [self.literal(code[end:start]), self.token(code[start:stop], kind)]
+            end = stop
+        behind = code[end:]
+        if _BEHIND.fullmatch(behind) is None:
+            gap = behind[: len(behind) - len(behind.lstrip())]
+            behind = gap + self.cuts.remark(behind, "text behind a value")
+        return "".join(made) + behind
+
+    def _tokens(
+        self, line: Line, code: str, statements: Sequence[Occurrence]
+    ) -> Iterator[tuple[Token, str]]:
+        end = line.start + len(code)
+        for one in statements:
+            kinds = self.reader.definition.statements[one.statement].fields
+            for name, token in one.tokens.items():
+                if line.start <= token.start and token.end <= end:
+                    yield token, kinds.get(name, "name")
+
+    def literal(self, text: str) -> str:
+        self.result.words.update(word.lower() for word in _LETTERS.findall(text))
+        return text
+
+    def token(self, text: str, kind: str) -> str:
+        if kind not in _TEXTS or _HARMLESS.fullmatch(text):
+            return self.literal(text)
+        folder, stem, ending = _path(text)
+        if folder:
+            self.cuts.remark(folder, "path")
+        if (stem and _HARMLESS.fullmatch(stem)) or re.fullmatch(
+            r"(?:joint|axis)_?[0-9A-Za-z]", stem
+        ):
+            new = self.literal(stem + ending)
+        else:
+            new = self.cuts.name(stem) + ending
+        if kind == "label":
+            new = new.upper()
+        self.result.renamed[text] = new
+        return new
+
+    def other(self, code: str) -> str:
+        """Return a line that no statement of ours stands on."""
+        bare = code.strip()
+        if self._whole(bare):
+            return self.literal(code)
+        section = _SECTION.fullmatch(code) if self.kind.sections is not None else None
+        if section is not None:
+            return f"[{self.cuts.name(section['name'], 'section').upper()}]"
+        if '"' in bare:
+            empty = _QUOTED.sub('""', code)
+            if self._whole(empty.strip()):
+                self.literal(empty)
+                return _QUOTED.sub(self._quoted, code)
+        said = self.cuts.remark(bare, "line")
+        mark = next(iter(self.kind.comment_marks), "")
+        return f"({said})" if mark == "(" else f"{mark} {said}".strip()
+
+    def _whole(self, bare: str) -> bool:
+        if self.reader.definition.dialect.blanks_anywhere and self.kept.fullmatch(
+            re.sub(r"[ \t]+", "", bare)
+        ):
+            return True
+        return self.kept.fullmatch(bare) is not None
+
+    def _quoted(self, found: re.Match[str]) -> str:
+        text = found[1]
+        if not text or _HARMLESS.fullmatch(text):
+            return found[0]
+        return f'"{self.cuts.name(text)}"'
+
+
+def _path(text: str) -> tuple[str, str, str]:
+    """Return the folder, the stem and the ending of what may be the name of a file."""
+    place = max(text.rfind("/"), text.rfind("\\")) + 1
+    name = text[place:]
+    match = re.fullmatch(r"(?P<stem>.*?)(?P<ending>\.[A-Za-z0-9]{1,4})?", name)
+    assert match is not None  # noqa: S101 - every text has this form
+    return text[:place], match["stem"], match["ending"] or ""
+
+
+def same_statements(old: ReadText, new: ReadText, renamed: dict[str, str]) -> bool:
+    """Whether two texts say the same: the same statements in the same order, with the same tokens,
+    but for names that got others.
+    """
+    return _told(old, renamed) == _told(new, {})
+
+
+def _told(text: ReadText, renamed: dict[str, str]) -> list[tuple[object, ...]]:
+    return [
+        (
+            one.statement,
+            one.line,
+            one.form,
+            tuple(
+                (name, renamed.get(token.text, token.text)) for name, token in one.tokens.items()
+            ),
+        )
+        for one in text.occurrences
+    ]
+
+
+def definition_words(definition: Definition) -> frozenset[str]:
+    """Return the words of the statements that a definition knows, in small letters."""
+    forms = (
+        form
+        for statement in definition.statements.values()
+        for form in (statement.form, *statement.also_read)
+    )
+    return frozenset(word.lower() for form in forms for word in _LETTERS.findall(form))
+
+
+_SHEET_KEY: Final = re.compile(
+    r"#\s*(?:axis|address|value|points|kind|unit|table|meaning):\s*(?P<value>.*?)\s*", re.IGNORECASE
+)
+_SHEET_CELL: Final = re.compile(
+    r"\s*(?:[+-]?[0-9.]+|MP[0-9.]+|\$?[A-Z]{2}_[A-Z_0-9]+|backLash|linearCompValue|point|position"
+    r"|value|unit|mm|um|deg|arcsec|inch|mm/m)?\s*",
+    re.IGNORECASE,
+)
+
+
+def redacted_sheet(content: bytes, cuts: Cuts) -> bytes:
+    """Return a typed-entry sheet without what is somebody's. The sheet is UTF-8 text."""
+    text = content.decode("utf-8")
+    lines = re.split(r"(\r\n|\r|\n)", text)
+    return "".join(
+        line if place % 2 else _sheet_line(line, cuts) for place, line in enumerate(lines)
+    ).encode()
+
+
+def _sheet_line(line: str, cuts: Cuts) -> str:
+    bare = line.lstrip("\ufeff")
+    if bare.lstrip().startswith("#"):
+        match = _SHEET_KEY.fullmatch(bare.strip())
+        if match is not None and _HARMLESS.fullmatch(match["value"]):
+            return line
+        return f"# {cuts.remark(bare.strip().lstrip('#'))}".rstrip()
+    return ",".join(
+        cell if _SHEET_CELL.fullmatch(cell) else cuts.remark(cell, "cell")
+        for cell in line.split(",")
+    )

@@ -1,0 +1,1 @@
+"""Measurement files without names and remarks: readings, units and keywords stay."""

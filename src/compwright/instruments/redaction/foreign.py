@@ -1,0 +1,180 @@
+"""Tables of other programs without what is somebody's, by their mapping profile: its columns stay,
+of all others neither the name nor a cell; of the text above what the reading rests on.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Final
+
+from compwright.foundations.redaction import NEUTRAL, Cuts
+from compwright.instruments.comments import comment_text
+from compwright.instruments.fault_list import FaultList
+from compwright.instruments.foreign_table import (
+    DELIMITERS,
+    cells_of,
+    foreign_table,
+    named_columns,
+)
+from compwright.instruments.header_words import axis_above, difference_of, said_unit
+from compwright.instruments.profile import MARK, VERSION, Profile
+from compwright.instruments.profiled import columns_of
+from compwright.instruments.redaction.key_lines import redacted_comment
+from compwright.instruments.redaction.plain import joined
+from compwright.instruments.redaction.words import is_axis, is_keywords, is_one_number
+
+_COUNT: Final = re.compile(r"[^0-9]*([0-9]{1,9})[^0-9]*")
+#: Digits of a run in such words as ``Lauf 3``.
+_DIGITS: Final = 3
+
+
+def redacted_table(lines: Sequence[str], profile: Profile, cuts: Cuts) -> tuple[list[str], Profile]:
+    """Return the lines of a table, as many, without what is somebody's, and the profile that reads
+    them.
+    """
+    head = profile.header_line
+    table = foreign_table(lines, profile.delimiter, head, FaultList(""))
+    words = _Words(profile, table.columns, cuts)
+    result = [_above(line, cuts) for line in lines[: max(head - 1, 0)]]
+    names: tuple[str, ...] = table.columns
+    if head:
+        written = [_header(cell, cuts) for cell in _cells(lines[head - 1], profile)]
+        names = named_columns([" ".join(cell.split()) for cell in written])
+        result.append(_joined(written, profile))
+    for line in lines[head:]:
+        comment = redacted_comment(line, cuts) if comment_text(line) is not None else None
+        if comment is not None:
+            result.append(comment)
+        elif not line.strip(" \t,;|"):
+            result.append(line)
+        else:
+            result.append(_joined(words.row(_cells(line, profile)), profile))
+    return result, words.renamed(dict(zip(table.columns, names, strict=True)))
+
+
+def profile_lines(profile: Profile) -> str:
+    """Return a profile as YAML, without remarks."""
+    marks = {character: name for name, character in DELIMITERS.items()}
+    keys: dict[str, object] = {
+        "layout": profile.layout,
+        "encoding": profile.encoding or "",
+        "delimiter": marks[profile.delimiter],
+        "decimal": {".": "point", ",": "comma"}[profile.decimal],
+        "header_line": profile.header_line,
+        "axis": profile.axis,
+        "axis_column": profile.axis_column,
+        "target": profile.target,
+        "target_unit": profile.target_unit,
+        "value": profile.value,
+        "value_is": "measured" if profile.measured else "deviation",
+        "unit": profile.unit or "",
+        "sign": profile.sign or "",
+        "direction_from": profile.direction_from,
+        "direction": profile.direction,
+        "directions": {word: sign.value for word, sign in profile.directions.items()},
+        "run": profile.run,
+        "run_counts": profile.run_counts,
+        "traverses": {
+            column: f"{direction.value}{run}"
+            for column, (direction, run) in profile.traverses.items()
+        },
+        "cycle": profile.cycle or "",
+        "leave_out": sorted(profile.leave_out),
+    }
+    place = profile.position_map
+    if place is not None:
+        keys["position_map"] = {"sense": place.sense, "offset": place.offset}
+    told = [f"{key}: {json.dumps(value, ensure_ascii=False)}" for key, value in keys.items()]
+    return "\n".join([f"{MARK}: {VERSION}", *told, ""])
+
+
+class _Words:
+    """What stays in the cells of a table, by what its columns are read for."""
+
+    def __init__(self, profile: Profile, columns: Sequence[str], cuts: Cuts) -> None:
+        self.profile, self.columns, self.cuts = profile, columns, cuts
+        self.read = set(columns_of(profile))
+
+    def row(self, cells: Sequence[str]) -> list[str]:
+        by_name = dict(zip(self.columns, cells, strict=False))
+        if not any(character.isdigit() for character in by_name.get(self.profile.target, "")):
+            return [self.cuts.remark(cell, "row beside the table") for cell in cells]
+        return [
+            self.cell(cell, self.columns[at] if at < len(self.columns) else "")
+            for at, cell in enumerate(cells)
+        ]
+
+    def cell(self, cell: str, column: str) -> str:
+        profile = self.profile
+        if column not in self.read:
+            return self.cuts.remark(cell, "cell")
+        if column == profile.axis_column:
+            return cell if is_axis(cell) else self.cuts.name(cell)
+        if column == profile.direction and profile.direction_from == "column":
+            return self.word(cell)
+        if column == profile.run and not is_one_number(cell):
+            return self.run(cell)
+        return cell if is_one_number(cell) else self.cuts.remark(cell, "cell")
+
+    def run(self, cell: str) -> str:
+        if not cell or is_keywords(cell, digits=_DIGITS):
+            return cell
+        number = _COUNT.fullmatch(cell)
+        self.cuts.remark(cell, "cell")
+        return number[1] if number else NEUTRAL
+
+    def word(self, cell: str) -> str:
+        return cell if is_keywords(cell) else self.cuts.name(cell)
+
+    def renamed(self, names: Mapping[str, str]) -> Profile:
+        """Return the profile for columns of other names."""
+        profile = self.profile
+        return replace(
+            profile,
+            file=NEUTRAL,
+            encoding=profile.encoding,
+            axis=profile.axis if is_axis(profile.axis) else self.cuts.name(profile.axis),
+            axis_column=names.get(profile.axis_column, ""),
+            target=names.get(profile.target, ""),
+            value=names.get(profile.value, ""),
+            direction=names.get(profile.direction, ""),
+            directions={
+                self.word(word).casefold(): sign for word, sign in profile.directions.items()
+            },
+            run=names.get(profile.run, ""),
+            traverses={names[name]: one for name, one in profile.traverses.items()},
+            leave_out=frozenset(names[name] for name in profile.leave_out if name in names),
+            sha256="",
+        )
+
+
+def _cells(line: str, profile: Profile) -> list[str]:
+    cells = cells_of(line, profile.delimiter)
+    return [line] if cells is None else cells
+
+
+def _joined(cells: Sequence[str], profile: Profile) -> str:
+    if profile.delimiter == " ":
+        return " ".join("_".join(cell.split()) for cell in cells)
+    return joined(cells, profile.delimiter)
+
+
+def _header(cell: str, cuts: Cuts) -> str:
+    return cell if is_keywords(cell, digits=_DIGITS) else cuts.name(cell, "column")
+
+
+def _above(line: str, cuts: Cuts) -> str:
+    """Return of a line above the table what the reading rests on."""
+    if not line.strip() or is_keywords(line):
+        return line
+    axis, unit, sign = axis_above([line]), said_unit(line), difference_of(line)
+    cuts.remark(line, "text above the table")
+    said = [
+        f"axis: {axis}" if axis else "",
+        f"unit: {unit}" if unit else "",
+        sign,
+    ]
+    return ", ".join(filter(None, said)) or NEUTRAL

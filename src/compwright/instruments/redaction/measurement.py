@@ -1,0 +1,192 @@
+"""The door: bytes of a measurement file to those of a copy without names, serial numbers and
+remarks.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from compwright.foundations.errors import CompwrightError, InputError
+from compwright.foundations.redaction import Cuts
+from compwright.foundations.utf8 import encoded
+from compwright.instruments.circular_reading import is_circular
+from compwright.instruments.forms import PLAIN_CSV, form_of
+from compwright.instruments.own_forms import is_plain_csv
+from compwright.instruments.profile import SIGNS, Profile, read_profile
+from compwright.instruments.profile_of_file import proposed_profile
+from compwright.instruments.profiled import at_its_header, has_columns
+from compwright.instruments.redaction.ballbar import ELEMENT_WORDS, redacted_ballbar
+from compwright.instruments.redaction.foreign import profile_lines, redacted_table
+from compwright.instruments.redaction.key_lines import NAMES, VALUES
+from compwright.instruments.redaction.lines import lines_of
+from compwright.instruments.redaction.plain import redacted_plain
+from compwright.instruments.redaction.sectioned import (
+    redacted_assignments,
+    redacted_compensation,
+    redacted_sections,
+)
+from compwright.instruments.redaction.words import KEPT_WORDS, is_axis, is_keywords
+from compwright.instruments.redaction.workbooks import other_parts, workbook_of
+from compwright.instruments.table_shape import has_table
+from compwright.instruments.text_input import read_any_lines
+from compwright.instruments.workbook import Sheet, is_workbook, sheets_of
+
+_Redacted = Callable[[Sequence[str], Cuts], list[str]]
+#: What takes the lines of each form of `forms.FORMS` apart, in their order.
+_BY_FORM: dict[str, _Redacted] = {
+    "the laser's runs (.rtl, .rta)": redacted_sections,
+    "the laser's means (.pos)": redacted_sections,
+    "a compensation text (.ren)": redacted_compensation,
+    "target data (TGT_DATA[1]=...)": redacted_assignments,
+    PLAIN_CSV.name: redacted_plain,
+}
+
+
+#: Words of the forms themselves, which stand in a copy as they stood in its original.
+_FORM_WORDS = (
+    *("serial", "operator", "machine", "location", "title", "version", "owner", "file"),
+    *("type", "count", "equipment", "environment", "header", "data", "user", "text"),
+    *("analysis", "resolution", "sign", "convention", "test", "name", "output"),
+    *("backlash", "compwright", "redacted", "simulated", "flags", "fwd", "bwd", "tgt"),
+    *("ref", "dec", "pv", "set", "filetype"),
+)
+#: Words in small letters that may stand in a copy whatever was taken out.
+ALLOWED: frozenset[str] = (
+    KEPT_WORDS
+    | ELEMENT_WORDS
+    | frozenset(_FORM_WORDS)
+    | frozenset(piece for key in (*VALUES, *NAMES) for piece in re.findall("[a-z]+", key))
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Redacted:
+    """The bytes of a copy; ``profile``: the text of the profile that reads it, where its original
+    needs one, and ``read_by`` the one that read the original.
+    """
+
+    content: bytes
+    profile: str = ""
+    read_by: Profile | None = None
+
+
+def is_measurement(content: bytes, file: str, profile: Profile | None = None) -> bool:
+    """Whether the content of a file is certainly a measurement's: its form is known, or it has the
+    columns of the ``profile``.
+    """
+    if is_workbook(content) or is_circular(content, file):
+        return True
+    try:
+        lines, _ = read_any_lines(content, file)
+        if form_of(lines, file) is not PLAIN_CSV or is_plain_csv(lines) or is_drift(lines):
+            return True
+    except InputError:
+        return False
+    if profile is None or profile.layout == "own":
+        return False
+    return has_columns(lines, at_its_header(lines, profile))
+
+
+def holds_table(content: bytes, file: str) -> bool:
+    """Whether a text holds a table of numbers, whatever its columns mean."""
+    try:
+        return has_table(read_any_lines(content, file)[0])
+    except InputError:
+        return False
+
+
+def redacted_measurement(
+    content: bytes, file: str, cuts: Cuts, profile: Profile | None = None
+) -> Redacted:
+    """Return a copy of a measurement file without what is somebody's.
+
+    Tables of other programs by their ``profile``, else by the one that is proposed. Raises
+    InputError or UsageError for what is none, or what no profile can be proposed for.
+    """
+    if is_workbook(content):
+        return _of_workbook(content, file, cuts, profile)
+    if is_circular(content, file):
+        if content.lstrip(b"\xef\xbb\xbf\xff\xfe \t\r\n\x00").startswith(b"<"):
+            return Redacted(redacted_ballbar(content, file, cuts))
+        return _by(redacted_plain, content, file, cuts)
+    lines, _ = read_any_lines(content, file)
+    form = form_of(lines, file)
+    if form is not PLAIN_CSV or _is_plain(lines, profile):
+        answers = profile if profile is not None and profile.layout == "own" else None
+        return replace(_by(_BY_FORM[form.name], content, file, cuts), read_by=answers)
+    return _by_profile(content, file, cuts, profile or _proposed(content, file))
+
+
+def _is_plain(lines: Sequence[str], profile: Profile | None) -> bool:
+    if profile is None or profile.layout == "own":
+        return is_plain_csv(lines) or is_drift(lines)
+    found = at_its_header(lines, profile)
+    return is_plain_csv(lines) and not has_columns(lines, found)
+
+
+def is_drift(lines: Sequence[str]) -> bool:
+    """Whether the lines of a file are those of a stand-still test."""
+    return any(line.lower().lstrip('"').startswith("time_min") for line in lines)
+
+
+def _by(redacted: _Redacted, content: bytes, file: str, cuts: Cuts) -> Redacted:
+    text = lines_of(content, file)
+    return Redacted(text.to_bytes(redacted(text.lines, cuts)))
+
+
+def _by_profile(content: bytes, file: str, cuts: Cuts, profile: Profile) -> Redacted:
+    text = lines_of(content, file, profile.encoding)
+    found = at_its_header(text.lines, profile)
+    lines, read_by = redacted_table(text.lines, found, cuts)
+    return Redacted(text.to_bytes(lines), profile_lines(read_by), found)
+
+
+def _proposed(content: bytes, file: str) -> Profile:
+    """Return the profile that is proposed for a table; whatever its sign, the numbers stay the
+    same. Raises UsageError where more than the sign is open.
+    """
+    text = proposed_profile(content, file).text
+    try:
+        return read_profile(encoded(text), f"the profile proposed for {file}")
+    except CompwrightError:
+        lines = [
+            f"sign: {SIGNS[0]}" if line.startswith("sign:") else line for line in text.split("\n")
+        ]
+        return read_profile(encoded("\n".join(lines)), f"the profile proposed for {file}")
+
+
+def _of_workbook(content: bytes, file: str, cuts: Cuts, profile: Profile | None) -> Redacted:
+    sheets = sheets_of(content, file)
+    if profile is None and not any(is_plain_csv(sheet.lines) for sheet in sheets):
+        profile = _proposed(content, file)
+    made: list[Sheet] = []
+    read_by: Profile | None = None
+    for sheet in sheets:
+        found = at_its_header(sheet.lines, replace(profile, delimiter="\t")) if profile else None
+        if found is not None and found.layout != "own" and has_columns(sheet.lines, found):
+            lines, read_by = redacted_table(sheet.lines, found, cuts)
+        elif is_plain_csv(sheet.lines):
+            lines = redacted_plain(sheet.lines, cuts)
+        else:
+            _left_out(sheet, cuts)
+            continue
+        made.append(Sheet(_title(sheet, cuts, made), lines))
+    cuts.removed.extend(("part of the workbook", name) for name in other_parts(content))
+    told = "" if read_by is None else profile_lines(read_by)
+    return Redacted(workbook_of(made), told, profile)
+
+
+def _left_out(sheet: Sheet, cuts: Cuts) -> None:
+    cuts.remark(sheet.name, "sheet")
+    for line in sheet.lines:
+        for cell in line.split("\t"):
+            cuts.remark(cell, "cell of a sheet")
+
+
+def _title(sheet: Sheet, cuts: Cuts, before: Sequence[Sheet]) -> str:
+    name = sheet.name
+    title = name if is_axis(name) or is_keywords(name) else cuts.name(name, "sheet")
+    taken = {one.name.casefold() for one in before}
+    return title if title.casefold() not in taken else f"{title} {len(before) + 1}"

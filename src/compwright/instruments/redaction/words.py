@@ -1,0 +1,122 @@
+"""What may stay in a measurement file: numbers, units, dates, names of axes, and words of a closed
+list. All else is somebody's.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+from compwright.instruments.csv_table import COLUMNS
+from compwright.instruments.header_words import plain
+
+_NUMBER: Final = r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?"
+_NUMBERS: Final = re.compile(rf"\s*{_NUMBER}(?:(?:\s*[,;]\s*|\s+){_NUMBER})*\s*")
+_ONE_NUMBER: Final = re.compile(rf"\s*{_NUMBER}\s*")
+_MONTHS: Final = (
+    r"(?:jan(?:uary|uar|vier)?|feb(?:ruary|ruar)?|mar(?:ch|s)?|märz|apr(?:il)?|may|mai|june?|juni|"
+    r"july?|juli|aug(?:ust)?|sep(?:t|tember)?|o[ck]t(?:ober)?|nov(?:ember)?|de[cz](?:ember)?)\.?"
+)
+_TIME: Final = r"[0-9]{1,2}[:.][0-9]{2}(?:[:.][0-9]{2}(?:[.,][0-9]{1,6})?)?(?:\s*[ap]m)?"
+_DATE: Final = re.compile(
+    rf"(?:(?:[0-9]{{1,4}}[-./ ][0-9]{{1,2}}[-./ ][0-9]{{1,4}}|(?:19|20)[0-9]{{6}}"
+    rf"|[0-9]{{1,2}}\.?[ -]{_MONTHS}[ -][0-9]{{2,4}}"
+    rf"|{_MONTHS} [0-9]{{1,2}},? [0-9]{{2,4}})(?:[T ,_-]*(?:{_TIME}|[0-9]{{6}}|[0-9]{{4}}))?"
+    rf"(?:\s*(?:Z|[+-][0-9]{{2}}:?[0-9]{{2}}))?|{_TIME})",
+    re.IGNORECASE,
+)
+#: A name of an axis as controls have them.
+_AXIS: Final = re.compile(r"(?:[A-Z]{1,2}|AX|MA_[A-Z]|CA_[A-Z])[0-9]{0,2}", re.IGNORECASE)
+_UNITS: Final = (
+    *("nm", "um", "µm", "μm", "mm", "cm", "m", "mkm", "мкм", "мм", "нм", "in", "inch", "inches"),
+    *("micron", "microns", "metric", "deg", "degree", "degrees", "grad", "град", "°", "arcsec"),
+    *("arcmin", "arcsecond", "arcseconds", "urad", "µrad", "μrad", "mrad", "rad", "mkrad", "мкрад"),
+    *("mrad", "c", "°c", "k", "ppm", "ms", "s", "min", "hz", "%", "um/m", "mm/min", "um/(m", "k)"),
+)
+_WORDS: Final = (
+    # key lines and their values
+    *("measured", "minus", "target", "standard", "step", "yes", "no", "true", "false", "none"),
+    *("material", "temperature", "expansion", "scale", "machine", "workpiece", "air", "pressure"),
+    *("humidity", "compensation", "positioning", "circular", "linear", "angular", "rotary"),
+    *("virtual", "ballbar", "na", "n/a", "as", "errors", "error", "corrections", "correction"),
+    *("absolute", "incremental", "combined", "forward", "reverse", "separate", "and", "tables"),
+    *("table", "bidirectional", "unidirectional", "backward", "rtl", "rta", "iso", "ccw", "cw"),
+    # headers of columns, in the languages in which they are understood
+    *("targets", "nominal", "nom", "command", "commanded", "position", "positions", "pos"),
+    *("soll", "sollwert", "sollposition", "ziel", "zielposition", "nennwert", "cible", "consigne"),
+    *("theorique", "задано", "заданная", "заданное", "целевая", "номинал", "позиция", "координата"),
+    *("posizione", "nominale", "quota", "teorica", "objetivo", "posicion", "consigna", "punto"),
+    *("deviation", "deviations", "dev", "err", "abweichung", "abweichungen", "fehler", "ecart"),
+    *("erreur", "отклонение", "отклонения", "ошибка", "погрешность", "scostamento", "errore"),
+    *("deviazione", "desviacion", "difference", "differenz", "actual", "reading", "readings"),
+    *("ist", "istwert", "istposition", "messwert", "gemessen", "mesure", "reel", "reelle"),
+    *("измерено", "измеренная", "измеренное", "факт", "фактическая", "действительная", "misurato"),
+    *("misurata", "effettiva", "reale", "medida", "medido", "medicion", "laser", "direction"),
+    *("dir", "approach", "richtung", "anfahrrichtung", "sens", "approche", "направление"),
+    *("подход", "direzione", "verso", "senso", "sentido", "direccion", "run", "runs", "cycle"),
+    *("cycles", "traverse", "pass", "lauf", "zyklus", "messung", "durchgang", "reihe"),
+    *("messreihe", "passage", "serie", "прогон", "цикл", "проход", "серия", "ciclo", "corsa"),
+    *("prova", "passata", "pasada", "ensayo", "nr", "repeat", "repetition", "wiederholung"),
+    *("ripetizione", "repeticion", "повтор", "axis", "achse", "axe", "ось", "asse", "eje"),
+    *("point", "punkt", "value", "wert", "mean", "mittelwert", "unit", "units", "einheit"),
+    *("unite", "единица", "единицы", "unita", "unidad", "time", "zeit", "temperatur", "delta"),
+    *("angle", "radius", "count", "start", "end", "spacing", "column", "of", "the", "in", "to"),
+    # directions
+    *("positive", "positiv", "positif", "positivo", "plus", "up", "auf", "aufwarts", "steigend"),
+    *("montee", "montant", "вверх", "плюс", "salita", "su", "subida", "piu", "mas", "rising"),
+    *("ascending", "neg", "negative", "negativ", "negatif", "negativo", "down", "ab", "abwarts"),
+    *("fallend", "descente", "descendant", "вниз", "минус", "discesa", "giu", "bajada", "meno"),
+    *("menos", "moins", "falling", "descending", "fwd", "fw", "vor", "vorwarts", "hin", "hinfahrt"),
+    *("hinweg", "avant", "aller", "вперед", "прямой", "прямое", "прямо", "туда", "avanti"),
+    *("andata", "adelante", "ida", "out", "vorlauf", "rev", "back", "bwd", "bw", "ruck"),
+    *("ruckwarts", "her", "zuruck", "ruckfahrt", "ruckweg", "arriere", "retour", "назад"),
+    *("обратный", "обратное", "обратно", "indietro", "ritorno", "atras", "vuelta", "rucklauf"),
+)
+_COLUMN_WORDS: Final = frozenset(word for name in COLUMNS for word in name.split("_"))
+#: Words that may stand in a measurement file, in small letters without accents.
+KEPT_WORDS: Final = frozenset(
+    {plain(word) for word in (*_WORDS, *_UNITS)} | _COLUMN_WORDS | {"angle", "radius", "time"}
+)
+_TOKEN: Final = re.compile(r"[^\W\d_]+|[0-9]+|\s+|.", re.DOTALL)
+_MARKS: Final = frozenset("+-*/=.,:;()[]{}<>%°#_±↑↓|'\"")
+
+
+def is_numbers(text: str) -> bool:
+    """Whether a text is one number or several, and nothing else."""
+    return _NUMBERS.fullmatch(text) is not None
+
+
+def is_one_number(text: str) -> bool:
+    """Whether a text is a number and nothing else."""
+    return _ONE_NUMBER.fullmatch(text) is not None
+
+
+def is_date(text: str) -> bool:
+    """Whether a text is a date, a time, or both."""
+    return _DATE.fullmatch(text.strip()) is not None
+
+
+def is_axis(text: str) -> bool:
+    """Whether a text is a name of an axis (``X``, ``X1``, ``AX12``), and no word."""
+    return _AXIS.fullmatch(text.strip()) is not None
+
+
+def is_keywords(text: str, *, digits: int = 2) -> bool:
+    """Whether a text consists of words of the list, units, single letters, marks, and numbers of at
+    most so many ``digits``.
+    """
+    for token in _TOKEN.findall(text):
+        if token.isspace() or token in _MARKS:
+            continue
+        if token.isdigit():
+            if len(token) > digits:
+                return False
+        elif plain(token) not in KEPT_WORDS and not (len(token) == 1 and token.isalpha()):
+            return False
+    return True
+
+
+def is_quantity(text: str) -> bool:
+    """Whether a text is a number with a unit, such as ``25 mm``, or such words as ``As errors``."""
+    number, _, unit = text.strip().partition(" ")
+    return is_numbers(text) or (is_one_number(number) and is_keywords(unit)) or is_keywords(text)

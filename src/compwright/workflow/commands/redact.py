@@ -1,0 +1,268 @@
+"""``redact``: copies of measurement and control files without names, serial numbers and remarks."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path, PurePath
+from typing import Any, Final
+
+from compwright.documents.json_text import to_json
+from compwright.foundations import storage
+from compwright.foundations.errors import CompwrightError, Fault, InputError
+from compwright.foundations.redaction import Cuts, Names, telling
+from compwright.foundations.utf8 import encoded, shown_path, visible
+from compwright.instruments.profile import Profile
+from compwright.instruments.redaction.measurement import ALLOWED, holds_table, is_measurement
+from compwright.records.correction import ControlFile
+from compwright.workflow.stages.measurement_files import load_profile
+from compwright.workflow.stages.redacted_controls import control_copies
+from compwright.workflow.stages.redacted_measurements import measurement_copy
+
+SCHEMA: Final = "compwright/redaction/1"
+#: A run of digits in the name of a file that may be a serial number; dates are none.
+_SERIAL: Final = re.compile(r"(?<![0-9])(?!(?:19|20)[0-9]{6}(?![0-9]))[0-9]{5,}(?![0-9])")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RedactedFile:
+    """One file: its own path, where the copy stands, what it was taken for, and how many texts were
+    taken out, by kind. ``texts``: these themselves, for whoever asks.
+    """
+
+    file: Path
+    copy: Path
+    taken_for: str
+    removed: dict[str, int]
+    texts: tuple[tuple[str, str], ...] = ()
+    renamed: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RedactOutcome:
+    """The copies in the order of their files, and what was wrong with the others."""
+
+    files: tuple[RedactedFile, ...]
+    faults: tuple[Fault, ...]
+    written: tuple[Path, ...]
+
+    @property
+    def exit_code(self) -> int:
+        """0, or that of files that could not be copied."""
+        return InputError.exit_code if self.faults else 0
+
+    @property
+    def document(self) -> dict[str, Any]:
+        """The answer as JSON; the texts that were taken out are not in it."""
+        return {
+            "schema": SCHEMA,
+            "files": [
+                {
+                    "file": shown_path(one.file),
+                    "copy": shown_path(one.copy),
+                    "taken_for": one.taken_for,
+                    "removed": one.removed,
+                    "renamed": one.renamed,
+                }
+                for one in self.files
+            ],
+            "errors": [
+                {"file": fault.file, "message": str(replace(fault, file=""))}
+                for fault in self.faults
+            ],
+        }
+
+
+@dataclass(slots=True)
+class _Input:
+    path: Path
+    content: bytes
+    cuts: Cuts
+    copy: bytes = b""
+    taken_for: str = ""
+    profile: str = ""
+
+    @property
+    def name(self) -> str:
+        return self.path.name
+
+
+def redact_files(
+    paths: Sequence[Path],
+    out: Path,
+    *,
+    profile: Path | None = None,
+    format_id: str | None = None,
+    json_path: Path | None = None,
+    force: bool = False,
+) -> RedactOutcome:
+    """Write a copy of each file into ``out``, under its own name unless that holds a text that was
+    taken out, or what may be a serial number.
+
+    What is not known, or cannot be proven, is not copied and stands in ``faults``; the rest is.
+    Raises UsageError for a wrong profile or control, StorageError where nothing can be written.
+    """
+    read_by = load_profile(profile) if profile is not None else None
+    names, faults = Names(), list[Fault]()
+    inputs = _read(paths, names, faults)
+    _copy(inputs, read_by, format_id, faults)
+    done = [one for one in inputs if one.taken_for]
+    files = _named(done, names)
+    outcome = RedactOutcome(files=_told(done, files, out), faults=tuple(faults), written=())
+    contents = {
+        name: content
+        for one, name in zip(done, files, strict=True)
+        for name, content in _of(one, name)
+    }
+    elsewhere = {} if json_path is None else {json_path: encoded(to_json(outcome.document))}
+    if not contents:
+        return outcome
+    written = storage.write_files(out, contents, elsewhere=elsewhere, force=force)
+    return replace(outcome, written=tuple(written))
+
+
+def _read(paths: Sequence[Path], names: Names, faults: list[Fault]) -> list[_Input]:
+    inputs: list[_Input] = []
+    for path in paths:
+        try:
+            inputs.extend(
+                _Input(entry, storage.read_bytes(entry), Cuts(names))
+                for entry in storage.list_files(path)
+            )
+        except InputError as error:
+            faults.extend(error.faults)
+    seen: set[str] = set()
+    unique = []
+    for one in inputs:
+        if one.name.casefold() in seen:
+            faults.append(
+                Fault(
+                    message="has the name of another file, and their copies would be one",
+                    file=shown_path(one.path),
+                    expected="a command of its own, with another --out",
+                )
+            )
+            continue
+        seen.add(one.name.casefold())
+        unique.append(one)
+    return unique
+
+
+def _copy(
+    inputs: Sequence[_Input],
+    profile: Profile | None,
+    format_id: str | None,
+    faults: list[Fault],
+) -> None:
+    """Make the copies: of measurements one by one, of controls' files together, and of what is
+    neither by the profile that is proposed for it.
+    """
+    others: list[_Input] = []
+    for one in inputs:
+        if format_id is None and is_measurement(one.content, one.name, profile):
+            _measurement(one, profile, faults)
+        else:
+            others.append(one)
+    files = [ControlFile(one.name, one.content) for one in others]
+    copies = control_copies(files, {one.name: one.cuts for one in others}, format_id)
+    for one in others:
+        copy = copies.made.get(one.name)
+        if copy is not None:
+            one.copy, one.taken_for = copy.content, "control file"
+            continue
+        one.cuts.removed.clear()
+        why: list[Fault] = []
+        if format_id is None and one.name in copies.unknown and _measurement(one, profile, why):
+            continue
+        told = [fault for fault in copies.faults if fault.file == one.name]
+        if why and holds_table(one.content, one.name):
+            told = [*why, *told]
+        faults.extend(replace(fault, file=shown_path(one.path)) for fault in told)
+
+
+def _measurement(one: _Input, profile: Profile | None, faults: list[Fault]) -> bool:
+    try:
+        made = measurement_copy(one.content, shown_path(one.path), one.cuts, profile)
+    except CompwrightError as error:
+        one.cuts.removed.clear()
+        faults.extend(error.faults)
+        return False
+    one.copy, one.profile, one.taken_for = made.content, made.profile, "measurement"
+    return True
+
+
+def _of(one: _Input, name: str) -> list[tuple[str, bytes]]:
+    copies = [(name, one.copy)]
+    if one.profile:
+        copies.append((f"{PurePath(name).stem}.profile.yaml", encoded(one.profile)))
+    return copies
+
+
+def _named(inputs: Sequence[_Input], names: Names) -> list[str]:
+    """Return the names of the copies: those of the files, but for stems in which something stands
+    that was taken out of any of them, or that may be a serial number.
+    """
+    somebody = {
+        piece
+        for one in inputs
+        for _, text in one.cuts.removed
+        for piece in telling(text, ALLOWED | _COMMON)
+        if _SIZE.fullmatch(piece) is None
+    }
+    result: list[str] = []
+    for one in inputs:
+        stem, ending = one.path.stem, one.path.suffix
+        pieces = set(re.findall(r"[^\W_]+", stem.casefold()))
+        gives_away = bool(pieces & somebody) or _SERIAL.search(stem) is not None
+        result.append(f"{names.of(stem)}{ending}" if gives_away else one.name)
+    return result
+
+
+#: A length or an angle in the name of a file.
+_SIZE: Final = re.compile(r"[0-9]+(?:mm|um|deg|grad|min)")
+#: Words in names of files that name nobody.
+_COMMON: Final = frozenset(
+    {
+        *("axis", "before", "after", "test", "measurement", "measured", "linear"),
+        *("rotary", "circle", "circular", "ballbar", "backup", "parameter", "parameters"),
+        *("pitch", "error", "compensation", "table", "positive", "negative", "data"),
+        *("file", "files", "achse", "messung", "vorher", "nachher", "config"),
+        *("configuration", "machine", "maschine", "laser", "plane", "first", "second"),
+        *("joint", "entry", "para", "comp", "runs", "left", "right", "north", "south"),
+    }
+)
+
+
+def _told(inputs: Sequence[_Input], names: Sequence[str], out: Path) -> tuple[RedactedFile, ...]:
+    return tuple(
+        RedactedFile(
+            file=one.path,
+            copy=out / name,
+            taken_for=one.taken_for,
+            removed=one.cuts.counts(),
+            texts=tuple(one.cuts.removed),
+            renamed=name != one.name,
+        )
+        for one, name in zip(inputs, names, strict=True)
+    )
+
+
+def redaction_lines(outcome: RedactOutcome, *, show: bool = False) -> list[str]:
+    """Return in words what was copied and taken out; ``show``: the texts themselves too."""
+    lines = []
+    for one in outcome.files:
+        counts = ", ".join(f"{count} {kind}" for kind, count in one.removed.items())
+        lines.append(f"{one.copy}: as {one.taken_for}; taken out: {counts or 'nothing'}")
+        if one.renamed:
+            lines.append(
+                f"  another name than {one.file.name}, which holds such a text or a number"
+            )
+        if show:
+            lines += [f"  {kind}: {visible(text)}" for kind, text in dict.fromkeys(one.texts)]
+    if outcome.files:
+        lines.append(
+            "Look at the names of the copies, and at the copies, before you send them: dates, names"
+            " of axes and all numbers that are read are still in them."
+        )
+    return lines
