@@ -23,6 +23,7 @@ from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.foundations.redaction import Cuts, Names, left_over
 from compwright.instruments.reading import read_positioning
+from compwright.instruments.redaction.plain import redacted_plain
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from places import REAL, needs_shared
@@ -319,7 +320,7 @@ def test_a_copy_that_does_not_prove_right_is_not_written(
 ) -> None:
     from compwright.instruments.redaction import measurement
 
-    right = measurement.redacted_plain
+    right = redacted_plain
 
     def wrong(lines: list[str], cuts: Cuts) -> list[str]:
         made = right(lines, cuts)

@@ -11,6 +11,8 @@ from typing import Final
 
 from compwright.formats.definition.schema import Definition
 
+#: What a user exports in the place of an archive in a container.
+STATE_TEXTS: Final = "machine data of all axes, AX_EEC_INI, NC_CEC_INI"
 _NUMBER: Final = r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
 #: What may stand where a control names an axis.
 _AXIS: Final = r"(?:[A-Za-z]{1,2}|AX|M[AXSC]_?[A-Z]?|CA_?[A-Z]|SP)[0-9]{0,2}"

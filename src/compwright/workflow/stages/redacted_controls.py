@@ -14,7 +14,7 @@ from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definitions_from
 from compwright.formats.families.control_texts import texts_of
-from compwright.formats.families.kept_lines import kept_lines
+from compwright.formats.families.kept_lines import STATE_TEXTS, kept_lines
 from compwright.formats.text.container import is_container, unknown_container
 from compwright.formats.text.entry_sheet import is_entry_sheet, parse_sheet
 from compwright.formats.text.redaction import (
@@ -234,7 +234,7 @@ def _container(file: ControlFile) -> InputError:
             message="is an archive in a container; its checksum is not understood, so that no copy"
             " of it could be made that is still one",
             file=file.name,
-            expected="the texts in it, exported one by one: machine data, AX_EEC_INI, NC_CEC_INI",
+            expected=f"the texts in it, exported one by one: {STATE_TEXTS}",
         )
     )
 
