@@ -5,5 +5,12 @@ from compwright.cli.shell import main, run
 from compwright.cli.words import compwright
 
 __all__ = [
-    *("compwright", "controls", "histories", "jobs", "main", "measurements", "redacting", "run"),
+    "compwright",
+    "controls",
+    "histories",
+    "jobs",
+    "main",
+    "measurements",
+    "redacting",
+    "run",
 ]
