@@ -176,10 +176,10 @@ def test_what_was_read_is_not_overwritten_under_another_name(
     )
 
 
-def test_what_was_not_read_may_be_replaced_where_it_is_named(folder: Path) -> None:
-    shutil.copy("after.csv", "old.json")
+def test_an_earlier_answer_is_replaced_where_it_is_named(folder: Path) -> None:
+    Path("old.json").write_text("old")
     assert compwright(["evaluate", "x.csv", "--json", "old.json", "--force"]) == 0
-    assert compwright(["evaluate", "x.csv", "--json", "old.json", "--force"]) == 0
+    assert compwright(["evaluate", "after.csv", "--json", "old.json", "--force"]) == 0
     assert (
         (folder / "old.json").read_bytes().startswith(b'{\n  "schema": "compwright/evaluation/1"')
     )
@@ -187,7 +187,8 @@ def test_what_was_not_read_may_be_replaced_where_it_is_named(folder: Path) -> No
 
 def test_a_command_remembers_only_its_own_inputs(folder: Path) -> None:
     assert compwright(["evaluate", "x.csv", "--json", "one.json"]) == 0
-    assert compwright(["evaluate", "after.csv", "--json", "x.csv", "--force"]) == 0
+    assert compwright(["decode", "control", "--format", CONTROL, "--json", "two.json"]) == 0
+    assert compwright(["evaluate", "x.csv", "--json", "one.json", "--force"]) == 0
 
 
 def test_the_notes_of_the_user_stay(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

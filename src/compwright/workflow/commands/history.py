@@ -18,6 +18,7 @@ from compwright.records.history import HistoryEntry
 from compwright.workflow.stages.history_entries import entries_of
 from compwright.workflow.stages.history_index import HistoryIndex, opened
 from compwright.workflow.stages.result_folders import read_folder, result_folders
+from compwright.workflow.stages.single_files import refuse_other_kinds
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -248,6 +249,7 @@ def _written(
     asked.
     """
     storage.refuse_overwriting(asked, force=force)
+    refuse_other_kinds(asked, force=force)
     files = {**asked, **index}
     if not files:
         return ()

@@ -18,6 +18,7 @@ from compwright.records.facts import AxisFacts
 from compwright.workflow.stages.control import Control, decode, open_control, read_files
 from compwright.workflow.stages.definitions import is_path
 from compwright.workflow.stages.one_by_one import axis_by_axis
+from compwright.workflow.stages.single_files import refuse_other_kinds
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +72,7 @@ def new_job(
             given |= _left_open(unsaid, drafts)
     named = storage.relative(Path(format_id), out.parent) if is_path(format_id) else format_id
     text = job_text(named, given, [storage.relative(path, out.parent) for path in files], drafts)
+    refuse_other_kinds({out: encoded(text)}, force=force)
     storage.write_file(out, encoded(text), force=force)
     said = (finding.message for finding in control.findings)
     told = (*left_out, *_idle(control, state, drafts), *said)

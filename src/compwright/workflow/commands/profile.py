@@ -9,6 +9,7 @@ from compwright.foundations import storage
 from compwright.foundations.input_sizes import MEASUREMENT
 from compwright.foundations.utf8 import encoded, shown_path
 from compwright.instruments.profile_of_file import proposed_profile
+from compwright.workflow.stages.single_files import refuse_other_kinds
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,7 +31,9 @@ def propose_profile(file: Path, out: Path, *, force: bool = False) -> ProfileOut
     StorageError when ``out`` exists (unless ``force``) or cannot be written.
     """
     proposed = proposed_profile(storage.read_bytes(file, MEASUREMENT), shown_path(file))
-    (path,) = storage.write_files(Path(), {}, elsewhere={out: encoded(proposed.text)}, force=force)
+    target = {out: encoded(proposed.text)}
+    refuse_other_kinds(target, force=force)
+    (path,) = storage.write_files(Path(), {}, elsewhere=target, force=force)
     return ProfileOutcome(
         path=path, worked=proposed.worked, notes=proposed.notes, open=proposed.open
     )

@@ -21,6 +21,7 @@ from compwright.workflow.stages.finished import Finished
 from compwright.workflow.stages.handed_over import files_of_job, given_job
 from compwright.workflow.stages.next_files import JOB
 from compwright.workflow.stages.next_round import FOLDER as ROUND
+from compwright.workflow.stages.single_files import refuse_other_kinds
 from compwright.workflow.stages.worked_through import worked_through
 
 NO_STATE_OPTION = (
@@ -84,6 +85,7 @@ def run_job(
     recorded, outdated = recorded_run(finished, results, given, out, draft=draft)
     files = {**results.files, **recorded, **draft}
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
+    refuse_other_kinds(elsewhere, force=force, results=[out / name for name in files])
     sets = [f"{name}/{finished.measured.control.id}" for name in ("tables", "rollback")]
     paths = storage.write_files(
         out,

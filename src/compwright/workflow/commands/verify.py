@@ -56,6 +56,7 @@ from compwright.workflow.stages.next_round import (
     refuse_later_rounds,
 )
 from compwright.workflow.stages.settled import named_axes, settled_by_files
+from compwright.workflow.stages.single_files import refuse_other_kinds
 from compwright.workflow.stages.verified_axis import verified_axis
 from compwright.workflow.stages.verify_circles import (
     split_after,
@@ -210,12 +211,14 @@ def _stored(
 ) -> tuple[Path, ...]:
     """Write the verification and the next round, all of it or nothing."""
     below = {} if then is None else then.files
+    answer = {} if json_path is None else {json_path: files[VERIFICATION]}
+    refuse_other_kinds(answer, force=force, results=[out / name for name in (*files, *below)])
     return tuple(
         storage.write_files(
             out,
             {**files, **below},
             force=force,
-            elsewhere={} if json_path is None else {json_path: files[VERIFICATION]},
+            elsewhere=answer,
             whole=() if then is None else then.whole,
             renewed=[PROVEN, f"{INPUTS}/{BY_VERIFY}", *(() if then is None else then.renewed)],
             completed=[RECORD],

@@ -10,6 +10,7 @@ from typing import Any
 
 from compwright.documents.json_text import to_json
 from compwright.foundations import storage
+from compwright.workflow.stages.single_files import refuse_other_kinds
 
 
 def document_text(document: Mapping[str, Any]) -> str:
@@ -19,7 +20,9 @@ def document_text(document: Mapping[str, Any]) -> str:
 
 def write_document(document: Mapping[str, Any], path: Path, *, force: bool) -> None:
     """Write a document to a file of its own. Raises StorageError."""
-    storage.write_file(path, to_json(document).encode(), force=force)
+    content = to_json(document).encode()
+    refuse_other_kinds({path: content}, force=force)
+    storage.write_file(path, content, force=force)
 
 
 def show(renderables: list[Any]) -> None:

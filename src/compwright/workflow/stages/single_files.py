@@ -1,0 +1,117 @@
+"""A file that the user names for an answer (``--json``, ``--plot``, ``--table``, ``--out``) may be
+there already. With ``--force`` it is replaced, unless it is certainly something else: a
+measurement, a job, a plan, a picture in the place of a document.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Final
+
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, InputError, StorageError, raise_all
+from compwright.instruments.circular_reading import is_circular
+from compwright.instruments.forms import PLAIN_CSV, form_of
+from compwright.instruments.own_forms import is_plain_csv
+from compwright.instruments.table_shape import has_table
+from compwright.instruments.text_input import read_any_lines
+
+#: First bytes -> what a file is.
+_SIGNATURES: Final = (
+    (re.compile(rb"\x89PNG"), "a picture"),
+    (re.compile(rb"%PDF"), "a picture"),
+    (
+        re.compile(rb"(?:<\?xml[^>]*>\s*)?(?:<!(?:--|DOCTYPE)[^>]*>\s*)*<svg", re.DOTALL),
+        "a picture",
+    ),
+    (re.compile(rb"PK\x03\x04"), "a workbook"),
+    (re.compile(rb"SQLite format 3\x00"), "an index of history"),
+    (re.compile(rb"\s*<(?:!DOCTYPE html|html)", re.IGNORECASE), "a page"),
+)
+#: Keys at the left edge that tell a YAML file of ours.
+_YAML: Final = (
+    (re.compile(rb"^compwright\s*:", re.MULTILINE), "a job"),
+    (re.compile(rb"^compwright_profile\s*:", re.MULTILINE), "a mapping profile"),
+    (re.compile(rb"^compwright_format\s*:", re.MULTILINE), "a definition of a control"),
+    (re.compile(rb"^virtual_machine\s*:", re.MULTILINE), "a virtual machine"),
+)
+_SCHEMA: Final = re.compile(rb'\s*\{\s*"schema"\s*:\s*"(compwright/[a-z_]+)/')
+_TABLE: Final = "a table"
+#: What a file with an ending of these may be that nothing else tells.
+_ENDINGS: Final = {
+    "a picture": {".svg", ".png", ".pdf"},
+    "a job": {".yaml", ".yml"},
+    "a mapping profile": {".yaml", ".yml"},
+    _TABLE: {".csv", ".txt"},
+    "a workbook": {".xlsx"},
+}
+_DOCUMENT: Final = {".json"}
+_LOOKED_AT: Final = 65536  # bytes
+
+
+def refuse_other_kinds(
+    targets: Mapping[Path, bytes], *, force: bool, results: Iterable[Path] = ()
+) -> None:
+    """Raise StorageError for every file that would be replaced although it is something else than
+    what is written there. Nothing without ``force``: then no file is replaced at all.
+
+    ``results``: what else the command writes; one name for two files is refused where they are
+    written.
+    """
+    if not force or not targets:
+        return
+    twice = {storage.resolved(path) for path in results}
+    alone = {
+        path: content for path, content in targets.items() if storage.resolved(path) not in twice
+    }
+    raise_all(StorageError, list(_others(alone)))
+
+
+def _others(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
+    for path, content in targets.items():
+        there = storage.earlier_bytes(path)
+        if not there.strip() or there == content or storage.was_read(path):
+            continue  # what was read is refused where it is written
+        kind, new = kind_of(there), kind_of(content)
+        endings = _ENDINGS.get(new, _DOCUMENT)
+        same = kind == new and (kind != _TABLE or _first_cell(there) == _first_cell(content))
+        if not same and (kind or path.suffix.lower() not in endings):
+            yield Fault(
+                message="is no file that this command writes, and is not replaced, not even with"
+                " --force",
+                file=str(path),
+                expected=f"another name, or {new}",
+                found=kind or "something else",
+            )
+
+
+def kind_of(content: bytes) -> str:
+    """Return what a file certainly is, in words; empty where nothing tells."""
+    if len(content) > _LOOKED_AT:
+        content = content[:_LOOKED_AT].rpartition(b"\n")[0]
+    told = next((kind for mark, kind in _SIGNATURES if mark.match(content)), "")
+    schema = _SCHEMA.match(content)
+    if schema is not None:
+        told = f"a document {schema[1].decode()}"
+    return told or _of_text(content)
+
+
+def _of_text(content: bytes) -> str:
+    """Return what a text is: the reader of each kind is asked by its content."""
+    told = next((kind for mark, kind in _YAML if mark.search(content)), "")
+    try:
+        if told or is_circular(content, ""):
+            return told or "a measurement"
+        lines, _ = read_any_lines(content, "")
+        if form_of(lines, "") is not PLAIN_CSV or is_plain_csv(lines):
+            return "a measurement"
+    except InputError:
+        return ""
+    return _TABLE if has_table(lines) else ""
+
+
+def _first_cell(content: bytes) -> bytes:
+    """Return what the header row of a table begins with: of those of compwright always the same."""
+    return re.split(rb"[;,\t]", content.lstrip(b"\xef\xbb\xbf").partition(b"\n")[0])[0]
