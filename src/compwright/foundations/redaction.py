@@ -23,8 +23,9 @@ _PIECE: Final = re.compile(r"[^\W_]+")
 _LETTERS: Final = re.compile(r"[^\W\d_]")
 #: Shorter words and numbers stand in any file by chance.
 _SHORTEST_WORD, _SHORTEST_NUMBER = 4, 6
-#: A date, which stays in a file, and a number with decimals.
+#: A date, which stays in a file, a number with decimals, a mask of bits.
 _ORDINARY: Final = re.compile(r"(?:19|20)[0-9]{6}|[0-9]+000")
+_HEX: Final = re.compile(r"h[0-9a-f]{1,8}")
 _DECIMAL: Final = re.compile(r"[+-]?[0-9]*[.,][0-9]+(?:[eE][+-]?[0-9]+)?")
 _ENCODINGS: Final = ("utf-8", "cp1252", "utf-16-le", "utf-16-be")
 
@@ -102,7 +103,7 @@ def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
         if _LETTERS.search(piece) is None:
             if len(piece) >= _SHORTEST_NUMBER and _ORDINARY.fullmatch(piece) is None:
                 yield piece
-        elif len(piece) >= _SHORTEST_WORD and piece not in allowed:
+        elif len(piece) >= _SHORTEST_WORD and not (piece in allowed or _HEX.fullmatch(piece)):
             yield piece
 
 

@@ -13,11 +13,11 @@ from compwright.formats.definition.schema import Definition
 
 #: What a user exports in the place of an archive in a container.
 STATE_TEXTS: Final = "machine data of all axes, AX_EEC_INI, NC_CEC_INI"
-_NUMBER: Final = r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
+_NUMBER: Final = r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:EX?[+-]?[0-9]{1,3})?"
 #: What may stand where a control names an axis.
 _AXIS: Final = r"(?:[A-Za-z]{1,2}|AX|M[AXSC]_?[A-Z]?|CA_?[A-Z]|SP)[0-9]{0,2}"
 _VALUE: Final = (
-    rf"(?:{_NUMBER}|'[HB][0-9A-F]+'?|TRUE|FALSE|n/a|\"(?:{_AXIS})?\"|\((?:{_AXIS}|[0-9]+)?\))"
+    rf"(?:{_NUMBER}|'[HB][0-9A-F]+'|TRUE|FALSE|n/a|\"(?:{_AXIS})?\"|\((?:{_AXIS}|[0-9]+)?\))"
 )
 _INDEX: Final = rf"\[\s*(?:{_AXIS}|[0-9]+)(?:\s*,\s*(?:{_AXIS}|[0-9]+))*\s*\]"
 _COLUMN: Final = r"(?:AXISPOS|BACKLASH|ACTIVE|[A-Z]{1,2}[0-9]?|[0-9]{1,2}=F\([A-Z]?[0-9]?\))"
@@ -41,7 +41,7 @@ _LINES: Final[Mapping[str, tuple[str, ...]]] = {
     ),
     "values_by_index": (
         (
-            rf"(?:N[0-9]+\s+)?\$(?:M[NACD]|S[NAC]|A[NAC])_[A-Z0-9_]+(?:{_INDEX})?\s*(?:=|\s)\s*{_VALUE}"
+            rf"(?:N[0-9]+\s+)?\$[MSA][NACD]S?_[A-Z0-9_]+(?:{_INDEX})?\s*(?:=|\s)\s*{_VALUE}"
             r"(?:\s+'[0-9A-F]{4})?"
         ),
         r"CHANDATA\([0-9]{1,2}\)",

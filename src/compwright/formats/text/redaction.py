@@ -20,16 +20,17 @@ from compwright.records.correction import ControlFile
 _TEXTS: Final = frozenset({"name", "label", "word", "text"})
 _HARMLESS: Final = re.compile(
     r"(?:[A-Za-z]{1,2}|AX|M[AXSC]_?[A-Z]?|CA_?[A-Z]|SP)[0-9]{0,2}"  # axes
-    r"|[%$]?[+-]?[0-9][0-9.,]*|\$[0-9A-Fa-f]+"
+    r"|NO_AXIS|[%$]?[+-]?[0-9][0-9.,]*|\$[0-9A-Fa-f]+|'[HB][0-9A-Fa-f]+'"
     r"|mm|inch|in|um|deg|degree|arcsec|metric|mm/m|LINEAR|ANGULAR|error|correction"
     r"|[a-z]*kins(?:\s+coordinates=[A-Za-z]+)?(?:\s+kinstype=[A-Za-z0-9]+)?"
     r"|(?:JOINT|SPINDLE)_[0-9]+|AXIS_[A-Z]|TRAJ|KINS|FALSE|TRUE|CONFIG",
     re.IGNORECASE,
 )
 _QUOTED: Final = re.compile(r'"([^"\r\n]*)"')
+_ADDRESS: Final = re.compile(r"\$[A-Za-z]{1,4}_[A-Za-z0-9_]+|^[A-Za-z_][A-Za-z0-9_]*(?=\s*[\[=])")
 _SECTION: Final = re.compile(r"\s*\[(?P<name>[^\[\]]*)\]\s*")
 _BEHIND: Final = re.compile(r"[\s)\]\"';,]*(?:'[0-9A-F]{4})?\s*", re.IGNORECASE)
-_LETTERS: Final = re.compile(r"[A-Za-z]{4,}")
+_LETTERS: Final = re.compile(r"[A-Za-z0-9]{4,}")
 
 
 @dataclass(slots=True)
@@ -187,6 +188,8 @@ class _Redactor:
             if self._whole(empty.strip()):
                 self.literal(empty)
                 return _QUOTED.sub(self._quoted, code)
+        for address in _ADDRESS.findall(bare):  # its words stand in other addresses too
+            self.literal(address)
         said = self.cuts.remark(bare, "line")
         mark = next(iter(self.kind.comment_marks), "")
         return f"({said})" if mark == "(" else f"{mark} {said}".strip()

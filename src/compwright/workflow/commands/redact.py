@@ -17,7 +17,7 @@ from compwright.instruments.profile import Profile
 from compwright.instruments.redaction.measurement import ALLOWED, holds_table, is_measurement
 from compwright.records.correction import ControlFile
 from compwright.workflow.stages.measurement_files import load_profile
-from compwright.workflow.stages.redacted_controls import control_copies
+from compwright.workflow.stages.redacted_controls import control_copies, texts_in
 from compwright.workflow.stages.redacted_measurements import measurement_copy
 
 SCHEMA: Final = "compwright/redaction/1"
@@ -36,6 +36,7 @@ class RedactedFile:
     taken_for: str
     removed: dict[str, int]
     texts: tuple[tuple[str, str], ...] = ()
+    name: str = ""
     renamed: bool = False
 
 
@@ -76,7 +77,10 @@ class RedactOutcome:
 
 @dataclass(slots=True)
 class _Input:
+    """One file to copy; ``name``: its own, or that of a text in a container below its stem."""
+
     path: Path
+    name: str
     content: bytes
     cuts: Cuts
     copy: bytes = b""
@@ -84,8 +88,10 @@ class _Input:
     profile: str = ""
 
     @property
-    def name(self) -> str:
-        return self.path.name
+    def shown(self) -> str:
+        """The file for messages."""
+        inside = self.name.partition("/")[2]
+        return f"{shown_path(self.path)}{': ' if inside else ''}{inside}"
 
 
 def redact_files(
@@ -123,30 +129,32 @@ def redact_files(
 
 
 def _read(paths: Sequence[Path], names: Names, faults: list[Fault]) -> list[_Input]:
-    inputs: list[_Input] = []
+    """Return what there is to copy, the texts of a container in its place; two files of one name
+    are a fault, for their copies would be one.
+    """
+    inputs: dict[str, _Input] = {}
     for path in paths:
         try:
-            inputs.extend(
-                _Input(entry, storage.read_bytes(entry), Cuts(names))
-                for entry in storage.list_files(path)
-            )
+            found = [one for entry in storage.list_files(path) for one in _inputs(entry, names)]
         except InputError as error:
-            faults.extend(error.faults)
-    seen: set[str] = set()
-    unique = []
-    for one in inputs:
-        if one.name.casefold() in seen:
-            faults.append(
-                Fault(
-                    message="has the name of another file, and their copies would be one",
-                    file=shown_path(one.path),
-                    expected="a command of its own, with another --out",
-                )
-            )
+            faults.extend(fault.in_file(shown_path(path)) for fault in error.faults)
             continue
-        seen.add(one.name.casefold())
-        unique.append(one)
-    return unique
+        twice = [one for one in found if inputs.setdefault(one.name.casefold(), one) is not one]
+        faults.extend(
+            Fault(
+                message="has the name of another file, and their copies would be one",
+                file=one.shown,
+                expected="a command of its own, with another --out",
+            )
+            for one in twice
+        )
+    return list(inputs.values())
+
+
+def _inputs(path: Path, names: Names) -> list[_Input]:
+    content = storage.read_bytes(path)
+    texts = texts_in(ControlFile(path.name, content)) or (ControlFile(path.name, content),)
+    return [_Input(path, text.name, text.content, Cuts(names)) for text in texts]
 
 
 def _copy(
@@ -178,12 +186,12 @@ def _copy(
         told = [fault for fault in copies.faults if fault.file == one.name]
         if why and holds_table(one.content, one.name):
             told = [*why, *told]
-        faults.extend(replace(fault, file=shown_path(one.path)) for fault in told)
+        faults.extend(replace(fault, file=one.shown) for fault in told)
 
 
 def _measurement(one: _Input, profile: Profile | None, faults: list[Fault]) -> bool:
     try:
-        made = measurement_copy(one.content, shown_path(one.path), one.cuts, profile)
+        made = measurement_copy(one.content, one.shown, one.cuts, profile)
     except CompwrightError as error:
         one.cuts.removed.clear()
         faults.extend(error.faults)
@@ -195,7 +203,7 @@ def _measurement(one: _Input, profile: Profile | None, faults: list[Fault]) -> b
 def _of(one: _Input, name: str) -> list[tuple[str, bytes]]:
     copies = [(name, one.copy)]
     if one.profile:
-        copies.append((f"{PurePath(name).stem}.profile.yaml", encoded(one.profile)))
+        copies.append((f"{PurePath(name).with_suffix('')}.profile.yaml", encoded(one.profile)))
     return copies
 
 
@@ -210,13 +218,16 @@ def _named(inputs: Sequence[_Input], names: Names) -> list[str]:
         for piece in telling(text, ALLOWED | _COMMON)
         if _SIZE.fullmatch(piece) is None
     }
-    result: list[str] = []
-    for one in inputs:
-        stem, ending = one.path.stem, one.path.suffix
-        pieces = set(re.findall(r"[^\W_]+", stem.casefold()))
-        gives_away = bool(pieces & somebody) or _SERIAL.search(stem) is not None
-        result.append(f"{names.of(stem)}{ending}" if gives_away else one.name)
-    return result
+    return [
+        "/".join(_shown(part, somebody, names) for part in one.name.split("/")) for one in inputs
+    ]
+
+
+def _shown(name: str, somebody: set[str], names: Names) -> str:
+    stem, ending = PurePath(name).stem, PurePath(name).suffix
+    pieces = set(re.findall(r"[^\W_]+", stem.casefold()))
+    gives_away = bool(pieces & somebody) or _SERIAL.search(stem) is not None
+    return f"{names.of(stem)}{ending}" if gives_away else name
 
 
 #: A length or an angle in the name of a file.
@@ -242,6 +253,7 @@ def _told(inputs: Sequence[_Input], names: Sequence[str], out: Path) -> tuple[Re
             taken_for=one.taken_for,
             removed=one.cuts.counts(),
             texts=tuple(one.cuts.removed),
+            name=one.name,
             renamed=name != one.name,
         )
         for one, name in zip(inputs, names, strict=True)

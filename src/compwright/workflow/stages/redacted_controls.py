@@ -5,9 +5,9 @@ and each copy is proven by the readers of its original.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import Any
 
 from compwright.documents.decode import DecodedAxis, decode_document
@@ -15,7 +15,7 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definitions_from
 from compwright.formats.families.control_texts import texts_of
 from compwright.formats.families.kept_lines import STATE_TEXTS, kept_lines
-from compwright.formats.text.container import is_container, unknown_container
+from compwright.formats.text.container import is_container, opened, unknown_container
 from compwright.formats.text.entry_sheet import is_entry_sheet, parse_sheet
 from compwright.formats.text.redaction import (
     RedactedText,
@@ -45,10 +45,11 @@ _BARE_TABLE = ".comp"
 
 @dataclass(frozen=True, slots=True)
 class ControlCopy:
-    """The copy of one file, and the control that it is of."""
+    """The copy of one file, the control that it is of, and the new names in it by the old ones."""
 
     content: bytes
     control: str
+    renamed: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,9 +89,7 @@ def control_copies(
         except InputError as error:
             faults.extend(fault.in_file(file.name) for fault in error.faults)
     unknown = frozenset(
-        file.name
-        for file in files
-        if not (found[file.name] or is_container(file) or is_entry_sheet(file))
+        file.name for file in files if not (found[file.name] or is_entry_sheet(file))
     )
     for name in _decoded_otherwise(files, copies):
         del copies[name]
@@ -107,15 +106,16 @@ def _decoded_otherwise(
             file for file in files if file.name in copies and copies[file.name].control == control
         ]
         made = [replace(file, content=copies[file.name].content) for file in group]
-        if not _decoded_alike(control, group, made):
+        renamed = {
+            old.upper(): new for file in group for old, new in copies[file.name].renamed.items()
+        }
+        if not _decoded_alike(control, group, made, renamed):
             yield from [file.name for file in group]
 
 
 def _copy(
     file: ControlFile, found: Sequence[_Candidate], totals: Mapping[str, int], cuts: Cuts
 ) -> ControlCopy:
-    if is_container(file):
-        raise _container(file)
     if is_entry_sheet(file):
         return _sheet(file, cuts)
     if not found:
@@ -126,7 +126,7 @@ def _copy(
     _prove(best, reader, made)
     allowed = definition_words(best.definition) | frozenset(made.words)
     refuse_left_over(file.name, cuts, [made.file.content], allowed)
-    return ControlCopy(made.file.content, best.definition.id)
+    return ControlCopy(made.file.content, best.definition.id, made.renamed)
 
 
 def _prove(best: _Candidate, reader: TextReader, made: RedactedText) -> None:
@@ -154,9 +154,9 @@ def _sheet(file: ControlFile, cuts: Cuts) -> ControlCopy:
 
 def _candidates(file: ControlFile, format_id: str | None) -> Iterator[_Candidate]:
     """Yield the controls that read a file without a fault, with the number of statements that no
-    other file could hold by chance.
+    other file could hold by chance; a text out of a container is a control's without any.
     """
-    if is_container(file) or is_entry_sheet(file):
+    if is_entry_sheet(file):
         return
     known = [definition_named(format_id, Path())] if format_id else _definitions().values()
     for definition in known:
@@ -168,8 +168,8 @@ def _candidates(file: ControlFile, format_id: str | None) -> Iterator[_Candidate
         heads = {name for name, matcher in reader.matchers.items() if matcher.head}
         count = sum(one.statement in heads for one in read.occurrences)
         bare = file.name.lower().endswith(_BARE_TABLE) or format_id is not None
-        if count or (bare and read.occurrences):
-            yield _Candidate(definition, text, read, count or len(read.occurrences))
+        if count or (bare and read.occurrences) or "/" in file.name:
+            yield _Candidate(definition, text, read, count)
 
 
 def _totals(found: Iterable[list[_Candidate]]) -> dict[str, int]:
@@ -186,23 +186,30 @@ def _definitions() -> Mapping[str, Definition]:
     return definitions_from(storage.definition_files())
 
 
-def _decoded_alike(control_id: str, old: Sequence[ControlFile], new: Sequence[ControlFile]) -> bool:
+def _decoded_alike(
+    control_id: str,
+    old: Sequence[ControlFile],
+    new: Sequence[ControlFile],
+    renamed: Mapping[str, str],
+) -> bool:
     """Whether both readers understand the copies of a control's files as the originals; True where
-    the originals alone do not make a state of a control.
+    the originals alone do not make a state of a control. ``renamed``: new names of axes by the old
+    ones, in capitals.
     """
     for options in _options(control_id):
         try:
-            first = _decoded(control_id, options, old)
+            first = _decoded(control_id, options, old, renamed)
         except CompwrightError:
             continue
         try:
-            return first == _decoded(control_id, options, new)
+            return first == _decoded(control_id, options, new, {})
         except CompwrightError:
             return False
     return True
 
 
 def _options(control_id: str) -> Iterator[dict[str, object]]:
+    """Yield answers to what the files of a control leave open, until one lets them be read."""
     rules = _definitions()[control_id].options
     asked: dict[str, object] = {
         name: _ANY_UNIT for name, rule in rules.items() if rule.asked is not None
@@ -210,14 +217,24 @@ def _options(control_id: str) -> Iterator[dict[str, object]]:
     yield {}
     if asked:
         yield asked
+    for name, rule in rules.items():
+        for choice in rule.choices:
+            if choice != rule.default:
+                yield {**asked, name: choice}
 
 
 def _decoded(
-    control_id: str, options: dict[str, object], files: Sequence[ControlFile]
+    control_id: str,
+    options: dict[str, object],
+    files: Sequence[ControlFile],
+    renamed: Mapping[str, str],
 ) -> dict[str, Any]:
+    def name(address: str) -> str:
+        return renamed.get(address.upper(), address).upper()
+
     decoded = decode(open_control(control_id, options), files)
     axes = {
-        address: DecodedAxis(
+        name(address): DecodedAxis(
             kind=entry.kind,
             positions=entry.positions,
             positive=judged(decoded, address, entry.positions, Direction.POSITIVE),
@@ -225,17 +242,30 @@ def _decoded(
         )
         for address, entry in decoded.state.axes.items()
     }
-    return decode_document(axes, (), (), judged_cross(decoded, None))
+    cross = [
+        replace(entry, input=name(entry.input), output=name(entry.output))
+        for entry in judged_cross(decoded, None)
+    ]
+    return decode_document(axes, (), (), cross)
 
 
-def _container(file: ControlFile) -> InputError:
-    return InputError(
-        Fault(
-            message="is an archive in a container; its checksum is not understood, so that no copy"
-            " of it could be made that is still one",
-            file=file.name,
-            expected=f"the texts in it, exported one by one: {STATE_TEXTS}",
-        )
+def texts_in(file: ControlFile) -> tuple[ControlFile, ...]:
+    """Return the texts of a container that are the state of the control, each named by a path below
+    the name of the container; none for a file that is no container.
+
+    A copy of the container itself cannot be made: its checksum is not understood. Raises InputError
+    for one that cannot be opened.
+    """
+    if not is_container(file):
+        return ()
+    container, faults = opened(file)
+    if container is None:
+        hint = f"the texts in it, exported one by one: {STATE_TEXTS}"
+        raise InputError(*(replace(fault, expected=hint) for fault in faults))
+    stem = PurePath(file.name).stem
+    return tuple(
+        ControlFile(f"{stem}/{text.name.rpartition(': ')[2]}", text.content)
+        for text in container.state
     )
 
 
