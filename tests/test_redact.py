@@ -62,6 +62,11 @@ def told(content: bytes) -> list[str]:
     return [secret for secret in SECRETS if any(secret in text for text in texts)]
 
 
+def visible(folder: Path) -> list[str]:
+    """The names of the files in a folder, hidden ones left out."""
+    return sorted(path.name for path in folder.iterdir() if not path.name.startswith("."))
+
+
 def workbook() -> bytes:
     """A workbook with a secret at every place of it."""
     from openpyxl.comments import Comment
@@ -132,7 +137,7 @@ def test_no_secret_is_left_in_a_copy_and_none_lacks(
 ) -> None:
     folder, out = copied[kind]
     originals = {path.name for path in folder.iterdir()}
-    copies = {path.name: path.read_bytes() for path in out.iterdir()}
+    copies = {path.name: path.read_bytes() for path in out.iterdir()}  # the hidden list too
     assert originals <= copies.keys()
     assert all(told((folder / name).read_bytes()) for name in originals)  # the search finds them
     assert {name: told(content) for name, content in copies.items() if told(content)} == {}
@@ -222,7 +227,7 @@ def test_a_control_would_do_the_same_with_the_copies(
     old, new = (
         virtual_control(
             control,
-            [ControlFile(path.name, path.read_bytes()) for path in sorted(folder.iterdir())],
+            [ControlFile(name, (folder / name).read_bytes()) for name in visible(folder)],
             options=options,
             asked=(address,),
         )
@@ -260,7 +265,7 @@ def test_what_is_not_known_is_refused_by_name_and_the_rest_is_copied(
     (tmp_path / "x.zip").write_bytes(b"7z\xbc\xaf\x27\x1c" + b"\0" * 99)
     words = [str(tmp_path / name) for name in ("a.csv", "letter.txt", "all.arc", "x.zip")]
     assert compwright(["redact", *words, "--out", str(tmp_path / "out")]) == 3
-    assert [path.name for path in (tmp_path / "out").iterdir()] == ["a.csv"]
+    assert visible(tmp_path / "out") == ["a.csv"]
     said = [line for line in capsys.readouterr().err.splitlines() if line.startswith("error")]
     for name in ("letter.txt", "all.arc", "x.zip"):
         assert len([line for line in said if name in line]) == 1
@@ -272,8 +277,12 @@ def test_names_of_files_that_hold_a_text_or_a_serial_number_change(tmp_path: Pat
     for name in ("kranich_x.csv", "sn4711081.csv", "x_20260302.csv", "y.csv"):
         (tmp_path / name).write_text(text)
     assert compwright(["redact", str(tmp_path), "--out", str(tmp_path / "out")]) == 0
-    names = sorted(path.name for path in (tmp_path / "out").iterdir())
-    assert names == ["redacted_2.csv", "redacted_3.csv", "x_20260302.csv", "y.csv"]
+    assert visible(tmp_path / "out") == [
+        "redacted_2.csv",
+        "redacted_3.csv",
+        "x_20260302.csv",
+        "y.csv",
+    ]
 
 
 def test_the_answer_names_kinds_and_counts_and_never_the_texts(
@@ -310,6 +319,9 @@ def test_copies_are_replaced_with_force_alone(tmp_path: Path) -> None:
     assert compwright(words) == 0
     assert compwright(words) == 5
     assert compwright([*words, "--force"]) == 0
+    (out / "a.csv").write_text("my own notes")  # not what redact wrote
+    assert compwright([*words, "--force"]) == 5
+    assert (out / "a.csv").read_text() == "my own notes"
 
 
 @pytest.mark.parametrize("broken", ["a number", "a text"])
@@ -379,10 +391,10 @@ _REAL = {
 def test_real_files_lose_what_names_somebody(tmp_path: Path, kind: str) -> None:
     files = sorted(p for p in (REAL / kind).iterdir() if p.suffix in {".b5r", ".dat"})
     assert compwright(["redact", *map(str, files), "--out", str(tmp_path / "out")]) == 0
-    copies = sorted((tmp_path / "out").iterdir())
+    copies = visible(tmp_path / "out")
     assert len(copies) == len(files)
     for copy in copies:
-        texts = list(readable(copy.read_bytes()))
+        texts = list(readable((tmp_path / "out" / copy).read_bytes()))
         assert [word for word in _REAL[kind] if any(word in text for text in texts)] == []
 
 

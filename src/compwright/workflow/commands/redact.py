@@ -17,8 +17,10 @@ from compwright.instruments.profile import Profile
 from compwright.instruments.redaction.measurement import ALLOWED, holds_table, is_measurement
 from compwright.records.correction import ControlFile
 from compwright.workflow.stages.measurement_files import load_profile
+from compwright.workflow.stages.own_files import write_listed
 from compwright.workflow.stages.redacted_controls import control_copies, texts_in
 from compwright.workflow.stages.redacted_measurements import measurement_copy
+from compwright.workflow.stages.single_files import refuse_other_kinds
 
 SCHEMA: Final = "compwright/redaction/1"
 #: A run of digits in the name of a file that may be a serial number; dates are none.
@@ -122,9 +124,13 @@ def redact_files(
         for name, content in _of(one, name)
     }
     elsewhere = {} if json_path is None else {json_path: encoded(to_json(outcome.document))}
-    if not contents:
-        return outcome
-    written = storage.write_files(out, contents, elsewhere=elsewhere, force=force)
+    refuse_other_kinds(elsewhere, force=force, results=[out / name for name in contents])
+    if contents:
+        written = write_listed(
+            out, contents, command="redact", force=force, as_set=False, elsewhere=elsewhere
+        )
+    else:
+        written = storage.write_files(out, {}, elsewhere=elsewhere, force=force)
     return replace(outcome, written=tuple(written))
 
 

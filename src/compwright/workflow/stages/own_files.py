@@ -14,10 +14,16 @@ from compwright.foundations.utf8 import encoded
 
 
 def write_listed(
-    out: Path, files: Mapping[str, bytes], *, command: str, force: bool, as_set: bool
+    out: Path,
+    files: Mapping[str, bytes],
+    *,
+    command: str,
+    force: bool,
+    as_set: bool,
+    elsewhere: Mapping[Path, bytes] | None = None,
 ) -> list[Path]:
-    """Write ``files`` (relative name -> bytes) and their list into ``out``, all or nothing; return
-    their paths in the order given, without the list.
+    """Write ``files`` (relative name -> bytes) and their list into ``out``, and those of
+    ``elsewhere``, all or nothing; return the paths of ``files`` in the order given.
 
     With ``force`` what an earlier command wrote there and nobody changed is replaced. ``as_set``:
     what an earlier run of this ``command`` wrote and this one does not is removed then. Raises
@@ -48,6 +54,7 @@ def write_listed(
         out,
         {**files, LIST: list_text({**kept, **now})},
         force=force,
+        elsewhere=elsewhere,
         completed=[LIST],
         outdated=outdated,
         known=known,
