@@ -12,6 +12,8 @@ from pathlib import Path
 import pytest
 
 from compwright.cli import run as compwright
+from compwright.foundations import storage
+from compwright.foundations.errors import StorageError
 from loop import Machine, csv_of
 
 pytestmark = pytest.mark.brief
@@ -189,6 +191,20 @@ def test_a_command_remembers_only_its_own_inputs(folder: Path) -> None:
     assert compwright(["evaluate", "x.csv", "--json", "one.json"]) == 0
     assert compwright(["decode", "control", "--format", CONTROL, "--json", "two.json"]) == 0
     assert compwright(["evaluate", "x.csv", "--json", "one.json", "--force"]) == 0
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights")
+def test_nothing_is_removed_behind_a_link_that_leads_out(tmp_path: Path) -> None:
+    """A set of files that was linked to the control's own: equal bytes do not make them results."""
+    (tmp_path / "control").mkdir()
+    (tmp_path / "control" / "A.INI").write_bytes(b"mine")
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "set").symlink_to(tmp_path / "control", target_is_directory=True)
+    out, new = tmp_path / "out", {"b.txt": b"new"}
+    with pytest.raises(StorageError, match=r"A\.INI: is no part of what is written"):
+        storage.write_files(out, new, force=True, whole=["set"])
+    storage.write_files(out, new, force=True, renewed=["set"])
+    assert (tmp_path / "control" / "A.INI").read_bytes() == b"mine"
 
 
 def test_the_notes_of_the_user_stay(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

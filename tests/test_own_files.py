@@ -92,6 +92,15 @@ def test_commands_in_one_folder_leave_each_other_s_files(tmp_path: Path) -> None
     }
 
 
+def test_a_file_that_lay_there_just_so_stays_the_user_s(tmp_path: Path) -> None:
+    (tmp_path / "a.ini").write_bytes(b"one")
+    written(tmp_path, SET)
+    assert "a.ini" not in (tmp_path / LIST).read_text()
+    assert "a.ini: was not written by an earlier run" in refused(tmp_path, {"a.ini": b"new"})
+    written(tmp_path, {"c.ini": b"new"})
+    assert set(tree(tmp_path)) == {"a.ini", "c.ini", LIST}
+
+
 def test_a_list_that_leads_out_of_its_folder_removes_nothing(tmp_path: Path) -> None:
     (tmp_path / "mine.txt").write_bytes(b"mine")
     out = tmp_path / "out"

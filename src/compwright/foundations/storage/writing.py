@@ -8,7 +8,7 @@ from pathlib import Path, PurePosixPath
 from compwright.foundations.command_inputs import look_again
 from compwright.foundations.errors import Fault, StorageError, raise_all
 from compwright.foundations.storage.hindrances import refuse_overwriting
-from compwright.foundations.storage.looking import identity, is_existing_file, is_folder
+from compwright.foundations.storage.looking import identity, is_existing_file, is_folder, resolved
 from compwright.foundations.storage.reading import earlier_bytes, was_read
 from compwright.foundations.storage.recovery import put_right_above, put_right_in
 from compwright.foundations.storage.transaction import put
@@ -54,7 +54,7 @@ def write_files(
     }
     unchanged.add(gone)
     lost = {
-        path: known(name, earlier_bytes(path))
+        path: known(name, earlier_bytes(path)) and (path in below or _lies_in(path, folder))
         for path, name in (below | gone).items()
         if is_existing_file(path)
     }
@@ -108,6 +108,11 @@ def _seen(path: Path) -> tuple[int, ...]:
     except (OSError, ValueError):
         return ()
     return (seen.st_dev, seen.st_ino, seen.st_size, seen.st_mtime_ns)
+
+
+def _lies_in(path: Path, folder: Path) -> bool:
+    """Whether a file is in ``folder`` itself, and not behind a link that leads out of it."""
+    return resolved(folder) in (resolved(path.parent) / path.name).parents
 
 
 def _merged(files: dict[Path, bytes], others: dict[Path, bytes]) -> dict[Path, bytes]:

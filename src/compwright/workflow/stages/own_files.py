@@ -36,11 +36,18 @@ def write_listed(
         for name, entry in earlier.items()
         if fingerprint(storage.earlier_bytes(out / name)) == entry.sha256
     }
-    now = listed_now(files, command)
+    # what lies there already just so, and is in no list, stays the user's
+    own = {
+        name: content
+        for name, content in files.items()
+        if encoded(name).decode() in earlier or not storage.is_there(out / name)
+    }
+    now = listed_now(own, command)
+    names = {encoded(name).decode() for name in files}
     outdated = [
         name
         for name, entry in still.items()
-        if as_set and force and entry.by == command and name not in now
+        if as_set and force and entry.by == command and name not in names
     ]
     kept = {name: entry for name, entry in still.items() if name not in outdated}
 
