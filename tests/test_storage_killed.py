@@ -8,6 +8,7 @@ import errno
 import json
 import os
 import shutil
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from compwright.foundations.errors import InputError, StorageError
 from compwright.foundations.storage import locking
 from compwright.foundations.storage.locking import take
 from dying import Process, running
+from killing import calls_of, killed_at, needs_strace
 
 UNFINISHED = ".compwright-unfinished"
 OLD = {"set/x": b"old x", "set/y": b"old y", "record": b"old record", "set/gone": b"old gone"}
@@ -427,3 +429,41 @@ def test_looking_costs_a_folder_once(tmp_path: Path, monkeypatch: pytest.MonkeyP
     for path in storage.list_files(tmp_path):
         storage.read_bytes(path)
     assert len(calls) == len(set(calls)) == len(tmp_path.parents) + 1
+
+
+PROGRAM = """
+import sys
+from pathlib import Path
+from compwright.foundations import storage
+top = Path(sys.argv[1])
+new = {"x": b"new x", "set/y": b"new y"}
+storage.write_files(top / "out", new, force=True, elsewhere={top / "answer": b"new"})
+"""
+
+
+@needs_strace
+def test_killed_by_the_kernel(tmp_path: Path) -> None:
+    """Nothing of Python is left to undo anything. All calls: ``benchmarks/kill_run.py``."""
+    old = {"out/x": b"old x", "out/set/y": b"old y", "answer": b"old", "out/notes": b"mine"}
+    new = {"out/x": b"new x", "out/set/y": b"new y", "answer": b"new", "out/notes": b"mine"}
+
+    def make_old(name: str) -> Path:
+        for file, content in old.items():
+            (tmp_path / name / file).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / name / file).write_bytes(content)
+        return tmp_path / name
+
+    command = (sys.executable, "-c", PROGRAM)
+    log = tmp_path / "log"
+    calls = calls_of([*command, str(make_old("whole"))], log)
+    assert files(tmp_path / "whole") == new
+    renames = [call for call in calls if call.name.startswith("rename")]
+    removal = next(call for call in calls if call.name.startswith("unlink"))  # of the journal
+    for number, call in enumerate((*renames[1:8:3], removal)):
+        top = make_old(str(number))
+        killed_at(call, [*command, str(top)], log)
+        start_command()
+        assert is_begun(top) == (number > 0)
+        storage.read_bytes(top / "out" / "notes")
+        storage.read_bytes(top / "answer")
+        assert files(top) == old
