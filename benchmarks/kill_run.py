@@ -114,7 +114,9 @@ def prepare(top: Path) -> Path:
     machine = Machine()
     targets = machine.targets()
     for name, seed in (("x", 1), ("y", 2), ("x-after", 3), ("x-new", 4), ("y-new", 5)):
-        (top / f"{name}.csv").write_text(csv_of(targets, machine.measure(targets, seed), name[0].upper()))
+        (top / f"{name}.csv").write_text(
+            csv_of(targets, machine.measure(targets, seed), name[0].upper())
+        )
     (top / "job.yaml").write_text(JOB)
     with inside(top):
         (top / "beside").mkdir()

@@ -4,7 +4,6 @@ matter what the code does to undo its work. Or one whose call is refused.
 
 from __future__ import annotations
 
-import errno
 import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -27,11 +26,11 @@ class Killed(BaseException):
 
 class Process:
     """Counts its calls to the disk and dies at call ``at`` (from 1; 0: never), before it is made or,
-    for what is written, with half of it done. With ``refused`` that call fails instead, as on a
-    full disk, and the process goes on.
+    for what is written, with half of it done. With ``refused`` that call fails so instead, and the
+    process goes on.
     """
 
-    def __init__(self, at: int = 0, *, refused: bool = False) -> None:
+    def __init__(self, at: int = 0, *, refused: BaseException | None = None) -> None:
         self.at = at
         self.refused = refused
         self.made: list[str] = []
@@ -47,8 +46,8 @@ class Process:
                 raise Killed
             self.made.append(name)
             if len(self.made) == self.at:
-                if self.refused:
-                    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+                if self.refused is not None:
+                    raise self.refused
                 self.dead = True
                 if name == "write":
                     real(arguments[0], bytes(arguments[1])[: len(arguments[1]) // 2])

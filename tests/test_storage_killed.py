@@ -9,6 +9,7 @@ import json
 import os
 import shutil
 import sys
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -17,8 +18,8 @@ import pytest
 from compwright.foundations import storage
 from compwright.foundations.command_inputs import put_right, start_command
 from compwright.foundations.errors import InputError, StorageError
-from compwright.foundations.storage import locking
-from compwright.foundations.storage.locking import take
+from compwright.foundations.storage import disk, locking, recovery
+from compwright.foundations.storage.locking import Lock, take
 from dying import Process, running
 from killing import calls_of, killed_at, needs_strace
 
@@ -125,41 +126,52 @@ def test_killed_at_any_call_one_whole_set_is_left(tmp_path: Path, course: Course
 
 
 def test_putting_right_may_be_killed_at_any_call(tmp_path: Path, course: Course) -> None:
-    for at in (course.first_move + 2, course.last_move + 1):
-        whole = stopped(tmp_path / f"{at}", at)
-        for then in range(1, 99):
-            top = tmp_path / f"{at}-{then}"
-            shutil.copytree(whole, top)
-            process = Process(then)
-            with running(process):
-                storage.read_bytes(top / JSON)
-            assert course.is_unmixed(top), (at, then)
+    whole = stopped(tmp_path / "whole", course.last_move)
+    for then in range(1, 99):
+        top = tmp_path / str(then)
+        shutil.copytree(whole, top)
+        process = Process(then)
+        with running(process):
             storage.read_bytes(top / JSON)
-            storage.read_bytes(top / "out" / "notes.txt")
-            assert files(top) == course.old, (at, then)
-            if not process.dead:
-                break
-        assert then > 10
+        assert course.is_unmixed(top), then
+        storage.read_bytes(top / JSON)
+        storage.read_bytes(top / "out" / "notes.txt")
+        assert files(top) == course.old, then
+        if not process.dead:
+            break
+    assert then > 10
 
 
-def test_a_disk_that_refuses_any_call_leaves_one_whole_set(tmp_path: Path, course: Course) -> None:
-    said = 0
-    for at in range(1, len(course.calls) + 1):
-        top = make(tmp_path / str(at))
+def refusal() -> OSError:
+    return OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
+@pytest.mark.parametrize(
+    ("kind", "every"), [(refusal, 2), (KeyboardInterrupt, 3)], ids=["full disk", "Ctrl-C"]
+)
+def test_an_error_at_any_call_leaves_one_whole_set(
+    tmp_path: Path, course: Course, kind: Callable[[], BaseException], every: int
+) -> None:
+    """As before, until the journal is gone; what is left to be cleared away then fails nothing."""
+    raised = 0
+    for at in range(1, len(course.calls) + 1, every):
+        top, error = make(tmp_path / str(at)), kind()
         try:
-            with running(Process(at, refused=True)):
+            with running(Process(at, refused=error)):
                 write(top)
-        except StorageError as error:
-            said += 1
-            assert os.strerror(errno.ENOSPC) in str(error)  # noqa: PT017 - the last ones do not raise
-            assert named(top) == course.old, at
+        except (StorageError, KeyboardInterrupt) as stopped_by:
+            raised += 1
+            if isinstance(error, OSError):
+                assert os.strerror(errno.ENOSPC) in str(stopped_by)  # noqa: PT017 - not all raise
+                assert named(top) == course.old, at
+            assert named(top) in (course.old, course.new), at
         else:
             assert named(top) == course.new, at
         start_command()
         storage.read_bytes(top / "out" / "notes.txt")
         storage.read_bytes(top / JSON)
         assert files(top) in (course.old, course.new), at
-    assert said > 30
+    assert raised > 15
 
 
 READERS: dict[str, Callable[[Path], object]] = {
@@ -279,7 +291,7 @@ def test_what_was_only_prepared_is_in_nobody_s_way_on_a_read_only_medium(
     tmp_path: Path, course: Course, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     top = stopped(tmp_path / "top", 20)
-    monkeypatch.setattr(os, "unlink", Process(1, refused=True).standing_for("unlink"))
+    monkeypatch.setattr(os, "unlink", Process(1, refused=refusal()).standing_for("unlink"))
     assert storage.read_bytes(top / "out" / "set" / "x") == b"old x"
     assert named(top) == course.old
 
@@ -362,6 +374,23 @@ def test_a_living_process_that_does_not_end_is_named(
     storage.write_file(tmp_path / "x", b"new")
 
 
+def test_two_commands_may_put_right_at_once(
+    tmp_path: Path, course: Course, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The one that comes second finds it done."""
+    top = stopped(tmp_path / "top", course.last_move)
+
+    def second(staging: Path, *, patience: float) -> Lock:
+        monkeypatch.setattr(recovery, "take", take)
+        start_command()
+        storage.read_bytes(top / "out" / "notes.txt")  # by the first one
+        return take(staging, patience=patience)
+
+    monkeypatch.setattr(recovery, "take", second)
+    assert storage.read_bytes(top / "out" / "set" / "x") == b"old x"
+    assert files(top) == course.old
+
+
 def test_a_file_that_appears_in_the_last_moment_is_not_overwritten(tmp_path: Path) -> None:
     (tmp_path / "x").write_bytes(b"old")
 
@@ -384,7 +413,7 @@ def test_links_stay_links(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
     (tmp_path / "out" / "y").symlink_to("set/w")
     new = {"set/x": b"new", "y": b"new too", "z": b"new"}
     with monkeypatch.context() as patch:
-        patch.setattr(os, "replace", Process(7, refused=True).standing_for("replace"))
+        patch.setattr(os, "replace", Process(7, refused=refusal()).standing_for("replace"))
         with pytest.raises(StorageError):
             storage.write_files(tmp_path / "out", new, force=True)
     assert (tmp_path / "out" / "y").readlink() == Path("set/w")
@@ -397,6 +426,84 @@ def test_links_stay_links(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
         "out/y": b"new too",
         "out/z": b"new",
     }
+
+
+ANOTHER_FILE_SYSTEM = Path("/dev/shm")  # noqa: S108 - memory, on Linux
+
+
+@pytest.mark.skipif(not ANOTHER_FILE_SYSTEM.is_dir(), reason="no other file system here")
+def test_folders_on_another_file_system(tmp_path: Path, course: Course) -> None:
+    """Nothing can be renamed from one to the other: what goes there waits there."""
+    if ANOTHER_FILE_SYSTEM.stat().st_dev == tmp_path.stat().st_dev:
+        pytest.skip("the same file system")
+    with tempfile.TemporaryDirectory(dir=ANOTHER_FILE_SYSTEM) as far:
+        for at in (0, course.first_move + 1, course.last_move - 1, course.last_move + 2):
+            top = make(tmp_path / str(at))
+            shutil.rmtree(far)
+            (top / "out" / "set").rename(top / "set")
+            shutil.copytree(top / "set", far)
+            (top / "out" / "set").symlink_to(far)
+            with running(Process(at)):
+                write(top)
+            assert storage.read_bytes(top / "out" / "set" / "x") == (b"old x" if at else b"new x")
+            assert storage.read_bytes(top / JSON) == (b"old answer" if at else b"new answer")
+            left = {path.name for path in Path(far).iterdir()}
+            assert left == ({"gone", "x", "y"} if at else {"x", "y"})
+            assert (top / "out" / "record").read_bytes() == (b"old record" if at else b"new record")
+            assert not list(top.rglob(UNFINISHED))
+
+
+def test_as_on_windows(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, course: Course) -> None:
+    """No folder can be opened, no open file removed, and a scanner holds each new file for a
+    moment.
+    """
+    opened: dict[int, str] = {}
+    real = {name: getattr(os, name) for name in ("open", "close", "unlink", "replace")}
+    scanned: set[str] = set()
+
+    def open_(path: str, flags: int, mode: int = 0o777) -> int:
+        handle: int = real["open"](path, flags, mode)
+        opened[handle] = str(path)
+        return handle
+
+    def close(handle: int) -> None:
+        opened.pop(handle, None)
+        real["close"](handle)
+
+    def unlink(path: str) -> None:
+        if str(path) in opened.values():
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        real["unlink"](path)
+
+    def replace(source: str, target: str) -> None:
+        if str(source) not in scanned:
+            scanned.add(str(source))
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        real["replace"](source, target)
+
+    top = make(tmp_path)
+    monkeypatch.delattr(os, "O_DIRECTORY")
+    monkeypatch.setattr(disk, "_WINDOWS", True)
+    monkeypatch.setattr(disk, "sleep", lambda _seconds: None)
+    for name, double in (("open", open_), ("close", close), ("unlink", unlink)):
+        monkeypatch.setattr(os, name, double)
+    monkeypatch.setattr(os, "replace", replace)
+    write(top)
+    assert files(top) == course.new
+    assert opened == {}
+
+
+def test_where_the_file_system_has_no_locks(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, course: Course
+) -> None:
+    fcntl = pytest.importorskip("fcntl")
+
+    def without(_handle: int, _what: int) -> None:
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    monkeypatch.setattr(fcntl, "flock", without)
+    write(make(tmp_path))
+    assert files(tmp_path) == course.new
 
 
 def test_a_single_file_is_one_rename(tmp_path: Path) -> None:

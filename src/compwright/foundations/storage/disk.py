@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import os
 from pathlib import Path
+from time import sleep
 
 _NEW = (
     os.O_WRONLY
@@ -14,6 +15,9 @@ _NEW = (
     | getattr(os, "O_CLOEXEC", 0)
     | getattr(os, "O_NOINHERIT", 0)
 )
+_WINDOWS = os.name == "nt"
+#: s: there a scanner of viruses opens what is new for a moment, and nobody else may move it then.
+_PAUSES = (0.05, 0.2, 0.75)
 #: What a file system answers that cannot make a folder last by itself.
 _NOT_FOR_FOLDERS = {
     getattr(errno, name)
@@ -43,7 +47,7 @@ def sync_folder(folder: Path) -> None:
     if not hasattr(os, "O_DIRECTORY"):
         return
     try:
-        handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+        handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | getattr(os, "O_CLOEXEC", 0))
     except PermissionError:  # a folder to write into, not to list
         return
     try:
@@ -55,12 +59,26 @@ def sync_folder(folder: Path) -> None:
         os.close(handle)
 
 
+def move(source: Path, target: Path) -> None:
+    """Give a file another name on the same file system, in place of what is called so. Raises
+    OSError.
+    """
+    for pause in _PAUSES if _WINDOWS else ():
+        try:
+            source.replace(target)
+        except PermissionError:
+            sleep(pause)
+        else:
+            return
+    source.replace(target)
+
+
 def remove(path: Path) -> None:
     """Remove a file, on Windows one that is marked as read-only too. Raises OSError."""
     try:
         path.unlink(missing_ok=True)
     except PermissionError:
-        if os.name != "nt":
+        if not _WINDOWS:
             raise
         path.chmod(0o666)
         path.unlink(missing_ok=True)

@@ -88,7 +88,7 @@ def put_journal(folder: Path, journal: Journal) -> None:
     """Put a journal in place by one rename, on the disk before it returns. Raises OSError."""
     staging = folder / UNFINISHED
     disk.write_new(staging / _PART, _text(journal).encode("ascii"))
-    (staging / _PART).replace(staging / JOURNAL)
+    disk.move(staging / _PART, staging / JOURNAL)
     disk.sync_folder(staging)
 
 

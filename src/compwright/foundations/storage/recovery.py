@@ -97,6 +97,8 @@ def _put_right(folder: Path) -> None:
     except NotPutRightError as left:
         note_left(str(folder), left.faults)
     except (OSError, DamagedError) as error:
+        if not os.path.lexists(folder / UNFINISHED):  # another process has done it meanwhile
+            return
         fault = Fault(
             message="what a stopped command had begun to write here cannot be taken back",
             file=str(folder / UNFINISHED),
@@ -294,7 +296,7 @@ def _remove_new(folder: Path, journal: Journal) -> None:
 def _restore_old(folder: Path, journal: Journal) -> None:
     for number, entry in enumerate(journal.entries):
         if os.path.lexists(old_file(folder, number)):
-            old_file(folder, number).replace(folder / entry.name)
+            disk.move(old_file(folder, number), folder / entry.name)
     for name in reversed(journal.made):
         with suppress(OSError):  # the user has put something there
             (folder / name).rmdir()

@@ -178,7 +178,7 @@ class _Work:
         (part,) = self.parts
         (change,) = part.changes.values()
         target = part.folder / change.name
-        new_file(part.folder, 0).replace(target)
+        disk.move(new_file(part.folder, 0), target)
         with suppress(OSError):  # it is done
             disk.sync_folder(target.parent)
             self._clear()
@@ -220,7 +220,7 @@ class _Work:
             for number, entry in enumerate(journal.entries):
                 if entry.there:
                     self.current = folder / entry.name
-                    self.current.replace(old_file(folder, number))
+                    disk.move(self.current, old_file(folder, number))
         for folder, journal in self.sets:
             for name in journal.made:
                 self.current = folder / name
@@ -228,7 +228,7 @@ class _Work:
             for number, entry in enumerate(journal.entries):
                 if entry.digest:
                     self.current = folder / entry.name
-                    new_file(folder, number).replace(self.current)
+                    disk.move(new_file(folder, number), self.current)
 
     def _finish(self) -> None:
         """Let it have happened: by the removal of the journal, once all else is on the disk."""
