@@ -37,6 +37,7 @@ from redaction_samples import (
     SECRETS,
     filled,
 )
+from sinumerik_container import ACTIVE, container
 
 openpyxl = pytest.importorskip("openpyxl")
 
@@ -270,6 +271,32 @@ def test_what_is_not_known_is_refused_by_name_and_the_rest_is_copied(
     for name in ("letter.txt", "all.arc", "x.zip"):
         assert len([line for line in said if name in line]) == 1
     assert "AX_EEC" in next(line for line in said if "all.arc" in line)
+
+
+def test_an_archive_gives_its_texts_and_they_read_as_the_archive(tmp_path: Path) -> None:
+    texts = CONTROLS["sinumerik"]
+    axes = texts["AX_EEC.INI"].replace("%_N_AX_EEC_INI\n", "")
+    packed = container(
+        [
+            (ACTIVE, "AX_EEC.INI", filled(axes, "latin-1")),
+            (ACTIVE, "INITIAL.INI", filled(texts["AX1_MD.INI"], "latin-1")),
+            ("\\MPF.DIR\\", "SECRET.MPF", filled("G1 X1 ;{S}\n", "latin-1")),
+        ]
+    )
+    (tmp_path / "nc.arc").write_bytes(packed)
+    out = tmp_path / "out"
+    assert told(packed) != []
+    assert compwright(["redact", str(tmp_path / "nc.arc"), "--out", str(out)]) == 0
+    assert visible(out / "nc") == ["AX_EEC.INI", "INITIAL.INI"]
+    assert [told((out / "nc" / name).read_bytes()) for name in visible(out / "nc")] == [[], []]
+    answers = []
+    for number, given in enumerate((tmp_path / "nc.arc", out / "nc")):
+        answer = tmp_path / f"{number}.json"
+        words = ["decode", str(given), "--format", "siemens-840d-sl", "--json", str(answer)]
+        assert compwright(words) == 0
+        answers.append(json.loads(answer.read_text())["axes"])
+    assert answers[0] == answers[1]
+    assert any(answers[0]["AX1"]["correction_positive"])
 
 
 def test_names_of_files_that_hold_a_text_or_a_serial_number_change(tmp_path: Path) -> None:

@@ -52,5 +52,6 @@ def redact(
         force=force,
     )
     errors(map(str, outcome.faults))
-    answer_lines(outcome.document, json_path, lambda: redaction_lines(outcome, show=show))
+    if outcome.files or json_path is not None:
+        answer_lines(outcome.document, json_path, lambda: redaction_lines(outcome, show=show))
     return outcome.exit_code

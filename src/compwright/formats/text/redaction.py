@@ -16,6 +16,8 @@ from compwright.formats.text.texts import AS_IT_IS, BY_HAND, Line, ReadText, Tex
 from compwright.foundations.redaction import Cuts
 from compwright.records.correction import ControlFile
 
+#: What a whole line that was taken out is called in the count.
+LINE: Final = "line"
 #: Types of fields that hold texts of somebody's choice.
 _TEXTS: Final = frozenset({"name", "label", "word", "text"})
 _HARMLESS: Final = re.compile(
@@ -190,7 +192,7 @@ class _Redactor:
                 return _QUOTED.sub(self._quoted, code)
         for address in _ADDRESS.findall(bare):  # its words stand in other addresses too
             self.literal(address)
-        said = self.cuts.remark(bare, "line")
+        said = self.cuts.remark(bare, LINE)
         mark = next(iter(self.kind.comment_marks), "")
         return f"({said})" if mark == "(" else f"{mark} {said}".strip()
 

@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from compwright.foundations.errors import CompwrightError, InputError
+from compwright.foundations.errors import CompwrightError, Fault, InputError
 from compwright.foundations.redaction import Cuts
 from compwright.foundations.utf8 import encoded
 from compwright.instruments.circular_reading import is_circular
@@ -145,16 +145,25 @@ def _by_profile(content: bytes, file: str, cuts: Cuts, profile: Profile) -> Reda
 
 def _proposed(content: bytes, file: str) -> Profile:
     """Return the profile that is proposed for a table; whatever its sign, the numbers stay the
-    same. Raises UsageError where more than the sign is open.
+    same. Raises InputError where more than the sign is open.
     """
-    text = proposed_profile(content, file).text
+    proposed = proposed_profile(content, file)
+    lines = [
+        f"sign: {SIGNS[0]}" if line.startswith("sign:") and proposed.open else line
+        for line in proposed.text.split("\n")
+    ]
     try:
-        return read_profile(encoded(text), f"the profile proposed for {file}")
-    except CompwrightError:
-        lines = [
-            f"sign: {SIGNS[0]}" if line.startswith("sign:") else line for line in text.split("\n")
-        ]
         return read_profile(encoded("\n".join(lines)), f"the profile proposed for {file}")
+    except CompwrightError as error:
+        raise InputError(
+            Fault(
+                message="is a table of another program, and what its columns mean is not certain",
+                file=file,
+                expected="a mapping profile: compwright profile FILE --out P.yaml, then --profile"
+                " P.yaml",
+                found=", ".join(one.partition(":")[0] for one in proposed.open) + " open",
+            )
+        ) from error
 
 
 def _of_workbook(content: bytes, file: str, cuts: Cuts, profile: Profile | None) -> Redacted:

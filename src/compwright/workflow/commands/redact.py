@@ -9,6 +9,7 @@ from pathlib import Path, PurePath
 from typing import Any, Final
 
 from compwright.documents.json_text import to_json
+from compwright.formats.text.redaction import LINE
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError
 from compwright.foundations.redaction import Cuts, Names, telling
@@ -191,7 +192,7 @@ def _copy(
             continue
         told = [fault for fault in copies.faults if fault.file == one.name]
         if why and holds_table(one.content, one.name):
-            told = [*why, *told]
+            told = why
         faults.extend(replace(fault, file=one.shown) for fault in told)
 
 
@@ -220,8 +221,8 @@ def _named(inputs: Sequence[_Input], names: Names) -> list[str]:
     somebody = {
         piece
         for one in inputs
-        for _, text in one.cuts.removed
-        for piece in telling(text, ALLOWED | _COMMON)
+        for kind, text in one.cuts.removed
+        for piece in telling(_ADDRESS.sub(" ", text) if kind == LINE else text, ALLOWED | _COMMON)
         if _SIZE.fullmatch(piece) is None
     }
     return [
@@ -236,6 +237,8 @@ def _shown(name: str, somebody: set[str], names: Names) -> str:
     return f"{names.of(stem)}{ending}" if gives_away else name
 
 
+#: What a control calls its data, in a line of a program or of data that nobody reads.
+_ADDRESS: Final = re.compile(r"\$?[A-Za-z0-9]*_[A-Za-z0-9_]*")
 #: A length or an angle in the name of a file.
 _SIZE: Final = re.compile(r"[0-9]+(?:mm|um|deg|grad|min)")
 #: Words in names of files that name nobody.
@@ -273,9 +276,7 @@ def redaction_lines(outcome: RedactOutcome, *, show: bool = False) -> list[str]:
         counts = ", ".join(f"{count} {kind}" for kind, count in one.removed.items())
         lines.append(f"{one.copy}: as {one.taken_for}; taken out: {counts or 'nothing'}")
         if one.renamed:
-            lines.append(
-                f"  another name than {one.file.name}, which holds such a text or a number"
-            )
+            lines.append(f"  not named {one.name}: that holds such a text, or a long number")
         if show:
             lines += [f"  {kind}: {visible(text)}" for kind, text in dict.fromkeys(one.texts)]
     if outcome.files:

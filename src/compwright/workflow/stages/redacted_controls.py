@@ -4,7 +4,7 @@ and each copy is proven by the readers of its original.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path, PurePath
@@ -18,13 +18,12 @@ from compwright.formats.families.kept_lines import STATE_TEXTS, kept_lines
 from compwright.formats.text.container import is_container, opened, unknown_container
 from compwright.formats.text.entry_sheet import is_entry_sheet, parse_sheet
 from compwright.formats.text.redaction import (
-    RedactedText,
     definition_words,
     redacted_sheet,
     redacted_text,
     same_statements,
 )
-from compwright.formats.text.texts import ReadText, TextReader, text_reader
+from compwright.formats.text.texts import ReadText, text_reader
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError
 from compwright.foundations.redaction import Cuts
@@ -39,6 +38,8 @@ from compwright.workflow.stages.redacted_measurements import not_the_same, refus
 _ANY_UNIT = 0.001
 #: What is no state of one control alone.
 SHEET = "typed-entry sheet"
+#: Bytes of a file that tell which control it is of.
+_LOOKED_AT = 65536
 #: A table of bare numbers is a control's only by the ending of its name.
 _BARE_TABLE = ".comp"
 
@@ -63,14 +64,6 @@ class ControlCopies:
     unknown: frozenset[str]
 
 
-@dataclass(frozen=True, slots=True)
-class _Candidate:
-    definition: Definition
-    text: ControlFile
-    read: ReadText
-    statements: int
-
-
 def control_copies(
     files: Sequence[ControlFile], cuts: Mapping[str, Cuts], format_id: str | None
 ) -> ControlCopies:
@@ -80,16 +73,15 @@ def control_copies(
     Raises UsageError for a control that is not known.
     """
     faults: list[Fault] = []
-    found = {file.name: list(_candidates(file, format_id)) for file in files}
-    totals = _totals(found.values())
+    likely = _likely(files, format_id)
     copies: dict[str, ControlCopy] = {}
     for file in files:
         try:
-            copies[file.name] = _copy(file, found[file.name], totals, cuts[file.name])
+            copies[file.name] = _copy(file, likely[file.name], cuts[file.name])
         except InputError as error:
             faults.extend(fault.in_file(file.name) for fault in error.faults)
     unknown = frozenset(
-        file.name for file in files if not (found[file.name] or is_entry_sheet(file))
+        file.name for file in files if not (likely[file.name] or is_entry_sheet(file))
     )
     for name in _decoded_otherwise(files, copies):
         del copies[name]
@@ -113,30 +105,43 @@ def _decoded_otherwise(
             yield from [file.name for file in group]
 
 
-def _copy(
-    file: ControlFile, found: Sequence[_Candidate], totals: Mapping[str, int], cuts: Cuts
-) -> ControlCopy:
+def _copy(file: ControlFile, likely: Sequence[Definition], cuts: Cuts) -> ControlCopy:
     if is_entry_sheet(file):
         return _sheet(file, cuts)
-    if not found:
+    if not likely:
         raise _unknown(file)
-    best = max(found, key=lambda one: (one.statements, totals[one.definition.id]))
-    reader = text_reader(best.definition)
-    made = redacted_text(reader, file, best.read, kept_lines(best.definition), cuts)
-    _prove(best, reader, made)
-    allowed = definition_words(best.definition) | frozenset(made.words)
+    definition, read = _as_read(file, likely)
+    reader = text_reader(definition)
+    made = redacted_text(reader, file, read, kept_lines(definition), cuts)
+    again = _read(made.file, definition)
+    if isinstance(again, tuple):
+        raise not_the_same(file.name, again[0].message)
+    if not same_statements(read, again, made.renamed):
+        raise not_the_same(file.name, "other values")
+    allowed = definition_words(definition) | frozenset(made.words)
     refuse_left_over(file.name, cuts, [made.file.content], allowed)
-    return ControlCopy(made.file.content, best.definition.id, made.renamed)
+    return ControlCopy(made.file.content, definition.id, made.renamed)
 
 
-def _prove(best: _Candidate, reader: TextReader, made: RedactedText) -> None:
+def _as_read(file: ControlFile, likely: Sequence[Definition]) -> tuple[Definition, ReadText]:
+    """Return the first of the controls that reads a file without a fault, and what it says there.
+    Raises InputError with the faults of the first where none does.
+    """
+    first: tuple[Fault, ...] = ()
+    for definition in likely:
+        read = _read(file, definition)
+        if isinstance(read, ReadText):
+            return definition, read
+        first = first or read
+    raise InputError(*first)
+
+
+def _read(file: ControlFile, definition: Definition) -> ReadText | tuple[Fault, ...]:
+    """Return what a file says, or what is wrong with it."""
     faults: list[Fault] = []
-    (text,) = texts_of(best.definition, [made.file], faults) or (made.file,)
-    again = reader.parse(text, faults)
-    if again is None or faults:
-        raise not_the_same(best.text.name, faults[0].message if faults else "nothing")
-    if not same_statements(best.read, again, made.renamed):
-        raise not_the_same(best.text.name, "other values")
+    (text,) = texts_of(definition, [file], faults) or (file,)
+    read = text_reader(definition).read(text, faults)
+    return read if read is not None and not faults else tuple(faults)
 
 
 def _sheet(file: ControlFile, cuts: Cuts) -> ControlCopy:
@@ -152,32 +157,50 @@ def _sheet(file: ControlFile, cuts: Cuts) -> ControlCopy:
     return ControlCopy(made.content, SHEET)
 
 
-def _candidates(file: ControlFile, format_id: str | None) -> Iterator[_Candidate]:
-    """Yield the controls that read a file without a fault, with the number of statements that no
-    other file could hold by chance; a text out of a container is a control's without any.
+def _likely(files: Sequence[ControlFile], format_id: str | None) -> dict[str, list[Definition]]:
+    """Return for each file the controls that it may be of, by what its beginning says; first that
+    of which all files say most.
+
+    Statements without a word of their own are in files of many kinds: a file of nothing else is a
+    control's by its ending, where ``format_id`` says so, or as a text out of a container.
     """
-    if is_entry_sheet(file):
-        return
-    known = [definition_named(format_id, Path())] if format_id else _definitions().values()
-    for definition in known:
-        reader, faults = text_reader(definition), list[Fault]()
-        (text,) = texts_of(definition, [file], faults) or (file,)
-        read = reader.parse(text, faults)
-        if faults or read is None:
-            continue
-        heads = {name for name, matcher in reader.matchers.items() if matcher.head}
-        count = sum(one.statement in heads for one in read.occurrences)
-        bare = file.name.lower().endswith(_BARE_TABLE) or format_id is not None
-        if count or (bare and read.occurrences) or "/" in file.name:
-            yield _Candidate(definition, text, read, count)
+    known = [definition_named(format_id, Path())] if format_id else list(_definitions().values())
+    counts = {
+        file.name: {definition.id: _said_at_first(file, definition) for definition in known}
+        for file in files
+        if not is_entry_sheet(file)
+    }
+    totals = {
+        definition.id: sum(said[definition.id] for said in counts.values()) for definition in known
+    }
+    known.sort(key=lambda definition: -totals[definition.id])
+    return {
+        file.name: [
+            definition
+            for definition in known
+            if counts.get(file.name, {}).get(definition.id)
+            or (file.name in counts and (format_id is not None or _bare(file, definition)))
+        ]
+        for file in files
+    }
 
 
-def _totals(found: Iterable[list[_Candidate]]) -> dict[str, int]:
-    totals: dict[str, int] = {}
-    for candidates in found:
-        for one in candidates:
-            totals[one.definition.id] = totals.get(one.definition.id, 0) + one.statements
-    return totals
+def _bare(file: ControlFile, definition: Definition) -> bool:
+    """Whether a file is a control's without a word that tells of it."""
+    if "/" in file.name:
+        return True
+    return file.name.lower().endswith(_BARE_TABLE) and isinstance(_read(file, definition), ReadText)
+
+
+def _said_at_first(file: ControlFile, definition: Definition) -> int:
+    """Return how many statements with a word of their own stand at the beginning of a file."""
+    begins = file.content[:_LOOKED_AT]
+    if len(begins) < len(file.content):
+        begins = begins[: begins.rfind(b"\n") + 1]
+    reader = text_reader(definition)
+    read = reader.read(ControlFile(file.name, begins), [])
+    heads = {name for name, matcher in reader.matchers.items() if matcher.head}
+    return 0 if read is None else sum(one.statement in heads for one in read.occurrences)
 
 
 @cache
