@@ -16,7 +16,7 @@ from compwright.cli.words import compwright
 from compwright.foundations.command_inputs import put_right, start_command
 from compwright.foundations.errors import CompwrightError, StorageError, UsageError
 from compwright.foundations.own_faults import OWN_FAULT, own_fault
-from compwright.foundations.processors import use_one_thread
+from compwright.foundations.processors import look_for_garbage_seldom, use_one_thread
 from compwright.foundations.side_by_side import Crew, Each, alone
 from compwright.foundations.utf8 import visible
 
@@ -24,6 +24,7 @@ from compwright.foundations.utf8 import visible
 def main() -> NoReturn:
     """Run the command line and leave with the exit code of what happened."""
     use_one_thread()
+    look_for_garbage_seldom()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(
             stream, TextIOWrapper

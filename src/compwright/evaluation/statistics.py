@@ -87,7 +87,9 @@ def standard_deviation(deviations: FloatArray) -> FloatArray:
 def mean_and_deviation(deviations: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return what `mean_deviation` and `standard_deviation` do, in one pass."""
     finite = np.isfinite(deviations)
-    number, missing = finite.sum(axis=-1), not np.all(finite)
+    missing = not np.all(finite)
+    # Adding up what is there takes as long as all the rest.
+    number = finite.sum(axis=-1) if missing else np.full(finite.shape[:-1], finite.shape[-1])
     there = np.where(finite, deviations, 0.0) if missing else deviations
     mean = _mean(there, number)
     residual = there - mean[..., np.newaxis]

@@ -6,6 +6,7 @@ chapter III).
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
@@ -31,22 +32,34 @@ def without_periods(
     whose nodes lie further apart than the longest period, so that a smooth error is not mistaken
     for a periodic one (Bloomfield 2000, chapter 2).
     """
-    where = wanted.positions
+    middle = 0.5 * (wanted.positive + wanted.negative)
+    periodic = _periodic_part(wanted.positions.tobytes(), middle.tobytes(), tuple(periods))
+    if periodic is None:
+        return wanted, 0.0
+    smooth = replace(
+        wanted, positive=wanted.positive - periodic, negative=wanted.negative - periodic
+    )
+    return smooth, float(np.sqrt(np.mean(periodic**2)))
+
+
+@functools.lru_cache(maxsize=4)
+def _periodic_part(positions: bytes, values: bytes, periods: Sequence[float]) -> FloatArray | None:
+    """Return the harmonics of ``periods`` in ``values`` at ``positions`` (g,), as bytes: many grids
+    are asked for the same; None where the positions show none.
+    """
+    where, middle = np.frombuffer(positions), np.frombuffer(values)
     waves = _waves(where, periods)
     if not waves.shape[1]:
-        return wanted, 0.0
+        return None
     span = float(where[-1] - where[0])
     pieces = int(np.clip(span / (2.0 * max(periods)), 1, 60))
     beneath = hat_matrix(
         where, np.linspace(where[0], where[-1], pieces + 1), below="hold", above="hold"
     ).dense()
-    middle = 0.5 * (wanted.positive + wanted.negative)
     solution = np.linalg.lstsq(np.hstack([beneath, waves]), middle, rcond=None)[0]
-    periodic = waves @ solution[beneath.shape[1] :]
-    smooth = replace(
-        wanted, positive=wanted.positive - periodic, negative=wanted.negative - periodic
-    )
-    return smooth, float(np.sqrt(np.mean(periodic**2)))
+    periodic: FloatArray = waves @ solution[beneath.shape[1] :]
+    periodic.flags.writeable = False
+    return periodic
 
 
 def _waves(where: FloatArray, periods: Sequence[float]) -> FloatArray:

@@ -13,7 +13,7 @@ from threading import Lock, Thread
 from typing import Final, Generic, TypeVar
 
 from compwright.foundations.errors import CompwrightError
-from compwright.foundations.processors import processors
+from compwright.foundations.processors import look_for_garbage_seldom, processors
 from compwright.foundations.side_by_side import Each, in_turn
 
 T = TypeVar("T")
@@ -48,7 +48,7 @@ def side_by_side(items: int, ready: Callable[[], None]) -> Iterator[Each]:
 
 def _pool(others: int) -> ProcessPoolExecutor | None:
     try:
-        return ProcessPoolExecutor(others, get_context("spawn"), _end_when_told)
+        return ProcessPoolExecutor(others, get_context("spawn"), _begin)
     except (ImportError, NotImplementedError, OSError):  # no semaphores, no room
         return None
 
@@ -68,8 +68,9 @@ def _ctrl_c_later() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _end_when_told() -> None:
-    """End at Ctrl-C without a word: the first process says it."""
+def _begin() -> None:
+    """Begin as the first process did, and end at Ctrl-C without a word: that one says it."""
+    look_for_garbage_seldom()
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     if hasattr(signal, "pthread_sigmask"):
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})

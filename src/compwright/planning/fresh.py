@@ -48,8 +48,8 @@ FIRST: Final = Like()
 class FreshTests:
     """Draws of the deviation at new ``targets`` (m,), mm or deg; what tests like ``result`` add:
     ``scatter`` of the readings, from the generator in ``state``, and ``slopes`` (s, m) from a
-    temperature that is not known better. ``less``: the scatter without parts of the noise, where
-    it was asked for.
+    temperature that is not known better. ``less``: the scatter without the parts of the noise
+    that were asked for last (it is large).
     """
 
     result: PositioningResult
@@ -119,6 +119,7 @@ class FreshTests:
             rng = np.random.default_rng()
             rng.bit_generator.state = self.state
             bare = without(self.draws.noise, *parts)
+            self.less.clear()
             self.less[asked] = _scatter(self.result, bare, self.targets, rng)
         return self.less[asked]
 

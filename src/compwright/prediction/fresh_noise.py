@@ -44,25 +44,44 @@ def fresh_noise(
     offsets = _traverse_effects(draws, draws.offset, positive, negative, rng)
     tilts = _traverse_effects(draws, draws.tilt, positive, negative, rng)
     scale = draws.scale_at(targets)
-    both = positive > 0 and negative > 0
-    most = max(positive, negative)
-    slack = slackening(most, draws.drift_rate, u, returns=both)
-    within = within_run(most, draws.drift_rate, u, returns=both)
+    moved = np.flatnonzero((draws.offset != 0.0) | (draws.tilt != 0.0))
     blocks = []
     for way, runs in ((_PLUS, positive), (_MINUS, negative)):
-        whole = offsets[way][:, np.newaxis] + u[:, np.newaxis] * tilts[way][:, np.newaxis]
-        errors = _errors(draws, (draws.count, targets.size, runs), rng)
-        blocks.append(whole + scale[:, way, :, np.newaxis] * errors)
-    size = (draws.drift[:, np.newaxis] + np.outer(draws.drift_tilt, u))[:, :, np.newaxis]
-    fresh = _fresh_share(draws.count, rng)[:, np.newaxis, np.newaxis]
-    for way, runs in ((_PLUS, positive), (_MINUS, negative)):
-        if runs:
-            pace = progress(runs, draws.drift_rate)
-            pace = (pace - pace.mean(axis=1, keepdims=True))[:, np.newaxis]
-            drifted = fresh * slack[way][:, :, np.newaxis] * pace
-            other = (fresh - 1.0) * within[way][:, :, np.newaxis]
-            blocks[way] += size * (drifted + other)
+        readings = _errors(draws, (draws.count, targets.size, runs), rng)
+        readings *= scale[:, way, :, np.newaxis]
+        turned = u[:, np.newaxis] * tilts[way][moved, np.newaxis]
+        readings[moved] += offsets[way][moved, np.newaxis] + turned
+        blocks.append(readings)
+    share = _fresh_share(draws.count, rng)
+    drifting = np.flatnonzero((draws.drift != 0.0) | (draws.drift_tilt != 0.0))
+    drifts = _drifts(draws.taken(drifting), share[drifting], u, positive, negative)
+    for block, drift in zip(blocks, drifts, strict=True):
+        block[drifting] += drift
     return blocks[_PLUS], blocks[_MINUS]
+
+
+def _drifts(
+    draws: NoiseDraws, share: FloatArray, u: FloatArray, positive: int, negative: int
+) -> tuple[FloatArray, FloatArray]:
+    """Return what drifts in readings (count, m, positive) and (count, m, negative) at ``u`` (m,),
+    -1 to 1, of fresh tests that drift by ``share`` (count,) as the first one did.
+    """
+    both, most = positive > 0 and negative > 0, max(positive, negative)
+    slack = slackening(most, draws.drift_rate, u, returns=both)
+    within = within_run(most, draws.drift_rate, u, returns=both)
+    size = (draws.drift[:, np.newaxis] + np.outer(draws.drift_tilt, u))[:, :, np.newaxis]
+    fresh = share[:, np.newaxis, np.newaxis]
+    found = []
+    for way, runs in ((_PLUS, positive), (_MINUS, negative)):
+        if not runs:
+            found.append(np.zeros((draws.count, u.size, 0)))
+            continue
+        pace = progress(runs, draws.drift_rate)
+        pace = (pace - pace.mean(axis=1, keepdims=True))[:, np.newaxis]
+        drifted = fresh * slack[way][:, :, np.newaxis] * pace
+        other = (fresh - 1.0) * within[way][:, :, np.newaxis]
+        found.append(size * (drifted + other))
+    return found[_PLUS], found[_MINUS]
 
 
 def _fresh_share(count: int, rng: np.random.Generator) -> FloatArray:
