@@ -5,6 +5,7 @@ tell.
 from __future__ import annotations
 
 import pickle
+import tracemalloc
 from typing import Any
 
 import numpy as np
@@ -517,6 +518,17 @@ def test_a_period_that_folds_to_a_longer_wave_is_not_fitted(
         wave, rel=0.1
     )  # the frequencies are looked through in steps of 1 / 32 of a turn over the travel
     assert visible_periods(targets, [period]) == ()
+
+
+def test_many_targets_take_no_room_for_the_waves_that_they_may_show() -> None:
+    """All frequencies at all targets would be 100 MB at 400 targets, and four times that at 800."""
+    targets = 10.3 * np.arange(400.0)
+    tracemalloc.start()
+    shown = folded(targets, 10.0)
+    largest = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert shown == pytest.approx(343.3, rel=0.1)  # 1 / (1/10 - 1/10.3)
+    assert largest < 20e6
 
 
 @pytest.mark.parametrize(("interval", "period"), [(25.4, 5.0), (80.0, 10.0), (37.0, 12.0)])
