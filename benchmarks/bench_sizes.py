@@ -23,10 +23,11 @@ _LONGEST = 240  # s; what takes longer is ended and told so
 
 @dataclass(frozen=True)
 class Figures:
-    """What one process took: wall seconds, largest memory in MB (0 where the system does not tell),
-    and its exit code (None: ended by us).
+    """What one process took: wall and processor seconds, largest memory in MB (both 0 where the
+    system does not tell), and its exit code (None: ended by us).
     """
 
+    wall: float
     seconds: float
     megabytes: float
     code: int | None
@@ -40,28 +41,29 @@ def measured(command: Sequence[str]) -> Figures:
         process = subprocess.Popen(
             command, env=environment(), stdout=subprocess.DEVNULL, stderr=told
         )
-        megabytes, code = _waited(process)
-        seconds = time.perf_counter() - start
+        seconds, megabytes, code = _waited(process)
+        wall = time.perf_counter() - start
         told.seek(0)
         lines = told.read(4000).decode("utf-8", "replace").splitlines() or [""]
-    return Figures(seconds, megabytes, code, lines[0])
+    return Figures(wall, seconds, megabytes, code, lines[0][:90])
 
 
-def _waited(process: subprocess.Popen[bytes]) -> tuple[float, int | None]:
-    """Return the largest memory of a process and its exit code."""
+def _waited(process: subprocess.Popen[bytes]) -> tuple[float, float, int | None]:
+    """Return processor seconds and largest memory of a process, and its exit code."""
     if not hasattr(os, "wait4"):
-        return 0.0, process.wait(_LONGEST)
+        return 0.0, 0.0, process.wait(_LONGEST)
     end = time.monotonic() + _LONGEST
     while time.monotonic() < end:
         number, status, used = os.wait4(process.pid, os.WNOHANG)
         if number:
-            process.returncode = os.waitstatus_to_exitcode(status)
-            return used.ru_maxrss / 1024, process.returncode
+            break
         time.sleep(0.02)
-    process.kill()
-    _, status, used = os.wait4(process.pid, 0)
+    else:
+        process.kill()
+        _, status, used = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
-    return used.ru_maxrss / 1024, None
+    ended = None if process.returncode < 0 else process.returncode
+    return used.ru_utime + used.ru_stime, used.ru_maxrss / 1024, ended
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,7 @@ def main() -> None:
     wanted = parser.parse_args()
     sizes = wanted.rows or [100_000, 1_000_000]
     print(f"whole processes on {two_processors()}")
-    print(f"{'command':34} {'rows':>9} {'MB in':>7} {'s':>7} {'MB':>6} {'exit':>5}  growth")
+    print(f"{'command':34} {'rows':>9} {'MB in':>7} {'wall':>6} {'cpu s':>6} {'MB':>5} {'exit':>5}")
     for case in CASES:
         if wanted.only not in case.name:
             continue
@@ -94,11 +96,11 @@ def main() -> None:
                 words = case.make(folder, rows)
                 size = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
                 found = measured([*COMPWRIGHT, *words])
-            growth = "" if before is None else f"x{found.seconds / before.seconds:.1f}"
+            growth = "" if before is None else f"x{found.seconds / (before.seconds or 1.0):.1f}"
             code = "ended" if found.code is None else str(found.code)
             print(
-                f"{case.name:34} {rows:9} {size / 1e6:7.1f} {found.seconds:7.2f}"
-                f" {found.megabytes:6.0f} {code:>5}  {growth:5} {found.said[:150]}",
+                f"{case.name:34} {rows:9} {size / 1e6:7.1f} {found.wall:6.1f}"
+                f" {found.seconds:6.1f} {found.megabytes:5.0f} {code:>5}  {growth} {found.said}",
                 flush=True,
             )
             before = found

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 _RUNS = 10  # traverses of a tall test: five up, five down
+TALL, SQUARE, FLAT = "tall", "square", "flat"  # many targets, as many traverses, 11 targets
 
 
 def deviation(target: int, traverse: int) -> float:
@@ -16,18 +17,19 @@ def deviation(target: int, traverse: int) -> float:
     return (
         8.0 * math.sin(target / 50.0)
         + (3.0 if traverse % 2 else 0.0)
-        + ((target * 7919 + traverse * 104729) % 1009) / 1009.0
+        + ((target * 7919 + traverse * 104729) * 2654435761 % 2**32) / 2**32
     )
 
 
-def shape_of(rows: int, *, square: bool = False) -> tuple[int, int]:
+def shape_of(rows: int, shape: str = TALL) -> tuple[int, int]:
     """Return targets and traverses of a test of so many readings."""
-    traverses = max(2, 2 * (math.isqrt(rows) // 2)) if square else _RUNS
+    wide = {TALL: _RUNS, SQUARE: math.isqrt(rows), FLAT: rows // 11}[shape]
+    traverses = max(2, 2 * (wide // 2))
     return max(rows // traverses, 1), traverses
 
 
-def _readings(rows: int, *, square: bool = False) -> Iterator[tuple[float, str, int, float]]:
-    targets, traverses = shape_of(rows, square=square)
+def _readings(rows: int, shape: str = TALL) -> Iterator[tuple[float, str, int, float]]:
+    targets, traverses = shape_of(rows, shape)
     for traverse in range(traverses):
         order = range(targets) if traverse % 2 == 0 else reversed(range(targets))
         for target in order:
@@ -35,11 +37,11 @@ def _readings(rows: int, *, square: bool = False) -> Iterator[tuple[float, str, 
             yield 0.125 * target, sign, traverse // 2 + 1, deviation(target, traverse)
 
 
-def long_csv(path: Path, rows: int, *, square: bool = False) -> None:
+def long_csv(path: Path, rows: int, shape: str = TALL) -> None:
     """Write the long form of plain CSV."""
     with path.open("w", encoding="utf-8", newline="\n") as out:
         out.write("# axis: X\n# cycle: standard\ntarget_mm,direction,run,deviation_um\n")
-        for target, sign, run, value in _readings(rows, square=square):
+        for target, sign, run, value in _readings(rows, shape):
             out.write(f"{target:.3f},{sign},{run},{value:.3f}\n")
 
 
@@ -54,11 +56,11 @@ def wide_csv(path: Path, rows: int) -> None:
             out.write(f"{0.125 * target:.3f},{values}\n")
 
 
-def foreign_csv(path: Path, rows: int, *, square: bool = False) -> None:
+def foreign_csv(path: Path, rows: int, shape: str = TALL) -> None:
     """Write a table of another program: German words, decimal commas, semicolons."""
     with path.open("w", encoding="cp1252", newline="\r\n") as out:
         out.write("Messprotokoll\nAchse: X\nSoll [mm];Richtung;Lauf;Abweichung (Ist - Soll) [µm]\n")
-        for target, sign, run, value in _readings(rows, square=square):
+        for target, sign, run, value in _readings(rows, shape):
             text = f"{target:.3f};{'auf' if sign == '+' else 'ab'};{run};{value:.3f}\n"
             out.write(text.replace(".", ","))
 
@@ -76,9 +78,9 @@ def circular_csv(path: Path, rows: int) -> None:
                 out.write(f"{sense},{angle:.6f},{value:.3f}\n")
 
 
-def laser_runs(path: Path, rows: int, kind: str = "rtl", *, square: bool = False) -> None:
+def laser_runs(path: Path, rows: int, kind: str = "rtl", shape: str = TALL) -> None:
     """Write runs of laser software."""
-    targets, traverses = shape_of(rows, square=square)
+    targets, traverses = shape_of(rows, shape)
     with path.open("w", encoding="utf-8", newline="\r\n") as out:
         out.write(f"HEADER::\nFile type  : {kind}\nVersion no : V20.02.02\n\nTARGET DATA::\n")
         out.write(f"Filetype  : ISO\nTarget-count: {targets}\nTargets :\n")
@@ -194,11 +196,12 @@ def _proposed(folder: Path, rows: int) -> list[str]:
 #: What is measured: a command by its name, made of a folder and a number of rows.
 COMMANDS: dict[str, Callable[[Path, int], list[str]]] = {
     "plain CSV, long": _one("x.csv", long_csv),
-    "plain CSV, long, many traverses": _one("x.csv", lambda p, n: long_csv(p, n, square=True)),
+    "plain CSV, long, many runs": _one("x.csv", lambda p, n: long_csv(p, n, SQUARE)),
+    "plain CSV, long, 11 targets": _one("x.csv", lambda p, n: long_csv(p, n, FLAT)),
     "plain CSV, wide": _one("x.csv", wide_csv),
     "plain CSV, circular": _one("c.csv", circular_csv),
     ".rtl": _one("x.rtl", laser_runs),
-    ".rtl, many traverses": _one("x.rtl", lambda p, n: laser_runs(p, n, square=True)),
+    ".rtl, many runs": _one("x.rtl", lambda p, n: laser_runs(p, n, "rtl", SQUARE)),
     ".rta": _one("x.rta", lambda p, n: laser_runs(p, n, "rta")),
     ".pos": _one("x.pos", means),
     ".ren": _one("x.ren", compensation),

@@ -7,6 +7,7 @@ than the noise, runs may be the same by chance.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
 from itertools import combinations
 from typing import Final
@@ -35,26 +36,45 @@ _STEPS: Final = 1.5
 _CHANCE: Final = 1e-3
 #: Copies named in a message; the others are counted.
 _NAMED: Final = 4
+_MOST_LISTED: Final = 20  # runs of one group, and groups, that are listed
+#: Runs that are held all against all; among more of them some are alike by chance, and the work
+#: grows with their square.
+_MOST_RUNS: Final = 100
+#: Differences of readings that are held in memory at once.
+_AT_ONCE: Final = 1_000_000
 
 
 def same_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
     """Return for each direction the groups of columns (two or more) that hold the same readings at
-    three targets or more.
+    three targets or more; of many runs those that have the same readings at the same targets.
     """
     found: dict[Direction, list[list[int]]] = {}
     for direction in _DIRECTIONS:
         block = test.deviations(direction)
-        groups: list[list[int]] = []
-        for column in range(block.shape[1]):
-            group = next(
-                (group for group in groups if _same(block[:, group[0]], block[:, column])), None
-            )
-            if group is None:
-                groups.append([column])
-            else:
-                group.append(column)
+        groups = _groups(block) if block.shape[1] <= _MOST_RUNS else _groups_of_many(block)
         found[direction] = [group for group in groups if len(group) > 1]
     return found
+
+
+def _groups(block: FloatArray) -> list[list[int]]:
+    groups: list[list[int]] = []
+    for column in range(block.shape[1]):
+        group = next(
+            (group for group in groups if _same(block[:, group[0]], block[:, column])), None
+        )
+        if group is None:
+            groups.append([column])
+        else:
+            group.append(column)
+    return groups
+
+
+def _groups_of_many(block: FloatArray) -> list[list[int]]:
+    groups: defaultdict[bytes, list[int]] = defaultdict(list)
+    for column, values in enumerate(np.round(block / _ROUNDING).T + 0.0):  # no negative zero
+        if np.count_nonzero(np.isfinite(values)) >= 3 and np.any(np.nan_to_num(values)):
+            groups[values.tobytes()].append(column)
+    return list(groups.values())
 
 
 def same_runs_findings(test: PositioningTest) -> list[Finding]:
@@ -63,8 +83,11 @@ def same_runs_findings(test: PositioningTest) -> list[Finding]:
     """
     exact = _exact(test)
     if exact and not _by_chance(test):
+        rest = len(exact) - _MOST_LISTED
+        others = f" and {rest} more such groups" if rest > 0 else ""
         message = (
-            f"The same readings to the last digit: {'; '.join(exact)}. Was one run copied, or are"
+            f"The same readings to the last digit: {'; '.join(exact[:_MOST_LISTED])}{others}. Was"
+            " one run copied, or are"
             " the readings rounded too coarsely? Repeatability and noise cannot be told from them."
         )
         return [Finding("CW-T031", "warning", message)]
@@ -85,7 +108,9 @@ def _exact(test: PositioningTest) -> list[str]:
     for direction, groups in same_runs(test).items():
         for group in groups:
             names = [_number(test, direction, column) for column in group]
-            parts.append(f"runs {', '.join(names[:-1])} and {names[-1]} in {sign_text(direction)}")
+            last = names[-1] if len(names) <= _MOST_LISTED else f"{len(names) - _MOST_LISTED} more"
+            told = ", ".join(names[: min(len(names) - 1, _MOST_LISTED)])
+            parts.append(f"runs {told} and {last} in {sign_text(direction)}")
     if (
         test.positive.shape == test.negative.shape
         and all(map(_same, test.positive.T, test.negative.T))
@@ -103,9 +128,10 @@ def _by_chance(test: PositioningTest) -> bool:
     """
     agree, count, pairs = 0.0, 0, 0
     for direction in _DIRECTIONS:
-        for one, other in combinations(test.deviations(direction).T, 2):
+        runs = test.deviations(direction).T
+        pairs += len(runs) * (len(runs) - 1) // 2
+        for one, other in combinations(runs[:_MOST_RUNS], 2):
             both = np.isfinite(one) & np.isfinite(other)
-            pairs += 1
             if np.any(both) and not _same(one, other):
                 agree += float(np.mean(np.abs(one[both] - other[both]) <= _ROUNDING))
                 count += 1
@@ -114,8 +140,10 @@ def _by_chance(test: PositioningTest) -> bool:
 
 def _near(test: PositioningTest) -> tuple[list[str], float]:
     """Return the pairs of runs that are nearly the same, in words, and what the runs of a direction
-    differ by (mm or deg, rms).
+    differ by (mm or deg, rms); none among many runs.
     """
+    if test.positive.shape[1] + test.negative.shape[1] > _MOST_RUNS:
+        return [], 0.0
     traverses = [
         (direction, column, values)
         for direction in _DIRECTIONS
@@ -145,10 +173,23 @@ def _all_apart(runs: Sequence[FloatArray]) -> list[tuple[int, int, float]]:
     if len(runs) < 2:
         return []
     columns = np.column_stack(runs)
-    finite = np.isfinite(columns)
     first, second = np.triu_indices(len(runs), 1)
+    pieces = -(-first.size * len(columns) // _AT_ONCE)
+    return [
+        apart
+        for one, other in zip(
+            np.array_split(first, pieces), np.array_split(second, pieces), strict=True
+        )
+        for apart in _apart(columns, one, other)
+    ]
+
+
+def _apart(
+    columns: FloatArray, first: NDArray[np.intp], second: NDArray[np.intp]
+) -> list[tuple[int, int, float]]:
+    """Return `_all_apart` of some pairs (p,) of ``columns`` (m, n)."""
     gaps = columns[:, first] - columns[:, second]
-    patterns, which = np.unique(finite[:, first] & finite[:, second], axis=1, return_inverse=True)
+    patterns, which = np.unique(np.isfinite(gaps), axis=1, return_inverse=True)
     found = []
     for index, known in enumerate(patterns.T):
         alike = np.flatnonzero(which.ravel() == index)

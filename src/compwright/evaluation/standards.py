@@ -111,6 +111,7 @@ STANDARDS: Final[Mapping[str, Standard]] = {
 _NEED_S: Final = frozenset(
     {"A", "A_positive", "A_negative", "R", "R_positive", "R_negative", "P", "Ps_max", "Ps_mean"}
 )
+_MOST_LISTED: Final = 20  # targets that a finding names
 _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
@@ -359,7 +360,7 @@ def _target_findings(
     """
     findings = []
     if not np.all(measured):
-        where = ", ".join(position_text(float(x), test) for x in test.targets[~measured])
+        where = _listed(test.targets[~measured], test)
         findings.append(
             Finding("CW-T015", "warning", f"Targets without any reading are left out: {where}.")
         )
@@ -367,7 +368,7 @@ def _target_findings(
     complete = measured & np.all([test.readings(d) >= 2 for d in directions], axis=0)
     if np.array_equal(complete, measured) or not np.any(complete):
         return findings
-    where = ", ".join(position_text(float(x), test) for x in test.targets[measured & ~complete])
+    where = _listed(test.targets[measured & ~complete], test)
     others = _values(columns, standard, complete)
     told = ", ".join(
         f"{name} {text_of(value, test)}"
@@ -384,6 +385,13 @@ def _target_findings(
         )
     )
     return findings
+
+
+def _listed(targets: FloatArray, test: PositioningTest) -> str:
+    told = ", ".join(position_text(float(x), test) for x in targets[:_MOST_LISTED])
+    return (
+        told if targets.size <= _MOST_LISTED else f"{told} and {targets.size - _MOST_LISTED} more"
+    )
 
 
 def _comparison(

@@ -1,0 +1,125 @@
+"""Large inputs: right to the last digit, work that grows with the size and not with its square,
+and refused with what is expected and what was found where they are larger than anything real.
+"""
+
+from __future__ import annotations
+
+import tracemalloc
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from compwright.evaluation.copies import same_runs, same_runs_findings
+from compwright.evaluation.readings import drift, suspect_traverses
+from compwright.evaluation.standards import evaluate
+from compwright.foundations.errors import InputError
+from compwright.instruments import assembling
+from compwright.instruments.reading import read_positioning
+from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.positioning import PositioningTest
+
+
+def readings(targets: int, runs: int, seed: int = 1) -> tuple[FloatArray, FloatArray]:
+    """Return deviations (targets, runs) in um of + and of -, three decimals each."""
+    rng = np.random.default_rng(seed)
+    shape = 5.0 * np.sin(np.arange(targets) / 3.0)[:, None]
+    up, down = (shape + lag + rng.normal(0.0, 0.6, (targets, runs)) for lag in (0.0, -2.0))
+    return np.round(up, 3), np.round(down, 3)
+
+
+def rows(up: FloatArray, down: FloatArray) -> Iterator[str]:
+    for sign, block in (("+", up), ("-", down)):
+        for run, column in enumerate(block.T, start=1):
+            for target, value in enumerate(column.tolist()):
+                yield f"{target * 12.5},{sign},{run},{value}"
+
+
+def test_of(up: FloatArray, down: FloatArray) -> PositioningTest:
+    return PositioningTest(
+        name="x",
+        axis="X",
+        kind=AxisKind.LINEAR,
+        targets=np.arange(len(up)) * 12.5,
+        positive=up / 1000.0,
+        negative=down / 1000.0,
+    )
+
+
+test_of.__test__ = False  # type: ignore[attr-defined]
+
+
+def test_many_readings_are_evaluated_right() -> None:
+    """Mean and s at every target against numpy of the numbers that were written."""
+    up, down = readings(40, 250)
+    text = "# axis: X\ntarget_mm,direction,run,deviation_um\n" + "\n".join(rows(up, down)) + "\n"
+    test = read_positioning(text.encode(), "x.csv")
+    assert test.positive.shape == test.negative.shape == up.shape
+    columns = evaluate(test).targets
+    for block, mean, s in (
+        (up, columns.mean_positive, columns.s_positive),
+        (down, columns.mean_negative, columns.s_negative),
+    ):
+        np.testing.assert_allclose(mean * 1000.0, block.mean(axis=1), rtol=1e-12)
+        np.testing.assert_allclose(s * 1000.0, block.std(axis=1, ddof=1), rtol=1e-11)
+
+
+def test_checks_of_many_runs_need_memory_in_proportion_to_them() -> None:
+    """Nine thousand runs of eleven targets: held all against all, they would take gigabytes."""
+    test = test_of(*readings(11, 4_500))
+    tracemalloc.start()
+    assert same_runs_findings(test) == []
+    assert drift(test) == []
+    assert suspect_traverses(test, lambda _: "") == []
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 30 * (test.positive.nbytes + test.negative.nbytes)
+
+
+def test_copies_and_drift_are_found_among_many_runs() -> None:
+    up, down = readings(11, 300)
+    up[:, 250] = up[:, 17]
+    test = test_of(up, down)
+    assert [group for group in same_runs(test).values() if group] == [[[17, 250]]]
+    assert "runs 18 and 251 in +" in same_runs_findings(test)[0].message
+    drifting = test_of(up + np.linspace(0.0, 3.0, 300), down)
+    assert [finding.code for finding in drift(drifting)] == ["CW-T012"]
+
+
+def test_the_chance_of_an_order_is_the_same_by_orders_and_by_the_normal_limit(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    from compwright.evaluation import readings as module
+
+    table = np.random.default_rng(3).normal(size=(4, 90))
+    centred = np.arange(90.0) - 44.5
+    table += 0.006 * centred
+    by_orders = module._chance(table, centred)
+    monkeypatch.setattr(module, "_MOST_ORDERED", 10)
+    assert 0.001 < by_orders < 0.5
+    assert module._chance(table, centred) == pytest.approx(by_orders, abs=0.01)
+
+
+def test_many_suspect_traverses_are_counted_and_the_farthest_told() -> None:
+    up, down = readings(11, 120)
+    up[:, ::3] += 40.0
+    findings = suspect_traverses(test_of(up, down), lambda _: "")
+    assert len(findings) == 21
+    assert findings[-1].message.startswith("20 more traverses in + lie off the others")
+
+
+@pytest.mark.parametrize(
+    ("limit", "words"),
+    [
+        ("MOST_READINGS", "holds too many readings; expected at most 100 in one test, found 220"),
+        ("MOST_TARGETS", "holds too many targets; expected at most 100 in one test, found 110"),
+    ],
+)
+def test_more_than_anything_real_is_refused(
+    limit: str, words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(assembling, limit, 100)
+    text = "target_mm,direction,run,deviation_um\n" + "\n".join(rows(*readings(110, 1)))
+    with pytest.raises(InputError) as caught:
+        read_positioning(text.encode(), "x.csv")
+    assert str(caught.value) == f"x.csv: {words}"
