@@ -106,6 +106,9 @@ def test_the_run_says_what_it_took_for_granted(first_day: tuple[Path, str, str])
     report = (folder / OUT / "report.html").read_text(encoding="utf-8")
     assert "CW-R060" in report
     assert "CW-R059" in report
+    card = (folder / OUT / "card" / "card.md").read_text(encoding="utf-8")
+    assert "as the file was read (CW-R060)" in card
+    assert readings[0][2] + " mm, approached from" in card
 
 
 def test_the_table_holds_the_error_that_was_put_in(first_day: tuple[Path, str, str]) -> None:

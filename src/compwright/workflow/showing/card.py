@@ -77,7 +77,7 @@ def card_document(
                 if work.planned.axis.programmed == "diameter"
             ),
         ],
-        "assumed": facts,
+        "assumed": [*_as_read(written), *facts],
         "restore": _restore(control, inputs, back),
         "files": [f"tables/{control.id}/{file.name}" for file in (loaded.files if loaded else ())],
         "proven": (
@@ -87,6 +87,26 @@ def card_document(
             or _NOTHING_PROVEN
         ),
     }
+
+
+#: Findings that say what was taken for granted of a measurement file: what it does not say, its
+#: encoding, and readings in words, which are wrong where sign, direction or unit are.
+_READ = ("CW-R001", "CW-R056", "CW-R060", "CW-R062")
+
+
+def _as_read(works: Mapping[str, AxisWork]) -> list[dict[str, str]]:
+    """Return how the measurements were read that the tables come from, as assumed facts."""
+    return [
+        {
+            "fact": f"axis {name}, test {result.test.name}",
+            "value": finding.message,
+            "evidence": f"as the file was read ({finding.code})",
+        }
+        for name, work in works.items()
+        for result in work.results
+        for finding in result.test.findings
+        if finding.code in _READ
+    ]
 
 
 def _axis(
