@@ -115,6 +115,8 @@ def evaluate(
     )
     for name in outcome.document.get("skipped", ()):
         tell(f"note: {name}: skipped, by its ending no measurement")
+    for name in outcome.document.get("folders", ()):
+        tell(f"note: {name}: a folder in a folder, not looked into; name it to read it")
     for path in written:
         tell(f"written: {path}")
     if outcome.exit_code == OWN_FAULT:

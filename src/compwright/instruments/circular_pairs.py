@@ -9,7 +9,8 @@ Codes made here:
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice
 from pathlib import PurePath
@@ -53,27 +54,30 @@ def paired(tests: Sequence[CircularTest]) -> tuple[CircularTest, ...]:
 
 def _partners(tests: Mapping[int, CircularTest], *, by_name: bool) -> dict[int, list[int]]:
     """Return for each test of one direction those of the other that fit it, at most two of them."""
-    ways: dict[Sense, list[int]] = {"ccw": [], "cw": []}
+    ways: dict[tuple[Sense, Hashable], list[int]] = defaultdict(list)
+    mine: dict[int, tuple[Sense, Hashable]] = {}
     for index, test in tests.items():
         sense = _only(test)
         if sense is not None:
-            ways[sense].append(index)
+            # Only tests with these in common can fit: of many, few are held against each other.
+            where = _place(test) if by_name else None
+            mine[index] = sense, (test.axes, test.nominal_radius, where)
+            ways[mine[index]].append(index)
     known: dict[frozenset[int], bool] = {}
 
     def fit(one: int, other: int) -> bool:
         pair = frozenset((one, other))
         if pair not in known:
-            known[pair] = (not by_name or _place(tests[one]) == _place(tests[other])) and _belong(
-                tests[one], tests[other]
-            )
+            known[pair] = _belong(tests[one], tests[other])
         return known[pair]
 
     partners: dict[int, list[int]] = {}
-    for mine, theirs in ((ways["ccw"], ways["cw"]), (ways["cw"], ways["ccw"])):
-        for index in mine:
-            partners[index] = list(
-                islice((other for other in theirs if fit(index, other)), _ENOUGH)
-            )
+    for way in ("ccw", "cw"):
+        for index, (sense, alike) in mine.items():
+            if sense == way:
+                theirs = ways.get(("cw" if way == "ccw" else "ccw", alike), [])
+                fitting = (other for other in theirs if fit(index, other))
+                partners[index] = list(islice(fitting, _ENOUGH))
     return partners
 
 
@@ -89,11 +93,6 @@ def _belong(one: CircularTest, other: CircularTest) -> bool:
         one.header.get(key) and other.header.get(key) and one.header[key] != other.header[key]
         for key in _SAME_MACHINE
     ):
-        return False
-    if (one.axes, one.nominal_radius) != (
-        other.axes,
-        other.nominal_radius,
-    ):  # merge_circular checks more, and slower
         return False
     try:
         merge_circular((one, other), one.name)

@@ -11,6 +11,7 @@ another case of the letters, a way around through ``..``): see `command_inputs`.
 from compwright.foundations.storage.hindrances import refuse_overwriting
 from compwright.foundations.storage.listing import (
     folders_holding,
+    folders_in,
     in_folders_of,
     is_there,
     list_files,
@@ -33,6 +34,7 @@ __all__ = [
     "demo_files",
     "earlier_bytes",
     "folders_holding",
+    "folders_in",
     "in_folders_of",
     "is_folder",
     "is_there",

@@ -35,6 +35,18 @@ def list_files(path: Path) -> list[Path]:
         ) from error
 
 
+def folders_in(path: Path) -> list[Path]:
+    """Return the folders in a folder by name, hidden ones left out; none of what cannot be
+    listed.
+    """
+    try:
+        return sorted(
+            entry for entry in path.iterdir() if entry.is_dir() and not entry.name.startswith(".")
+        )
+    except (OSError, ValueError):
+        return []
+
+
 def in_folders_of(folder: Path, name: str) -> list[Path]:
     """Return the files called ``name`` that lie in the folders of ``folder``, one level down; what
     cannot be listed has none.

@@ -33,9 +33,14 @@ from compwright.workflow.stages.evaluated import (
     FilesEvaluator,
     GivenFile,
     Noted,
+    Why,
     ready,
 )
-from compwright.workflow.stages.measurement_files import load_profile, measurement_files
+from compwright.workflow.stages.measurement_files import (
+    Found,
+    load_profile,
+    measurement_files,
+)
 from compwright.workflow.stages.single_files import refuse_other_kinds
 
 if TYPE_CHECKING:  # positioning tests, the common case, start without the circular records
@@ -93,9 +98,9 @@ def evaluate_files(
     that hold one direction each of the same circular test are one test (`circular_pairs.paired`).
     A file that cannot be read, also one in a folder that is no measurement file, becomes an entry
     in ``errors`` and the rest is evaluated; what lies beside measurements in a folder (plots,
-    JSON, jobs) is skipped and named in ``skipped``. Raises UsageError for unknown standards, two
-    of one kind, a range method that the standard or the only test does not have, or no path at
-    all.
+    JSON, jobs) is skipped and named in ``skipped``, folders in it in ``folders``. Raises
+    UsageError for unknown standards, two of one kind, a range method that the standard or the
+    only test does not have, or no path at all.
     """
     positioning, circular = _standards(standards, spread)
     if not paths:
@@ -103,7 +108,8 @@ def evaluate_files(
             Fault(message="nothing to evaluate", expected="at least one measurement file or folder")
         )
     mapping = None if profile is None else load_profile(profile)
-    files, skipped, faults = _files(paths)
+    found, faults = _files(paths)
+    files = found.files
     asked = Asked(
         positioning=positioning,
         circular=circular,
@@ -112,31 +118,35 @@ def evaluate_files(
         whole=whole or len(files) <= _PAGES,
     )
     tests, noted = _evaluated(files, asked, crew, watch)
-    by_reason = {
-        why: [one.fault for one in noted if one.why == why]
-        for why in ("unread", "refused", "unfit", "own")
-    }
-    faults += [*by_reason["unread"], *by_reason["refused"]]
-    unfit, own = by_reason["unfit"], by_reason["own"]
-    if unfit and not (tests or faults or own):
-        raise UsageError(*unfit)
+    why = _by_reason(noted)
+    faults += [*why["unread"], *why["refused"]]
+    if why["unfit"] and not (tests or faults or why["own"]):
+        raise UsageError(*why["unfit"])
     document = {
-        **evaluation_document((), [*faults, *unfit, *own]),
+        **evaluation_document((), [*faults, *why["unfit"], *why["own"]]),
         "results": _with_repeats(tests),
     }
-    if skipped:
-        document["skipped"] = [shown_path(path) for path in skipped]
+    if found.skipped:
+        document["skipped"] = [shown_path(path) for path in found.skipped]
+    if found.folders:
+        document["folders"] = [shown_path(path) for path in found.folders]
+    gravest = (
+        (OWN_FAULT, why["own"]),
+        (InputError.exit_code, faults),
+        (UsageError.exit_code, why["unfit"]),
+    )
     return EvaluationRun(
         document=document,
         many=max(len(files), len(tests)) > _PAGES,
-        exit_code=OWN_FAULT
-        if own
-        else InputError.exit_code
-        if faults
-        else UsageError.exit_code
-        if unfit
-        else 0,
+        exit_code=next((code for code, some in gravest if some), 0),
     )
+
+
+def _by_reason(noted: Sequence[Noted]) -> Mapping[Why, list[Fault]]:
+    reasons: dict[Why, list[Fault]] = {"unread": [], "refused": [], "unfit": [], "own": []}
+    for one in noted:
+        reasons[one.why].append(one.fault)
+    return reasons
 
 
 def evaluation_renderables(document: Mapping[str, Any], *, targets: bool = False) -> list[Any]:
@@ -264,22 +274,23 @@ def _circular_standard(name: str) -> str:
     return circular_standard_by_id(name).id
 
 
-def _files(paths: Sequence[Path]) -> tuple[list[Path], list[Path], list[Fault]]:
+def _files(paths: Sequence[Path]) -> tuple[Found, list[Fault]]:
     """Return the files of all paths, each once, what was skipped beside them, and the faults of
     paths without any.
     """
-    files: dict[Path, None] = {}
-    skipped: dict[Path, None] = {}
+    found: list[Found] = []
     faults: list[Fault] = []
     for path in paths:
         try:
-            found = measurement_files(path)
+            found.append(measurement_files(path))
         except InputError as error:
             faults.extend(error.faults)
-            continue
-        files |= dict.fromkeys(found.files)
-        skipped |= dict.fromkeys(found.skipped)
-    return list(files), [path for path in skipped if path not in files], faults
+    files = dict.fromkeys(file for one in found for file in one.files)
+    skipped = dict.fromkeys(file for one in found for file in one.skipped if file not in files)
+    folders = dict.fromkeys(
+        folder for one in found for folder in one.folders if folder not in paths
+    )
+    return Found(tuple(files), tuple(skipped), tuple(folders)), faults
 
 
 def _evaluated(

@@ -22,12 +22,13 @@ BESIDE_MEASUREMENTS = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """The measurement files of a path in the order of their names, and what a folder holds beside
-    them.
+    """The measurement files of a path in the order of their names, what a folder holds beside them,
+    and the ``folders`` in it, which are not looked into.
     """
 
     files: tuple[Path, ...]
     skipped: tuple[Path, ...] = ()
+    folders: tuple[Path, ...] = ()
 
 
 def load_profile(path: Path) -> Profile:
@@ -47,19 +48,26 @@ def measurement_files(path: Path) -> Found:
     entries = storage.list_files(path)
     if entries == [path]:
         return Found((path,))
-    skipped = tuple(entry for entry in entries if entry.suffix.lower() in BESIDE_MEASUREMENTS)
-    files = tuple(entry for entry in entries if entry not in skipped)
+    folders = tuple(storage.folders_in(path))
+    files: list[Path] = []
+    skipped: list[Path] = []
+    for entry in entries:
+        beside = entry.suffix.lower() in BESIDE_MEASUREMENTS
+        (skipped if beside else files).append(entry)
     if not files:
-        message = (
-            "the folder holds no measurement files" if skipped else "the folder holds no files"
-        )
-        found = ", ".join(entry.name for entry in skipped)
+        named = ", ".join(shown_path(Path(entry.name)) for entry in skipped)
+        names = ", ".join(shown_path(Path(folder.name)) for folder in folders)
+        below = f"folders, which are read when they are named: {names}" if folders else ""
         raise InputError(
             Fault(
-                message=message,
+                message=(
+                    "the folder holds no measurement files"
+                    if skipped
+                    else "the folder holds no files"
+                ),
                 file=shown_path(path),
                 expected="measurement files" if skipped else "",
-                found=found,
+                found="; ".join(part for part in (named, below) if part),
             )
         )
-    return Found(files, skipped)
+    return Found(tuple(files), tuple(skipped), folders)
