@@ -73,6 +73,7 @@ def refused(folder: Path, capsys: pytest.CaptureFixture[str], *words: str) -> st
     return capsys.readouterr().err
 
 
+VERIFIED = "r/verification.html"
 READ = {
     "evaluate, json": (["evaluate", "x.csv", "--json", "x.csv"], "x.csv"),
     "evaluate, plot": (["evaluate", "x.csv", "--plot", "x.svg"], "x.svg"),
@@ -132,6 +133,25 @@ READ = {
         "control/AX1_EEC.INI",
     ),
     "simulate": (["simulate", "before/x.csv", "--out", "before"], "before/x.csv"),
+    "run, report": (["run", "job.yaml", "--out", "o"], "o/report.html"),
+    "run, record": (["run", "job.yaml", "--out", "p"], "p/record.json"),
+    "run, table": (["run", "second.yaml", "--out", "q"], f"q/tables/{CONTROL}/AX1_EEC.INI"),
+    "verify, page": (["verify", "job.yaml", "--after", "after.csv", "--out", "r"], VERIFIED),
+    "profile": (["profile", "foreign.csv", "--out", "p.yaml"], "p.yaml"),
+    "diff": (
+        ["diff", "control", "--with", "old", "--format", CONTROL, "--json", "d.json"],
+        "d.json",
+    ),
+    "history": (["history", "job", "--json", "job/record.json"], "job/record.json"),
+}
+#: Links that stand where a command writes, to what it reads: hard ones and symbolic ones.
+LINKS: dict[str, tuple[str, Callable[[Path, Path], None]]] = {
+    "o/report.html": ("x.csv", os.symlink),
+    "p/record.json": ("job.yaml", os.link),
+    f"q/tables/{CONTROL}/AX1_EEC.INI": ("control/AX1_EEC.INI", os.symlink),
+    VERIFIED: ("after.csv", os.link),
+    "p.yaml": ("foreign.csv", os.link),
+    "d.json": ("old/AX1_MD.INI", os.symlink),
 }
 
 
@@ -145,6 +165,15 @@ def test_what_was_read_is_not_overwritten(
     shutil.copy("x.csv", "tests/x.csv")
     shutil.copy("x.csv", "x.svg")
     shutil.copy("machine.yaml", "before/x.csv")  # a machine file with the name of a measurement
+    (folder / "second.yaml").write_text(
+        JOB.replace("none", "[control]").replace("x.csv", "after.csv")
+    )
+    (folder / "foreign.csv").write_text("Soll;Ist\n1,0;1,1\n2,0;2,1\n")
+    shutil.copytree("control", "old")
+    if name in LINKS:
+        to, link = LINKS[name]
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        link(folder / to, folder / name)
     if case == "evaluate, plot":
         words = ["evaluate", "x.svg", "--plot", "x.svg"]
     if case == "export, state":  # another table than the one that is there

@@ -101,6 +101,29 @@ def test_a_job_of_the_user_s_own_is_not_replaced(
     assert tree(hall / "other") == {"job.yaml": b"compwright: 1\n"}
 
 
+@pytest.mark.skipif(os.name == "nt", reason="names there are always text")
+def test_a_name_that_is_no_text_leaves_no_job(
+    hall: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    name = os.fsdecode(b"x\xff.rtl")
+    shutil.copy(hall / FILE, hall / name)
+    assert compwright(["run", name, *WORDS, "--out", "odd"]) == 0
+    assert "job.yaml is not written: the name of a file is no text" in capsys.readouterr().err
+    assert not (hall / "odd" / "job.yaml").exists()
+    assert (hall / "odd" / "plan.json").is_file()
+
+
+def test_without_a_state_the_job_is_left_too(
+    hall: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = [word for word in WORDS if word not in ("--state", "none")]
+    assert compwright(["run", FILE, *words, "--out", "open"]) == 2
+    assert "add --state none" in capsys.readouterr().err
+    before = tree(hall)
+    assert compwright(["run", "open/job.yaml", "--force"]) == 2
+    assert tree(hall) == before
+
+
 def stated(**words: object) -> StatedJob:
     given: dict[str, object] = {
         "format": "fanuc-30i",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,6 +29,7 @@ NO_STATE_OPTION = (
     "--state: no table is written without the state of the control; add --state none, or --state"
     " with each of its files"
 )
+_NO_JOB = f"{JOB} is not written: the name of a file is no text that it could hold; rename the file"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -77,7 +79,7 @@ def run_job(
     finished = worked_through(job, folder, out, accept_worse=accept_worse, each=each)
     results = result_files(finished, each)
     earlier = listed_in_record(storage.earlier_bytes(out / RECORD))
-    draft = {} if stated is None else {JOB: encoded(_assumed_job(stated, finished))}
+    draft = {} if stated is None else _assumed_job(stated, finished)
     given = [
         *(given_job(JOB, out / JOB, content) for content in draft.values()),
         *files_of_job(job, folder, finished.measured.control.definition.carried),
@@ -114,12 +116,23 @@ def run_job(
             for name, work in finished.works.items()
             if work.refused and not work.stops
         },
-        notes=(*results.notes, *_gone(out, outdated)),
+        notes=(
+            *results.notes,
+            *([_NO_JOB] if stated is not None and not draft else []),
+            *_gone(out, outdated),
+        ),
     )
 
 
-def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> str:
-    return assumed_job(stated, finished.fitted.control.options, finished.assumed)
+def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> dict[str, bytes]:
+    """Return the file of the job that was assumed; none where a file has a name that no text can
+    hold.
+    """
+    said = json.dumps(stated, ensure_ascii=False)
+    if encoded(said).decode() != said:
+        return {}
+    text = assumed_job(stated, finished.fitted.control.options, finished.assumed)
+    return {JOB: text.encode()}
 
 
 def _gone(out: Path, outdated: Sequence[str]) -> Iterator[str]:
