@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Final
 
 import numpy as np
@@ -37,6 +38,7 @@ def proposed_targets(low: float, high: float, count: int) -> FloatArray:
     return best
 
 
+@lru_cache(maxsize=64)  # tests of one machine have the same targets
 def told_targets(low: float, high: float, count: int, unit: str) -> str:
     """Return a proposal of targets in words: all of them, or thirty where they are more."""
     targets = proposed_targets(low, high, int(np.clip(count, 12, 30)))
