@@ -1,4 +1,4 @@
-"""Random damage to text of any kind: what editors, spreadsheets, transfers and hands do to files."""
+"""Random damage to text of any kind: what editors, spreadsheets and transfers do to files."""
 
 from __future__ import annotations
 

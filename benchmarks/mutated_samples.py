@@ -22,7 +22,10 @@ from mutated import mutated
 
 from compwright.documents.plan import read_plan
 from compwright.documents.record import read_record
-from compwright.formats.definitions import load_definition
+from compwright.formats.definition.extends import BASE_ENDING, found_in
+from compwright.formats.definitions import definition_of, load_definition
+from compwright.formats.gate.gate import check_definition
+from compwright.foundations.errors import InputError, raise_all
 from compwright.instruments.circular_reading import read_circular
 from compwright.instruments.drift_csv import read_drift
 from compwright.instruments.profile import read_profile
@@ -72,9 +75,11 @@ def text_of(content: bytes) -> list[str]:
 
 
 def rows(pattern: str, each: int = 1) -> Judge:
-    """Judge: as many readings as lines that look exactly like sound ones, ``each`` in a line."""
+    """Judge: as many readings as different lines that look exactly like sound ones, ``each`` in a
+    line: a line that stands twice is one reading.
+    """
     row = re.compile(pattern)
-    return lambda content: sum(each for line in text_of(content) if row.fullmatch(line))
+    return lambda content: each * len({line for line in text_of(content) if row.fullmatch(line)})
 
 
 def readings_of_tests(tests: Any) -> int:
@@ -95,6 +100,7 @@ RUNS = {
 }
 ANGLES = {key: "7" + value.lstrip("-") for key, value in RUNS.items()}
 MEANS = [("0.000", "0.0000"), ("100.000", "0.0021"), ("200.000", "0.0030")]
+MEANS_BACK = [("0.000", "0.0012"), ("100.000", "0.0034"), ("200.000", "0.0045")]
 TABLE = [["1", "-250", "0", "-0.0002"], ["2", "-225", "0.0013", "0.0008"]]
 TABLE += [["3", "-200", "0.0020", "0.0011"]]
 PLAIN = "# axis: X\n# date: 2026-03-02\ntarget_mm,direction,run,deviation_um\n" + "".join(
@@ -139,7 +145,9 @@ axes:
     test: {targets: 9, runs: 5, cycle: standard, datum_um: 3, resolution_um: 0.1}
   C: {kind: rotary, travel: [0, 360], modulo: 360, error: {noise_arcsec: 1}, test: {targets: 9}}
 circles:
-  xy: {plane: XY, radius_mm: 100, feed_mm_min: 1000, centre_mm: [200, 0]}
+  xy:
+    {plane: XY, radius_mm: 100, feed_mm_min: 1000, centre: [200, 0], format: b5r, runs: 1,
+     arc: {start_deg: 0, extent_deg: 360}, overshoot_deg: 20, sample_rate_hz: 40}
 """
 JOB = """\
 compwright: 1
@@ -162,7 +170,7 @@ axes:
     accept: {A: 8, E: 6, B: 3}
   Y: {kind: rotary, travel: [0, 360], modulo: 360, before: [y.csv], accept: {test: y, A: 8}}
 circles: [{file: xy.b5r, name: xy-150, centre: [-400, -250, -300]}]
-cross: [{input: X, output: Y, positions: [0, 100], deviations: [0, 5], unit: um}]
+cross: [{input: X, output: Y, positions: [0, 100], deviations: [0, 5], unit: arcsec}]
 apply: {squareness: {XY: Y}, scale: [X], backlash_from: positioning}
 fixed_positions: {tool_change: {X: 0}}
 uncertainty: {device: {U: 0.5, per_m: 0.5}, misalignment_mm: 1, U_theta: 0.5}
@@ -205,12 +213,15 @@ def _circle(name: str, content: bytes, judge: Judge) -> Sample:
 
 
 def _samples_in_ballbar(content: bytes) -> int:
-    """Samples of a ballbar file between its printed indices, where every tag is as it was."""
-    runs = re.findall(
-        rb"<START_INDEX>10</START_INDEX><END_INDEX>49</END_INDEX>.{0,60}<READINGS>([-+. \d]*)<",
-        content,
+    """Samples of a ballbar file between its printed indices, in different runs whose tags are as
+    they were.
+    """
+    runs = re.findall(rb"<BALLBAR_RUN>.*?</BALLBAR_RUN>", content)
+    sound = re.compile(
+        rb"<BALLBAR_RUN><RUN_DIRECTION>C?CW</RUN_DIRECTION>.{0,60}<START_INDEX>10</START_INDEX>"
+        rb"<END_INDEX>49</END_INDEX>.{0,60}<READINGS>([-+. \d]*)</READINGS>"
     )
-    return sum(len(run.split()[10:50]) for run in runs)
+    return sum(len(found[1].split()[10:50]) for run in set(runs) if (found := sound.match(run)))
 
 
 def _workbook() -> Sample:
@@ -240,6 +251,10 @@ def _zipped(parts: Mapping[str, bytes]) -> bytes:
     return stream.getvalue()
 
 
+#: Bases, and a definition that extends each.
+_EXTENDING = {"fanuc.base.yaml": "fanuc-30i.yaml", "fanuc-no-q.base.yaml": "fanuc-15i.yaml"}
+#: One of each shape of files.
+GATED = ("linuxcnc.yaml", "heidenhain-nck.yaml", "pmac.yaml", "isg-kernel.yaml", "fanuc-30i.yaml")
 #: What a value of a document may become; missing altogether: GONE.
 GONE = object()
 VALUES: Sequence[Any] = (
@@ -294,13 +309,21 @@ def _edited(data: Any, path: tuple[Any, ...], chance: random.Random) -> Any:
     return changed
 
 
-def _definition(name: str) -> Sample:
-    content = CONTENT[name]
+def _definition(name: str, *, gate: bool = False) -> Sample:
+    """A definition, of which one that extends it is read; ``gate``: checked too, as one of the
+    user's own is before it is used.
+    """
+    whole = name if not name.endswith(BASE_ENDING) else _EXTENDING[name]
 
     def read_it(damage: bytes) -> Any:
-        return load_definition(damage, name, lambda other: CONTENT.get(other))
+        definition_of.cache_clear()
+        given = {**CONTENT, name: damage}
+        definition = load_definition(given[whole], whole, found_in(given))
+        if gate:
+            raise_all(InputError, check_definition(definition))
+        return definition
 
-    return _text(f"definition {name}", content, read_it)
+    return _text(f"definition {name}{', gate' if gate else ''}", CONTENT[name], read_it)
 
 
 def _control(format_id: str) -> Sample:
@@ -330,7 +353,7 @@ def samples(plans: Mapping[str, bytes], records: Mapping[str, bytes]) -> list[Sa
         _measurement("rta", laser_file(TARGETS, ANGLES, file_type="rta"), rows(laser)),
         _measurement(
             "pos",
-            mean_file({"Forward Directional": MEANS, "Reverse Directional": MEANS}),
+            mean_file({"Forward Directional": MEANS, "Reverse Directional": MEANS_BACK}),
             rows(r"\d+\.\d{3}\t-?\d+\.\d{4}"),
         ),
         _measurement("ren", compensation_file(TABLE), rows(rf"\d   -\d+   {number}   {number}", 2)),
@@ -363,6 +386,7 @@ def samples(plans: Mapping[str, bytes], records: Mapping[str, bytes]) -> list[Sa
         for name, content in records.items()
     ]
     found += [_definition(name) for name in sorted(CONTENT)]
+    found += [_definition(name, gate=True) for name in GATED]
     found += [_control(format_id) for format_id in sorted({one.format_id for one in SAMPLES})]
     return found
 
