@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from compwright.documents.plan_check import _broken_rules
 
 from circle_machine import Machine, Setup, measured
 from compwright.documents.circular import circular_document
 from compwright.documents.compare import ComparedAxis, Others, compare_document
 from compwright.documents.decode import DecodedAxis, decode_document
+from compwright.documents.plan_rules import RULES
 from compwright.documents.prediction import (
     circle_values,
     compensation_outside,
@@ -227,4 +227,4 @@ CIRCLE = measured(Machine(), Setup(samples=30))
     ],
 )
 def test_what_a_plan_may_not_hold(record: Any, broken: int) -> None:
-    assert len(list(_broken_rules(record))) == broken
+    assert len(list(RULES[type(record)](record))) == broken

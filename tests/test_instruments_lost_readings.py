@@ -11,9 +11,13 @@ import pytest
 
 from compwright.foundations.errors import InputError
 from compwright.instruments.circular_csv import read_circular_csv
+from compwright.instruments.profile import read_profile
 from compwright.instruments.reading import read_positioning
 from compwright.records.positioning import PositioningTest
+from laser_files import laser_file, mean_file
 from places import PROJECT
+from profile_samples import LONG as FOREIGN
+from profile_samples import LONG_PROFILE, WIDE, WIDE_PROFILE
 
 #: Three traverses each way at two targets; a reading says which traverse it is: 1.3 is run 3 in +,
 #: -2.3 run 3 in -.
@@ -241,3 +245,48 @@ def test_the_page_about_measurement_files() -> None:
     assert read_circular_csv((head + rows).encode(), "xy.csv", "xy").plane == "XY"
     for code in re.findall(r"`(CW-[A-Z][0-9]{3})`", page):
         assert code in (PROJECT / "docs" / "findings.md").read_text(encoding="utf-8")
+
+
+def stray(text: str, profile: str = "") -> str:
+    """What is told of lines outside the readings; empty where nothing is."""
+    mapped = read_profile(profile.encode(), "P.yaml") if profile else None
+    test = read_positioning(text.encode(), "x", mapped)
+    return messages(test).get("CW-R063", ("", ""))[1]
+
+
+def test_rows_of_a_laser_file_in_another_section() -> None:
+    runs = {(run, at): f"{at}.{run}" for run in (1, 2, 3, 4) for at in (1, 2, 3)}
+    whole = laser_file(["0", "100", "200"], runs)
+    assert stray(whole) == ""
+    lost = [f"   {run}     3     3.{run}\r\n" for run in (1, 2, 3, 4)]
+    moved = whole
+    for row in lost:
+        moved = moved.replace(row, "")
+    moved = moved.replace("Target-count: 3", "Target-count: 2").replace("0 100 200", "0 100")
+    assert stray(moved) == ""
+    moved = moved.replace("USER-TEXT::\r\n", "USER-TEXT::\r\n" + "".join(lost))
+    assert "line 14 '1 3 3.1', 15 '2 3 3.2', 16 '3 3 3.3', 17 '4 3 3.4'." in stray(moved)
+
+
+def test_means_above_their_title() -> None:
+    rows = [("0.000", "0.0000"), ("100.000", "0.0021"), ("200.000", "0.0030")]
+    blocks = {"Forward Directional": rows, "Reverse Directional": rows}
+    whole = mean_file(blocks)
+    assert stray(whole) == ""
+    moved = whole.replace("100.000\t0.0021\r\n", "")
+    moved = moved.replace("Axis: Y\r\n", "Axis: Y\r\n100.000\t0.0021\r\n")
+    assert "line 4 '100.000 0.0021'" in stray(moved)
+
+
+@pytest.mark.parametrize(
+    ("text", "profile", "row", "told"),
+    [
+        (FOREIGN, LONG_PROFILE, 3, "line 1 '100,000;vor;1;2,1', 2 '100,000;zurück;1;-0,8'."),
+        (WIDE, WIDE_PROFILE, 3, "line 1 '200 3.0 1.0 20', 2 '300 3.0 1.5 20'."),
+    ],
+)
+def test_rows_above_the_header_row(text: str, profile: str, row: int, told: str) -> None:
+    assert stray(text, profile) == ""
+    lines = text.splitlines(keepends=True)
+    moved = lines[row : row + 2]
+    assert told in stray("".join([*moved, *lines[:row], *lines[row + 2 :]]), profile)

@@ -62,6 +62,8 @@ def _done(arguments: list[str], crew: Crew) -> int:
         )
     except click.exceptions.Exit as leaving:
         return leaving.exit_code
+    except SystemExit:  # the command line leaves so where nobody reads its help any more
+        return 0
     except click.Abort:
         tell("stopped")
         return 130

@@ -24,9 +24,14 @@ from compwright.instruments.foreign_units import ANGLES, LENGTHS
 from compwright.instruments.mean_blocks import is_mean_blocks
 from compwright.instruments.numbers import DecimalMarks, parse_count
 from compwright.instruments.parsed import Parsed
-from compwright.instruments.reading_findings import cut_finding, falling_finding
+from compwright.instruments.reading_findings import (
+    cut_finding,
+    falling_finding,
+    stray_finding,
+)
 from compwright.instruments.readings import IntArray, Readings, readings_at
 from compwright.instruments.sections import (
+    Line,
     Sections,
     check_units,
     has_section,
@@ -42,6 +47,8 @@ _TARGETS, _RUNS, _ROWS = "TARGET DATA", "RUNS", "DEVIATIONS"
 _ROW_HEADER = re.compile(r"run\s+target\s+data\s*:?", re.IGNORECASE)
 #: Run and target of a row, counted from 1.
 _INDICES = re.compile(r"(?![0-9]{10})0*[1-9][0-9]* (?![0-9]{10})0*[1-9][0-9]*")
+#: A row where no rows are: run, target and a deviation.
+_READING = re.compile(r"[0-9]+\s+[0-9]+\s+[+-]?[0-9]+(?:[.,][0-9]+)?")
 _KINDS = {"rtl": AxisKind.LINEAR, "rta": AxisKind.ROTARY}
 #: Other files of the family: what they hold, for the message that refuses them.
 _OTHER_KINDS = {
@@ -126,7 +133,8 @@ def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) ->
     header = header_of(sections, ["HEADER", "USER-TEXT", "EQUIPMENT", "ENVIRONMENT"])
     signs = () if answers.sign else ("deviation: measured minus target",)
     worked = read_so_finding(readings, kind)
-    about = (no_end_finding(sections), _fewer_runs(runs), unit_finding, *findings, worked)
+    stray = stray_finding(_stray(sections))
+    about = (no_end_finding(sections), _fewer_runs(runs), stray, unit_finding, *findings, worked)
     return Parsed(
         kind=kind,
         readings=readings,
@@ -219,6 +227,21 @@ def _rows(sections: Sections, marks: DecimalMarks, faults: FaultList) -> dict[in
         for ours in np.split(found[order], ends)
         if ours.size
     }
+
+
+def _stray(sections: Sections) -> list[Line]:
+    """Return the lines outside the section of readings, and outside the list of targets, that look
+    like a reading.
+    """
+    found: list[Line] = []
+    for name in sections.lines.keys() - {_ROWS}:
+        listing = False
+        for number, text in sections.lines[name]:
+            if name == _TARGETS and ":" in text:
+                listing = text.lower().startswith("targets")
+            elif not listing and _READING.fullmatch(text):
+                found.append((number, text))
+    return sorted(found)
 
 
 def _count(sections: Sections, section: str, key: str, faults: FaultList) -> int | None:

@@ -21,7 +21,7 @@ from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.foreign_units import LENGTHS
 from compwright.instruments.numbers import DecimalMarks
 from compwright.instruments.parsed import Parsed
-from compwright.instruments.reading_findings import cut_finding, falling_finding
+from compwright.instruments.reading_findings import cut_finding, falling_finding, stray_finding
 from compwright.instruments.readings import readings_at
 from compwright.instruments.sections import (
     check_units,
@@ -41,6 +41,8 @@ _TITLE = re.compile(
 _BOTH, _FORWARD, _BACK = "both", "forward", "back"
 _WHICH = {"bidirectional": _BOTH, "forward": _FORWARD, "reverse": _BACK, "backward": _BACK}
 _ROW = re.compile(r"[+-]?[0-9.,]\S*(?:\s+\S+)*")
+#: A row where no rows are: position and mean deviation.
+_MEAN = re.compile(r"[+-]?[0-9]+(?:[.,][0-9]+)?\s+[+-]?[0-9]+[.,][0-9]+")
 _ENVIRONMENT: Final = "ENVIRONMENT"
 
 #: Means by position as written, with the line of each, in the order of the file.
@@ -94,6 +96,7 @@ def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -
         *_not_in_order(listed),
         worked,
         _cut(sections.lines),
+        stray_finding(_above(text)),
     ]
     return Parsed(
         kind=AxisKind.LINEAR,
@@ -145,6 +148,22 @@ def _blocks(
                 current[row[0]] = (row[1], number)
                 decimals = max(decimals, row[2])
     return blocks, decimals
+
+
+def _above(text: Sequence[str]) -> list[tuple[int, str]]:
+    """Return the lines above the first title that look like a position and its mean; targets may
+    stand in a list of their own.
+    """
+    found: list[tuple[int, str]] = []
+    listing = False
+    for number, line in enumerate(text, start=1):
+        if _TITLE.fullmatch(line):
+            break
+        if ":" in line:
+            listing = line.strip().lower().startswith("target")
+        elif not listing and _MEAN.fullmatch(line.strip()):
+            found.append((number, line.strip()))
+    return found
 
 
 def _row(

@@ -25,11 +25,12 @@ from compwright.instruments.numbers import parse_number, plain_numbers
 from compwright.instruments.parsed import Parsed
 from compwright.instruments.parts import Part, parts_by_axis
 from compwright.instruments.profile import Profile
-from compwright.instruments.reading_findings import left_out_finding
+from compwright.instruments.reading_findings import left_out_finding, stray_finding
 from compwright.instruments.readings import Readings, readings_at
 from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import Direction, FloatArray
 
+_NUMBER = re.compile(r"[+-]?[0-9]+(?:[.,][0-9]+)?(?:[eE][+-]?[0-9]+)?")
 _COUNT = re.compile(r"[^0-9]*([0-9]{1,9})[^0-9]*")
 _LISTED = 5
 _LOOKED_AT = 200  # lines of a file that may hold its header row
@@ -111,6 +112,7 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
     ]
     about = (
         left_out_finding(left),
+        stray_finding(_above(text, table, profile)),
         _unused(unused, table, profile),
         read_so_finding(readings, profile.kind, f"the profile {profile.file}"),
     )
@@ -381,6 +383,27 @@ def _runs(
 def _count(text: str) -> int:
     match = _COUNT.fullmatch(text)
     return int(match[1]) if match else 0
+
+
+def _above(text: Sequence[str], table: ForeignTable, profile: Profile) -> list[tuple[int, str]]:
+    """Return the lines above the header row that have the cells of a row, with a number in the
+    column of the target and in one of readings.
+    """
+    if not profile.header_line:
+        return []
+    target = table.columns.index(profile.target)
+    values = [
+        place
+        for place, name in enumerate(table.columns)
+        if name in {profile.value, *profile.traverses}
+    ]
+    found = []
+    for number, line in enumerate(text[: profile.header_line - 1], start=1):
+        cells = cells_of(line, profile.delimiter) or []
+        whole = len(cells) == len(table.columns)
+        if whole and any(map(_NUMBER.fullmatch, (cells[place] for place in values))):
+            found += [(number, line)] if _NUMBER.fullmatch(cells[target]) else []
+    return found
 
 
 def _unused(rows: Sequence[int], table: ForeignTable, profile: Profile) -> Finding | None:

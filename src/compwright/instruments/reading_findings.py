@@ -8,6 +8,7 @@ from compwright.foundations.findings import Finding
 from compwright.instruments.fault_list import shown
 from compwright.instruments.text_input import unfinished_number
 
+_LISTED = 5
 #: Values of ``compensated_for`` that say the instrument corrected nothing.
 _NOTHING = frozenset({"", "no", "none", "nothing", "-"})
 
@@ -29,6 +30,22 @@ def left_out_finding(columns: Sequence[str]) -> Finding | None:
         Finding("CW-R005", "warning", f"Columns that were left out: {', '.join(columns)}.")
         if columns
         else None
+    )
+
+
+def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
+    """Return the finding about lines (number, text) that look like readings where none are read,
+    None when there are none.
+    """
+    if not lines:
+        return None
+    told = ", ".join(f"{number} {shown(text)}" for number, text in lines[:_LISTED])
+    more = f" and {len(lines) - _LISTED} more" if len(lines) > _LISTED else ""
+    return Finding(
+        "CW-R063",
+        "warning",
+        "Lines that look like readings stand outside the readings and were not read: line"
+        f" {told}{more}. Compare with the instrument.",
     )
 
 

@@ -23,6 +23,9 @@ DETECTION_UNIT = "detection_unit"
 TABLE_VALUES = "table_values"
 #: The option that names the measuring system to read where no job does.
 ENCODER_SYSTEM = "encoder_system"
+#: Least and largest number that an option may hold, beside 0: no length, count or feed of a machine
+#: tool lies outside, and products of two such stay numbers.
+_SIZES = (1e-9, 1e9)
 
 
 def resolve_options(
@@ -235,6 +238,7 @@ def _number(
     name: str, value: object, definition: Definition, faults: list[Fault], *, whole: bool
 ) -> float | int:
     kind = "a whole number, 0 or more" if whole else "a number with a decimal point"
+    least, most = _SIZES
     try:
         number = (
             float(value)
@@ -243,7 +247,11 @@ def _number(
         )
     except (ValueError, OverflowError):
         number = math.nan
-    if not math.isfinite(number) or (whole and (number != int(number) or not 0 <= number <= 10**9)):
+    if (
+        not abs(number) <= most  # not a number is not either
+        or 0 < abs(number) < least
+        or (whole and (number != int(number) or number < 0))
+    ):
         faults.append(_wrong(name, definition, kind, value))
         return 0
     return int(number) if whole else number

@@ -27,8 +27,8 @@ _VALUE = (
     r"\$[0-9A-F]+(?![0-9A-Z.])|[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?![0-9.]*[-+*/%&|^(.])|\S+"
 )
 _RANGE = (
-    r"I(?P<first>[0-9]+)[ \t]*(?:\.\.[ \t]*(?P<last>[0-9]+)"
-    r"|,[ \t]*(?P<count>[0-9]+)[ \t]*,[ \t]*(?P<step>[0-9]+))?[ \t]*="
+    r"I(?P<first>[0-9]{1,9})[ \t]*(?:\.\.[ \t]*(?P<last>[0-9]{1,9})"
+    r"|,[ \t]*(?P<count>[0-9]{1,9})[ \t]*,[ \t]*(?P<step>[0-9]{1,9}))?[ \t]*="
 )
 _MANY = r"(?:[ \t]*\.\.[ \t]*[0-9]+|,[ \t]*[0-9]+[ \t]*,[ \t]*[0-9]+)?"
 #: What may stand behind the arrow of a motor's axis, or of a pointer: the next command may follow.
@@ -40,7 +40,7 @@ _COMMAND = re.compile(
     r"|&[ \t]*[0-9]+|UNDEFINE(?:[ \t]*ALL)?(?![A-Z])|(?:SAVE|CLOSE)(?![A-Z])"
     r"|(?:ENA(?:BLE)?|DIS(?:ABLE)?)[ \t]*PLCC?[ \t]*[0-9][0-9., \t]*"
     rf"|[MPQ][0-9]+{_MANY}[ \t]*=[ \t]*[^\s=]+(?!\S))"
-    r"|\#[ \t]*(?P<motor>[0-9]+)"
+    r"|\#[ \t]*(?P<motor>[0-9]{1,9})(?![0-9])"
     r"|DEF(?:INE)?[ \t]*(?P<table>COMP|BLCOMP|TCOMP)[ \t]+"
     r"(?P<arguments>[^\s,]+(?:[ \t]*,[ \t]*[^\s,]+)*)"
     rf"|DEF(?:INE)?[ \t]*(?P<buffer>{_BUFFER})(?![A-Z])(?:[ \t]*[0-9]+(?:[ \t]*,[ \t]*[0-9]+)*)?"
@@ -59,6 +59,9 @@ _PLANE = re.compile(r"(?P<rows>[0-9]{1,6})\.(?P<columns>[0-9]{1,6})[ \t]*,(?P<re
 _END = re.compile(r"(?<![A-Z])CLOSE(?![A-Z])", re.IGNORECASE)
 _SET = re.compile(rf"(?<![A-Z(0-9]){_RANGE}", re.IGNORECASE)
 _TABLE = re.compile(r"(?:DEF(?:INE)?|DEL(?:ETE)?)[ \t]*(?:BL)?COMP(?![A-Z])", re.IGNORECASE)
+#: No number of a card has more digits (48 bits).
+_MOST_DIGITS = 16
+_WHOLE = re.compile(rf"\$[0-9A-Fa-f]{{1,12}}|[+-]?[0-9]{{1,{_MOST_DIGITS - 1}}}")
 _REMARK = re.compile(r";[^\r\n]*")
 
 
@@ -266,7 +269,7 @@ class _Reader:
         low, high = self.range
         if self.open is None or len(self.open.values) >= self.open.needed:
             self._fault(word, "a number without a table: one entry too many?", "the next command")
-        elif not low <= int(word.text) <= high:
+        elif len(word.text) > _MOST_DIGITS or not low <= int(word.text) <= high:
             self._fault(word, f"{self.open.says}: the entry is too large", f"{low:g} to {high:g}")
             self.open.needed -= 1
         else:
@@ -342,9 +345,9 @@ class _Reader:
         if match["last"] or match["count"]:
             self.script.shared.add(value)
         for quantity, motor in self._meant(match):
-            if re.fullmatch(r"\$[0-9A-Fa-f]+|[+-]?[0-9]+", value.text) is None:
+            if _WHOLE.fullmatch(value.text) is None:
                 name = match["setting"].split("=")[0].strip()
-                message = f"{name} is set to something that is no whole number"
+                message = f"{name} is set to something that is no whole number of the control"
                 self._fault(value, message, "a whole number, or $ and hexadecimal digits")
                 continue
             self.script.settings.setdefault((quantity, motor), []).append(value)
