@@ -9,8 +9,10 @@ import json
 import random
 import re
 import sys
+import tempfile
 import zipfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,12 +22,20 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 import numpy as np
 from mutated import mutated
 
+from compwright.cli import run
 from compwright.documents.plan import read_plan
 from compwright.documents.record import read_record
 from compwright.formats.definition.extends import BASE_ENDING, found_in
 from compwright.formats.definitions import definition_of, load_definition
 from compwright.formats.gate.gate import check_definition
-from compwright.foundations.errors import InputError, raise_all
+from compwright.foundations.errors import (
+    CapacityError,
+    Fault,
+    InputError,
+    StorageError,
+    UsageError,
+    raise_all,
+)
 from compwright.instruments.circular_reading import read_circular
 from compwright.instruments.drift_csv import read_drift
 from compwright.instruments.profile import read_profile
@@ -251,6 +261,9 @@ def _zipped(parts: Mapping[str, bytes]) -> bytes:
     return stream.getvalue()
 
 
+#: Exit codes of commands.
+OWN_FAULT = 70
+_ERRORS = {2: UsageError, 3: InputError, 4: CapacityError, 5: StorageError}
 #: Bases, and a definition that extends each.
 _EXTENDING = {"fanuc.base.yaml": "fanuc-30i.yaml", "fanuc-no-q.base.yaml": "fanuc-15i.yaml"}
 #: One of each shape of files.
@@ -343,6 +356,48 @@ def _control(format_id: str) -> Sample:
     return Sample(f"control {format_id}", sound, change, lambda damage: read(*damage))
 
 
+def _command(
+    sample: Sample, name: str, words: Callable[[str], Sequence[str]], file: str = "input"
+) -> Sample:
+    """The same damage, through a whole command; ``words`` are those for the damaged file."""
+
+    def read_it(damage: bytes) -> Any:
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / file
+            path.write_bytes(damage)
+            said, told = (io.TextIOWrapper(io.BytesIO(), "utf-8", "replace") for _ in range(2))
+            with redirect_stdout(said), redirect_stderr(told):
+                code = run(list(words(str(path))))
+        for stream in (told, said):
+            stream.flush()
+        lines = [stream.detach().getvalue().decode() for stream in (told, said)]
+        if code == OWN_FAULT:
+            raise AssertionError(lines[0].splitlines()[0])
+        obeyed = {c for c in "".join(lines) if not c.isprintable()} - {"\n"}
+        if obeyed - {"\u00a0", "\u202f", "\u2009"}:
+            raise AssertionError(f"a terminal would obey {sorted(obeyed)}")
+        raise_all(_ERRORS.get(code, InputError), [Fault(message="")] if code > 1 else [])
+
+    return Sample(f"{name} {sample.name}", sample.sound, sample.change, read_it)
+
+
+def _commands(found: Sequence[Sample], plans: Mapping[str, bytes]) -> Iterator[Sample]:
+    by_name = {sample.name: sample for sample in found}
+    for name in ("rtl", "pos", "ren", "plain", "wide", "xlsx", "circle csv", "b5r"):
+        yield _command(by_name[name], "evaluate", lambda file: ["evaluate", file, "--json", "-"])
+    yield _command(by_name["plain"], "evaluate, tables,", lambda file: ["evaluate", file])
+    yield _command(
+        by_name["machine"], "simulate", lambda file: ["simulate", file, "--out", f"{file}s"]
+    )
+    for name, content in plans.items():
+        words = ("--format", json.loads(content)["format"], "--force")
+        yield _command(by_name[f"plan {name}"], "export", _exporting(words))
+
+
+def _exporting(words: Sequence[str]) -> Callable[[str], Sequence[str]]:
+    return lambda file: ["export", file, *words, "--out", f"{file}s"]
+
+
 def samples(plans: Mapping[str, bytes], records: Mapping[str, bytes]) -> list[Sample]:
     """Every sample; ``plans`` and ``records``: documents that runs wrote, by name."""
     number = r"-?\d+(?:\.\d+)?"
@@ -388,7 +443,7 @@ def samples(plans: Mapping[str, bytes], records: Mapping[str, bytes]) -> list[Sa
     found += [_definition(name) for name in sorted(CONTENT)]
     found += [_definition(name, gate=True) for name in GATED]
     found += [_control(format_id) for format_id in sorted({one.format_id for one in SAMPLES})]
-    return found
+    return [*found, *_commands(found, plans)]
 
 
 def _by_profile(text: str) -> Callable[[bytes], Any]:

@@ -4,7 +4,7 @@ is cut short is never silent.
 Each trial changes a small, sound set of files at random and reads it as the commands do
 (`workflow.control.decode`, which holds the two readers against each other). Anything but a refusal
 or an agreed table fails. Seeded, so that a failure comes back; a million trials are in
-``benchmarks/bench_fuzz.py``.
+``benchmarks/bench_inputs.py``.
 """
 
 from __future__ import annotations

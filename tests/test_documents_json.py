@@ -26,11 +26,11 @@ VALUES: st.SearchStrategy[Any] = st.recursive(
 )
 
 
-#: Delete and the C1 control characters, the marks that turn the direction of writing, and the line
-#: and paragraph separators (Unicode 15, UAX 9): JSON allows them as they are.
+#: Delete and the C1 control characters, the marks that turn the direction of writing or take no
+#: room, and the line and paragraph separators (Unicode 15, UAX 9): JSON allows them as they are.
 TERMINAL_OBEYS = (
-    *(*range(0x7F, 0xA0), 0x61C, 0x200E, 0x200F),
-    *(*range(0x2028, 0x202F), *range(0x2066, 0x206A)),
+    *(*range(0x7F, 0xA0), 0xAD, 0x61C, 0x180E, *range(0x200B, 0x2010)),
+    *(*range(0x2028, 0x202F), *range(0x2060, 0x2070), 0xFEFF, *range(0xFFF9, 0xFFFC)),
 )
 
 

@@ -11,9 +11,11 @@ from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.utf8 import encoded
 
 _PLAIN: Final = json.JSONEncoder(allow_nan=False, ensure_ascii=False).encode
-#: Control characters that JSON allows as they are, and characters that turn the direction of
-#: writing: a terminal would obey them (``--json -``).
-_UNSEEN: Final = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
+#: Control characters that JSON allows as they are, characters that turn the direction of writing
+#: and those that cannot be seen: a terminal would obey or hide them (``--json -``).
+_UNSEEN: Final = re.compile(
+    "[\x7f-\x9f\u00ad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb]"
+)
 
 
 def to_json(document: Mapping[str, Any]) -> str:
