@@ -20,6 +20,8 @@ _VALUE: Final = (
     rf"(?:{_NUMBER}|'[HB][0-9A-F]+'|TRUE|FALSE|n/a|\"(?:{_AXIS})?\"|\((?:{_AXIS}|[0-9]+)?\))"
 )
 _INDEX: Final = rf"\[\s*(?:{_AXIS}|[0-9]+)(?:\s*,\s*(?:{_AXIS}|[0-9]+))*\s*\]"
+#: What a control calls its data: capitals, and no number that is long enough for a serial one.
+_ADDRESS: Final = r"(?-i:(?![A-Z0-9_]*[0-9]{5})[A-Z0-9_]+)"
 _COLUMN: Final = r"(?:AXISPOS|BACKLASH|ACTIVE|[A-Z]{1,2}[0-9]?|[0-9]{1,2}=F\([A-Z]?[0-9]?\))"
 #: The sections and keys of settings of a machine that stand beside its compensation.
 _SECTIONS: Final = (
@@ -41,7 +43,7 @@ _LINES: Final[Mapping[str, tuple[str, ...]]] = {
     ),
     "values_by_index": (
         (
-            rf"(?:N[0-9]+\s+)?\$[MSA][NACD]S?_[A-Z0-9_]+(?:{_INDEX})?\s*(?:=|\s)\s*{_VALUE}"
+            rf"(?:N[0-9]+\s+)?\$[MSA][NACD]S?_{_ADDRESS}(?:{_INDEX})?\s*(?:=|\s)\s*{_VALUE}"
             r"(?:\s+'[0-9A-F]{4})?"
         ),
         r"CHANDATA\([0-9]{1,2}\)",
@@ -52,14 +54,13 @@ _LINES: Final[Mapping[str, tuple[str, ...]]] = {
         ),
     ),
     "rows_by_position": (
-        rf"{_NUMBER}(?:\s+{_NUMBER}){{0,2}}",
         rf"\[(?:{_SECTIONS})\]",
         rf"{_SETTINGS}(?:_[A-Z0-9_]+)?\s*=\s*{_NUMBER}(?:\s+{_NUMBER})*",
     ),
     "user_tables": (
         r"\[END\]",
         rf"NR(?:\s+{_COLUMN})+",
-        rf"[0-9]+(?:\s+(?:\*|{_NUMBER}|[A-Z]{{1,2}}[0-9]?\s*\.COM))*",
+        rf"[0-9]{{1,4}}(?:\s+(?:\*|{_NUMBER}|[A-Z]{{1,2}}[0-9]?\s*\.COM))*",
         (
             rf"(?:BEGIN|END)\s+(?:{_AXIS}|CONFIG)\s*\.(?:COM|CMA)(?:\s+(?:MM|INCH))?"
             rf"(?:\s+DATUM:\s*{_NUMBER})?(?:\s+DIST:\s*{_NUMBER})?(?:\s+Version:\s*'Update:[0-9.]+')?"
@@ -83,7 +84,6 @@ _LINES: Final[Mapping[str, tuple[str, ...]]] = {
     "wrapped_counts": (
         rf"(?:[IPQM][0-9]{{1,5}}\s*=\s*(?:\$[0-9A-F]+|{_NUMBER})\s*)+",
         r"#[0-9]{1,2}\s*DEF(?:INE)?\s+(?:BL|T)?COMP\s+[0-9#D,\s]+",
-        rf"{_NUMBER}(?:\s+{_NUMBER})*",
         r"OPEN\s+[A-Z]*|CLOSE|CLEAR|DELETE\s+(?:BL|T)?COMP|(?:#[0-9]{1,2}\s*)?(?:K|A|J/|\$\$\$)",
     ),
 }

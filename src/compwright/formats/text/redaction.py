@@ -30,6 +30,8 @@ _HARMLESS: Final = re.compile(
 )
 _QUOTED: Final = re.compile(r'"([^"\r\n]*)"')
 _ADDRESS: Final = re.compile(r"\$[A-Za-z]{1,4}_[A-Za-z0-9_]+|^[A-Za-z_][A-Za-z0-9_]*(?=\s*[\[=])")
+#: Blanks, but for those that keep two numbers apart.
+_BETWEEN: Final = re.compile(r"(?<![0-9.])[ \t]+|[ \t]+(?![0-9.])")
 _SECTION: Final = re.compile(r"\s*\[(?P<name>[^\[\]]*)\]\s*")
 _BEHIND: Final = re.compile(r"[\s)\]\"';,]*(?:'[0-9A-F]{4})?\s*", re.IGNORECASE)
 _LETTERS: Final = re.compile(r"[A-Za-z0-9]{4,}")
@@ -198,7 +200,7 @@ class _Redactor:
 
     def _whole(self, bare: str) -> bool:
         if self.reader.definition.dialect.blanks_anywhere and self.kept.fullmatch(
-            re.sub(r"[ \t]+", "", bare)
+            _BETWEEN.sub("", bare)
         ):
             return True
         return self.kept.fullmatch(bare) is not None

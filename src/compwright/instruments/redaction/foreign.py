@@ -26,7 +26,7 @@ from compwright.instruments.redaction.key_lines import redacted_comment
 from compwright.instruments.redaction.plain import joined
 from compwright.instruments.redaction.words import is_axis, is_keywords, is_one_number
 
-_COUNT: Final = re.compile(r"[^0-9]*([0-9]{1,9})[^0-9]*")
+_COUNT: Final = re.compile(r"[^0-9]*([0-9]{1,3})[^0-9]*")
 #: Digits of a run in such words as ``Lauf 3``.
 _DIGITS: Final = 3
 
@@ -100,12 +100,18 @@ class _Words:
 
     def row(self, cells: Sequence[str]) -> list[str]:
         by_name = dict(zip(self.columns, cells, strict=False))
-        if not any(character.isdigit() for character in by_name.get(self.profile.target, "")):
+        if not self.is_reading(by_name):
             return [self.cuts.remark(cell, "row beside the table") for cell in cells]
         return [
             self.cell(cell, self.columns[at] if at < len(self.columns) else "")
             for at, cell in enumerate(cells)
         ]
+
+    def is_reading(self, cells: Mapping[str, str]) -> bool:
+        """Whether a row has a target and a value: any other is left out by the reader too."""
+        target = cells.get(self.profile.target, "")
+        values = (self.profile.value, *self.profile.traverses)
+        return any(map(str.isdigit, target)) and any(cells.get(name) for name in values)
 
     def cell(self, cell: str, column: str) -> str:
         profile = self.profile

@@ -147,10 +147,12 @@ def _read(file: ControlFile, definition: Definition) -> ReadText | tuple[Fault, 
 def _sheet(file: ControlFile, cuts: Cuts) -> ControlCopy:
     faults: list[Fault] = []
     old = parse_sheet(file, faults)
+    if faults or old is None:
+        raise InputError(*faults)
     made = replace(file, content=redacted_sheet(file.content, cuts))
     new = parse_sheet(made, faults)
-    if faults or old is None or new is None:
-        raise InputError(*faults)
+    if faults or new is None:
+        raise not_the_same(file.name, faults[0].message if faults else "nothing")
     if old.rows != new.rows or old.axis != new.axis:
         raise not_the_same(file.name, "other values")
     refuse_left_over(file.name, cuts, [made.content], frozenset({"value", "axis", "points"}))
