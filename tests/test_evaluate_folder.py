@@ -182,10 +182,10 @@ def test_a_line_each_and_a_summary_in_80_columns(shown: str) -> None:
     assert cells[3] == "6.00"  # E: 4 µm of slope, 2 µm between the directions
     assert cells[6] == "2.00"  # B
     assert [line.split()[0] for line in lines[first : first + 12]] == list(SLOPES)
-    circle = next(line for line in lines if line.startswith("xy_ccw.csv, xy_cw.csv"))
+    circle = next(line for line in lines if line.startswith("xy_ccw.csv +1 "))
     assert circle.split()[2] == "XY"
     summary = "\n".join(lines[lines.index(next(x for x in lines if x.startswith("Summary"))) :])
-    assert "14 tests from 15 files; 3 files with errors, each told below" in summary
+    assert "14 tests from 15 files; 3 files with errors, told below" in summary
 
 
 def test_the_summary_says_smallest_median_and_largest_by_axis(
@@ -397,6 +397,23 @@ def test_no_input_is_overwritten_whichever_process_evaluated_it(
         assert run(words, crew=copying) == 5
     assert target.read_bytes() == before
     assert "t07.csv" in capsys.readouterr().err
+
+
+def test_of_very_many_bad_files_each_has_a_line_and_the_rest_is_counted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for place in range(30):
+        (tmp_path / f"{place:02}.csv").write_text(
+            "target_mm,direction,run,deviation_um\n1,+,1,abc\n2,+,1,abc\n", encoding="utf-8"
+        )
+        (tmp_path / f"{place:02}.png").write_bytes(b"")
+    assert run(["evaluate", str(tmp_path)]) == 3
+    said = capsys.readouterr()
+    lines = said.err.splitlines()
+    assert sum(line.endswith("(and 1 more in this file)") for line in lines) == 25
+    assert lines[25:27] == ["error: ... and 5 more like these", "note: --json PATH names them all"]
+    assert sum("skipped" in line for line in lines) == 10
+    assert "0 tests from 0 files; 30 files with errors, told below" in said.out
 
 
 def test_nothing_of_the_bar_goes_where_no_terminal_is(

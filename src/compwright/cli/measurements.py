@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import click
@@ -27,6 +28,8 @@ from compwright.cli.words import (
 from compwright.foundations.own_faults import OWN_FAULT
 from compwright.foundations.side_by_side import Crew
 
+#: Notes of one kind that are told; the others are counted.
+_MOST_NOTES = 10
 _STANDARDS = (
     "iso230-2:1988, iso230-2:1997, iso230-2:2006, iso230-2:2014 (default), gost27843:2006, vdi3441;"
     " circular: iso230-4:1996, iso230-4:2005 (default)"
@@ -109,19 +112,40 @@ def evaluate(
             else evaluation_renderables({**outcome.document, "errors": []}, targets=targets)
         ),
     )
-    errors(
-        ": ".join(filter(None, (entry["file"], entry["message"])))
-        for entry in outcome.document["errors"]
+    _tell_errors(outcome.document["errors"], one_each=outcome.many)
+    _tell_notes(outcome.document.get("skipped", ()), "skipped, by its ending no measurement")
+    _tell_notes(
+        outcome.document.get("folders", ()),
+        "a folder in a folder, not looked into; name it to read it",
     )
-    for name in outcome.document.get("skipped", ()):
-        tell(f"note: {name}: skipped, by its ending no measurement")
-    for name in outcome.document.get("folders", ()):
-        tell(f"note: {name}: a folder in a folder, not looked into; name it to read it")
     for path in written:
         tell(f"written: {path}")
     if outcome.exit_code == OWN_FAULT:
         ask_for_report()
     return outcome.exit_code
+
+
+def _tell_notes(names: Sequence[str], what: str) -> None:
+    for name in names[:_MOST_NOTES]:
+        tell(f"note: {name}: {what}")
+    if len(names) > _MOST_NOTES:
+        tell(f"note: ... and {len(names) - _MOST_NOTES} more like these")
+
+
+def _tell_errors(entries: Sequence[Mapping[str, str]], *, one_each: bool) -> None:
+    """Print the errors of files; of many files (``one_each``) the first of each, and how many more
+    it has.
+    """
+    lines: dict[str, list[str]] = {}
+    for place, entry in enumerate(entries):
+        line = ": ".join(filter(None, (entry["file"], entry["message"])))
+        lines.setdefault(entry["file"] if one_each else str(place), []).append(line)
+    untold = errors(
+        f"{first} (and {len(more)} more in this file)" if more else first
+        for first, *more in lines.values()
+    )
+    if untold:
+        tell("note: --json PATH names them all")
 
 
 @compwright.command()

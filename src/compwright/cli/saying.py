@@ -64,15 +64,17 @@ def json_file(json_path: Path | None) -> Path | None:
     return None if _on_output(json_path) else json_path
 
 
-def errors(lines: Iterable[str]) -> None:
-    """Print each error on a line of its own; of very many the first, and how many more there
-    are.
+def errors(lines: Iterable[str]) -> int:
+    """Print each error on a line of its own; of very many the first, and how many more there are.
+    Returns that number.
     """
     told = list(lines)
     for line in told[:_MOST_ERRORS]:
         tell(f"error: {visible(line)}")
-    if len(told) > _MOST_ERRORS:
-        tell(f"error: ... and {len(told) - _MOST_ERRORS} more like these")
+    more = max(len(told) - _MOST_ERRORS, 0)
+    if more:
+        tell(f"error: ... and {more} more like these")
+    return more
 
 
 def tell(line: str) -> None:

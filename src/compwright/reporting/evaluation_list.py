@@ -146,11 +146,13 @@ def _circles(results: Sequence[_Result], folder: str) -> _Columns:
 
 
 def _files(results: Sequence[_Result], folder: str) -> _Column:
-    names = [
-        ", ".join(_name(source["file"], folder) for source in result["sources"]) or result["name"]
-        for result in results
-    ]
-    return _Column("File", [_Cell(visible(name)) for name in names], cut=True)
+    return _Column("File", [_Cell(_named(result, folder)) for result in results], cut=True)
+
+
+def _named(result: _Result, folder: str) -> str:
+    """Return the file of a test, of several the first with the number of the others."""
+    first, *more = [source["file"] for source in result["sources"]] or [result["name"]]
+    return f"{_shown(first, folder)}{f' +{len(more)}' if more else ''}"
 
 
 def _parameters(results: Sequence[_Result], names: Sequence[str]) -> list[_Column]:
@@ -191,7 +193,7 @@ def _largest(causes: Sequence[Any]) -> str:
 def _summary(summary: Mapping[str, Any], folder: str) -> list[RenderableType]:
     unread = summary["unread"]
     counts = f"{summary['tests']} tests from {summary['files']} files"
-    errors = f"{unread} file{'s' * (unread != 1)} with errors, each told below"
+    errors = f"{unread} file{'s' * (unread != 1)} with errors, told below"
     refused = f"; {errors}" if unread else ""
     shown: list[RenderableType] = [
         Rule(Text("Summary", style="bold"), align="left", characters="─"),
