@@ -7,7 +7,7 @@ import re
 import shutil
 import subprocess
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,7 +19,7 @@ SYSTEM_CALLS = (
     *("write", "pwrite64", "writev", "fsync", "fdatasync", "ftruncate", "truncate"),
     *("unlink", "unlinkat", "mkdir", "mkdirat", "rmdir", "chmod", "fchmod", "fchmodat", "flock"),
 )
-_LINE = re.compile(r"^(?:\d+ +)?(\w+)\(")
+_LINE = re.compile(r"^(\d+) +(\w+)\(")
 
 
 def _works() -> bool:
@@ -46,7 +46,7 @@ class Call:
 
 def _strace(log: Path, words: Sequence[str], command: Sequence[str]) -> int:
     done = subprocess.run(
-        ["strace", "-f", "-o", str(log), *words, *command],
+        ["strace", "-f", "--seccomp-bpf", "-o", str(log), *words, *command],
         capture_output=True,
         check=False,
         timeout=120,
@@ -54,19 +54,26 @@ def _strace(log: Path, words: Sequence[str], command: Sequence[str]) -> int:
     return done.returncode
 
 
-def calls_of(command: Sequence[str], log: Path) -> list[Call]:
-    """Run a command to its end, which must be a good one, and return its system calls that change a
-    disk, in their order.
+def calls_of(
+    command: Sequence[str],
+    log: Path,
+    names: Sequence[str] = SYSTEM_CALLS,
+    *,
+    good: Collection[int] = (0,),
+) -> list[Call]:
+    """Run a command to its end, exit in ``good``, and return the system calls of these names that its
+    first process makes, in their order.
     """
-    known = [name for name in SYSTEM_CALLS if _is_known(name)]
-    assert _strace(log, ["-e", f"trace={','.join(known)}"], command) == 0
+    known = [name for name in names if _is_known(name)]
+    assert _strace(log, ["-e", f"trace={','.join(known)}"], command) in good
     counts: Counter[str] = Counter()
     found = []
-    for line in log.read_text(errors="replace").splitlines():
-        match = _LINE.match(line)
-        if match and match[1] in known:
-            counts[match[1]] += 1
-            found.append(Call(match[1], counts[match[1]]))
+    lines = [_LINE.match(line) for line in log.read_text(errors="replace").splitlines()]
+    made = [(match[1], match[2]) for match in lines if match]
+    for process, name in made:
+        if name in known and process == made[0][0]:
+            counts[name] += 1
+            found.append(Call(name, counts[name]))
     return found
 
 
