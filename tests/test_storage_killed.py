@@ -12,6 +12,7 @@ import sys
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
+from random import Random
 
 import pytest
 
@@ -20,7 +21,7 @@ from compwright.foundations.command_inputs import put_right, start_command
 from compwright.foundations.errors import InputError, StorageError
 from compwright.foundations.storage import disk, locking, recovery
 from compwright.foundations.storage.locking import Lock, take
-from dying import Process, running
+from dying import Disk, Process, running
 from killing import calls_of, killed_at, needs_strace
 
 UNFINISHED = ".compwright-unfinished"
@@ -140,6 +141,36 @@ def test_putting_right_may_be_killed_at_any_call(tmp_path: Path, course: Course)
         if not process.dead:
             break
     assert then > 10
+
+
+@pytest.mark.parametrize("work", ["writing", "putting right"])
+def test_when_the_power_fails_one_whole_set_is_left(
+    tmp_path: Path, course: Course, work: str
+) -> None:
+    """Of what was not synced anything may have reached the disk, in any order."""
+    begun = tmp_path / "begun"
+    if work == "writing":
+        make(begun)
+    else:
+        stopped(begun, course.last_move + 1)
+    shutil.copytree(begun, tmp_path / "whole")
+    drive, chance = Disk(tmp_path / "whole"), Random(1)  # noqa: S311 - cases, no secrets
+    start_command()
+    with drive.watched():
+        if work == "writing":
+            write(tmp_path / "whole")
+        else:
+            storage.read_bytes(tmp_path / "whole" / JSON)
+    for at in range(len(drive.steps) + 1):
+        top = tmp_path / str(at)
+        shutil.copytree(begun, top)
+        drive.fail(top, at, chance)
+        start_command()
+        storage.read_bytes(top / "out" / "notes.txt")
+        storage.read_bytes(top / "beside" / "notes.txt")
+        whole = (course.old, course.new) if work == "writing" else (course.old,)
+        assert files(top) in whole, (at, drive.steps[at - 1])
+    assert files(top) == whole[-1]
 
 
 def refusal() -> OSError:

@@ -241,15 +241,19 @@ def withdraw(sets: Sequence[Set]) -> None:
         _remove_new(folder, journal)
     for folder, journal in sets:
         _restore_old(folder, journal)
+    sync_folders(sets)
+    for folder, journal in sets:
+        for name in reversed(journal.made):
+            with suppress(OSError):  # the user has put something there
+                (folder / name).rmdir()
+    sync_folders(sets)
     first, _ = sets[0]
-    for folder in folders_of(sets):
-        disk.sync_folder(folder)
     (first / UNFINISHED / JOURNAL).unlink()
     disk.sync_folder(first / UNFINISHED)
 
 
-def folders_of(sets: Sequence[Set]) -> list[Path]:
-    """Return the folders in which names change, those that are there."""
+def sync_folders(sets: Sequence[Set]) -> None:
+    """Have all names on the disk that are changed by journals. Raises OSError."""
     touched = [
         path
         for folder, journal in sets
@@ -260,7 +264,9 @@ def folders_of(sets: Sequence[Set]) -> list[Path]:
             *((folder / entry.name).parent for entry in journal.entries),
         )
     ]
-    return [path for path in dict.fromkeys(touched) if path.is_dir()]
+    for path in dict.fromkeys(touched):
+        if path.is_dir():
+            disk.sync_folder(path)
 
 
 def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
@@ -297,6 +303,3 @@ def _restore_old(folder: Path, journal: Journal) -> None:
     for number, entry in enumerate(journal.entries):
         if os.path.lexists(old_file(folder, number)):
             disk.move(old_file(folder, number), folder / entry.name)
-    for name in reversed(journal.made):
-        with suppress(OSError):  # the user has put something there
-            (folder / name).rmdir()

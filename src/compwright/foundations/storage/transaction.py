@@ -35,7 +35,7 @@ from compwright.foundations.storage.looking import reason, relative, resolved
 from compwright.foundations.storage.recovery import (
     NotPutRightError,
     clear,
-    folders_of,
+    sync_folders,
     withdraw,
 )
 
@@ -214,13 +214,15 @@ class _Work:
 
     def _move(self) -> None:
         """Move the earlier files out of the way, all of them before the first new one stands there:
-        old and new never lie beside each other under their own names.
+        old and new never lie beside each other under their own names. That lasts before it goes on:
+        a disk that keeps no order could lose an earlier file under a new one.
         """
         for folder, journal in self.sets:
             for number, entry in enumerate(journal.entries):
                 if entry.there:
                     self.current = folder / entry.name
                     disk.move(self.current, old_file(folder, number))
+        sync_folders(self.sets)
         for folder, journal in self.sets:
             for name in journal.made:
                 self.current = folder / name
@@ -232,8 +234,7 @@ class _Work:
 
     def _finish(self) -> None:
         """Let it have happened: by the removal of the journal, once all else is on the disk."""
-        for folder in folders_of(self.sets):
-            disk.sync_folder(folder)
+        sync_folders(self.sets)
         first, _ = self.sets[0]
         (first / UNFINISHED / JOURNAL).unlink()
         with suppress(OSError):  # it is done; what is left is cleared away by the next command
