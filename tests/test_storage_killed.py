@@ -10,7 +10,7 @@ import os
 import shutil
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from random import Random
 
@@ -28,6 +28,17 @@ UNFINISHED = ".compwright-unfinished"
 OLD = {"set/x": b"old x", "set/y": b"old y", "record": b"old record", "set/gone": b"old gone"}
 NEW = {"set/x": b"new x", "set/y": b"new y", "record": b"new record", "deep/er/z": b"new z"}
 JSON = "beside/answer.json"
+ANOTHER_FILE_SYSTEM = Path("/dev/shm")  # noqa: S108 - memory, on Linux
+
+
+@pytest.fixture
+def quick_path(tmp_path: Path) -> Iterator[Path]:
+    """A folder for hundreds of small trees, in memory where there is such a thing."""
+    if not ANOTHER_FILE_SYSTEM.is_dir():
+        yield tmp_path
+        return
+    with tempfile.TemporaryDirectory(dir=ANOTHER_FILE_SYSTEM) as made:
+        yield Path(made)
 
 
 def make(top: Path) -> Path:
@@ -110,10 +121,10 @@ def test_the_course_is_what_was_asked_for(course: Course) -> None:
     assert {"write", "fsync", "replace", "unlink", "mkdir", "rmdir"} <= set(course.calls)
 
 
-def test_killed_at_any_call_one_whole_set_is_left(tmp_path: Path, course: Course) -> None:
+def test_killed_at_any_call_one_whole_set_is_left(quick_path: Path, course: Course) -> None:
     found = []
     for at in range(1, len(course.calls) + 1):
-        top = stopped(tmp_path / str(at), at)
+        top = stopped(quick_path / str(at), at)
         assert course.is_unmixed(top), at
         begun = is_begun(top)
         # whoever reads either folder
@@ -126,10 +137,10 @@ def test_killed_at_any_call_one_whole_set_is_left(tmp_path: Path, course: Course
     assert {True, False} == set(found)
 
 
-def test_putting_right_may_be_killed_at_any_call(tmp_path: Path, course: Course) -> None:
-    whole = stopped(tmp_path / "whole", course.last_move)
+def test_putting_right_may_be_killed_at_any_call(quick_path: Path, course: Course) -> None:
+    whole = stopped(quick_path / "whole", course.last_move)
     for then in range(1, 99):
-        top = tmp_path / str(then)
+        top = quick_path / str(then)
         shutil.copytree(whole, top)
         process = Process(then)
         with running(process):
@@ -145,24 +156,24 @@ def test_putting_right_may_be_killed_at_any_call(tmp_path: Path, course: Course)
 
 @pytest.mark.parametrize("work", ["writing", "putting right"])
 def test_when_the_power_fails_one_whole_set_is_left(
-    tmp_path: Path, course: Course, work: str
+    quick_path: Path, course: Course, work: str
 ) -> None:
     """Of what was not synced anything may have reached the disk, in any order."""
-    begun = tmp_path / "begun"
+    begun = quick_path / "begun"
     if work == "writing":
         make(begun)
     else:
         stopped(begun, course.last_move + 1)
-    shutil.copytree(begun, tmp_path / "whole")
-    drive, chance = Disk(tmp_path / "whole"), Random(1)  # noqa: S311 - cases, no secrets
+    shutil.copytree(begun, quick_path / "whole")
+    drive, chance = Disk(quick_path / "whole"), Random(1)  # noqa: S311 - cases, no secrets
     start_command()
     with drive.watched():
         if work == "writing":
-            write(tmp_path / "whole")
+            write(quick_path / "whole")
         else:
-            storage.read_bytes(tmp_path / "whole" / JSON)
+            storage.read_bytes(quick_path / "whole" / JSON)
     for at in range(len(drive.steps) + 1):
-        top = tmp_path / str(at)
+        top = quick_path / str(at)
         shutil.copytree(begun, top)
         drive.fail(top, at, chance)
         start_command()
@@ -181,12 +192,12 @@ def refusal() -> OSError:
     ("kind", "every"), [(refusal, 2), (KeyboardInterrupt, 3)], ids=["full disk", "Ctrl-C"]
 )
 def test_an_error_at_any_call_leaves_one_whole_set(
-    tmp_path: Path, course: Course, kind: Callable[[], BaseException], every: int
+    quick_path: Path, course: Course, kind: Callable[[], BaseException], every: int
 ) -> None:
     """As before, until the journal is gone; what is left to be cleared away then fails nothing."""
     raised = 0
     for at in range(1, len(course.calls) + 1, every):
-        top, error = make(tmp_path / str(at)), kind()
+        top, error = make(quick_path / str(at)), kind()
         try:
             with running(Process(at, refused=error)):
                 write(top)
@@ -457,9 +468,6 @@ def test_links_stay_links(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
         "out/y": b"new too",
         "out/z": b"new",
     }
-
-
-ANOTHER_FILE_SYSTEM = Path("/dev/shm")  # noqa: S108 - memory, on Linux
 
 
 @pytest.mark.skipif(not ANOTHER_FILE_SYSTEM.is_dir(), reason="no other file system here")
