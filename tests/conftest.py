@@ -7,7 +7,8 @@ measured axis is only the way to a control's files, the same stages run with few
 fresh tests; what the estimate and the prediction say is tested where nothing is brief. Fixed seeds:
 a test fails every time or never; new cases are tried in ``benchmarks/``.
 
-No power fails while tests run: nothing waits until it is on the disk.
+No power fails while tests run: nothing waits until it is on the disk. Processes that tests start
+share what one of them has compiled, also where nothing is to be written beside the modules.
 """
 
 from __future__ import annotations
@@ -19,9 +20,11 @@ import pytest
 from hypothesis import settings
 
 from compwright.estimation import axis, noise
+from compwright.foundations.processors import look_for_garbage_seldom
 from compwright.planning import fresh, outlook, worth
 from frames import unpaint
 
+look_for_garbage_seldom()  # as every command does
 settings.register_profile("suite", derandomize=True, deadline=None)
 settings.load_profile("suite")
 
@@ -31,6 +34,16 @@ def powered() -> Iterator[None]:
     """Let nothing wait for the disk."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(os, "fsync", lambda _handle: None)
+        yield
+
+
+@pytest.fixture(autouse=True, scope="session")
+def compiled(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Let processes find modules compiled, as those of an installed package are."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.delenv("PYTHONDONTWRITEBYTECODE", raising=False)
+        folder = tmp_path_factory.getbasetemp().parent / "compiled"
+        patch.setenv("PYTHONPYCACHEPREFIX", str(folder))
         yield
 
 

@@ -62,24 +62,28 @@ class Registers:
         """Load a file over what is there. Q0 is pitch data, Q1 parameters; without any Q, a file of
         nothing else is pitch data.
         """
-        records = _records(text)
-        with_q = any(q for _, q, _ in records)
-        whole = bool(records) and all(
-            number >= 10000 and [g for g, _ in entries] == [""] for number, _, entries in records
-        )
-        for number, q, entries in records:
-            if q == "Q0" or (not with_q and whole):
-                self.pitch[number - 10000] = entries[0][1].text
-            else:
-                self.parameters.update({(number, group): entry for group, entry in entries})
+        read = _registers(text)
+        self.parameters.update(read.parameters)
+        self.pitch.update(read.pitch)
 
     def copy(self) -> Registers:
         return Registers(dict(self.parameters), dict(self.pitch))
 
 
 @lru_cache(maxsize=32)
-def _records(text: bytes) -> tuple[tuple[int, str, tuple[tuple[str, Entry], ...]], ...]:
-    return tuple(_read(text))
+def _registers(text: bytes) -> Registers:
+    records = tuple(_read(text))
+    with_q = any(q for _, q, _ in records)
+    whole = bool(records) and all(
+        number >= 10000 and [g for g, _ in entries] == [""] for number, _, entries in records
+    )
+    registers = Registers()
+    for number, q, entries in records:
+        if q == "Q0" or (not with_q and whole):
+            registers.pitch[number - 10000] = entries[0][1].text
+        else:
+            registers.parameters.update({(number, group): entry for group, entry in entries})
+    return registers
 
 
 def _read(text: bytes) -> Iterable[tuple[int, str, tuple[tuple[str, Entry], ...]]]:

@@ -19,6 +19,7 @@ converted where a value is used.
 from __future__ import annotations
 
 import copy
+import functools
 import re
 from dataclasses import dataclass, field
 
@@ -75,7 +76,8 @@ def _same(one: str, other: str) -> bool:
         return one == other
 
 
-def assignments(text: str) -> list[tuple[Register, Value]]:
+@functools.lru_cache(maxsize=64)
+def assignments(text: str) -> tuple[tuple[Register, Value], ...]:
     """Every assignment of a text in its order; index tokens as written, except that blanks are
     gone.
     """
@@ -99,10 +101,12 @@ def assignments(text: str) -> list[tuple[Register, Value]]:
             found.append(((part["name"], index), Value(_WORDS.get(raw.upper(), raw), inch)))
         if _END.match(rest):
             break
-    return found
+    return tuple(found)
 
 
 def _without_comment(line: str) -> str:
+    if ";" not in line:
+        return line
     inside = False
     for place, letter in enumerate(line):
         if letter == '"':

@@ -79,6 +79,10 @@ class SmallFiles:
     ) -> None:
         self.control = control
         self.definition = control.definition
+        self.holds = {
+            name: frozenset(quantities_of(self.definition, name))
+            for name in self.definition.statements
+        }
         self.systems: dict[str, str] = {}
         for axis in axes:
             for each in (axis.address, axis.gantry):
@@ -115,7 +119,7 @@ class SmallFiles:
         return _Side(entries, names)
 
     def _is(self, key: Key, quantities: Iterable[str]) -> bool:
-        return any(name in quantities for name in quantities_of(self.definition, key[0]))
+        return not self.holds[key[0]].isdisjoint(quantities)
 
     def _has(self, key: Key, field: str) -> bool:
         return field in self.definition.statements[key[0]].fields
@@ -302,7 +306,7 @@ class SmallFiles:
 
     def _global(self, key: Key) -> bool:
         """Whether an entry speaks of the whole machine."""
-        known = not self._is(key, ("unit_word",)) and bool(quantities_of(self.definition, key[0]))
+        known = not self._is(key, ("unit_word",)) and bool(self.holds[key[0]])
         return known and not (self._has(key, "axis") or self._has(key, "table"))
 
     def _naming(self, address: str, pairs: Iterable[tuple[str, str]]) -> Iterator[Key]:
