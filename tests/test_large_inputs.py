@@ -40,7 +40,7 @@ def test_of(up: FloatArray, down: FloatArray) -> PositioningTest:
         name="x",
         axis="X",
         kind=AxisKind.LINEAR,
-        targets=np.arange(len(up)) * 12.5,
+        targets=np.arange(len(up), dtype=np.float64) * 12.5,
         positive=up / 1000.0,
         negative=down / 1000.0,
     )

@@ -11,6 +11,7 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
+from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularResult, CircularRun, Diagnosis
 from compwright.records.settled import OUTSIDE
 
@@ -135,9 +136,16 @@ def _run(run: CircularRun) -> dict[str, Any]:
     return {
         "direction": run.sense,
         "number": run.number,
-        "angles": [_number(angle) for angle in run.angles],
-        "deviations": [_micrometres(deviation) for deviation in run.deviations],
+        "angles": _numbers(run.angles),
+        "deviations": _numbers(run.deviations * MICROMETRES_PER_MILLIMETRE),
     }
+
+
+def _numbers(values: FloatArray) -> list[float | None]:
+    """Return `_number` of each."""
+    if not np.all(np.isfinite(values)):
+        return [_number(value) for value in values.tolist()]
+    return [round(value, _DIGITS) + 0.0 for value in values.tolist()]
 
 
 def _findings(findings: Iterable[Finding]) -> list[dict[str, str]]:

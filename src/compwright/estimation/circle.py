@@ -35,12 +35,15 @@ from compwright.estimation.circle_report import effects_of
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
-from compwright.records.circular import CircularTest, Diagnosis
+from compwright.records.circular import CircularRun, CircularTest, Diagnosis
 
 #: ISO 230-4 asks for arcs of at least 90°; a shorter one tells hardly anything apart.
 LEAST_ARC: Final = 90.0
 #: Samples of one run below which the causes cannot be told from the noise.
 LEAST_SAMPLES: Final = 24
+#: Samples of one run that are fitted: five times those of the finest ballbar; a million would fill
+#: the memory and tell no more.
+MOST_SAMPLES: Final = 20_000
 #: The noise is estimated again, so often at most, while its density at order zero still changes by
 #: this share.
 _NOISE_ROUNDS: Final = 3
@@ -49,13 +52,15 @@ _NOISE_SETTLED: Final = 0.25
 
 def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) -> Diagnosis:
     """Return the causes of a circular test (ISO 230-4:1996, annex B), with standard errors,
-    correlation, and findings on what is not separable.
+    correlation, and findings on what is not separable. Of a run with more than `MOST_SAMPLES`
+    samples, means of neighbours stand for them.
 
     ``periods``: pitch of a cyclic error, mm, by axis name; axes without one are searched. The same
     test gives the same answer. Raises InputError for a test too short or with too few samples;
     UsageError for a wrong period.
     """
     _refuse(test, periods or {})
+    test = replace(test, runs=tuple(map(_thinned, test.runs)))
     samples = samples_of(test)
     _refuse_few(test, samples)
     frequencies, findings = _given(test, samples, periods or {})
@@ -75,6 +80,21 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
         correlation_length=float(np.mean([spectrum.length for spectrum in fitted.spectra])),
         findings=(*findings, *noticed),
     )
+
+
+def _thinned(run: CircularRun) -> CircularRun:
+    """Return a run with the means of as many neighbours each as leave `MOST_SAMPLES` at most; fewer
+    at the end are a mean of their own.
+    """
+    size = -(-run.angles.size // MOST_SAMPLES)
+    if size <= 1:
+        return run
+    starts = np.arange(0, run.angles.size, size)
+    counts = np.diff(starts, append=run.angles.size)
+    angles, deviations = (
+        np.add.reduceat(values, starts) / counts for values in (run.angles, run.deviations)
+    )
+    return replace(run, angles=angles, deviations=deviations)
 
 
 def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
