@@ -4,20 +4,29 @@ and refused with what is expected and what was found where they are larger than 
 
 from __future__ import annotations
 
+import time
 import tracemalloc
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from compwright.estimation.circle import _thinned
 from compwright.evaluation.copies import same_runs, same_runs_findings
 from compwright.evaluation.readings import drift, suspect_traverses
 from compwright.evaluation.standards import evaluate
+from compwright.formats.families.control_texts import _UNKNOWN
 from compwright.foundations.errors import InputError
 from compwright.instruments import assembling
+from compwright.instruments.header_words import difference_of, said_unit, unit_of, without_unit
+from compwright.instruments.profile_of_file import proposed_profile
 from compwright.instruments.reading import read_positioning
 from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.circular import CircularRun
 from compwright.records.positioning import PositioningTest
+from compwright.workflow.stages.control import read_files
 
 
 def readings(targets: int, runs: int, seed: int = 1) -> tuple[FloatArray, FloatArray]:
@@ -123,3 +132,63 @@ def test_more_than_anything_real_is_refused(
     with pytest.raises(InputError) as caught:
         read_positioning(text.encode(), "x.csv")
     assert str(caught.value) == f"x.csv: {words}"
+
+
+def linear(work: Callable[[str], object], unit: str, before: str = "", after: str = "") -> bool:
+    """Whether four times the length takes no more than about four times the time: the shortest of
+    three, judged only where it can be seen at all.
+    """
+
+    def seconds(count: int) -> float:
+        text = before + unit * count + after
+        taken = []
+        for _ in range(3):
+            start = time.process_time()
+            with suppress(InputError):
+                work(text)
+            taken.append(time.process_time() - start)
+        return min(taken)
+
+    return seconds(12_000) < 0.02 + 9.0 * seconds(3_000)
+
+
+@pytest.mark.parametrize("unit", ["[", "(", "[ ", " ", "a-", "- "])
+def test_long_headers_take_time_in_proportion_to_their_length(unit: str) -> None:
+    def look(text: str) -> object:
+        return unit_of(text), without_unit(text), difference_of(text), said_unit(text)
+
+    assert linear(look, unit, "Einheit ", "!")
+
+
+@pytest.mark.parametrize("unit", ["\t", " ", "= ", "a\t", "n/a "])
+def test_long_lines_of_control_files_take_time_in_proportion_to_their_length(unit: str) -> None:
+    assert linear(lambda text: _UNKNOWN.sub(b"", text.encode()), unit, "$MA_X", "!")
+
+
+def test_a_number_of_a_million_digits_in_a_control_file_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "m.cfg"
+    file.write_bytes(b"DEFINE COMP 4,100\n" + b"9" * 1_000_000)
+    with pytest.raises(InputError) as caught:
+        read_files([file])
+    assert str(caught.value) == (
+        "m.cfg: line 2: holds a number that no control does; expected at most 1000 digits, found"
+        " more than 1000"
+    )
+
+
+def test_a_table_with_thousands_of_columns_is_refused() -> None:
+    head = ";".join(f"c{index}" for index in range(5_000))
+    row = ";".join("1" * 5_000)
+    with pytest.raises(InputError, match="more columns than any table of readings; expected at"):
+        proposed_profile(f"{head}\n{row}\n{row}\n".encode(), "x.csv")
+
+
+def test_means_of_neighbours_stand_for_the_samples_of_a_very_fine_circle() -> None:
+    angles = (np.arange(50_000) + 0.5) * 360.0 / 50_000
+    run = CircularRun(sense="ccw", angles=angles, deviations=np.cos(np.radians(2.0 * angles)))
+    thinned = _thinned(run)
+    assert thinned.angles.size == 16_667
+    np.testing.assert_allclose(
+        thinned.deviations, np.cos(np.radians(2.0 * thinned.angles)), atol=1e-6
+    )
+    assert _thinned(thinned) is thinned

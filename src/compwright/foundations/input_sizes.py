@@ -35,6 +35,10 @@ MOST_READINGS: Final = 2_000_000
 MOST_TARGETS: Final = 100_000
 #: Targets times traverses: a table with holes has more cells than readings.
 MOST_CELLS: Final = 4_000_000
+#: Of one number in a file of a control.
+MOST_DIGITS: Final = 1000
+#: Of a table of another program.
+MOST_COLUMNS: Final = 1000
 #: What an archive or a workbook may unpack to.
 MOST_UNPACKED: Final = 256_000_000
 

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from compwright.foundations.input_sizes import MOST_COLUMNS
 from compwright.instruments.comments import comment_text
 from compwright.instruments.csv_table import Gathered
 from compwright.instruments.fault_list import FaultList, shown
@@ -89,6 +90,14 @@ def foreign_table(
         faults.add("the header row cannot be read", place=f"line {header_line}")
         return ForeignTable()
     width = len(header) if header else _widest(body, delimiter)
+    if width > MOST_COLUMNS:
+        faults.add(
+            "has more columns than any table of readings",
+            place=f"line {header_line or body[0][0]}",
+            expected=f"at most {MOST_COLUMNS}",
+            found=str(width),
+        )
+        return ForeignTable()
     rows = Gathered(width)
     for number, line in body:
         cells = cells_of(line, delimiter)

@@ -122,6 +122,8 @@ _UNIT_WORDS: Final = re.compile(r"\b(?:units?|einheit|unite|ед|единица|
 #: brackets.
 _IN_UNIT: Final = re.compile(r"(?:\b(?:in|en|в)\s+|[\[(])\s*([^\s;,\])]+)", re.IGNORECASE)
 _BRACKETS: Final = re.compile(r"[\[({/]\s*([^\])}]+?)\s*[\])}]?\s*$")
+#: No header of a column and no line above a table tells anything beyond so many characters.
+_LONGEST: Final = 500
 _WORD: Final = re.compile(r"[^\W\d_]+", re.UNICODE)
 #: Words that say which way round a deviation is taken: what is first less what is second.
 _DIFFERENCE: Final = re.compile(
@@ -149,7 +151,7 @@ def axis_above(lines: Iterable[str]) -> str:
 
 def plain(text: str) -> str:
     """Return ``text`` in small letters, without accents, with plain signs and single blanks."""
-    flat = unicodedata.normalize("NFKD", plain_signs(text).casefold().replace("й", "и"))
+    flat = unicodedata.normalize("NFKD", plain_signs(text[:_LONGEST]).casefold().replace("й", "и"))
     bare = "".join(mark for mark in flat if not unicodedata.combining(mark))
     return " ".join(bare.replace("ß", "ss").split())
 
@@ -169,12 +171,13 @@ def role_of(header: str) -> Role | None:
 
 def without_unit(header: str) -> str:
     """Return a header without a unit in brackets at its end."""
-    match = _BRACKETS.search(header)
+    match = _BRACKETS.search(header[:_LONGEST])
     return header[: match.start()] if match and unit_of(match[1]) else header
 
 
 def unit_of(text: str) -> str:
     """Return the unit that a text is, has in brackets or ends with, empty where it is none."""
+    text = text[:_LONGEST]
     inside = re.findall(r"[\[({]\s*([^\])}]+?)\s*[\])}]", text)
     for part in (text, *inside, text.rpartition(" ")[2], text.rpartition("_")[2]):
         unit = _UNITS.get(part.strip(" .[](){}").casefold())

@@ -74,7 +74,10 @@ def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
     faults.raise_if_any()
     assert shape is not None  # noqa: S101 - raised above
     delimiter, header_line = shape
-    table = foreign_table(text, DELIMITERS[delimiter], header_line, FaultList(file))
+    refused = FaultList(file)
+    table = foreign_table(text, DELIMITERS[delimiter], header_line, refused)
+    if not table.columns:
+        refused.raise_if_any()
     proposal = Proposal(table)
     proposal.keys |= {
         "layout": "long",

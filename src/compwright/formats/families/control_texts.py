@@ -27,7 +27,9 @@ _COMMA = re.compile(
     rb"^([^;\n]*=[ \t]*[+-]?[0-9]+),([0-9]+)(?=[ \t]*(?:;[^\n]*)?\r?$)", re.MULTILINE
 )
 _POINT = re.compile(rb"^[^;\n]*=[ \t]*[+-]?[0-9]*\.[0-9]", re.MULTILINE)
-_UNKNOWN = re.compile(rb"^([^;\n=]*?)[ \t]*=[ \t]*n/a[ \t]*\r?$", re.MULTILINE | re.IGNORECASE)
+_UNKNOWN = re.compile(
+    rb"^((?:[^;\n=]*?[^;\n= \t])?)[ \t]*=[ \t]*n/a[ \t]*\r?$", re.MULTILINE | re.IGNORECASE
+)
 #: What was laid over containers is kept by content, of as many sets as a job has states.
 _KEPT = 16
 

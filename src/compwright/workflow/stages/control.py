@@ -6,6 +6,7 @@ Where the two do not agree nothing is done with the files.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -23,7 +24,7 @@ from compwright.formats.families.family import Family
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
-from compwright.foundations.input_sizes import CONTROL
+from compwright.foundations.input_sizes import CONTROL, MOST_DIGITS
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile, ControlState
 from compwright.records.job import Job
@@ -41,6 +42,8 @@ from compwright.workflow.stages.two_readers import disagreements, judges
 READ_BACK = (
     "Read back, not independently judged: only your own definition of {} says what its files do"
 )
+#: Every digit as 0, every other byte as a blank.
+_DIGITS = bytes(ord("0") if chr(byte) in "0123456789" else ord(" ") for byte in range(256))
 _PROVE_IT = (
     "A sign or a unit that is wrong in it is wrong in all of this. Prove it on the machine, at one"
     " position and from both sides, before the whole table acts"
@@ -252,6 +255,23 @@ def _not_as_planned(carried: Definition, what: str) -> Finding:
     )
 
 
+def _endless_number(file: ControlFile) -> Fault | None:
+    """Return the fault of a file with a number that no control holds and no computer reads in
+    reasonable time.
+    """
+    place = file.content.translate(_DIGITS).find(b"0" * (MOST_DIGITS + 1))
+    if place < 0:
+        return None
+    line = 1 + file.content.count(b"\n", 0, place)
+    return Fault(
+        message="holds a number that no control does",
+        file=file.name,
+        place=f"line {line}",
+        expected=f"at most {MOST_DIGITS} digits",
+        found=f"more than {MOST_DIGITS}",
+    )
+
+
 def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     """Read control files; a folder stands for all files in it. Raises InputError with every file
     that cannot be read.
@@ -275,12 +295,12 @@ def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
                         expected="the control's files",
                     )
                 )
-    names = [file.name for file in files]
     faults.extend(
         Fault(message="two files of this name were given", file=name, expected="each file once")
-        for name in dict.fromkeys(names)
-        if names.count(name) > 1
+        for name, times in Counter(file.name for file in files).items()
+        if times > 1
     )
+    faults.extend(filter(None, map(_endless_number, files)))
     raise_all(InputError, faults)
     return tuple(files)
 

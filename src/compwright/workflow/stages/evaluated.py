@@ -145,12 +145,13 @@ def _noted(error: Exception, file: str, why: Why) -> tuple[Noted, ...]:
 def _read(given: GivenFile, profile: Profile | None) -> Sequence[PositioningTest | CircularTest]:
     try:
         return read_tests(given.content, given.file, profile)
-    except InputError:
-        from compwright.workflow.stages.circles import (
-            read_if_circular,
-        )  # only now: the way of a positioning test stays short
+    except InputError as error:
+        refused = InputError(*error.faults)  # without the frames, which hold the lines of the file
+    from compwright.workflow.stages.circles import (
+        read_if_circular,
+    )  # only now: the way of a positioning test stays short
 
-        test = read_if_circular(given.content, given.file)
-        if test is None:
-            raise
-        return (test,)
+    test = read_if_circular(given.content, given.file)
+    if test is None:
+        raise refused
+    return (test,)
