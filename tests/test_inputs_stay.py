@@ -259,7 +259,7 @@ def test_results_that_the_user_changed_stay(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """A card that was filled in, a table that was corrected by hand."""
-    names = ("card/card.md", f"tables/{CONTROL}/AX1_EEC.INI")
+    names = ("card/card.md", f"tables/{CONTROL}/AX1_EEC.INI", "report.html", "evaluation.json")
     for name in names:
         path = folder / "job" / name
         path.write_bytes(path.read_bytes() + b"mine")

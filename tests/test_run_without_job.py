@@ -80,7 +80,10 @@ def test_the_job_gives_the_same_bytes_again(hall: Path, capsys: pytest.CaptureFi
     assert compwright(["run", job, "--force"]) == 0
     assert tree(hall) == before
     # and what was assumed is known as the tool's own until somebody edits it
+    other = [*WORDS, "screw_pitch=10"]
+    assert compwright(["run", FILE, *other, "--out", OUT, "--force"]) == 0
     text = (hall / job).read_text()
+    assert "screw_pitch: 10 " in text
     (hall / job).write_text(text.replace("kind: linear", "kind:  linear"))
     edited = tree(hall)
     assert compwright(["run", FILE, *WORDS, "--out", OUT, "--force"]) == 5
