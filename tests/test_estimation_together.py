@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from compwright.estimation.axis import AxisPosterior, estimate_axis
 from compwright.estimation.cells import cells_of
+from compwright.estimation.evidence import _by_cells, _by_weights, _Marginal
 from compwright.estimation.model import Periods, Travel, evidence_of
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed import ObservedTest
@@ -169,7 +171,10 @@ def test_a_single_run_over_the_whole_length_tells_what_five_over_a_part_do_not()
     assert np.median(fresh.sigma) == pytest.approx(1 * UM, rel=0.35)
 
 
-def test_the_precision_of_the_means_is_the_inverse_of_their_covariance() -> None:
+@pytest.mark.parametrize("among", [_by_cells, _by_weights])
+def test_the_density_of_the_means_is_that_of_their_covariance(
+    among: Callable[..., _Marginal],
+) -> None:
     """Written out: functions of the basis, local part, noise, and what traverses have in common."""
     rng = np.random.default_rng(6)
     tests = [known(noisy(rng, 1 * UM), 1 * UM, 0.5 * UM), known(noisy(rng, 1 * UM), 2 * UM)]
@@ -181,10 +186,12 @@ def test_the_precision_of_the_means_is_the_inverse_of_their_covariance() -> None
     covariance = evidence.rows * variances @ evidence.rows.T
     covariance += data.columns[0] @ data.columns[0].T + np.diag(1.0 / data.precision[0])
     covariance += evidence.variances(h)[1] * np.equal.outer(data.seats, data.seats)
-    columns = rng.standard_normal((data.seats.size, 3))
-    found = evidence.precision_times(h, columns)
+    found = among(evidence._scaled(h, None), derivatives=True)
     # The vague columns have 100 times the variance of the scale: eight digits are left.
-    assert covariance @ found == pytest.approx(columns, abs=1e-6)
+    assert covariance @ found.residual == pytest.approx(evidence.values, abs=1e-6)
+    square = evidence.values @ np.linalg.solve(covariance, evidence.values)
+    written_out = -0.5 * (square + np.linalg.slogdet(covariance)[1])
+    assert found.log == pytest.approx(written_out, abs=1e-5)
 
 
 def test_single_readings_scatter_about_as_those_of_the_test_that_tells_it() -> None:

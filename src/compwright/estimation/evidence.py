@@ -218,18 +218,6 @@ class Evidence:
         value = marginal.log + self.prior.log(h)
         return value, np.where(self.prior.free, gradient, 0.0)
 
-    def precision_times(self, h: FloatArray, columns: FloatArray) -> FloatArray:
-        """Return the inverse covariance of the means at the hyperparameters ``h``, under the
-        typical noise, times ``columns`` (c, k): local part, noise and every function of the basis
-        (Rasmussen and Williams 2006, eq. A.9).
-        """
-        scaled = self._scaled(h, None)
-        weighted = scaled.removed(scaled.rows)
-        inverse = _inverse_factor(_normal(scaled, weighted)[0])
-        inside = inverse.T @ (inverse @ (weighted.T @ columns))
-        product: FloatArray = scaled.removed(columns) - weighted @ inside
-        return product
-
     def _scaled(self, h: FloatArray, draw: int | None) -> _Scaled:
         data = self.data
         index = self.typical if draw is None else draw

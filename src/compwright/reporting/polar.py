@@ -16,8 +16,16 @@ from typing import Any, Final
 
 from compwright.foundations.errors import Fault, UsageError
 from compwright.reporting.causes import Cause, ranked_causes
-from compwright.reporting.numbers import MISSING, number, plain, standard_text
 from compwright.reporting.panels import Document, known_format, new_figure, render, style
+from compwright.reporting.polar_words import (
+    centre_text,
+    grouped,
+    run_text,
+    setting,
+    signed,
+    title,
+    zone_text,
+)
 
 #: Height of the picture of one test, inches.
 TEST_HEIGHT: Final = 4.55
@@ -95,7 +103,7 @@ def draw_test(figure: Any, result: Document) -> None:
     """
     causes = [cause for cause in ranked_causes(result) if cause.shown][:_MOST_CAUSES]
     grid = figure.add_gridspec(1, 2 if causes else 1, width_ratios=(1.5, 1.0) if causes else None)
-    figure.suptitle(_title(result), x=0.012, ha="left", fontsize=8.5, fontweight="bold")
+    figure.suptitle(title(result), x=0.012, ha="left", fontsize=8.5, fontweight="bold")
     panel = figure.add_subplot(grid[0, 0])
     draw_path(panel, result)
     if causes:
@@ -185,7 +193,7 @@ def draw_path(panel: Any, result: Document) -> None:
     _rings(panel, place, most, least)
     reach = 1.1 * (radius + place.scale * max(most, 0.0))
     if base:
-        words = f"least-squares circle, {_signed(base)} µm from nominal"
+        words = f"least-squares circle, {signed(base)} µm from nominal"
         panel.plot(
             *place.circle(base),
             color="#555555",
@@ -213,10 +221,10 @@ def draw_path(panel: Any, result: Document) -> None:
         markersize=9,
         color=_INK,
         linestyle="none",
-        label=_centre_text(name, centre, result),
+        label=centre_text(name, centre, result),
     )
     panel.set_title(
-        f"{_setting(result)}\nMagnification {_grouped(magnification)} : 1, rings in µm",
+        f"{setting(result)}\nMagnification {grouped(magnification)} : 1, rings in µm",
         fontsize=7.5,
     )
     panel.set_xlim(-1.1 * reach, 1.1 * reach)
@@ -321,7 +329,7 @@ def _zones(panel: Any, result: Document, centre: tuple[float, float], place: _Pl
         zone = zones[key]
         dx, dy = zone["centre"][0] - centre[0], zone["centre"][1] - centre[1]
         line = (0, (1.2, 1.4)) if key != "cw" else (0, (3, 1.2, 1, 1.2))
-        words = _zone_text(key, values)
+        words = zone_text(key, values)
         for limit, label in ((zone["inner"], words), (zone["outer"], None)):
             radial = [limit + dx * math.cos(angle) + dy * math.sin(angle) for angle in around]
             panel.plot(
@@ -337,7 +345,7 @@ def _run(panel: Any, path: Path, place: _Place, result: Document) -> None:
     closed = path.evaluated and result["arc"]["extent"] >= _TURN
     if closed:
         x, y = [*x, x[0]], [*y, y[0]]
-    label = _run_text(path.way.key, result) if path.evaluated else None
+    label = run_text(path.way.key, result) if path.evaluated else None
     width, strength = (path.way.width, 1.0) if path.evaluated else (0.5, 0.45)
     panel.plot(
         x,
@@ -422,81 +430,3 @@ def draw_causes(panel: Any, causes: Sequence[Cause]) -> None:
     panel.grid(visible=False, axis="y")
     panel.set_xlabel("Effect, peak to peak, in µm; whiskers 95 %")
     panel.set_title("Causes, share of all\npale: less than twice its standard error", fontsize=7.5)
-
-
-# --- words
-# --------------------------------------------------------------------------------------------------
-
-
-def _title(result: Document) -> str:
-    parts = [
-        f"Circle {result['plane']}",
-        _one_line(str(result.get("name") or ""), 50),
-        standard_text(result.get("standard", "")),
-    ]
-    return "   ".join(part for part in parts if part)
-
-
-def _setting(result: Document) -> str:
-    """Return radius, feed and arc."""
-    arc, feed = result["arc"], result.get("feed")
-    parts = [
-        f"R {plain(result['nominal_radius'])} mm",
-        f"{feed:.5g} mm/min" if isinstance(feed, int | float) else "",
-        "" if arc["extent"] >= _TURN else f"arc {arc['extent']:.4g}° from {arc['start']:.4g}°",
-    ]
-    return ", ".join(part for part in parts if part)
-
-
-def _one_line(text: str, most: int) -> str:
-    line = " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
-    return line if len(line) <= most else f"{line[: most - 1]}…"
-
-
-def _run_text(key: str, result: Document) -> str:
-    """Return the numbers of one direction: G, and F where it is given, else F about the
-    least-squares centre.
-    """
-    values = result["parameters"]
-    given = values.get(f"F_max_{key}") is not None
-    kind = "" if given else "_lsc"
-    name = (
-        "F"
-        if given and result["arc"]["extent"] >= _TURN
-        else "F (set-up centre)"
-        if given
-        else "F (own centre)"
-    )
-    highest, lowest = values.get(f"F_max_{key}{kind}"), values.get(f"F_min_{key}{kind}")
-    return (
-        f"{key}: G {number(values.get(f'G_{key}'))}, {name} {_signed(highest)} /"
-        f" {_signed(lowest)} µm"
-    )
-
-
-def _signed(value: float | None) -> str:
-    if value is None:
-        return MISSING
-    return f"+{number(value)}" if value >= 0.005 else number(value)
-
-
-def _centre_text(name: str, centre: tuple[float, float], result: Document) -> str:
-    axes = result["axes"]
-    kind = {"common": "common least-squares centre", "set-up": "set-up centre"}.get(
-        name, f"least-squares centre of {name}"
-    )
-    hysteresis = result["parameters"].get("H")  # it is taken about the common centre
-    told = "" if hysteresis is None else f"; H {number(hysteresis)} µm"
-    return f"{kind}: {axes[0]} {number(centre[0], 1)}, {axes[1]} {number(centre[1], 1)} µm{told}"
-
-
-def _zone_text(key: str, values: Document) -> str:
-    """Return G of the zone that is drawn, and beside it what belongs to both directions."""
-    both = key == "both"
-    name = "G_bidirectional" if both else f"G_{key}"
-    told = f"minimum zone{' of both' if both else f', {key}'}: G {number(values.get(name))} µm"
-    return f"{told}; D {_signed(values['D'])} µm" if both and values.get("D") is not None else told
-
-
-def _grouped(value: float) -> str:
-    return f"{value:,.0f}".replace(",", " ")
