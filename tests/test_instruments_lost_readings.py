@@ -243,6 +243,8 @@ def test_the_page_about_measurement_files() -> None:
         f"{sense},{angle},1.2\n" for sense in ("ccw", "cw") for angle in range(0, 360, 5)
     )
     assert read_circular_csv((head + rows).encode(), "xy.csv", "xy").plane == "XY"
+    test = read_circular_csv(("# Prüfer: Müller\n" + head + rows).encode("cp1252"), "xy.csv", "xy")
+    assert "CW-R062" in [finding.code for finding in test.findings]
     for code in re.findall(r"`(CW-[A-Z][0-9]{3})`", page):
         assert code in (PROJECT / "docs" / "findings.md").read_text(encoding="utf-8")
 
