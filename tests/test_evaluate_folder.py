@@ -208,6 +208,41 @@ def test_the_summary_says_smallest_median_and_largest_by_axis(
     ]
 
 
+def test_other_standards_have_columns_of_their_own(folder: Path) -> None:
+    document = evaluate_files([folder], ["vdi3441", "iso230-4:1996"], whole=False).document
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(sys, "stdout", stream := io.StringIO())
+        print_renderables(many_renderables(document))
+    said = stream.getvalue()
+    heads = [" ".join(line.split()) for line in said.splitlines() if line.startswith("File ")]
+    assert heads[0] == "File Axis P Pa Ps max Ps mean U max Warning"
+    assert heads[1] == "File Plane G ccw G cw H Largest cause Warning"
+    assert "axis X     P " in said
+
+
+def test_pages_of_many_tests_are_asked_for(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["evaluate", str(folder), "--targets"]) == 3
+    said = capsys.readouterr().out
+    assert said.count("5 runs in each direction") == 13
+    assert "Summary" not in said
+
+
+def test_a_file_that_vanishes_meanwhile_is_one_line(tmp_path: Path) -> None:
+    for place in range(12):
+        text = positioning_text(5.0 + place, "X", place)
+        (tmp_path / f"{place:02}.csv").write_text(text, encoding="utf-8")
+
+    def clean_up(what: str, done: int, count: int) -> None:
+        (tmp_path / "11.csv").unlink(missing_ok=True)
+
+    outcome = evaluate_files([tmp_path], watch=clean_up)
+    assert len(outcome.document["results"]) == 11
+    assert [Path(error["file"]).name for error in outcome.document["errors"]] == ["11.csv"]
+    assert outcome.exit_code == 3
+
+
 def test_few_tests_have_a_page_each(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["evaluate", str(folder / "t00.csv"), str(folder / "t01.csv")]) == 0
     said = capsys.readouterr().out
