@@ -142,8 +142,11 @@ LINUXCNC = {
     "; {S}\n[DISPLAY]\nINTRO_GRAPHIC = /srv/{W}.gif\nPROGRAM_PREFIX = ~/{W}\n",
 }
 HEIDENHAIN = {
-    "Y.COM": "BEGIN Y .COM MM DATUM:-90 DIST:7\nNR   1=F()     2=F()     3=F()\n"
-    "0              +0\n1              -0.0012\n2              -0.0021\n{W}\nEND Y .COM\n",
+    "X.COM": "BEGIN X .COM MM DATUM:-400 DIST:200\n#STRUCTBEGIN\n   NAME = 1=F()\n     TYPE = N\n"
+    "     WIDTH = 9\n     DEC = 3\n*  // {S}\n     DIA-ENGLISH = {W}\n   NAME = 2=F()\n"
+    "     TYPE = N\n     WIDTH = 9\n     DEC = 4\n#STRUCTEND\nNR      1=F()     2=F()\n"
+    "0       +0.000    +0.0000\n1       -0.002    +0.0001\n2                 +0.0002\n"
+    "3       +0.001    +0.0003\nEND X .COM\n",
     "MP.TXT": "; {S}\nMP710.1 : 0.0010 ; {W}\nMP730 : %00011\nMP7230 : {W}\n{W}\n",
 }
 PMAC = {

@@ -241,6 +241,28 @@ def test_a_control_would_do_the_same_with_the_copies(
         assert np.array_equal(before, after)
 
 
+@pytest.mark.parametrize(
+    ("kind", "words"),
+    [
+        ("heidenhain", ["--format", "heidenhain-itnc530"]),
+        ("isg", ["--format", "isg-kernel", "--option", "encoder_increment=0.0001"]),
+        ("sinumerik", ["--format", "siemens-840d-sl"]),
+    ],
+)
+def test_what_is_decoded_of_a_copy_is_what_its_original_says(
+    copied: dict[str, tuple[Path, Path]],
+    capsys: pytest.CaptureFixture[str],
+    kind: str,
+    words: list[str],
+) -> None:
+    answers = []
+    for folder in copied[kind]:
+        assert compwright(["decode", str(folder), *words, "--json", "-"]) == 0
+        answers.append(json.loads(capsys.readouterr().out)["axes"])
+    assert answers[0] == answers[1]
+    assert any(any(axis["correction_positive"]) for axis in answers[0].values())
+
+
 def test_the_same_name_gets_the_same_word_in_all_files(tmp_path: Path) -> None:
     for name, machine in (("a", "VMC Halle 3"), ("b", "vmc  halle 3"), ("c", "Other")):
         text = f"# machine: {machine}\ntarget_mm,+1,-1\n" + "# unit: um\n"

@@ -63,7 +63,8 @@ _LINES: Final[Mapping[str, tuple[str, ...]]] = {
         rf"[0-9]{{1,4}}(?:\s+(?:\*|{_NUMBER}|[A-Z]{{1,2}}[0-9]?\s*\.COM))*",
         (
             rf"(?:BEGIN|END)\s+(?:{_AXIS}|CONFIG)\s*\.(?:COM|CMA)(?:\s+(?:MM|INCH))?"
-            rf"(?:\s+DATUM:\s*{_NUMBER})?(?:\s+DIST:\s*{_NUMBER})?(?:\s+Version:\s*'Update:[0-9.]+')?"
+            rf"(?:\s+DATUM:\s*{_NUMBER})?(?:\s+DIST:\s*{_NUMBER})?"
+            r"(?:\s+Version:\s*'Update:[0-9.]+(?:\s+Date:[0-9-]+)?')?"
             r"(?:\s+U)?"
         ),
         (
@@ -74,10 +75,9 @@ _LINES: Final[Mapping[str, tuple[str, ...]]] = {
         rf"(?:WIDTH|DEC|POS)\s*=\s*{_NUMBER}",
         r"primaryKey\s*:=\s*\"(?:NR)?\"\s*,?",
         (
-            rf"(?:width|initial|minimum|maximum|decimals|unit)\s*:=\s*\"?(?:{_NUMBER}|mm|LENGTH)?\"?"
-            r"\s*,?"
+            r"(?:width|initial|minimum|maximum|decimals|unit|unitIsInch|readOnly|unique)\s*:=\s*"
+            rf"\"?(?:{_NUMBER}|mm|inch|INT|LENGTH|ANGLE|TRUE|FALSE)?\"?\s*,?"
         ),
-        rf"(?:unit|unitIsInch|readOnly|unique)\s*:=\s*(?:TRUE|FALSE|{_NUMBER}|\"[A-Z]+\")\s*,?",
         rf"MP[0-9]{{1,5}}(?:\.[0-9]{{1,3}}){{0,2}}\s*[:=]?\s*[%$]?{_NUMBER}",
     ),
     "lists_by_axis": (rf"zahl_(?:kw|mp)\s+{_NUMBER}",),
@@ -87,6 +87,17 @@ _LINES: Final[Mapping[str, tuple[str, ...]]] = {
         r"OPEN\s+[A-Z]*|CLOSE|CLEAR|DELETE\s+(?:BL|T)?COMP|(?:#[0-9]{1,2}\s*)?(?:K|A|J/|\$\$\$)",
     ),
 }
+
+#: First lines that tell of a shape by themselves, whatever else stands on them.
+_FIRST: Final[Mapping[str, re.Pattern[str]]] = {
+    "user_tables": re.compile(r"\s*BEGIN\s+\S+?\s*\.(?:COM|CMA)\b", re.IGNORECASE),
+}
+
+
+def begins(definition: Definition, content: bytes) -> bool:
+    """Return whether the first line of a file tells that it is of this control's shape."""
+    first = _FIRST.get(definition.layout.shape)
+    return first is not None and first.match(content[:1000].decode("latin-1")) is not None
 
 
 @cache

@@ -14,7 +14,7 @@ from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definitions_from
 from compwright.formats.families.control_texts import texts_of
-from compwright.formats.families.kept_lines import STATE_TEXTS, kept_lines
+from compwright.formats.families.kept_lines import STATE_TEXTS, begins, kept_lines
 from compwright.formats.text.container import is_container, opened, unknown_container
 from compwright.formats.text.entry_sheet import is_entry_sheet, parse_sheet
 from compwright.formats.text.redaction import (
@@ -189,7 +189,7 @@ def _likely(files: Sequence[ControlFile], format_id: str | None) -> dict[str, li
 
 def _bare(file: ControlFile, definition: Definition) -> bool:
     """Whether a file is a control's without a word that tells of it."""
-    if "/" in file.name:
+    if "/" in file.name or begins(definition, file.content):
         return True
     return file.name.lower().endswith(_BARE_TABLE) and isinstance(_read(file, definition), ReadText)
 
@@ -221,16 +221,27 @@ def _decoded_alike(
     the originals alone do not make a state of a control. ``renamed``: new names of axes by the old
     ones, in capitals.
     """
-    for options in _options(control_id):
+    for likely, options in _ways_to_read(control_id):
         try:
-            first = _decoded(control_id, options, old, renamed)
+            first = _decoded(likely, options, old, renamed)
         except CompwrightError:
             continue
         try:
-            return first == _decoded(control_id, options, new, {})
+            return first == _decoded(likely, options, new, {})
         except CompwrightError:
             return False
     return True
+
+
+def _ways_to_read(control_id: str) -> Iterator[tuple[str, dict[str, object]]]:
+    """Yield controls whose tables have the shape of this one's, itself first, with their options:
+    the beginning of a file does not tell relatives apart.
+    """
+    shape = _definitions()[control_id].layout.shape
+    relatives = [name for name, one in _definitions().items() if one.layout.shape == shape]
+    for name in sorted(relatives, key=lambda name: name != control_id):
+        for options in _options(name):
+            yield name, options
 
 
 def _options(control_id: str) -> Iterator[dict[str, object]]:
