@@ -497,9 +497,12 @@ def test_control_characters_in_names_do_not_reach_the_terminal(
     test = axis_test(date="\x1b[2Jtoday", key="1", name="x\x1b]0;y\x07")
     machine = {"name": "VMC\x1b[31m", "serial": "S\r1"}
     record(tmp_path / "a\x1b[1m", test, machine=machine)
-    assert compwright(["history", str(tmp_path)]) == 0
+    table = tmp_path / "t.csv"
+    assert compwright(["history", str(tmp_path), "--table", str(table)]) == 0
     told = capsys.readouterr()
-    assert not {"\x1b", "\x07", "\r"} & set(told.out + told.err)
+    row = table.read_text(encoding="utf-8")
+    assert not {"\x1b", "\x07", "\r"} & set(told.out + told.err + row)
+    assert r"VMC\x1b[31m" in row
 
 
 def test_half_a_character_in_an_edited_record(tmp_path: Path, ask: Ask) -> None:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import base64
 import copy
+import errno
 import hashlib
 import json
 import os
 import random
 import shutil
+import sys
 from collections.abc import Iterator
 from contextlib import redirect_stdout
 from io import StringIO
@@ -306,6 +308,39 @@ def test_a_definition_that_takes_an_entry_out(
     assert "options.increment_limit: the definition lacks an entry" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("digits", [30, 400, 5000])
+@pytest.mark.parametrize(
+    "line", ["i286 = {}", "i286 = ${}", "i285 = {}", "#{}", "I1..{} = 1", "#1 DEF COMP 1,4000\n{}"]
+)
+def test_numbers_of_absurd_length_in_a_control_file(
+    line: str, digits: int, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "a.pmc").write_text(f"I51=0\ni285=32\n{line.format('9' * digits)}\n")
+    options = ["--format", "pmac", "--option", "counts_per_unit=2000"]
+    assert compwright(["decode", "a.pmc", *options]) == 3
+    assert "error: a.pmc: line " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("value", ["1e-320", "1e300", "-1", "0", "nan", "9" * 5000])
+def test_a_detection_unit_that_is_none(
+    value: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "P.TXT").write_text("%\nN01851Q1A1P4\n%\n")
+    words = ["decode", "P.TXT", "--format", "fanuc-30i", "--option", f"detection_unit={value}"]
+    assert compwright(words) == 2
+    assert "detection_unit" in capsys.readouterr().err
+
+
+def test_help_that_nobody_reads(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Closed(StringIO):
+        def write(self, _text: str) -> int:
+            raise BrokenPipeError(errno.EPIPE, "Broken pipe")
+
+    for words in (["--help"], ["run", "--help"], ["--version"], ["formats", "list"]):
+        monkeypatch.setattr(sys, "stdout", Closed())
+        assert compwright(words) == 0
+
+
 # ------------------------------------------------------------------------------------------------------------ plans
 
 
@@ -465,6 +500,7 @@ def test_a_key_that_stands_twice_in_a_plan(plan: dict[str, Any]) -> None:
             {"../x": [], "C:x": [], "a\x1b[2J": []},
             "states.C:x: contradicts the rest of the plan; expected a plain name",
         ),
+        (("axes", "X", "axis", "suggested_period"), 0, "axes.X.axis: contradicts itself"),
         (("active",), {"now": True}, "active.now: contradicts the rest of the plan"),
         (
             ("axes", "X", "wanted", "scenarios"),

@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from compwright.foundations.errors import Fault
-from compwright.foundations.utf8 import encoded
+from compwright.foundations.utf8 import encoded, visible_lines
 from compwright.records.history import HistoryEntry, NotedChange
 
 SCHEMA = "compwright/history/1"
@@ -136,4 +136,4 @@ def history_csv(document: Mapping[str, Any]) -> bytes:
                         *(test["table"], test["verdict"], " ".join(changed)),
                     ]
                 )
-    return encoded(text.getvalue())
+    return encoded(visible_lines(text.getvalue()))

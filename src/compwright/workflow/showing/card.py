@@ -20,7 +20,7 @@ from compwright.formats.definition.statements import print_form
 from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.units import outside_factor, outside_unit
-from compwright.foundations.utf8 import encoded
+from compwright.foundations.utf8 import encoded, visible_lines
 from compwright.planning.axes import AxisWork
 from compwright.planning.quick_check import check_positions, moved_by, quick_check
 from compwright.records.axis import Axis
@@ -218,7 +218,7 @@ def changes_csv(changes: Mapping[str, Any]) -> bytes:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["entry", "old", "new"])
     writer.writerows([row["entry"], row["old"], row["new"]] for row in changes["entries"])
-    return encoded(text.getvalue())
+    return encoded(visible_lines(text.getvalue()))
 
 
 def _steps(
