@@ -16,6 +16,7 @@ from random import Random
 
 import pytest
 
+from compwright.cli import run as compwright
 from compwright.foundations import storage
 from compwright.foundations.command_inputs import put_right, start_command
 from compwright.foundations.errors import InputError, StorageError
@@ -243,6 +244,17 @@ def test_whoever_reads_next_finds_the_earlier_files(
     assert put_right() == (str(top / "out"),)
 
 
+def test_the_command_says_so_once(
+    tmp_path: Path, course: Course, capsys: pytest.CaptureFixture[str]
+) -> None:
+    top = stopped(tmp_path / "top", course.last_move)
+    compwright(["evaluate", str(top / "out" / "set")])
+    compwright(["evaluate", str(top / "out" / "set")])
+    said = [line for line in capsys.readouterr().err.splitlines() if "was stopped" in line]
+    (line,) = said
+    assert line.startswith(f"{top / 'out'}: a command that was stopped had begun to write here;")
+
+
 def test_through_a_link_too(tmp_path: Path, course: Course) -> None:
     top = stopped(tmp_path / "top", course.last_move)
     (tmp_path / "link").symlink_to(top / "out" / "set")
@@ -266,6 +278,34 @@ def test_a_copy_of_the_folder_alone_is_put_right_and_the_rest_stays(
     assert storage.read_bytes(top / "copy" / "set" / "x") == b"old x"
     assert named(top / "beside") == beside
     shutil.rmtree(top / "copy")
+    assert storage.read_bytes(top / JSON) == b"old answer"
+    assert files(top) == course.old
+
+
+def test_a_copy_of_the_folder_beside_alone_is_put_right_by_itself(
+    tmp_path: Path, course: Course
+) -> None:
+    top = stopped(tmp_path / "top", course.last_move + 1)
+    shutil.copytree(top / "beside", top / "copy")
+    assert storage.read_bytes(top / "copy" / "answer.json") == b"old answer"
+    shutil.rmtree(top / "copy")
+    assert files(top) == course.old
+
+
+def test_a_process_that_is_stopped_while_one_waits_for_it(
+    tmp_path: Path, course: Course, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """When it was looked at it had not begun to move files; then it had, and was stopped."""
+    top = stopped(tmp_path / "top", course.last_move)
+    journal = top / "out" / UNFINISHED / "journal.json"
+    journal.rename(journal.with_name("later"))
+
+    def later(staging: Path, *, patience: float) -> Lock:
+        if not journal.exists():
+            journal.with_name("later").rename(journal)
+        return take(staging, patience=patience)
+
+    monkeypatch.setattr(recovery, "take", later)
     assert storage.read_bytes(top / JSON) == b"old answer"
     assert files(top) == course.old
 
@@ -400,6 +440,24 @@ def test_a_living_process_is_waited_for(tmp_path: Path, monkeypatch: pytest.Monk
     monkeypatch.setattr(locking, "sleep", lambda _seconds: lock.remove())  # it finishes meanwhile
     storage.write_file(tmp_path / "x", b"new", force=True)
     assert files(tmp_path) == {"x": b"new"}
+
+
+def test_a_lock_that_its_owner_has_just_removed_is_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It was opened before, and would keep nobody out who comes later."""
+    owner = take(tmp_path / UNFINISHED, make=True)
+    real = locking._is_locked
+
+    def later(handle: int) -> bool:
+        owner.release() if os.name == "nt" else owner.remove()
+        monkeypatch.setattr(locking, "_is_locked", real)
+        return real(handle)
+
+    monkeypatch.setattr(locking, "_is_locked", later)
+    lock = take(tmp_path / UNFINISHED, make=True)
+    assert os.path.samestat(os.fstat(lock.handle), (tmp_path / UNFINISHED / "lock").stat())
+    lock.remove()
 
 
 def test_a_living_process_that_does_not_end_is_named(

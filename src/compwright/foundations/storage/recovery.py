@@ -198,13 +198,41 @@ def _take_back_part(folder: Path, journal: Journal) -> None:
             )
         )
     if _decides(first, journal):
-        _take_back_first(first)
-    with suppress(FileNotFoundError), ExitStack() as held:
-        lock = _held(folder, held)
-        if read_journal(folder) in (None, journal):
-            if _decides(first, journal):
-                raise DamagedError(f"{first} does not know of it")
+        _take_back_undone(first, folder, journal)
+    elif not _is_swept(first, folder, journal):
+        _take_back_part(folder, journal)
+
+
+def _take_back_undone(first: Path, folder: Path, journal: Journal) -> None:
+    """Take back all that ``first`` decides on; a copy of a part, of which it knows nothing, before
+    that by itself.
+    """
+    deciding = read_journal(first)
+    known = () if deciding is None else tuple(_parts(first, deciding))
+    if resolved(folder) not in (resolved(other) for other, _ in known):
+        with ExitStack() as held:
+            lock = _held(folder, held)
+            withdraw([(folder, journal)])
             clear(lock)
+        note_put_right(str(folder))
+    _take_back_first(first)
+
+
+def _is_swept(first: Path, folder: Path, journal: Journal) -> bool:
+    """Remove what is left of a part that is done, where that can be; return False where its process
+    was stopped just now, before it was done.
+    """
+    try:
+        with ExitStack() as held:
+            lock = _held(folder, held)
+            if _decides(first, journal):
+                return False
+            clear(lock)
+    except TimeoutError:
+        raise
+    except OSError:  # another process has done it, or nobody can write there: it is done anyway
+        pass
+    return True
 
 
 def _decides(first: Path, journal: Journal) -> bool:
@@ -246,10 +274,8 @@ def withdraw(sets: Sequence[Set]) -> None:
         for name in reversed(journal.made):
             with suppress(OSError):  # the user has put something there
                 (folder / name).rmdir()
-    sync_folders(sets)
     first, _ = sets[0]
     (first / UNFINISHED / JOURNAL).unlink()
-    disk.sync_folder(first / UNFINISHED)
 
 
 def sync_folders(sets: Sequence[Set]) -> None:

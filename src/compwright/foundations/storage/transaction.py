@@ -242,9 +242,8 @@ class _Work:
             self._clear()
 
     def _clear(self) -> None:
-        """Remove the folders of what is unfinished, that of the folder which decides last."""
-        first = self.parts[0].folder / UNFINISHED
-        for lock in sorted(self.locks, key=lambda lock: lock.staging == first):
+        """Remove the folders of what is unfinished."""
+        for lock in self.locks:
             clear(lock)
 
     def _take_back(self) -> tuple[Fault, ...]:
