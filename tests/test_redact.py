@@ -335,6 +335,20 @@ def test_names_of_files_that_hold_a_text_or_a_serial_number_change(tmp_path: Pat
     ]
 
 
+def test_a_file_that_another_names_is_found_under_its_new_name(tmp_path: Path) -> None:
+    folder, out = tmp_path / "control", tmp_path / "out"
+    folder.mkdir()
+    texts = CONTROLS["linuxcnc"]
+    (folder / "Vogt.comp").write_bytes(filled(texts["x.comp"]))
+    ini = texts["machine.ini"].replace("{W}/x.comp", "{W}/Vogt.comp")
+    (folder / "machine.ini").write_bytes(filled(ini))
+    assert compwright(["redact", str(folder), "--out", str(out)]) == 0
+    (table,) = [name for name in visible(out) if name.endswith(".comp")]
+    assert "vogt" not in table.casefold()
+    assert f"COMP_FILE = {table}\n" in (out / "machine.ini").read_text()
+    assert compwright(["decode", str(out), "--format", "linuxcnc"]) == 0
+
+
 def test_the_answer_names_kinds_and_counts_and_never_the_texts(
     copied: dict[str, tuple[Path, Path]], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -38,8 +38,16 @@ class Names:
 
     def of(self, text: str) -> str:
         """Return what stands in the place of a name; its case and its blanks make no difference."""
-        known = " ".join(text.casefold().split())
-        return f"{NEUTRAL}_{self.numbers.setdefault(known, len(self.numbers) + 1)}"
+        number = self.numbers.setdefault(_plain(text), len(self.numbers) + 1)
+        return f"{NEUTRAL}_{number}"
+
+    def knows(self, text: str) -> bool:
+        """Whether a text was met as a name."""
+        return _plain(text) in self.numbers
+
+
+def _plain(text: str) -> str:
+    return " ".join(text.casefold().split())
 
 
 @dataclass(slots=True)

@@ -82,7 +82,7 @@ _LINES: Final[Mapping[str, tuple[str, ...]]] = {
     ),
     "lists_by_axis": (rf"zahl_(?:kw|mp)\s+{_NUMBER}",),
     "wrapped_counts": (
-        rf"(?:[IPQM][0-9]{{1,5}}\s*=\s*(?:\$[0-9A-F]+|{_NUMBER})\s*)+",
+        rf"(?:I[0-9]{{1,5}}\s*=\s*(?:\$[0-9A-F]+|{_NUMBER})\s*)+",
         r"#[0-9]{1,2}\s*DEF(?:INE)?\s+(?:BL|T)?COMP\s+[0-9#D,\s]+",
         r"OPEN\s+[A-Z]*|CLOSE|CLEAR|DELETE\s+(?:BL|T)?COMP|(?:#[0-9]{1,2}\s*)?(?:K|A|J/|\$\$\$)",
     ),

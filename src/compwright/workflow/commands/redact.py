@@ -225,16 +225,28 @@ def _named(inputs: Sequence[_Input], names: Names) -> list[str]:
         for piece in telling(_ADDRESS.sub(" ", text) if kind == LINE else text, ALLOWED | _COMMON)
         if _SIZE.fullmatch(piece) is None
     }
-    return [
-        "/".join(_shown(part, somebody, names) for part in one.name.split("/")) for one in inputs
-    ]
+    made: list[str] = []
+    for one in inputs:
+        name = "/".join(_shown(part, somebody, names) for part in one.name.split("/"))
+        path, number = PurePath(name), 1
+        while name.casefold() in {other.casefold() for other in made}:
+            number += 1
+            name = str(path.with_stem(f"{path.stem}_{number}"))
+        made.append(name)
+    return made
 
 
 def _shown(name: str, somebody: set[str], names: Names) -> str:
+    """Return the name of a copy; one that stands in a file as a name is what stands there now."""
     stem, ending = PurePath(name).stem, PurePath(name).suffix
-    pieces = set(re.findall(r"[^\W_]+", stem.casefold()))
-    gives_away = bool(pieces & somebody) or _SERIAL.search(stem) is not None
-    return f"{names.of(stem)}{ending}" if gives_away else name
+    if somebody & _pieces(ending):
+        ending = ""
+    gives_away = somebody & _pieces(stem) or _SERIAL.search(stem) or names.knows(stem)
+    return f"{names.of(stem)}{ending}" if gives_away else f"{stem}{ending}"
+
+
+def _pieces(text: str) -> set[str]:
+    return set(re.findall(r"[^\W_]+", text.casefold()))
 
 
 #: What a control calls its data, in a line of a program or of data that nobody reads.

@@ -4,6 +4,7 @@ and each copy is proven by the readers of its original.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
@@ -97,10 +98,14 @@ def _decoded_otherwise(
         group = [
             file for file in files if file.name in copies and copies[file.name].control == control
         ]
-        made = [replace(file, content=copies[file.name].content) for file in group]
         renamed = {
             old.upper(): new for file in group for old, new in copies[file.name].renamed.items()
         }
+        named = {re.split(r"[/\\]", old)[-1]: new for old, new in renamed.items()}
+        made = [
+            ControlFile(named.get(file.name.upper(), file.name), copies[file.name].content)
+            for file in group
+        ]
         if not _decoded_alike(control, group, made, renamed):
             yield from [file.name for file in group]
 
