@@ -4,12 +4,13 @@ same.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, product
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.evaluation.alike import alike_in_a_run, alike_in_all
 from compwright.evaluation.scatter import pooled_scatter
@@ -22,8 +23,13 @@ from compwright.records.positioning import SAME_READING, PositioningTest
 _TARGETS: Final = 5
 #: Two runs are the same by chance where this many such pairs are expected.
 _CHANCE: Final = 1e-3
+#: Differences of runs that are held at once.
+_AT_ONCE: Final = 1_000_000
 #: Tests named in a message.
 _NAMED: Final = 4
+
+
+_Blocks = Mapping[Direction, FloatArray]
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,21 +92,69 @@ def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
     there = place[at]
     if at.size < _TARGETS:
         return False
-    zeros: dict[Direction, list[float]] = {}
+    ours = {direction: one.deviations(direction)[at] for direction in Direction}
+    others = {direction: other.deviations(direction)[there] for direction in Direction}
+    if _always_by_chance(ours, others):
+        return False
+    zeros = [found for way in Direction if (found := _zeros(ours[way], others[way])) is not None]
+    if not (zeros and _in_common(zeros)):
+        return False
     apart, chances = [], []
     for mine, theirs in product(Direction, repeat=2):
-        for gap in _gaps(one.deviations(mine)[at], other.deviations(theirs)[there]):
+        for gap in _gaps(ours[mine], others[theirs]):
             if mine is theirs:
-                zeros.setdefault(mine, [])
                 chances.append(gap.size - 1)
-            if mine is theirs and np.ptp(gap) <= SAME_READING:
-                zeros[mine].append(float(gap[0]))
-            else:
+            if mine is not theirs or np.ptp(gap) > SAME_READING:
                 apart.append(gap)
-    if not (zeros and apart and _in_common(list(zeros.values()))):
+    if not apart:
         return False
     shares = [_most_alike(gap) / gap.size for gap in apart]
     return float(np.sum(np.mean(shares) ** np.asarray(chances))) < _CHANCE
+
+
+def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
+    """Return whether runs at so few targets may always be the same by chance: of m differences one
+    is the commonest, so that p is 1/m or more. Counted are the runs without a gap.
+    """
+    targets = len(ours[Direction.POSITIVE])
+    pairs = 0
+    for direction in Direction:
+        whole = [
+            block[:, np.isfinite(block).all(axis=0)]
+            for block in (ours[direction], others[direction])
+        ]
+        moving = np.count_nonzero(np.ptp(whole[0], axis=0) > SAME_READING)
+        pairs += moving * whole[1].shape[1]
+    return bool(pairs * (1.0 / targets) ** (targets - 1) >= _CHANCE)
+
+
+def _zeros(mine: FloatArray, theirs: FloatArray) -> list[float] | None:
+    """Return the constants by which runs (columns) of two blocks differ that differ by nothing
+    else; None where no two runs can be compared, as `_gaps` does.
+    """
+    found: list[float] = []
+    compared = False
+    at_once = max(1, _AT_ONCE // max(theirs.size, 1))
+    for start in range(0, mine.shape[1], at_once):
+        left = mine[:, start : start + at_once, np.newaxis]
+        gaps = left - theirs[:, np.newaxis, :]
+        made = np.isfinite(gaps)
+        counted = (made.sum(axis=0) >= _TARGETS) & (_spread(left, made) > SAME_READING)
+        compared = compared or bool(counted.any())
+        same = counted & (_spread(gaps, made) <= SAME_READING)
+        first = np.take_along_axis(gaps, made.argmax(axis=0)[np.newaxis], axis=0)[0]
+        found += first[same].tolist()
+    return found if compared else None
+
+
+def _spread(values: FloatArray, where: NDArray[np.bool_]) -> FloatArray:
+    """Return the largest less the smallest of the values (c, ..) that count; below zero without
+    one.
+    """
+    largest = np.where(where, values, -np.inf).max(axis=0)
+    smallest = np.where(where, values, np.inf).min(axis=0)
+    spread: FloatArray = largest - smallest
+    return spread
 
 
 def _gaps(mine: FloatArray, theirs: FloatArray) -> Iterator[FloatArray]:

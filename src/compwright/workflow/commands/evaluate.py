@@ -226,7 +226,7 @@ def _plot(document: Mapping[str, Any], path: Path) -> bytes:
     if count > _PLOTTED:
         raise UsageError(
             Fault(
-                message="so many tests do not fit in one picture",
+                message="more tests than one picture holds",
                 expected=f"at most {_PLOTTED} tests, or --table",
                 found=str(count),
             )
