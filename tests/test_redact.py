@@ -307,9 +307,14 @@ def test_an_archive_gives_its_texts_and_they_read_as_the_archive(tmp_path: Path)
         ]
     )
     (tmp_path / "nc.arc").write_bytes(packed)
+    for name, text in CONTROLS["fanuc"].items():  # of another control, and more of it
+        (tmp_path / name).write_bytes(
+            filled(text.replace("%\n(", "N10100Q0P1\n" * 99 + "("), "latin-1")
+        )
     out = tmp_path / "out"
     assert told(packed) != []
-    assert compwright(["redact", str(tmp_path / "nc.arc"), "--out", str(out)]) == 0
+    words = [str(tmp_path / name) for name in ("CNC-PARA.TXT", "PITCH.TXT", "nc.arc")]
+    assert compwright(["redact", *words, "--out", str(out)]) == 0
     assert visible(out / "nc") == ["AX_EEC.INI", "INITIAL.INI"]
     assert [told((out / "nc" / name).read_bytes()) for name in visible(out / "nc")] == [[], []]
     answers = []

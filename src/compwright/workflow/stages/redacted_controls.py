@@ -94,10 +94,14 @@ def _decoded_otherwise(
     files: Sequence[ControlFile], copies: Mapping[str, ControlCopy]
 ) -> Iterator[str]:
     """Yield the names of files whose copies, taken together, give another correction."""
-    for control in sorted({copy.control for copy in copies.values()} & set(_definitions())):
-        group = [
-            file for file in files if file.name in copies and copies[file.name].control == control
-        ]
+    shapes = {
+        name: _definitions()[copy.control].layout.shape
+        for name, copy in copies.items()
+        if copy.control in _definitions()
+    }
+    for shape in sorted(set(shapes.values())):
+        group = [file for file in files if shapes.get(file.name) == shape]
+        control = copies[group[0].name].control
         renamed = {
             old.upper(): new for file in group for old, new in copies[file.name].renamed.items()
         }
@@ -165,8 +169,8 @@ def _sheet(file: ControlFile, cuts: Cuts) -> ControlCopy:
 
 
 def _likely(files: Sequence[ControlFile], format_id: str | None) -> dict[str, list[Definition]]:
-    """Return for each file the controls that it may be of, by what its beginning says; first that
-    of which all files say most.
+    """Return for each file the controls that it may be of, by what its beginning says: first that
+    of which it says most itself, then that of which those beside it do.
 
     Statements without a word of their own are in files of many kinds: a file of nothing else is a
     control's by its ending, where ``format_id`` says so, or as a text out of a container.
@@ -177,19 +181,25 @@ def _likely(files: Sequence[ControlFile], format_id: str | None) -> dict[str, li
         for file in files
         if not is_entry_sheet(file)
     }
-    totals = {
-        definition.id: sum(said[definition.id] for said in counts.values()) for definition in known
-    }
-    known.sort(key=lambda definition: -totals[definition.id])
-    return {
-        file.name: [
-            definition
-            for definition in known
-            if counts.get(file.name, {}).get(definition.id)
-            or (file.name in counts and (format_id is not None or _bare(file, definition)))
-        ]
-        for file in files
-    }
+    likely = {}
+    for file in files:
+        own = counts.get(file.name, {})
+        beside = [said for name, said in counts.items() if _set_of(name) == _set_of(file.name)]
+        totals = {one.id: sum(said[one.id] for said in beside) for one in known}
+        likely[file.name] = sorted(
+            (
+                one
+                for one in known
+                if own and (own[one.id] or format_id is not None or _bare(file, one))
+            ),
+            key=lambda one: (-own[one.id], -totals[one.id]),
+        )
+    return likely
+
+
+def _set_of(name: str) -> str:
+    """Return of which container a text is; empty for a file by itself."""
+    return name.rpartition("/")[0]
 
 
 def _bare(file: ControlFile, definition: Definition) -> bool:
