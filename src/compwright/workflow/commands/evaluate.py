@@ -41,7 +41,6 @@ from compwright.workflow.stages.measurement_files import (
     load_profile,
     measurement_files,
 )
-from compwright.workflow.stages.single_files import refuse_other_kinds
 
 if TYPE_CHECKING:  # positioning tests, the common case, start without the circular records
     from compwright.records.circular import CircularTest
@@ -215,7 +214,10 @@ def write_evaluation(
             raise UsageError(
                 *(fault.within(option).in_file(shown_path(path)) for fault in error.faults)
             ) from error
-    refuse_other_kinds(files, force=force)
+    if files:
+        from compwright.workflow.stages.single_files import refuse_other_kinds
+
+        refuse_other_kinds(files, force=force)
     return storage.write_files(Path(), {}, elsewhere=files, force=force)
 
 
