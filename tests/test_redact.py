@@ -340,6 +340,13 @@ def test_names_of_files_that_hold_a_text_or_a_serial_number_change(tmp_path: Pat
     ]
 
 
+def test_a_table_of_bare_numbers_stays(tmp_path: Path) -> None:
+    rows = b"-200 -200.0080 -199.9960\n0 0.0000 0.0120\n200 200.0100 200.0230\n"
+    (tmp_path / "x.comp").write_bytes(rows)
+    assert compwright(["redact", str(tmp_path / "x.comp"), "--out", str(tmp_path / "out")]) == 0
+    assert (tmp_path / "out" / "x.comp").read_bytes() == rows
+
+
 def test_a_file_that_another_names_is_found_under_its_new_name(tmp_path: Path) -> None:
     folder, out = tmp_path / "control", tmp_path / "out"
     folder.mkdir()

@@ -127,6 +127,13 @@ def _copy(file: ControlFile, likely: Sequence[Definition], cuts: Cuts) -> Contro
         raise not_the_same(file.name, again[0].message)
     if not same_statements(read, again, made.renamed):
         raise not_the_same(file.name, "other values")
+    for other in likely:  # whatever another control would read in it stays too
+        if other.layout.shape != definition.layout.shape and _said_at_first(file, other):
+            first, second = _read(file, other), _read(made.file, other)
+            if isinstance(first, ReadText) and not (
+                isinstance(second, ReadText) and same_statements(first, second, made.renamed)
+            ):
+                raise not_the_same(file.name, f"other values for {other.id}")
     allowed = definition_words(definition) | frozenset(made.words)
     refuse_left_over(file.name, cuts, [made.file.content], allowed)
     return ControlCopy(made.file.content, definition.id, made.renamed)
@@ -206,7 +213,10 @@ def _bare(file: ControlFile, definition: Definition) -> bool:
     """Whether a file is a control's without a word that tells of it."""
     if "/" in file.name or begins(definition, file.content):
         return True
-    return file.name.lower().endswith(_BARE_TABLE) and isinstance(_read(file, definition), ReadText)
+    if not file.name.lower().endswith(_BARE_TABLE):
+        return False
+    read = _read(file, definition)
+    return isinstance(read, ReadText) and bool(read.occurrences)
 
 
 def _said_at_first(file: ControlFile, definition: Definition) -> int:
