@@ -10,7 +10,6 @@ from typing import Any
 
 from compwright.documents.json_text import to_json
 from compwright.foundations import storage
-from compwright.workflow.stages.single_files import refuse_other_kinds
 
 
 def document_text(document: Mapping[str, Any]) -> str:
@@ -21,6 +20,10 @@ def document_text(document: Mapping[str, Any]) -> str:
 def write_document(document: Mapping[str, Any], path: Path, *, force: bool) -> None:
     """Write a document to a file of its own. Raises StorageError."""
     content = to_json(document).encode()
+    from compwright.workflow.stages.single_files import (
+        refuse_other_kinds,
+    )  # only now: `evaluate` of a positioning test loads no reader of circles
+
     refuse_other_kinds({path: content}, force=force)
     storage.write_file(path, content, force=force)
 
