@@ -8,6 +8,7 @@ definition. A command that is not known may act, so it is refused.
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
@@ -197,6 +198,7 @@ class _Reader:
         self.full = False
         self.buffers = Buffers()
         self.file, self.number, self.text = "", 0, ""
+        self.line_ends: list[int] = []  # of the text: counting them for each word takes its square
 
     def read(self, number: int) -> None:
         """Carry out the commands of one file; the addressed motor stays from file to file."""
@@ -204,6 +206,7 @@ class _Reader:
         self.file, self.number = file.name, number
         text = file.content.decode("latin-1").removesuffix("\x1a")
         self.text = _REMARK.sub(lambda remark: " " * len(remark[0]), text)
+        self.line_ends = [match.start() for match in re.finditer("\n", self.text)]
         place = 0
         while place < len(self.text):
             if self.text[place] in " \t\r\n":
@@ -230,7 +233,7 @@ class _Reader:
             )
 
     def _word(self, start: int, end: int) -> Word:
-        line = self.text.count("\n", 0, start) + 1
+        line = bisect_left(self.line_ends, start) + 1
         return Word(self.text[start:end], self.file, self.number, line, start, end)
 
     def _fault(self, word: Word, message: str, expected: str, found: str | None = None) -> None:
