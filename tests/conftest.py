@@ -3,9 +3,9 @@ modules about the control's files say `pytest.mark.brief`; random cases have fix
 
 Painting is two thirds of the time of a run. Figures are looked at in the tests of the reporting
 room, of the examples and of the plots that `evaluate` writes. Of the rest most is sampling. Where a
-measured axis is only the way to a control's files, the same stages run with fewer sweeps and fewer
-fresh tests; what the estimate and the prediction say is tested where nothing is brief. Fixed seeds:
-a test fails every time or never; new cases are tried in ``benchmarks/``.
+measured axis or circle is only the way to a control's files, the same stages run with fewer sweeps
+and fewer fresh tests; what the estimate and the prediction say is tested where nothing is brief.
+Fixed seeds: a test fails every time or never; new cases are tried in ``benchmarks/``.
 
 No power fails while tests run: nothing waits until it is on the disk. Processes that tests start
 share what one of them has compiled, also where nothing is to be written beside the modules.
@@ -21,7 +21,7 @@ from hypothesis import settings
 
 from compwright.estimation import axis, noise
 from compwright.foundations.processors import look_for_garbage_seldom
-from compwright.planning import fresh, outlook, worth
+from compwright.planning import circles, fresh, outlook, worth
 from frames import unpaint
 
 look_for_garbage_seldom()  # as every command does
@@ -66,5 +66,6 @@ def sampled(request: pytest.FixtureRequest) -> Iterator[None]:
                 patch.setattr(module, "_DRAWS", 12)
             for module in (fresh, outlook):
                 patch.setattr(module, "DRAWS", 240)
+            patch.setattr(circles, "DRAWS", 20)
             patch.setattr(worth, "_SIZES", 2)
         yield

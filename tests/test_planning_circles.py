@@ -74,7 +74,7 @@ def test_a_table_that_lengthens_an_axis_lengthens_the_circle_along_it(
 ) -> None:
     """100 µm/m on X alone over a radius of 100 mm: 10 µm at 0° and 180°, nothing at 90°."""
     monkeypatch.setattr(
-        planning_circles, "predict_circle", lambda _result, expected, _rng: expected
+        planning_circles, "predict_circle", lambda _result, expected, _rng, _draws: expected
     )
     test = measured()
     planned = replace(circle_of({}).planned, test=test, centre=(500.0, -300.0))

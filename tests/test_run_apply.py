@@ -22,6 +22,8 @@ from compwright.cli import run as compwright
 from compwright.records.axis import Direction
 from test_run_circles import AXIS_X, CEC, SIEMENS, Bent, codes, judge_of, measure, write_circle
 
+pytestmark = pytest.mark.brief
+
 #: What the option cec of the SINUMERIK needs to be written at all; whole jobs differ in the rest.
 ADDRESSES = {SIEMENS: ("AX1", "AX2"), "linuxcnc": ("0", "1"), "fanuc-30i": ("1", "2")}
 

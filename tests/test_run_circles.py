@@ -34,6 +34,8 @@ from compwright.simulation.circular import CircleAxis, CircleErrors, CirclePlan,
 from compwright.simulation.circular_files import to_circular_csv
 from loop import Floats, Machine, csv_of
 
+pytestmark = pytest.mark.brief
+
 SIEMENS = "siemens-840d-sl"
 CEC = "{cec: available, cec_sign: correction, cec_tables: [0, 1, 2, 3, 4, 5, 6, 7]}"
 CENTRE = (400.0, -250.0)

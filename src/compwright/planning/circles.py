@@ -7,6 +7,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 
@@ -24,6 +25,8 @@ from compwright.records.prediction import CirclePrediction
 CIRCULAR_STANDARD = "iso230-4:2005"
 #: A circular deviation that grows by this factor or less is told by the numbers alone.
 WORSE = 1.1
+#: Fresh circular tests that are drawn.
+DRAWS: Final = 100
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,4 +212,5 @@ def predicted_circle(
     seed = hashlib.sha256(
         f"circle\x1f{planned.test.name}".encode("utf-8", "surrogatepass")
     ).digest()
-    return predict_circle(result, expected, np.random.default_rng(int.from_bytes(seed[:8], "big")))
+    rng = np.random.default_rng(int.from_bytes(seed[:8], "big"))
+    return predict_circle(result, expected, rng, DRAWS)

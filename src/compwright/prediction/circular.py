@@ -24,7 +24,6 @@ from compwright.records.settled import settled_number
 
 __all__ = ["CirclePath", "moved_test", "path_of", "predict_circle"]
 
-DRAWS: Final = 100
 #: Samples over which the path is taken as a parabola: 2.6° of a usual ballbar's 1500, well within
 #: the decay of a reversal spike.
 _WINDOW: Final = 11
@@ -95,7 +94,7 @@ def moved_test(
 
 
 def predict_circle(
-    before: CircularResult, expected: CircularResult, rng: np.random.Generator, draws: int = DRAWS
+    before: CircularResult, expected: CircularResult, rng: np.random.Generator, draws: int
 ) -> CirclePrediction:
     """Return what a fresh test will show. ``expected``: the test ``before`` moved by what changes,
     evaluated and diagnosed.
