@@ -181,7 +181,7 @@ class _Work:
         disk.move(new_file(part.folder, 0), target)
         with suppress(OSError):  # it is done
             disk.sync_folder(target.parent)
-            self._clear()
+        self._clear()
 
     def _begin(self) -> None:
         """Put the journals in place, that of the folder which decides last: from now on the earlier
@@ -237,14 +237,15 @@ class _Work:
         sync_folders(self.sets)
         first, _ = self.sets[0]
         (first / UNFINISHED / JOURNAL).unlink()
-        with suppress(OSError):  # it is done; what is left is cleared away by the next command
+        with suppress(OSError):  # it is done; what is left waits for the next command then
             disk.sync_folder(first / UNFINISHED)
             self._clear()
 
     def _clear(self) -> None:
-        """Remove the folders of what is unfinished."""
+        """Remove the folders of what is unfinished; what cannot be, the next command clears away."""
         for lock in self.locks:
-            clear(lock)
+            with suppress(OSError):
+                clear(lock)
 
     def _take_back(self) -> tuple[Fault, ...]:
         """Undo what was done; return why that was not possible, where it was not."""
@@ -258,8 +259,7 @@ class _Work:
                 found=reason(error) if isinstance(error, OSError) else str(error),
             )
             return (left,)
-        with suppress(OSError):
-            self._clear()
+        self._clear()
         for folder in reversed(self.above):
             with suppress(OSError):
                 folder.rmdir()
