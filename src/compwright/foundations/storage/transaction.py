@@ -242,7 +242,7 @@ class _Work:
             self._clear()
 
     def _clear(self) -> None:
-        """Remove the folders of what is unfinished; what cannot be, the next command clears away."""
+        """Remove the folders of what is unfinished; what cannot be removed waits for the next."""
         for lock in self.locks:
             with suppress(OSError):
                 clear(lock)
