@@ -181,6 +181,17 @@ def test_a_usual_lead_is_named_as_it_is() -> None:
     assert named(search) == [10.0]
 
 
+@pytest.mark.parametrize(("length", "seed"), [(200.0, 5), (310.0, 6)])
+def test_the_shortest_lead_is_searched_and_not_taken_for_twice_of_it(
+    length: float, seed: int
+) -> None:
+    """A lead of 2 mm, below which nothing is searched, seldom lies on a step of the search."""
+    search = searched(
+        lambda x: 0.5 * bow(x) + 0.002 * np.sin(np.pi * x + 0.3), 16, seed, length=length
+    )
+    assert named(search) == [2.0]
+
+
 def test_two_periods_are_found_one_after_another() -> None:
     search = searched(
         lambda x: (

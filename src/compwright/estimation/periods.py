@@ -158,7 +158,8 @@ def searched(targets: FloatArray, kind: AxisKind) -> FloatArray:
         return np.zeros(0)
     step = 1.0 / (_PER_RESOLUTION * length)
     first = round(LEAST_REPEATS * _PER_RESOLUTION)
-    last = min(int(1.0 / (SHORTEST[kind] * step)), first + _MOST_FREQUENCIES - 1)
+    # The shortest lies within, seldom on a step.
+    last = min(int(np.ceil(1.0 / (SHORTEST[kind] * step))), first + _MOST_FREQUENCIES - 1)
     found: FloatArray = step * np.arange(first, last + 1, dtype=np.float64)
     return found
 
