@@ -11,8 +11,10 @@ import numpy as np
 import pytest
 
 from compwright.estimation.noise import LEAST_DOF, noise_of
+from compwright.estimation.noise_chain import WAYS, Chain
 from compwright.estimation.noise_posterior import NoisePosterior
-from compwright.estimation.noise_rounding import common_std, rounded_std
+from compwright.estimation.noise_readings import readings_of
+from compwright.estimation.noise_rounding import common_std, rounded_std, rounded_stds
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.noise import INDEPENDENT, RUNS
 from compwright.records.positioning import PositioningTest
@@ -57,6 +59,39 @@ def inside(truth: float, draws: FloatArray, reach: float = 0.005) -> bool:
     """Whether the central 99 % of the draws hold the truth."""
     low, high = np.quantile(draws, [reach, 1.0 - reach])
     return bool(low <= truth <= high)
+
+
+# --- draws
+# --------------------------------------------------------------------------------------------------
+
+
+def test_each_sweep_offers_distributions_of_the_errors_as_probable_as_they_are() -> None:
+    """Systematic sampling (Cochran 1977, chapter 8): of n from a list, a member of probability p is
+    taken n p times, rounded up or down; the sampler goes on with one of them.
+    """
+    readings = white(3)
+    readings[0, 4, 1] += 6.0
+    test = made(readings)
+    chain = Chain(test, readings_of(test), np.random.default_rng(5))
+    for _ in range(12):
+        chain.sweep()
+        taken = np.bincount(chain.tails, minlength=chain.tail_chances.size)
+        assert np.all(np.abs(taken - WAYS * chain.tail_chances) < 1.0)
+        assert (chain.tail, chain.sigma) == (chain.tails[0], chain.sigmas[0])
+
+
+def test_fresh_noise_belongs_to_the_draws_of_the_estimate() -> None:
+    """Pairs of sweeps with one of them kept: of every pair the traverses of both, and of the one
+    that is kept scales as large as its own."""
+    shifts = 1.5 * np.random.default_rng(6).standard_normal((2, 1, N))
+    found = posterior(white(6) + shifts)
+    count = found.draws.count
+    offset, sigma = (part.reshape(count, -1) for part in (found.fresh.offset, found.fresh.sigma))
+    assert offset.shape == (count, 2 * WAYS)
+    assert np.all(np.any(offset == found.draws.offset[:, np.newaxis], axis=1))
+    assert {len(set(row)) for row in offset.tolist()} <= {1, 2}
+    assert np.mean(found.fresh.sigma) == pytest.approx(np.mean(found.draws.sigma), rel=0.03)
+    assert np.unique(sigma).size > 4 * count
 
 
 # --- nothing but white noise
@@ -237,6 +272,13 @@ def test_rounded_readings_scatter_as_they_do_when_they_are_rounded(sigma: float)
     readings = rng.random((4000, 1)) + sigma * rng.standard_normal((4000, 50))
     variance = np.mean(np.var(np.round(readings), axis=1, ddof=1))
     assert rounded_std(3.0 * sigma, 3.0) == pytest.approx(3.0 * np.sqrt(variance), rel=0.05)
+
+
+def test_many_scales_are_rounded_as_each_of_them() -> None:
+    sigmas = np.array([0.05, 0.31, 0.31, 0.9, 2.0]) * UM
+    expected = [rounded_std(float(sigma), UM) for sigma in sigmas]
+    assert rounded_stds(sigmas, UM) == pytest.approx(expected, rel=1e-3)
+    assert rounded_stds(sigmas[:1], UM) == pytest.approx(expected[:1])
 
 
 @pytest.mark.parametrize("sigma", [0.0, 0.1, 0.25, 0.4])

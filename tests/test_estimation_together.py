@@ -50,8 +50,10 @@ def known(test: PositioningTest, sigma: float, offset: float = 0.0) -> ObservedT
     runs = test.positive.shape[1]
     up = np.repeat([1.0, 0.0], test.targets.size)
     columns = offset / np.sqrt(runs) * np.column_stack([up, 1.0 - up])
+    readings = replace(normal_noise(np.array([sigma])), offset=np.array([offset]))
     noise = NoisePosterior(
-        draws=replace(normal_noise(np.array([sigma])), offset=np.array([offset])),
+        draws=readings,
+        fresh=readings,
         mean=means[np.newaxis],
         precision=np.full((1, means.size), runs / sigma**2),
         columns=columns[np.newaxis],
@@ -89,6 +91,24 @@ def test_the_mean_reversal_varies_as_the_components_of_variance_say(offset: floa
     expected = np.sqrt(2 * sigma**2 / (runs * X.size) + 2 * offset**2 / runs)
     # 4000 draws tell a standard deviation to 1.1 %; four times that, and 1 % for the vague prior.
     assert np.std(drawn) == pytest.approx(expected, rel=0.055)
+
+
+def test_fresh_tests_follow_all_that_is_told_of_their_noise_evenly() -> None:
+    """Of two tests: each has the noise of its own kind."""
+    rng = np.random.default_rng(2)
+    tests = [known(noisy(rng, sigma), sigma) for sigma in (1.0 * UM, 2.0 * UM)]
+    sizes = np.array([1.0, 1.2, 1.3, 1.6]) * UM
+    tests = [
+        replace(each, noise=replace(each.noise, fresh=normal_noise(factor * sizes)))
+        for each, factor in zip(tests, (1.0, 2.0), strict=True)
+        if each.noise is not None
+    ]
+    posterior = estimate_axis(tests, travel=TRAVEL)
+    for place, factor in enumerate((1.0, 2.0)):
+        drawn = posterior.draw(X, 402, np.random.default_rng(4), place).noise.sigma[:, 0]
+        found, often = np.unique(drawn, return_counts=True)
+        assert found == pytest.approx(factor * sizes)
+        assert sorted(often) == [100, 100, 101, 101]
 
 
 def test_two_tests_count_by_their_inverse_variances() -> None:
@@ -219,6 +239,7 @@ def test_no_draw_of_the_noise_is_picked_by_the_chance_that_moved_its_means() -> 
     noise = replace(
         one,
         draws=normal_noise(sizes),
+        fresh=normal_noise(sizes),
         mean=mean,
         precision=np.tile(one.precision, (48, 1)),
         columns=np.tile(one.columns, (48, 1, 1)),

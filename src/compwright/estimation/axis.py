@@ -193,7 +193,7 @@ class AxisPosterior:
         seats = np.concatenate([part.draws for part in self.parts])[owner]
         own = self.cells.noises[test]
         if own is not None:
-            return own.taken(seats)
+            return own.taken(_in_turn(seats, own.count // self.cells.data.draws))
         sigma = self.cells.data.scale * np.sqrt(variances)
         low, high = self.measured
         if self.cells.donor is None:
@@ -263,6 +263,16 @@ def estimate_axis(
         ),
         search=search,
     )
+
+
+def _in_turn(seats: NDArray[np.intp], each: int) -> NDArray[np.intp]:
+    """Return for ``seats`` (count,) which of the ``each`` members of a seat each takes: in turn."""
+    order = np.argsort(seats, kind="stable")
+    ordered = seats[order]
+    turn = np.arange(seats.size) - np.searchsorted(ordered, ordered)
+    taken = np.empty_like(seats)
+    taken[order] = ordered * each + turn % each
+    return taken
 
 
 def _significant(value: float) -> float:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from compwright.estimation.basis import HARMONICS, folded, hidden_share
 from compwright.estimation.evidence import CellData
+from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed import CellMeans, ObservedTest, cell_means
 from compwright.estimation.own_lines import own_columns
 from compwright.foundations.errors import Fault, InputError
@@ -36,8 +37,9 @@ class Cells:
     reversal/2``, and the guesses of the spread.
 
     ``spread`` and ``roughness`` are in units of ``data.scale``: noise of one reading as guessed,
-    scatter about the straight line. ``noises``: by test, the draws of its noise in the order of
-    ``data``; ``donor``: the first of them that is known, None for none. ``slopes``: by test, the
+    scatter about the straight line. ``noises``: by test, the noise of a fresh one like it, as much
+    of it for each draw of ``data``, in their order; ``donor``: the draws of the first whose noise
+    is known, None for none. ``slopes``: by test, the
     column of its own slope in ``data.extra``, None for none. ``repeated``: there are readings of
     one cell in one test.
     """
@@ -94,11 +96,9 @@ def cells_of(tests: Sequence[ObservedTest], *, endless: bool = False) -> Cells:
     for index, each in enumerate(tests):
         own = np.arange(draws) % (draws if each.noise is None else each.noise.draws.count)
         orders.append(rng.permutation(own) if index else own)
-    noises = tuple(
-        None if each.noise is None else each.noise.draws.taken(order)
-        for each, order in zip(tests, orders, strict=True)
-    )
-    donor = next((each for each in noises if each is not None), None)
+    told = [(each.noise, order) for each, order in zip(tests, orders, strict=True)]
+    noises = tuple(None if noise is None else _fresh(noise, order) for noise, order in told)
+    donor = next((noise.draws.taken(order) for noise, order in told if noise is not None), None)
     parts = [cell_means(each, order, donor) for each, order in zip(tests, orders, strict=True)]
     positions = np.concatenate([part.positions for part in parts])
     targets = _distinct(positions)
@@ -113,6 +113,12 @@ def cells_of(tests: Sequence[ObservedTest], *, endless: bool = False) -> Cells:
         )
     line = _line(parts, targets, endless=endless)
     return _stacked(tests, parts, targets, line, noises, donor)
+
+
+def _fresh(noise: NoisePosterior, order: NDArray[np.intp]) -> NoiseDraws:
+    """Return what fresh tests have of the noise, for its draws in ``order`` (n,)."""
+    each = noise.fresh.count // noise.draws.count
+    return noise.fresh.taken((order[:, np.newaxis] * each + np.arange(each)).ravel())
 
 
 def _distinct(positions: FloatArray) -> FloatArray:

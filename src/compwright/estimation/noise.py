@@ -11,20 +11,21 @@ integrated out where its size is drawn.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
 
 from compwright.estimation.noise_cells import cell_means
-from compwright.estimation.noise_chain import Chain, Draw
+from compwright.estimation.noise_chain import WAYS, Chain, Draw
 from compwright.estimation.noise_findings import noise_findings
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.noise_readings import Readings, readings_of
-from compwright.estimation.noise_rounding import rounded_std
+from compwright.estimation.noise_rounding import rounded_stds
 from compwright.estimation.noise_tails import REACH, TAILS
 from compwright.estimation.noise_traverses import RATES
 from compwright.records.axis import FloatArray
-from compwright.records.noise import NoiseDraws
+from compwright.records.noise import IndexArray, NoiseDraws
 from compwright.records.positioning import PositioningTest
 
 #: Below this many contrasts the noise is left to the estimate of the curve.
@@ -50,13 +51,17 @@ def noise_of(test: PositioningTest) -> NoisePosterior | None:
     reach = [draw.sigma * REACH[draw.tail] for draw in sweeps]
     pairs = np.argsort(reach, kind="stable").reshape(_DRAWS, 2)
     # Of two beside each other one, in turn the lower and the upper: kept draws reach as far as all.
-    draws = [sweeps[pair[place % 2]] for place, pair in enumerate(pairs)]
-    cells = [cell_means(draw, readings, chain.shapes, chain.step) for draw in draws]
-    sigma = np.array([draw.sigma for draw in draws])
-    if chain.step:
-        sigma = np.array([rounded_std(each, chain.step) for each in sigma])
+    kept = pairs[np.arange(_DRAWS), np.arange(_DRAWS) % 2]
+    cells = [cell_means(sweeps[k], readings, chain.shapes, chain.step) for k in kept]
+    sigma = _as_shown(np.array([draw.sigma for draw in sweeps])[kept], chain.step)
+    tail = np.array([draw.tail for draw in sweeps])[kept]
+    # Fresh tests cost next to nothing: they follow both, and each of the two in several ways.
+    both, way = np.tile(pairs, WAYS).ravel(), np.tile(np.repeat(np.arange(WAYS), 2), _DRAWS)
+    reached = _as_shown(np.array([draw.sigmas for draw in sweeps])[both, way], chain.step)
+    tails = np.array([draw.tails for draw in sweeps])[both, way]
     return NoisePosterior(
-        draws=_noise(readings, draws, sigma),
+        draws=_noise(readings, [sweeps[k] for k in kept], tail, sigma),
+        fresh=_noise(readings, [sweeps[k] for k in both], tails, reached),
         mean=np.array([cell.mean for cell in cells]),
         precision=np.array([cell.precision for cell in cells]),
         columns=np.array([cell.columns for cell in cells]),
@@ -66,8 +71,18 @@ def noise_of(test: PositioningTest) -> NoisePosterior | None:
     )
 
 
-def _noise(readings: Readings, draws: list[Draw], sigma: FloatArray) -> NoiseDraws:
-    tails = [TAILS[draw.tail] for draw in draws]
+def _as_shown(sigma: FloatArray, step: float) -> FloatArray:
+    """Return scales of readings (count,) as the instrument shows them, which rounds to ``step``."""
+    return rounded_stds(sigma, step) if step else sigma
+
+
+def _noise(
+    readings: Readings, draws: Sequence[Draw], members: IndexArray, sigma: FloatArray
+) -> NoiseDraws:
+    """Return the noise of the ``draws`` with errors of the scales ``sigma`` (count,), which follow
+    the ``members`` (count,) of `TAILS`.
+    """
+    tails = [TAILS[member] for member in members]
     spread = np.array([draw.spread for draw in draws])
     sizes = np.array([draw.size for draw in draws])
     drift = np.array([draw.drift for draw in draws])

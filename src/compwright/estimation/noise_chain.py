@@ -30,6 +30,8 @@ _FACTORS: Final = np.exp(_STEP * np.arange(-4, 5))
 #: Draws of means and tails in one sweep: they hold each other (a mean that was drawn under heavy
 #: tails makes them look heavy), traverses hardly enter.
 _TURNS: Final = 3
+#: Distributions of the errors, with their scales, that are taken from one sweep.
+WAYS: Final = 4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,13 +42,16 @@ class Draw:
     direction and waves;
     ``tail``: place in `TAILS`; ``size`` (4,), ``pattern``, ``rate``: of the traverses (`Sizes`);
     ``drift`` (2,). ``effects`` (k,) of the traverses, drift included, and their ``covariance``
-    given ``data`` of unit weight ``variance``. ``absent``, ``absent_spread``, ``tail_chances``: how
-    probable each part was nothing, or each tail was the one; ``outlier`` (c, n): taken for one.
+    given ``data`` of unit weight ``variance``. ``tails``, ``sigmas`` (`WAYS`,): members and scales
+    that were as likely as ``tail`` with its own. ``absent``, ``absent_spread``, ``tail_chances``:
+    how probable each part was nothing, or each tail was the one; ``outlier`` (c, n): taken for one.
     """
 
     sigma: float
     spread: FloatArray
     tail: int
+    tails: NDArray[np.intp]
+    sigmas: FloatArray
     pattern: int
     size: FloatArray
     drift: FloatArray
@@ -124,6 +129,8 @@ class Chain:
             sigma=float(np.sqrt(variance)),
             spread=self.spread.copy(),
             tail=self.tail,
+            tails=self.tails,
+            sigmas=self.sigmas,
             pattern=self.sizes.pattern,
             size=self.sizes.size * np.sqrt(variance),
             drift=drift,
@@ -207,17 +214,24 @@ class Chain:
     def _take_tail(self, z: FloatArray) -> None:
         """Draw the distribution of the errors together with their scale, from errors (c, n) in
         present scales; then what each reading was under it. What moves traverses stays as large.
+
+        Others as likely are kept beside it, evenly over all (systematic sampling: Cochran, Sampling
+        Techniques, 3rd ed. 1977, chapter 8): how far readings reach is what differs most from sweep
+        to sweep.
         """
         counted = self.readings.there & (self.dof > 0)[:, np.newaxis]
         factors = _FACTORS * np.exp(self.rng.uniform(-0.5, 0.5) * _STEP)
         chances = chances_of(z[counted], factors)
         self.tail_chances = chances.sum(axis=1)
         cumulative = np.cumsum(chances)
-        drawn = int(np.searchsorted(cumulative, self.rng.random() * cumulative[-1]))
-        self.tail, place = divmod(min(drawn, chances.size - 1), factors.size)
-        self.sigma *= float(factors[place])
-        self.sizes.size /= factors[place]
-        self.latent = draw_latent(TAILS[self.tail], z / factors[place], self.rng)
+        steps = (self.rng.random() + np.arange(WAYS) / WAYS) % 1.0
+        drawn = np.minimum(np.searchsorted(cumulative, steps * cumulative[-1]), chances.size - 1)
+        self.tails, places = np.divmod(drawn, factors.size)
+        self.sigmas = self.sigma * factors[places]
+        self.tail, factor = int(self.tails[0]), float(factors[places[0]])
+        self.sigma *= factor
+        self.sizes.size /= factor
+        self.latent = draw_latent(TAILS[self.tail], z / factor, self.rng)
 
 
 def _medians(values: FloatArray) -> FloatArray:

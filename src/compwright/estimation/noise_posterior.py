@@ -27,10 +27,12 @@ class NoisePosterior:
     ``columns`` (count, 2m, q): what offsets and tilts of the traverses leave common to the means,
     as columns of unit variance. Given draw k the means are normal about the errors of the cells
     with covariance columns columns' + 1 / precision. What drifts with the runs is taken out of
-    the means. ``sigma``: standard deviation of one reading, with ``dof`` degrees of freedom.
+    the means. ``fresh``: noise of a fresh test, as many draws of it for each of the others, in
+    their order. ``sigma``: standard deviation of one reading, with ``dof`` degrees of freedom.
     """
 
     draws: NoiseDraws
+    fresh: NoiseDraws
     mean: FloatArray
     precision: FloatArray
     columns: FloatArray

@@ -24,6 +24,8 @@ _PHASES: Final = 12
 #: Scatter that is tried, in steps: from hardly any on.
 _QUIET: Final = 0.03
 _TRIED: Final = 16
+#: Logarithms of scatter between which a straight line is as good as the sum itself.
+_APART: Final = 0.08
 #: Terms of the series of the mean error of rounding.
 _ORDERS: Final = 100
 
@@ -65,6 +67,17 @@ def rounded_std(sigma: float, step: float) -> float:
     chances = np.diff(np.hstack([edges[0], below, edges[1]]), axis=1)
     means = chances @ numbers
     return step * float(np.sqrt(np.mean(chances @ numbers**2 - means**2)))
+
+
+def rounded_stds(sigmas: FloatArray, step: float) -> FloatArray:
+    """Return `rounded_std` of each of the ``sigmas`` (n,), to a thousandth."""
+    logs = np.log(sigmas)
+    low, high = float(np.min(logs)), float(np.max(logs))
+    places = np.linspace(low, high, int(np.ceil((high - low) / _APART)) + 2)
+    found: FloatArray = np.interp(
+        logs, places, [rounded_std(float(np.exp(place)), step) for place in places]
+    )
+    return found
 
 
 def common_std(sigma: float, step: float) -> float:

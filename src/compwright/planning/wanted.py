@@ -92,7 +92,8 @@ class MeasuredError:
         place, own = self.counted[test], self.noises[test]
         draws = self.own.draw(positions, count, rng, place or 0)
         if place is None and own is not None:
-            draws = replace(draws, noise=own.draws.taken(np.arange(count) % own.draws.count))
+            evenly = np.arange(count) * own.fresh.count // count
+            draws = replace(draws, noise=own.fresh.taken(evenly))
         if self.active is None:
             return draws
         return replace(
