@@ -1,7 +1,7 @@
 """`run --force` killed at every system call that changes a disk, has it lasting or locks: what the
 next command then finds.
 
-``python benchmarks/kill_run.py [--every N] [--putting-right | --whole]`` (POSIX with ``strace``).
+``python benchmarks/kill_run.py [--every N] [--putting-right]`` (POSIX with ``strace``).
 
 A result folder of an earlier job, verified, with a file for ``--json`` beside it and notes of the
 user in both, is written anew by `run --force`. Its stage of writing is done again as a process of
@@ -9,9 +9,8 @@ its own, with the same files, and killed (SIGKILL on entry of the call, ``strace
 call, its second, and so on (``--every N``: at each N-th). Then another command reads the folder,
 each in turn, and every file is compared by its sha256: all as before the run, or all as after it,
 the notes as they were. ``--putting-right``: the command that takes back is killed too, at each of
-its calls, and another one reads. ``--whole``: the whole command `run --force` is killed, at each
-call but those by which it also talks to its other processes (some seconds for each). Prints counts
-by what was found; exit 1 where anything was mixed or lost.
+its calls, and another one reads. Prints counts by
+what was found; exit 1 where anything was mixed or lost.
 """
 
 from __future__ import annotations
@@ -37,7 +36,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
 from compwright.cli import run as compwright
 from compwright.foundations import storage
-from killing import SYSTEM_CALLS, WORKS, calls_of, killed_at
+from killing import WORKS, calls_of, killed_at
 from loop import Machine, csv_of
 
 CONTROL = "siemens-840d-sl"
@@ -52,8 +51,6 @@ axes:
 JSON = "beside/prediction.json"
 NOTES = ("job/notes.txt", "job/card/notes.txt", "job/inputs/notes.txt", "beside/notes.txt")
 HIDDEN = ".compwright-unfinished"
-#: Calls by which processes also talk to each other.
-TALKING = ("write", "writev", "link", "linkat", "unlink", "unlinkat", "mkdir", "mkdirat")
 #: Who reads next, in the folder above the results.
 COMMANDS: dict[str, list[str]] = {
     "decode": ["decode", f"job/tables/{CONTROL}", "--format", CONTROL],
@@ -72,7 +69,6 @@ given = pickle.loads(Path(sys.argv[1]).read_bytes())
 known = lambda name, _content: name in given["known"]
 storage.write_files(given["folder"], given["files"], known=known, **given["words"])
 """
-WHOLE = ["-m", "compwright", "run", "job.yaml", "--force", "--json", JSON]
 READING = "import sys; from compwright.cli import run; run(sys.argv[1:])"
 
 
@@ -160,17 +156,15 @@ def listed(known: Callable[[str, bytes], bool], folder: Path) -> set[str]:
 class Trial:
     """One folder before the run, made again for each kill."""
 
-    def __init__(self, top: Path, *, whole: bool) -> None:
+    def __init__(self, top: Path) -> None:
         self.top, self.before, self.log = top / "hall", top / "before", top / "log"
         self.top.mkdir()
         self.kept = prepare(self.top)
         shutil.copytree(self.top, self.before)
-        words = WHOLE if whole else ["-c", WRITING, str(self.kept)]
-        self.command = [sys.executable, *words]
+        self.command = [sys.executable, "-c", WRITING, str(self.kept)]
         self.old = digests(self.top)
         with inside(self.top):
-            names = [name for name in SYSTEM_CALLS if not (whole and name in TALKING)]
-            self.calls = calls_of(self.command, self.log, names, good=(0, 1) if whole else (0,))
+            self.calls = calls_of(self.command, self.log)
         self.new = digests(self.top)
         if any(self.old[name] != self.new[name] for name in NOTES):
             sys.exit("the notes of the user were changed")
@@ -258,14 +252,13 @@ def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--every", type=int, default=1)
     parser.add_argument("--putting-right", action="store_true")
-    parser.add_argument("--whole", action="store_true")
     asked = parser.parse_args()
     if not WORKS:
         print("strace is not there, or may not trace: nothing was tried")
         return 0
     start = time.perf_counter()
     with tempfile.TemporaryDirectory() as made:
-        trial = Trial(Path(made), whole=asked.whole)
+        trial = Trial(Path(made))
         changed = sum(trial.new.get(name) != digest for name, digest in trial.old.items())
         print(
             f"{len(trial.old)} files before, {len(trial.new)} after, {changed} of the earlier ones"
