@@ -132,13 +132,12 @@ def main() -> None:
         signal.signal(signal.SIGALRM, _stop)
     every = samples(*documents())
     chosen = [one for one in every if any(word in one.name for word in words.only)]
-    total: Counter[str] = Counter()
+    before = words.results.read_text() if words.results and words.results.exists() else "{}"
+    total = Counter(json.loads(before))
     for sample in chosen:
         total += one_sample(sample, words.seconds / len(chosen), words.seed)
-    if words.results is not None:
-        before = json.loads(words.results.read_text()) if words.results.exists() else {}
-        total = Counter(before) + total
-        words.results.write_text(json.dumps(total, indent=1, sort_keys=True))
+        if words.results:
+            words.results.write_text(json.dumps(total, indent=1, sort_keys=True))
     told = ", ".join(f"{count} {what}" for what, count in sorted(total.items()))
     print(f"{sum(total.values())} inputs: {told}")
     sys.exit(any(total[what] for what in FOUND))

@@ -191,7 +191,7 @@ def _grid(found: _Text, marks: DecimalMarks, faults: FaultList) -> list[float]:
     if start is None or end is None or spacing is None:
         return []
     steps = (end - start) / spacing if spacing else -1.0
-    if steps < 0 or abs(steps - round(steps)) * abs(spacing) > _SAME or steps > MOST_TARGETS:
+    if not 0 <= steps <= MOST_TARGETS or abs(steps - round(steps)) * abs(spacing) > _SAME:
         faults.add(
             "start, end and spacing do not fit together",
             place=found.place("compensation spacing"),
