@@ -159,7 +159,7 @@ def test_whole_numbers_may_be_counts() -> None:
     assert test.positive[:, 0] == pytest.approx([0.0, 0.013, 0.021], rel=1e-15)
 
 
-@pytest.mark.parametrize("spacing", ["1e-320", "0", "-25", "1e300", "0.0000001"])
+@pytest.mark.parametrize("spacing", ["1e-320", "0", "-25", "1e6", "0.0000001"])
 def test_a_spacing_that_no_table_has(spacing: str) -> None:
     with pytest.raises(InputError, match="start, end and spacing do not fit together"):
         read(compensation_file(ROWS, spacing=f"{spacing} mm"))
