@@ -155,6 +155,8 @@ def test_a_rotary_axis_has_the_keys_in_its_own_units() -> None:
         ("{outliers: {share_percent: 1}}", "size_um: missing"),
         ("{outliers: {size_um: 1}}", "share_percent: missing"),
         ("{tails_dof: 0}", "tails_dof: is not such a number"),
+        ("{noise_um: 1e-320}", "noise_um: is not such a number"),
+        ("{drift_um: 1.0e+10}", "drift_um: is not such a number"),
         ("{growth_of_noise: -1}", "growth_of_noise: is not such a number"),
         ("{noise_negative_um: -1}", "noise_negative_um: is not such a number"),
         ("{traverses: {offset_um: -1}}", "offset_um: is not such a number"),

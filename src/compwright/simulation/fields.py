@@ -11,7 +11,8 @@ from typing import Any
 from compwright.foundations.errors import Fault
 from compwright.foundations.yaml_reader import KeyPath, YamlDocument
 
-_LARGEST = 1e9  # mm or deg, µm or arcsec: nothing on a machine is larger
+# mm or deg, µm or arcsec: nothing on a machine is larger, or smaller and not 0
+_SMALLEST, _LARGEST = 1e-9, 1e9
 
 
 class Section:
@@ -44,8 +45,8 @@ class Section:
         least: float | None = None,
         above: float | None = None,
     ) -> float:
-        """Return a finite number; ``default`` None: required. ``least`` and ``above`` are lower
-        limits (with, without equality).
+        """Return a finite number of a size that means something; ``default`` None: required.
+        ``least`` and ``above`` are lower limits (with, without equality).
         """
         if not self._given(key, required=default is None):
             return default if default is not None else 1.0
@@ -161,9 +162,9 @@ class Section:
 
 
 def _is_number(value: object) -> bool:
-    return (
-        isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= _LARGEST
-    )  # false for nan as well
+    if not isinstance(value, int | float) or isinstance(value, bool):
+        return False
+    return value == 0 or _SMALLEST <= abs(value) <= _LARGEST  # false for nan
 
 
 def _shown(value: object) -> str:
