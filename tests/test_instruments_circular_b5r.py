@@ -493,3 +493,11 @@ def test_any_change_of_a_file_is_read_or_refused(data: st.DataObject) -> None:
         assert math.isfinite(test.feed)
         assert test.feed > 0
         assert 90 - 1e-6 <= test.arc[1] <= 360
+
+
+def test_a_run_that_stands_elsewhere_is_told() -> None:
+    moved = document().replace(b"<NOMINAL_LENGTH>", run_xml().encode() + b"<NOMINAL_LENGTH>")
+    (finding,) = [one for one in read(moved).findings if one.code == "CW-R063"]
+    assert finding.severity == "warning"
+    assert "line 5 'BALLBAR_RUN'" in finding.message
+    assert "CW-R063" not in {one.code for one in read(document()).findings}

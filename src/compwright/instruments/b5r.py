@@ -30,6 +30,7 @@ from compwright.instruments.b5r_fields import finite, number_of, text_of
 from compwright.instruments.circular_arcs import FEWEST_SAMPLES, SMALLEST_ARC
 from compwright.instruments.circular_csv import axes_of_plane, centre_of
 from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.reading_findings import stray_finding
 from compwright.instruments.safe_xml import Element, read_xml
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun, CircularTest, Sense
@@ -112,7 +113,7 @@ def read_b5r(content: bytes, file: str, name: str) -> CircularTest:
         centre=centre_of(header.get("centre", "")),
         vendor=vendor_results(root, elements, [run.run for run in runs]),
         header=header,
-        findings=tuple(_findings(bar, elements, spec, runs, feed)),
+        findings=(*_findings(bar, elements, spec, runs, feed), *_elsewhere(root, elements)),
     )
 
 
@@ -371,6 +372,18 @@ def _findings(
         )
     )
     return findings
+
+
+def _elsewhere(root: Element, elements: Sequence[Element]) -> list[Finding]:
+    """Return the finding about runs that stand where no runs are read."""
+    read = {element.line for element in elements}
+    lines = [
+        (run.line, run.tag)
+        for run in root.anywhere("BALLBAR_RUN")
+        if run.line not in read and run.first("READINGS") is not None
+    ]
+    finding = stray_finding(lines)
+    return [] if finding is None else [finding]
 
 
 def _stray_finding(run: _Run) -> Finding:

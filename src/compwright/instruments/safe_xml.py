@@ -54,6 +54,13 @@ class Element:
         """Return the first element at ``path``, None when there is none."""
         return next(self.all(*path), None)
 
+    def anywhere(self, tag: str) -> Iterator[Element]:
+        """Yield every element of this name below this one, however deep."""
+        for child in self.children:
+            if child.tag == tag:
+                yield child
+            yield from child.anywhere(tag)
+
 
 class _Refused(Exception):  # noqa: N818 - leaves the parser, never this module
     def __init__(self, message: str, expected: str) -> None:
