@@ -285,6 +285,12 @@ def test_means_above_their_title() -> None:
     [
         (FOREIGN, LONG_PROFILE, 3, "line 1 '100,000;vor;1;2,1', 2 '100,000;zurück;1;-0,8'."),
         (WIDE, WIDE_PROFILE, 3, "line 1 '200 3.0 1.0 20', 2 '300 3.0 1.5 20'."),
+        (
+            WIDE.replace("\tT\n", "\tT\tU\n"),
+            WIDE_PROFILE,
+            3,
+            "line 1 '200 3.0 1.0 20', 2 '300 3.0 1.5 20'.",
+        ),
     ],
 )
 def test_rows_above_the_header_row(text: str, profile: str, row: int, told: str) -> None:

@@ -386,8 +386,8 @@ def _count(text: str) -> int:
 
 
 def _above(text: Sequence[str], table: ForeignTable, profile: Profile) -> list[tuple[int, str]]:
-    """Return the lines above the header row that have the cells of a row, with a number in the
-    column of the target and in one of readings.
+    """Return the lines above the header row with a number in the column of the target and in one
+    of readings.
     """
     if not profile.header_line:
         return []
@@ -400,8 +400,8 @@ def _above(text: Sequence[str], table: ForeignTable, profile: Profile) -> list[t
     found = []
     for number, line in enumerate(text[: profile.header_line - 1], start=1):
         cells = cells_of(line, profile.delimiter) or []
-        whole = len(cells) == len(table.columns)
-        if whole and any(map(_NUMBER.fullmatch, (cells[place] for place in values))):
+        valued = (cells[place] for place in values if place < len(cells))
+        if target < len(cells) and any(map(_NUMBER.fullmatch, valued)):
             found += [(number, line)] if _NUMBER.fullmatch(cells[target]) else []
     return found
 
