@@ -5,11 +5,13 @@ errors and the bytes of working in turn.
 from __future__ import annotations
 
 import json
+import os
 import pickle
 import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -157,3 +159,59 @@ def os_group(pid: int) -> None:
     import os
 
     os.killpg(pid, signal.SIGINT)
+
+
+#: Says the numbers of its processes when all have begun, then works without end.
+ENDLESS = """
+import os, sys, time
+sys.path.insert(0, {source!r})
+from compwright.foundations import processes
+
+def ready():
+    pass
+
+def endless(number):
+    with open({folder!r} + f"/{{os.getpid()}}", "w"):
+        pass
+    time.sleep(0.1)
+
+if __name__ == "__main__":
+    processes.processors = lambda: 3
+    with processes.side_by_side(40, ready) as each:
+        while True:
+            each(endless, range(40))
+"""
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="no such signal on this system")
+def test_a_first_process_that_is_killed_leaves_none_behind(tmp_path: Path) -> None:
+    folder = tmp_path / "at_work"
+    folder.mkdir()
+    program = tmp_path / "program.py"
+    program.write_text(ENDLESS.format(source=str(SOURCE), folder=str(folder)), encoding="utf-8")
+    with subprocess.Popen([sys.executable, str(program)], stderr=subprocess.DEVNULL) as first:
+        try:
+            _wait_for(lambda: len(list(folder.iterdir())) == 3, seconds=60)
+        finally:
+            first.kill()
+    others = [int(path.name) for path in folder.iterdir() if int(path.name) != first.pid]
+    _wait_for(lambda: not any(_lives(process) for process in others), seconds=20)
+
+
+def _wait_for(condition: Callable[[], bool], seconds: float) -> None:
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "waited in vain"
+        time.sleep(0.05)
+
+
+def _lives(process: int) -> bool:
+    """Whether there is a process of this number that has not ended (one that nobody asked for
+    its end yet stands in the list all the same).
+    """
+    try:
+        os.kill(process, 0)
+        state = Path(f"/proc/{process}/stat")
+        return not state.exists() or state.read_text().rsplit(")", 1)[1].split()[0] != "Z"
+    except (ProcessLookupError, FileNotFoundError):
+        return False

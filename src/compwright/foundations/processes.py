@@ -8,7 +8,7 @@ import signal
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError, ProcessPoolExecutor
 from contextlib import contextmanager, suppress
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
 from threading import Lock, Thread
 from typing import Final, Generic, TypeVar
 
@@ -70,10 +70,21 @@ def _ctrl_c_later() -> Iterator[None]:
 
 def _begin() -> None:
     """Begin as the first process did, and end at Ctrl-C without a word: that one says it."""
+    Thread(target=_end_with_the_first, daemon=True).start()
     look_for_garbage_seldom()
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     if hasattr(signal, "pthread_sigmask"):
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+
+
+def _end_with_the_first() -> None:
+    """End this process when the first one is gone: one that was killed cannot say that there is no
+    more work, and its queue would be waited at for ever.
+    """
+    first = parent_process()
+    if first is not None:
+        first.join()
+        signal.raise_signal(signal.SIGTERM)  # ends it on every system, whatever it waits for
 
 
 class _Several:
