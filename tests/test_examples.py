@@ -142,5 +142,4 @@ def test_the_readme_names_every_command_and_its_job_is_read() -> None:
 
 def test_help_names_no_command_of_later_work() -> None:
     output = CliRunner().invoke(group, ["--help"]).output
-    for command in ("program", "redact"):
-        assert not re.search(rf"^  {command} ", output, re.MULTILINE)
+    assert not re.search(r"^  program ", output, re.MULTILINE)

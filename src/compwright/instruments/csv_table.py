@@ -54,7 +54,7 @@ _INCH = re.compile(
     r"(?:target|deviation|measured|radius|unit)["
     r" _]?\(?(?:in|inch|inches|\"|mil|mils|thou|uin|u?inch|microinch(?:es)?)\)?"
 )
-_AT_ONCE = 4096  # rows that are turned into columns at once
+_AT_ONCE = 5000  # rows that are turned into columns at once
 #: What to do with inches, which no form of measurement files takes.
 INCHES = (
     "target_mm and deviation_um: multiply targets in inches by 25.4 to get mm, deviations in 0.001"
