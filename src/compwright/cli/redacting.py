@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from compwright.cli.saying import answer_lines, errors, json_file
+from compwright.cli.saying import answer_lines, errors, json_file, tell
 from compwright.cli.words import (
     PATH,
     compwright,
@@ -54,4 +54,8 @@ def redact(
     errors(map(str, outcome.faults))
     if outcome.files or json_path is not None:
         answer_lines(outcome.document, json_path, lambda: redaction_lines(outcome, show=show))
+    for folder in outcome.folders:
+        tell(
+            f"note: {folder}: a folder in a folder, not looked into; name it to copy what is in it"
+        )
     return outcome.exit_code

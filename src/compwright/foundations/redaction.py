@@ -23,8 +23,10 @@ _PIECE: Final = re.compile(r"[^\W_]+")
 _LETTERS: Final = re.compile(r"[^\W\d_]")
 #: Shorter words and numbers stand in any file by chance.
 _SHORTEST_WORD, _SHORTEST_NUMBER = 4, 6
-#: A date, which stays in a file, a number with decimals, a mask of bits.
-_ORDINARY: Final = re.compile(r"(?:19|20)[0-9]{6}|[0-9]+000")
+#: Digits, whatever letters stand at them: an address before a value, a mark before a serial number.
+_DIGITS: Final = re.compile(r"[0-9]+")
+#: A date, which stays in a file, a round number, bits; a mask of bits; a number with decimals.
+_ORDINARY: Final = re.compile(r"(?:19|20)[0-9]{6}|[0-9]+000|[01]+")
 _HEX: Final = re.compile(r"h[0-9a-f]{1,8}")
 _DECIMAL: Final = re.compile(r"[+-]?[0-9]*[.,][0-9]+(?:[eE][+-]?[0-9]+)?")
 _ENCODINGS: Final = ("utf-8", "cp1252", "utf-16-le", "utf-16-be")
@@ -94,7 +96,7 @@ def left_over(removed: Iterable[str], copy: Iterable[bytes], allowed: frozenset[
     there: set[str] = set()
     forms = [form for content in copy for form in _forms(content)]
     for form in forms:
-        there.update(_PIECE.findall(form))
+        there.update(_PIECE.findall(form), _DIGITS.findall(form))
     return [
         text
         for text in texts
@@ -108,10 +110,12 @@ def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
     if _DECIMAL.fullmatch(text):
         return
     for piece in _PIECE.findall(text.casefold()):
-        if _LETTERS.search(piece) is None:
-            if len(piece) >= _SHORTEST_NUMBER and _ORDINARY.fullmatch(piece) is None:
-                yield piece
-        elif len(piece) >= _SHORTEST_WORD and not (piece in allowed or _HEX.fullmatch(piece)):
+        if _HEX.fullmatch(piece):
+            continue
+        for digits in _DIGITS.findall(piece):
+            if len(digits) >= _SHORTEST_NUMBER and _ORDINARY.fullmatch(digits) is None:
+                yield digits
+        if _LETTERS.search(piece) and len(piece) >= _SHORTEST_WORD and piece not in allowed:
             yield piece
 
 

@@ -59,7 +59,7 @@ _LINES: Final[Mapping[str, tuple[str, ...]]] = {
     ),
     "user_tables": (
         r"\[END\]",
-        rf"NR(?:\s+{_COLUMN})+",
+        rf"NR(?:\s+(?:{_COLUMN}|[0-9]{{1,2}}))+",
         rf"[0-9]{{1,4}}(?:\s+(?:\*|{_NUMBER}|[A-Z]{{1,2}}[0-9]?\s*\.COM))*",
         (
             rf"(?:BEGIN|END)\s+(?:{_AXIS}|CONFIG)\s*\.(?:COM|CMA)(?:\s+(?:MM|INCH))?"
@@ -88,6 +88,13 @@ _LINES: Final[Mapping[str, tuple[str, ...]]] = {
     ),
 }
 
+#: Whole lines of numbers, marks and names of tables and axes.
+_NAMING: Final[Mapping[str, str]] = {
+    "user_tables": (
+        r"END\s+\S+?\s*\.(?:COM|CMA)|[0-9]{1,4}(?:\s+(?:[A-Z][A-Z0-9_-]*(?:\s*\.COM)?|\*))+"
+    ),
+}
+
 #: First lines that tell of a shape by themselves, whatever else stands on them.
 _FIRST: Final[Mapping[str, re.Pattern[str]]] = {
     "user_tables": re.compile(r"\s*BEGIN\s+\S+?\s*\.(?:COM|CMA)\b", re.IGNORECASE),
@@ -105,3 +112,11 @@ def kept_lines(definition: Definition) -> re.Pattern[str]:
     """Return what matches a whole line that may stay as it is, blanks around it left out."""
     lines = _LINES[definition.layout.shape]
     return re.compile("|".join(f"(?:{line})" for line in lines), re.IGNORECASE | re.ASCII)
+
+
+@cache
+def naming_lines(definition: Definition) -> re.Pattern[str]:
+    """Return what matches a whole line that holds nothing but numbers, marks of the shape, and
+    names, which are somebody's where they are none of an axis.
+    """
+    return re.compile(_NAMING.get(definition.layout.shape, r"(?!)"), re.IGNORECASE | re.ASCII)

@@ -28,6 +28,8 @@ _HARMLESS: Final = re.compile(
     r"|(?:JOINT|SPINDLE)_[0-9]+|AXIS_[A-Z]|TRAJ|KINS|FALSE|TRUE|CONFIG",
     re.IGNORECASE,
 )
+#: A name in a line that names tables or axes.
+_NAME: Final = re.compile(r"(?!(?:END|COM|CMA)\b)[^\s.]*[A-Za-z][^\s.]*", re.IGNORECASE)
 _QUOTED: Final = re.compile(r'"([^"\r\n]*)"')
 _ADDRESS: Final = re.compile(r"\$[A-Za-z]{1,4}_[A-Za-z0-9_]+|^[A-Za-z_][A-Za-z0-9_]*(?=\s*[\[=])")
 #: Blanks, but for those that keep two numbers apart.
@@ -52,13 +54,13 @@ def redacted_text(
     reader: TextReader,
     file: ControlFile,
     read: ReadText,
-    kept: re.Pattern[str],
+    kept: tuple[re.Pattern[str], re.Pattern[str]],
     cuts: Cuts,
 ) -> RedactedText:
     """Return a copy of a control's text without what is somebody's.
 
-    ``read``: the statements in it; ``kept`` matches other lines that may stay whole. File names in
-    it lose their folders.
+    ``read``: the statements in it; ``kept`` matches other lines: those that may stay whole, and
+    those in which only names may be somebody's. File names in it lose their folders.
     """
     return _Redactor(reader, file, read, kept, cuts).copy()
 
@@ -69,10 +71,11 @@ class _Redactor:
         reader: TextReader,
         file: ControlFile,
         read: ReadText,
-        kept: re.Pattern[str],
+        kept: tuple[re.Pattern[str], re.Pattern[str]],
         cuts: Cuts,
     ) -> None:
-        self.reader, self.file, self.kept, self.cuts = reader, file, kept, cuts
+        self.reader, self.file, self.cuts = reader, file, cuts
+        self.kept, self.naming = kept
         self.kind: TextKind = reader.definition.texts[read.kind]
         self.by_line: dict[int, list[Occurrence]] = defaultdict(list)
         for one in read.occurrences:
@@ -184,6 +187,8 @@ class _Redactor:
         bare = code.strip()
         if self._whole(bare):
             return self.literal(code)
+        if self.naming.fullmatch(bare):
+            return _NAME.sub(lambda found: self.token(found[0], "name"), code)
         section = _SECTION.fullmatch(code) if self.kind.sections is not None else None
         if section is not None:
             return f"[{self.cuts.name(section['name'], 'section').upper()}]"

@@ -39,10 +39,11 @@ _KEYS: Final[Mapping[str, Kept]] = {
     **dict.fromkeys(("file type", "filetype", "owner", "unit", "units"), is_keywords),
     "version no": lambda text: _VERSION.fullmatch(text) is not None,
     **dict.fromkeys(("target-count", "targets", "flags", "run-count"), is_numbers),
-    **dict.fromkeys(("air temp", "air pressure", "air humid", "air humidity"), is_quantity),
-    **dict.fromkeys(("material temp", "expansion coeff", "run target data"), is_quantity),
-    "date": is_date,
-    "time": is_date,
+    **dict.fromkeys(("air temp", "air press", "air pressure", "air humid"), is_quantity),
+    **dict.fromkeys(("air humidity", "material temp", "expansion coeff", "exp coeff"), is_quantity),
+    **dict.fromkeys(("mat temp", "mat temp 1", "mat temp 2", "mat temp 3"), is_quantity),
+    **dict.fromkeys(("env factor", "final data", "run target data"), is_quantity),
+    **dict.fromkeys(("date", "time", "date time"), is_date),
     "axis": lambda text: is_axis(text) or bool(axis_name(text) and is_keywords(text)),
 }
 _SOMEBODY: Final = {

@@ -2,30 +2,27 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
 from typing import Any, Final
 
 from compwright.documents.json_text import to_json
-from compwright.formats.text.redaction import LINE
 from compwright.foundations import storage
-from compwright.foundations.errors import CompwrightError, Fault, InputError
-from compwright.foundations.redaction import Cuts, Names, telling
+from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError
+from compwright.foundations.redaction import Cuts, Names
 from compwright.foundations.utf8 import encoded, shown_path, visible
 from compwright.instruments.profile import Profile
-from compwright.instruments.redaction.measurement import ALLOWED, holds_table, is_measurement
+from compwright.instruments.redaction.measurement import holds_table, is_measurement
 from compwright.records.correction import ControlFile
 from compwright.workflow.stages.measurement_files import load_profile
 from compwright.workflow.stages.own_files import write_listed
 from compwright.workflow.stages.redacted_controls import control_copies, texts_in
 from compwright.workflow.stages.redacted_measurements import measurement_copy
+from compwright.workflow.stages.redacted_names import names_of_copies
 from compwright.workflow.stages.single_files import refuse_other_kinds
 
 SCHEMA: Final = "compwright/redaction/1"
-#: A run of digits in the name of a file that may be a serial number; dates are none.
-_SERIAL: Final = re.compile(r"(?<![0-9])(?!(?:19|20)[0-9]{6}(?![0-9]))[0-9]{5,}(?![0-9])")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,11 +42,14 @@ class RedactedFile:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RedactOutcome:
-    """The copies in the order of their files, and what was wrong with the others."""
+    """The copies in the order of their files, what was wrong with the others, and the ``folders``
+    in a folder, which are not looked into.
+    """
 
     files: tuple[RedactedFile, ...]
     faults: tuple[Fault, ...]
     written: tuple[Path, ...]
+    folders: tuple[Path, ...] = ()
 
     @property
     def exit_code(self) -> int:
@@ -59,7 +59,7 @@ class RedactOutcome:
     @property
     def document(self) -> dict[str, Any]:
         """The answer as JSON; the texts that were taken out are not in it."""
-        return {
+        document: dict[str, Any] = {
             "schema": SCHEMA,
             "files": [
                 {
@@ -76,6 +76,9 @@ class RedactOutcome:
                 for fault in self.faults
             ],
         }
+        if self.folders:
+            document["folders"] = [shown_path(path) for path in self.folders]
+        return document
 
 
 @dataclass(slots=True)
@@ -110,15 +113,30 @@ def redact_files(
     taken out, or what may be a serial number.
 
     What is not known, or cannot be proven, is not copied and stands in ``faults``; the rest is.
-    Raises UsageError for a wrong profile or control, StorageError where nothing can be written.
+    Raises UsageError for a wrong profile or control and for an answer that would lie among the
+    copies, StorageError where nothing can be written.
     """
+    if json_path is not None and storage.resolved(out) in storage.resolved(json_path).parents:
+        raise UsageError(
+            Fault(
+                message="the answer names the originals, and would be given away with the copies",
+                file=shown_path(json_path),
+                expected="a path outside of the folder of the copies",
+            )
+        )
     read_by = load_profile(profile) if profile is not None else None
     names, faults = Names(), list[Fault]()
     inputs = _read(paths, names, faults)
     _copy(inputs, read_by, format_id, faults)
     done = [one for one in inputs if one.taken_for]
-    files = _named(done, names)
-    outcome = RedactOutcome(files=_told(done, files, out), faults=tuple(faults), written=())
+    removed = [text for one in done for text in one.cuts.removed]
+    files = names_of_copies([one.name for one in done], removed, names)
+    outcome = RedactOutcome(
+        files=_told(done, files, out),
+        faults=tuple(faults),
+        written=(),
+        folders=_beside(paths, out),
+    )
     contents = {
         name: content
         for one, name in zip(done, files, strict=True)
@@ -135,16 +153,23 @@ def redact_files(
     return replace(outcome, written=tuple(written))
 
 
+def _beside(paths: Sequence[Path], out: Path) -> tuple[Path, ...]:
+    """Return the folders in those that were given, but for these and that of the copies."""
+    known = {storage.resolved(path) for path in (*paths, out)}
+    inner = dict.fromkeys(one for path in paths for one in storage.folders_in(path))
+    return tuple(one for one in inner if storage.resolved(one) not in known)
+
+
 def _read(paths: Sequence[Path], names: Names, faults: list[Fault]) -> list[_Input]:
-    """Return what there is to copy, the texts of a container in its place; two files of one name
-    are a fault, for their copies would be one.
+    """Return what there is to copy, the texts of a container in its place; a file that is given
+    twice is copied once, two files of one name are a fault, for their copies would be one.
     """
     inputs: dict[str, _Input] = {}
-    for path in paths:
+    for entry in _entries(paths, faults):
         try:
-            found = [one for entry in storage.list_files(path) for one in _inputs(entry, names)]
+            found = _inputs(entry, names)
         except InputError as error:
-            faults.extend(fault.in_file(shown_path(path)) for fault in error.faults)
+            faults.extend(fault.in_file(shown_path(entry)) for fault in error.faults)
             continue
         twice = [one for one in found if inputs.setdefault(one.name.casefold(), one) is not one]
         faults.extend(
@@ -156,6 +181,18 @@ def _read(paths: Sequence[Path], names: Names, faults: list[Fault]) -> list[_Inp
             for one in twice
         )
     return list(inputs.values())
+
+
+def _entries(paths: Sequence[Path], faults: list[Fault]) -> list[Path]:
+    """Return the files of ``paths``, each once."""
+    entries: dict[Path, Path] = {}
+    for path in paths:
+        try:
+            for entry in storage.list_files(path):
+                entries.setdefault(storage.resolved(entry.parent) / entry.name, entry)
+        except InputError as error:
+            faults.extend(fault.in_file(shown_path(path)) for fault in error.faults)
+    return list(entries.values())
 
 
 def _inputs(path: Path, names: Names) -> list[_Input]:
@@ -212,58 +249,6 @@ def _of(one: _Input, name: str) -> list[tuple[str, bytes]]:
     if one.profile:
         copies.append((f"{PurePath(name).with_suffix('')}.profile.yaml", encoded(one.profile)))
     return copies
-
-
-def _named(inputs: Sequence[_Input], names: Names) -> list[str]:
-    """Return the names of the copies: those of the files, but for stems in which something stands
-    that was taken out of any of them, or that may be a serial number.
-    """
-    somebody = {
-        piece
-        for one in inputs
-        for kind, text in one.cuts.removed
-        for piece in telling(_ADDRESS.sub(" ", text) if kind == LINE else text, ALLOWED | _COMMON)
-        if _SIZE.fullmatch(piece) is None
-    }
-    made: list[str] = []
-    for one in inputs:
-        name = "/".join(_shown(part, somebody, names) for part in one.name.split("/"))
-        path, number = PurePath(name), 1
-        while name.casefold() in {other.casefold() for other in made}:
-            number += 1
-            name = str(path.with_stem(f"{path.stem}_{number}"))
-        made.append(name)
-    return made
-
-
-def _shown(name: str, somebody: set[str], names: Names) -> str:
-    """Return the name of a copy; one that stands in a file as a name is what stands there now."""
-    stem, ending = PurePath(name).stem, PurePath(name).suffix
-    if somebody & _pieces(ending):
-        ending = ""
-    gives_away = somebody & _pieces(stem) or _SERIAL.search(stem) or names.knows(stem)
-    return f"{names.of(stem)}{ending}" if gives_away else f"{stem}{ending}"
-
-
-def _pieces(text: str) -> set[str]:
-    return set(re.findall(r"[^\W_]+", text.casefold()))
-
-
-#: What a control calls its data, in a line of a program or of data that nobody reads.
-_ADDRESS: Final = re.compile(r"\$?[A-Za-z0-9]*_[A-Za-z0-9_]*")
-#: A length or an angle in the name of a file.
-_SIZE: Final = re.compile(r"[0-9]+(?:mm|um|deg|grad|min)")
-#: Words in names of files that name nobody.
-_COMMON: Final = frozenset(
-    {
-        *("axis", "before", "after", "test", "measurement", "measured", "linear"),
-        *("rotary", "circle", "circular", "ballbar", "backup", "parameter", "parameters"),
-        *("pitch", "error", "compensation", "table", "positive", "negative", "data"),
-        *("file", "files", "achse", "messung", "vorher", "nachher", "config"),
-        *("configuration", "machine", "maschine", "laser", "plane", "first", "second"),
-        *("joint", "entry", "para", "comp", "runs", "left", "right", "north", "south"),
-    }
-)
 
 
 def _told(inputs: Sequence[_Input], names: Sequence[str], out: Path) -> tuple[RedactedFile, ...]:

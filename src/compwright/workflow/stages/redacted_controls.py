@@ -15,7 +15,7 @@ from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definitions_from
 from compwright.formats.families.control_texts import texts_of
-from compwright.formats.families.kept_lines import STATE_TEXTS, begins, kept_lines
+from compwright.formats.families.kept_lines import STATE_TEXTS, begins, kept_lines, naming_lines
 from compwright.formats.text.container import is_container, opened, unknown_container
 from compwright.formats.text.entry_sheet import is_entry_sheet, parse_sheet
 from compwright.formats.text.redaction import (
@@ -41,7 +41,8 @@ _ANY_UNIT = 0.001
 SHEET = "typed-entry sheet"
 #: Bytes of a file that tell which control it is of.
 _LOOKED_AT = 65536
-#: A table of bare numbers is a control's only by the ending of its name.
+#: A table of bare numbers is a control's only by the ending of its name, or where another file
+#: names it.
 _BARE_TABLE = ".comp"
 
 
@@ -121,7 +122,9 @@ def _copy(file: ControlFile, likely: Sequence[Definition], cuts: Cuts) -> Contro
         raise _unknown(file)
     definition, read = _as_read(file, likely)
     reader = text_reader(definition)
-    made = redacted_text(reader, file, read, kept_lines(definition), cuts)
+    made = redacted_text(
+        reader, file, read, (kept_lines(definition), naming_lines(definition)), cuts
+    )
     again = _read(made.file, definition)
     if isinstance(again, tuple):
         raise not_the_same(file.name, again[0].message)
@@ -188,6 +191,7 @@ def _likely(files: Sequence[ControlFile], format_id: str | None) -> dict[str, li
         for file in files
         if not is_entry_sheet(file)
     }
+    named = _named_by_others(files)
     likely = {}
     for file in files:
         own = counts.get(file.name, {})
@@ -197,7 +201,7 @@ def _likely(files: Sequence[ControlFile], format_id: str | None) -> dict[str, li
             (
                 one
                 for one in known
-                if own and (own[one.id] or format_id is not None or _bare(file, one))
+                if own and (own[one.id] or format_id is not None or _bare(file, one, named))
             ),
             key=lambda one: (-own[one.id], -totals[one.id]),
         )
@@ -209,11 +213,28 @@ def _set_of(name: str) -> str:
     return name.rpartition("/")[0]
 
 
-def _bare(file: ControlFile, definition: Definition) -> bool:
+def _named_by_others(files: Sequence[ControlFile]) -> frozenset[str]:
+    """Return the names of files that stand in the text of another one, as those of tables do in
+    settings.
+    """
+
+    def names(other: ControlFile, file: ControlFile) -> bool:
+        name = re.escape(file.name.lower().encode(errors="replace"))
+        return re.search(rb"(?<![\w.-])" + name + rb"(?![\w.-])", texts[other.name]) is not None
+
+    texts = {file.name: file.content.lower() for file in files}
+    return frozenset(
+        file.name
+        for file in files
+        if any(other is not file and names(other, file) for other in files)
+    )
+
+
+def _bare(file: ControlFile, definition: Definition, named: frozenset[str]) -> bool:
     """Whether a file is a control's without a word that tells of it."""
     if "/" in file.name or begins(definition, file.content):
         return True
-    if not file.name.lower().endswith(_BARE_TABLE):
+    if not (file.name.lower().endswith(_BARE_TABLE) or file.name in named):
         return False
     read = _read(file, definition)
     return isinstance(read, ReadText) and bool(read.occurrences)

@@ -42,7 +42,9 @@ def measurement_copy(content: bytes, file: str, cuts: Cuts, profile: Profile | N
         raise not_the_same(file, str(error.faults[0].message)) from error
     if not _same(old, new):
         raise not_the_same(file, "other numbers")
-    refuse_left_over(file, cuts, _members(made, file), ALLOWED)
+    refuse_left_over(
+        file, cuts, _members(made, file), ALLOWED, in_lines=not is_workbook(made.content)
+    )
     return made
 
 
@@ -58,22 +60,42 @@ def not_the_same(file: str, found: str) -> InputError:
     )
 
 
-def refuse_left_over(file: str, cuts: Cuts, copy: Sequence[bytes], allowed: frozenset[str]) -> None:
+def refuse_left_over(
+    file: str,
+    cuts: Cuts,
+    copy: Sequence[bytes],
+    allowed: frozenset[str],
+    *,
+    in_lines: bool = True,
+) -> None:
     """Raise InputError where a text that was taken out stands in the copy all the same; the text
-    itself is not told.
+    itself is not told, but where ``in_lines`` the lines at which the copy still has it, which are
+    those of the original.
     """
     left = left_over((text for _, text in cuts.removed), copy, allowed)
     if left:
+        lines = [
+            number
+            for number, line in enumerate(copy[0].splitlines() if in_lines else (), start=1)
+            if left_over(left, [line], allowed)
+        ]
         kinds = sorted({kind for kind, text in cuts.removed if text in left})
         raise InputError(
             Fault(
                 message="is not copied: what was taken out in one place stands in another, where"
                 " the reading needs it",
                 file=file,
+                place=_lines(lines),
                 expected="a name that is no keyword and no number of the file; take it out by hand",
                 found=f"{len(left)} texts ({', '.join(kinds)})",
             )
         )
+
+
+def _lines(numbers: Sequence[int]) -> str:
+    """Return the lines in which a text is left in words; empty for a workbook, which has none."""
+    told = ", ".join(map(str, numbers[:5])) + (", .." if len(numbers) > 5 else "")
+    return f"line{'s' if len(numbers) > 1 else ''} {told}" if numbers else ""
 
 
 def _members(made: Redacted, file: str) -> list[bytes]:
