@@ -456,7 +456,7 @@ def test_nothing_of_the_bar_goes_where_no_terminal_is(
 ) -> None:
     monkeypatch.setattr(showing, "_PATIENCE", 0.0)
     assert run(["evaluate", str(folder)]) == 3
-    said = capsys.readouterr().err
+    said = capsys.readouterr().err.replace(str(folder), "")  # whose number may end with 15
     assert "15/" not in said
     assert all(line.startswith(("error: ", "note: ")) for line in said.splitlines())
 
