@@ -161,7 +161,8 @@ def _proposed(content: bytes, file: str) -> Profile:
                 file=file,
                 expected="a mapping profile: compwright profile FILE --out P.yaml, then --profile"
                 " P.yaml",
-                found=", ".join(one.partition(":")[0] for one in proposed.open) + " open",
+                found=", ".join(dict.fromkeys(one.partition(":")[0] for one in proposed.open))
+                + " open",
             )
         ) from error
 
