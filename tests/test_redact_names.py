@@ -182,3 +182,16 @@ def test_what_cannot_be_read_in_a_folder_costs_no_other_file_its_copy(
     assert compwright(["redact", str(folder), "--out", str(tmp_path / "out")]) == 3
     assert "gone.csv" in capsys.readouterr().err
     assert (tmp_path / "out" / "x.csv").read_text() == _TEST
+
+
+def test_a_workbook_with_programs_becomes_one_without_that_opens(tmp_path: Path) -> None:
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    for row in (["# axis: X"], ["target_mm", "direction", "run", "deviation_um"],
+                [0, "+", 1, 1.5], [0, "-", 1, 2.5], [100, "+", 1, 1.5], [100, "-", 1, 2.5]):  # fmt: skip
+        book.active.append(row)
+    book.save(tmp_path / "x.xlsm")
+    assert compwright(["redact", str(tmp_path / "x.xlsm"), "--out", str(tmp_path / "out")]) == 0
+    assert [path.name for path in (tmp_path / "out").glob("*.xls*")] == ["x.xlsx"]
+    rows = list(openpyxl.load_workbook(tmp_path / "out" / "x.xlsx").active.values)
+    assert [row[3] for row in rows[2:]] == [1.5, 2.5, 1.5, 2.5]

@@ -97,7 +97,7 @@ def _check_size(content: bytes, file: str) -> bool:
             Fault(
                 message="is a zip archive",
                 file=file,
-                expected="a measurement file, or an Excel workbook (.xlsx)",
+                expected="the files in it, unpacked; or an Excel workbook (.xlsx)",
                 found=f"{', '.join(sorted(names)[:3])}, ..",
             )
         )

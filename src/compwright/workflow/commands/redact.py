@@ -14,6 +14,7 @@ from compwright.foundations.redaction import Cuts, Names
 from compwright.foundations.utf8 import encoded, shown_path, visible
 from compwright.instruments.profile import Profile
 from compwright.instruments.redaction.measurement import holds_table, is_measurement
+from compwright.instruments.workbook import is_workbook
 from compwright.records.correction import ControlFile
 from compwright.workflow.stages.measurement_files import load_profile
 from compwright.workflow.stages.own_files import write_listed
@@ -241,6 +242,8 @@ def _measurement(one: _Input, profile: Profile | None, faults: list[Fault]) -> b
         faults.extend(error.faults)
         return False
     one.copy, one.profile, one.taken_for = made.content, made.profile, "measurement"
+    if is_workbook(made.content):  # without its programs it is another kind of workbook
+        one.name = str(PurePath(one.name).with_suffix(".xlsx"))
     return True
 
 
