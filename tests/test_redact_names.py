@@ -195,3 +195,27 @@ def test_a_workbook_with_programs_becomes_one_without_that_opens(tmp_path: Path)
     assert [path.name for path in (tmp_path / "out").glob("*.xls*")] == ["x.xlsx"]
     rows = list(openpyxl.load_workbook(tmp_path / "out" / "x.xlsx").active.values)
     assert [row[3] for row in rows[2:]] == [1.5, 2.5, 1.5, 2.5]
+
+
+_FOREIGN = (
+    "Kundenfirma GmbH;;;\nPrüfer: Erika, geb. 12.03.1984;Datum: 02.03.2026;Nr. 4711815;\n"
+    "Datum;03.03.2026 14:05;;\nLieferung am 01.02.2003;;;\nAchse: Y;;;\n"
+    "Soll [mm];Richtung;Lauf;Abweichung (Ist - Soll) [µm]\n"
+    "0,0;auf;1;0,4\n100,0;auf;1;2,1\n100,0;ab;1;-0,8\n0,0;ab;1;-2,9\n"
+)
+
+
+def test_when_it_was_measured_stays_and_no_other_date_does(tmp_path: Path) -> None:
+    plain = "# Datum: 02.03.2026\n# date: 3.3.2026 14:05 Uhr\n# Erika, geb. 12.03.1984\n"
+    (tmp_path / "y.csv").write_text(_FOREIGN, encoding="utf-8")
+    (tmp_path / "x.csv").write_text(f"{plain}# Temperatur: 20,5\n{_TEST}")
+    words = [str(tmp_path / "y.csv"), str(tmp_path / "x.csv"), "--out", str(tmp_path / "out")]
+    assert compwright(["redact", *words]) == 0
+    foreign = (tmp_path / "out" / "y.csv").read_text("utf-8").splitlines()
+    assert foreign[:5] == [
+        "redacted", "Datum: 02.03.2026", "Datum;03.03.2026 14:05;;", "redacted", "Achse: Y;;;",
+    ]  # fmt: skip
+    assert foreign[6:] == _FOREIGN.splitlines()[6:]
+    assert (tmp_path / "out" / "x.csv").read_text().splitlines()[:4] == [
+        "# Datum: 02.03.2026", "# date: 3.3.2026 14:05 Uhr", "# redacted", "# Temperatur: 20,5",
+    ]  # fmt: skip

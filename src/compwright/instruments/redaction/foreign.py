@@ -24,7 +24,12 @@ from compwright.instruments.profile import MARK, VERSION, Profile
 from compwright.instruments.profiled import columns_of
 from compwright.instruments.redaction.key_lines import redacted_comment
 from compwright.instruments.redaction.plain import joined
-from compwright.instruments.redaction.words import is_axis, is_keywords, is_one_number
+from compwright.instruments.redaction.words import (
+    is_axis,
+    is_keywords,
+    is_one_number,
+    without_dates,
+)
 
 _COUNT: Final = re.compile(r"[^0-9]*([0-9]{1,3})[^0-9]*")
 #: Digits of a run in such words as ``Lauf 3``.
@@ -173,14 +178,16 @@ def _header(cell: str, cuts: Cuts) -> str:
 
 
 def _above(line: str, cuts: Cuts) -> str:
-    """Return of a line above the table what the reading rests on."""
-    if not line.strip() or is_keywords(line):
+    """Return of a line above the table what the reading rests on, and when it was made."""
+    dates, rest = without_dates(line)
+    if not rest.strip() or is_keywords(rest):
         return line
-    axis, unit, sign = axis_above([line]), said_unit(line), difference_of(line)
-    cuts.remark(line, "text above the table")
+    axis, unit, sign = axis_above([rest]), said_unit(rest), difference_of(rest)
+    cuts.remark(rest, "text above the table")
     said = [
         f"axis: {axis}" if axis else "",
         f"unit: {unit}" if unit else "",
         sign,
+        *dates,
     ]
     return ", ".join(filter(None, said)) or NEUTRAL

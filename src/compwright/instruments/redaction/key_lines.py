@@ -30,6 +30,8 @@ def _never(_: str) -> bool:
 VALUES: Final[Mapping[str, Kept]] = {
     **dict.fromkeys(("axis", "axis as written"), is_axis),
     **dict.fromkeys(("date", "date_started", "date_completed", "start date", "time"), is_date),
+    **dict.fromkeys(("datum", "messdatum", "uhrzeit", "datum/uhrzeit"), is_date),
+    **dict.fromkeys(("temperature", "temperatur", "air_temperature"), is_quantity),
     **dict.fromkeys(("unit", "units", "cycle", "deviation", "compensated_for"), is_keywords),
     **dict.fromkeys(("calibrated", "direction", "instrument"), is_keywords),
     **dict.fromkeys(("nominal_radius_mm", "feed_mm_min", "centre", "targets", "runs"), is_numbers),

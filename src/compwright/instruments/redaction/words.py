@@ -17,7 +17,7 @@ _MONTHS: Final = (
     r"(?:jan(?:uary|uar|vier)?|feb(?:ruary|ruar)?|mar(?:ch|s)?|märz|apr(?:il)?|may|mai|june?|juni|"
     r"july?|juli|aug(?:ust)?|sep(?:t|tember)?|o[ck]t(?:ober)?|nov(?:ember)?|de[cz](?:ember)?)\.?"
 )
-_TIME: Final = r"[0-9]{1,2}[:.][0-9]{2}(?:[:.][0-9]{2}(?:[.,][0-9]{1,6})?)?(?:\s*[ap]m)?"
+_TIME: Final = r"[0-9]{1,2}[:.][0-9]{2}(?:[:.][0-9]{2}(?:[.,][0-9]{1,6})?)?(?:\s*(?:[ap]m|uhr|h))?"
 _DAY: Final = (
     r"(?:[0-9]{1,4}[-./ ][0-9]{1,2}[-./ ][0-9]{1,4}|(?:19|20)[0-9]{6}"
     rf"|[0-9]{{1,2}}\.?[ -]{_MONTHS}[ -][0-9]{{2,4}}|{_MONTHS} [0-9]{{1,2}},? [0-9]{{2,4}})"
@@ -25,6 +25,27 @@ _DAY: Final = (
 _ZONE: Final = r"(?:\s*(?:Z|[+-][0-9]{2}:?[0-9]{2}))?"
 _DATE: Final = re.compile(
     rf"{_DAY}(?:[T ,_-]*(?:{_TIME}|[0-9]{{6}}|[0-9]{{4}}))?{_ZONE}|{_TIME}{_ZONE}(?:,?\s+{_DAY})?",
+    re.IGNORECASE,
+)
+#: What people call the date of a measurement.
+DATE_WORDS: Final = (
+    *(
+        "date",
+        "datum",
+        "messdatum",
+        "prüfdatum",
+        "uhrzeit",
+        "zeit",
+        "time",
+        "fecha",
+        "data",
+        "дата",
+    ),
+    *("date/time", "date time", "datum/uhrzeit", "test date", "measured on", "gemessen am"),
+)
+_DATED: Final = re.compile(
+    rf"""(?:^|(?<=[;,\t|"#]))\s*(?P<key>{"|".join(DATE_WORDS)})\s*[:=;,\t|"]+\s*"""
+    rf"""(?P<date>{_DATE.pattern})\s*(?=$|[;,\t|"])""",
     re.IGNORECASE,
 )
 #: A name of an axis as controls have them.
@@ -77,7 +98,10 @@ _WORDS: Final = (
 _COLUMN_WORDS: Final = frozenset(word for name in COLUMNS for word in name.split("_"))
 #: Words that may stand in a measurement file, in small letters without accents.
 KEPT_WORDS: Final = frozenset(
-    {plain(word) for word in (*_WORDS, *_UNITS)} | _COLUMN_WORDS | {"angle", "radius", "time"}
+    {plain(word) for word in (*_WORDS, *_UNITS)}
+    | {plain(word) for words in DATE_WORDS for word in re.findall(r"[^\W\d_]+", words)}
+    | _COLUMN_WORDS
+    | {"angle", "radius", "time"}
 )
 _TOKEN: Final = re.compile(r"[^\W\d_]+|[0-9]+|\s+|.", re.DOTALL)
 _MARKS: Final = frozenset("+-*/=.,:;()[]{}<>%°#_±↑↓|'\"")
@@ -96,6 +120,14 @@ def is_one_number(text: str) -> bool:
 def is_date(text: str) -> bool:
     """Whether a text is a date, a time, or both."""
     return _DATE.fullmatch(text.strip()) is not None
+
+
+def without_dates(text: str) -> tuple[list[str], str]:
+    """Return the dates in a text of several cells, each with the word that says of it that it is
+    when the measurement was made, and the rest. Any other date may be somebody's.
+    """
+    said = [f"{found['key']}: {found['date']}" for found in _DATED.finditer(text)]
+    return said, _DATED.sub("", text)
 
 
 def is_axis(text: str) -> bool:
