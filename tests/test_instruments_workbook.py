@@ -146,8 +146,54 @@ def test_files_that_only_begin_like_one() -> None:
 def test_an_archive_that_unpacks_to_very_much() -> None:
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("xl/workbook.xml", b" " * 201_000_000)
+        archive.writestr("xl/workbook.xml", b" " * 81_000_000)
     assert "is too large when unpacked" in refused(stream.getvalue())
+
+
+def changed(part: str, edits: Sequence[tuple[bytes, bytes, int]]) -> bytes:
+    """Return a workbook with more in a part: before a piece of it another one, so many times."""
+    stream = io.BytesIO()
+    whole = io.BytesIO(workbook({"X": [LONG, *READINGS]}))
+    with (
+        zipfile.ZipFile(whole) as old,
+        zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as new,
+    ):
+        for name in old.namelist():
+            content = old.read(name)
+            for piece, more, times in edits if name == part else ():
+                content = content.replace(piece, more * times + piece, 1)
+            new.writestr(name, content)
+    return stream.getvalue()
+
+
+_SHEET = "xl/worksheets/sheet1.xml"
+_CLOSE = b"</sheetData>"
+
+
+@pytest.mark.parametrize(
+    ("part", "edits", "words"),
+    [
+        (_SHEET, [(_CLOSE, b'<row s="1"/>', 1_000_001)], "holds too many cells"),
+        (_SHEET, [(_CLOSE, b"<x:c />", 1_000_001)], "holds too many cells"),
+        (_SHEET, [(_CLOSE, b" ", 81_000_000)], "of sheets and texts"),
+        ("xl/styles.xml", [(b"</styleSheet>", b" ", 9_000_000)], "of styles and names"),
+        (
+            _SHEET,
+            [(b"<worksheet", b'<!DOCTYPE x [<!ENTITY a "9">]>', 1), (b"</v>", b"&a;", 1)],
+            "declares a document type",
+        ),
+    ],
+    ids=["rows", "cells", "sheet", "styles", "entities"],
+)
+def test_bombs_are_refused_before_openpyxl_sees_them(
+    part: str,
+    edits: Sequence[tuple[bytes, bytes, int]],
+    words: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    content = changed(part, edits)
+    monkeypatch.setattr(openpyxl, "load_workbook", None)
+    assert words in refused(content)
 
 
 def test_without_openpyxl(monkeypatch: pytest.MonkeyPatch) -> None:

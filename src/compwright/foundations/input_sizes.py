@@ -39,8 +39,20 @@ MOST_CELLS: Final = 4_000_000
 MOST_DIGITS: Final = 1000
 #: Of a table of another program.
 MOST_COLUMNS: Final = 1000
-#: What an archive or a workbook may unpack to.
-MOST_UNPACKED: Final = 256_000_000
+#: Of a workbook, told before it is read: bytes of its tables and texts when unpacked, of all else
+#: that describes it (styles, names), and cells, rows and texts that it writes, empty ones too.
+MOST_UNPACKED: Final = 80_000_000
+MOST_UNPACKED_BESIDE: Final = 8_000_000
+MOST_SHEET_CELLS: Final = 1_000_000
+#: The same with the gaps between cells, which a sheet does not write.
+MOST_SHEET_PLACES: Final = 2_000_000
+#: Of a ballbar file (XML): a real one has 80 kB, 300 elements, 6 levels, some thousand samples.
+XML: Final = InputKind("an XML file", 32_000_000)
+MOST_ELEMENTS: Final = 200_000
+MOST_LEVELS: Final = 40
+MOST_SAMPLES_OF_A_RUN: Final = 1_000_000
+#: One text in an archive of a control; those of a five-axis machine have one million bytes.
+MOST_MEMBER: Final = 32 << 20
 
 
 def in_words(size: int) -> str:

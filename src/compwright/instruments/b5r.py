@@ -25,6 +25,7 @@ import numpy as np
 
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
+from compwright.foundations.input_sizes import MOST_SAMPLES_OF_A_RUN
 from compwright.instruments.b5r_beside import BAR, header_of, vendor_results
 from compwright.instruments.b5r_fields import finite, number_of, text_of
 from compwright.instruments.circular_arcs import FEWEST_SAMPLES, SMALLEST_ARC
@@ -40,7 +41,6 @@ _INDEX: Final = re.compile(r"[0-9]{1,8}")
 #: No ballbar is longer, mm.
 _LONGEST: Final = 10_000.0
 _SAME_LENGTH: Final = 1e-6  # mm, rounding of printed lengths
-_MOST_READINGS: Final = 1_000_000  # of a run; a real one has some thousand
 _SAME_ANGLE: Final = 1e-6  # deg, the same for angles
 #: In all files seen as many samples of overshoot follow the arc as precede it; beyond this the
 #: readings are of another length.
@@ -272,8 +272,8 @@ def _run(
 def _readings(element: Element, faults: FaultList) -> FloatArray | None:
     text, place = text_of(element, faults, "READINGS")
     tokens = text.split()
-    if len(tokens) > _MOST_READINGS:
-        expected = f"at most {_MOST_READINGS} values"
+    if len(tokens) > MOST_SAMPLES_OF_A_RUN:
+        expected = f"at most {MOST_SAMPLES_OF_A_RUN} values"
         faults.add(
             "READINGS are longer than any run",
             place=place,

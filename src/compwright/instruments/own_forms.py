@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain
 
 from compwright.instruments.comments import comment_text, cycle_of, read_comments
 from compwright.instruments.csv_table import (
@@ -28,9 +29,8 @@ from compwright.instruments.target_data import is_target_data, read_target_data
 def is_target_data_file(text: Sequence[str]) -> bool:
     """Whether the lines of a file are of the form ``TGT_DATA[1]=``."""
     first = first_row(text)
-    return first is not None and is_target_data(
-        [first, *((0, line) for line in text if "_DATA" in line and comment_text(line) is None)]
-    )
+    data = (line for line in text if "_DATA" in line and comment_text(line) is None)
+    return first is not None and is_target_data(chain([first[1]], data))
 
 
 def is_plain_csv(text: Sequence[str]) -> bool:

@@ -13,11 +13,8 @@ from typing import Final
 from xml.parsers import expat
 
 from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.input_sizes import MOST_ELEMENTS, MOST_LEVELS, XML, in_words
 
-#: A ballbar file has some 80 kB, 300 elements, 6 levels.
-_MOST_BYTES: Final = 32_000_000
-_MOST_ELEMENTS: Final = 200_000
-_DEEPEST: Final = 40
 #: What the parser says of a document that ends before its root element does.
 _CUT_SHORT: Final = frozenset(
     {
@@ -88,10 +85,10 @@ class _Builder:
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         self.count += 1
-        if self.count > _MOST_ELEMENTS or len(self.open) >= _DEEPEST:
+        if self.count > MOST_ELEMENTS or len(self.open) >= MOST_LEVELS:
             raise _Refused(
                 "has more elements than any measurement",
-                f"{_MOST_ELEMENTS} elements, {_DEEPEST} levels at most",
+                f"{MOST_ELEMENTS} elements, {MOST_LEVELS} levels at most",
             )
         element = Element(tag, attributes, self.parser.CurrentLineNumber)
         if self.open:
@@ -114,13 +111,13 @@ def read_xml(content: bytes, file: str) -> Element:
     Raises InputError for XML that is cut short or broken (line and column), a document type
     declaration, an encoding that the parser does not know, and a file larger than any measurement.
     """
-    if len(content) > _MOST_BYTES:
+    if len(content) > XML.most_bytes:
         raise InputError(
             Fault(
                 message="is too large",
                 file=file,
-                expected=f"at most {_MOST_BYTES} bytes",
-                found=f"{len(content)} bytes",
+                expected=f"at most {in_words(XML.most_bytes)}",
+                found=in_words(len(content)),
             )
         )
     builder = _Builder()

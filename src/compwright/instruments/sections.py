@@ -106,7 +106,7 @@ def header_of(sections: Sections, names: Iterable[str]) -> dict[str, str]:
     """Return the ``Key: value`` lines of these sections as text; known keys get their usual name,
     other lines are kept as comment.
     """
-    header: dict[str, str] = {}
+    said: dict[str, list[str]] = {}
     for name in names:
         for _, text in sections.lines.get(name, ()):
             match = _KEY.fullmatch(text)
@@ -114,9 +114,8 @@ def header_of(sections: Sections, names: Iterable[str]) -> dict[str, str]:
             value = match["value"] if match else text
             if not value or (match and key.lower() == "axis"):
                 continue
-            key = _KNOWN.get(key.lower(), key)
-            header[key] = f"{header[key]}\n{value}" if key in header else value
-    return header
+            said.setdefault(_KNOWN.get(key.lower(), key), []).append(value)
+    return {key: "\n".join(values) for key, values in said.items()}
 
 
 def axis_name(text: str) -> str:

@@ -10,7 +10,7 @@ the approach in positive direction.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice, pairwise
 
@@ -55,14 +55,24 @@ class _Entries:
         default_factory=lambda: {direction: {} for direction in Direction}
     )
     keys: dict[str, tuple[str, int]] = field(default_factory=dict)
+    #: Indices by how they are written: a million readings have few of them.
+    known: dict[str, int] = field(default_factory=dict)
+
+    def index(self, written: str) -> int:
+        """Return an index as a number. Raises ValueError where it is none."""
+        found = self.known.get(written)
+        if found is None:
+            found = self.known[written] = parse_count(written)
+        return found
 
 
-def is_target_data(lines: Sequence[tuple[int, str]]) -> bool:
+def is_target_data(lines: Iterable[str]) -> bool:
     """Whether the lines (comments taken out) are of this form: a line of data, or one of its keys
     first.
     """
-    return bool(lines) and (
-        bool(_KEYS_OF_FORM.match(lines[0][1])) or any(_DATA.match(line) for _, line in lines)
+    return any(
+        _DATA.match(line) or (index == 0 and _KEYS_OF_FORM.match(line))
+        for index, line in enumerate(lines)
     )
 
 
@@ -91,24 +101,36 @@ def read_target_data(lines: Sequence[tuple[int, str]], faults: FaultList) -> Tar
     marks.check()
     unit, factor = _unit(entries, faults)
     _check_complete(entries, faults)
-    rows = [
-        (line, entries.targets[i][0], direction is Direction.POSITIVE, j, value)
-        for direction in Direction
-        for (i, j), (value, line) in entries.readings[direction].items()
-        if i in entries.targets
-    ]
-    lines_of, targets, positive, runs, values = zip(*rows, strict=True) if rows else [()] * 5
-    measured, wanted = (np.array(column, dtype=np.float64) for column in (values, targets))
-    deviations = (measured - wanted) * factor
-    readings = readings_at(lines_of, wanted * factor, positive, runs, deviations)
     listed = [entries.targets[index][0] for index in sorted(entries.targets)]
     return TargetData(
         kind=AxisKind.LINEAR if unit == "mm" else AxisKind.ROTARY,
-        readings=readings,
+        readings=_readings(entries, factor),
         header={key: value for key, (value, _) in entries.keys.items()},
         unit_said="UNIT" in entries.keys,
         descending=len(listed) > 1 and all(later < earlier for earlier, later in pairwise(listed)),
     )
+
+
+def _readings(entries: _Entries, factor: float) -> Readings:
+    """Return the readings that have a target, in mm or deg by ``factor``."""
+    wanted = {index: value for index, (value, _) in entries.targets.items()}
+    parts = []
+    for direction in Direction:
+        block = entries.readings[direction]
+        columns = np.array(
+            [
+                np.fromiter((wanted.get(i, np.nan) for i, _ in block), np.float64, len(block)),
+                np.fromiter((value for value, _ in block.values()), np.float64, len(block)),
+                np.fromiter((j for _, j in block), np.float64, len(block)),
+                np.fromiter((line for _, line in block.values()), np.float64, len(block)),
+                np.full(len(block), float(direction is Direction.POSITIVE)),
+            ]
+        )
+        there = np.fromiter((i in wanted for i, _ in block), np.bool_, len(block))
+        parts.append(columns[:, there])
+    targets, values, runs, lines, positive = np.concatenate(parts, axis=1)
+    deviations = (values - targets) * factor
+    return readings_at(lines, targets * factor, positive, runs, deviations)
 
 
 def _take_value(
@@ -118,7 +140,7 @@ def _take_value(
     label = f"{name}[{(written or '').strip()}]"
     wanted = 1 if name == "TGT_DATA" else 2
     try:
-        indices = tuple(parse_count(part) for part in (written or "").split(","))
+        indices = tuple(map(entries.index, (written or "").split(",")))
     except ValueError:
         indices = ()
     if len(indices) != wanted:

@@ -8,7 +8,7 @@ import re
 import warnings
 import zipfile
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date, datetime, time
 from io import BytesIO
@@ -16,13 +16,21 @@ from itertools import repeat
 from typing import Any, Final
 
 from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.input_sizes import (
+    MOST_SHEET_CELLS,
+    MOST_SHEET_PLACES,
+    MOST_UNPACKED,
+    MOST_UNPACKED_BESIDE,
+    in_words,
+)
 
 _SIGNATURE: Final = b"PK\x03\x04"
-#: Bytes of all parts of a workbook, unpacked, and cells of all its sheets, beyond which it is
-#: refused: a test has some hundred readings.
-_MOST_BYTES: Final = 200_000_000
 _FORMULA: Final = re.compile(rb"<(?:\w+:)?f[ />]")
-_MOST_CELLS: Final = 2_000_000
+#: A cell or a row that a sheet writes, and an entry in its list of texts.
+_CELL: Final = re.compile(rb"<(?:\w+:)?(?:c|row|si)[ />]")
+_SHEETS: Final = "xl/worksheets/"
+_TABLES: Final = (_SHEETS, "xl/sharedStrings")
+_XML: Final = (".xml", ".rels")
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,8 +89,8 @@ def _check_size(content: bytes, file: str) -> bool:
     """Return whether a workbook holds formulas. Raises InputError for no or a huge workbook."""
     try:
         with zipfile.ZipFile(BytesIO(content)) as archive:
-            size = sum(member.file_size for member in archive.infolist())
-            names = set(archive.namelist())
+            parts = archive.infolist()
+            names = {part.filename for part in parts}
     except (zipfile.BadZipFile, ValueError, NotImplementedError) as error:
         raise InputError(
             Fault(
@@ -101,21 +109,74 @@ def _check_size(content: bytes, file: str) -> bool:
                 found=f"{', '.join(sorted(names)[:3])}, ..",
             )
         )
-    if size > _MOST_BYTES:
+    _check_parts(parts, file)
+    with zipfile.ZipFile(BytesIO(content)) as archive:
+        try:
+            return _look_into(archive, [part.filename for part in parts], file)
+        except (zipfile.BadZipFile, zlib.error, NotImplementedError, EOFError, RuntimeError):
+            return True  # openpyxl says what is wrong with it
+
+
+def _check_parts(parts: Sequence[zipfile.ZipInfo], file: str) -> None:
+    """Raise InputError for parts that are too large by what the archive says of them; it unpacks
+    no part beyond that.
+    """
+    tables = sum(part.file_size for part in parts if part.filename.startswith(_TABLES))
+    beside = sum(part.file_size for part in parts if part.filename.endswith(_XML)) - tables
+    for size, most, what in (
+        (tables, MOST_UNPACKED, "of sheets and texts"),
+        (beside, MOST_UNPACKED_BESIDE, "of styles and names"),
+    ):
+        if size > most:
+            raise InputError(
+                Fault(
+                    message="is too large when unpacked",
+                    file=file,
+                    expected=f"at most {in_words(most)} {what}; the sheet saved as CSV UTF-8 may"
+                    " be larger",
+                    found=in_words(size),
+                )
+            )
+
+
+def _look_into(archive: zipfile.ZipFile, names: Sequence[str], file: str) -> bool:
+    """Return whether the sheets hold formulas. Raises InputError where they hold too many cells, or
+    a part declares a document type.
+    """
+    cells, formulas = 0, False
+    for name in names:
+        if not name.endswith(_XML):
+            continue
+        part = archive.read(name)
+        if b"<!DOCTYPE" in part:
+            raise InputError(
+                Fault(
+                    message="declares a document type (DOCTYPE), in which entities could grow"
+                    " without end",
+                    file=file,
+                    place=name,
+                    expected="a workbook as a spreadsheet program saves it",
+                )
+            )
+        if name.startswith(_TABLES):
+            cells += sum(1 for _ in _CELL.finditer(part))
+        formulas = formulas or (name.startswith(_SHEETS) and _FORMULA.search(part) is not None)
+    _check_cells(cells, MOST_SHEET_CELLS, file)
+    return formulas
+
+
+def _check_cells(count: int, most: int, file: str, place: str = "") -> None:
+    if count > most:
         raise InputError(
             Fault(
-                message="is too large when unpacked",
+                message="holds too many cells",
                 file=file,
-                expected=f"at most {_MOST_BYTES // 1_000_000} MB",
-                found=f"{size // 1_000_000} MB",
+                place=place,
+                expected=f"at most {most}, empty ones counted; the sheet saved as CSV UTF-8 may be"
+                " larger",
+                found=f"{count} or more",
             )
         )
-    with zipfile.ZipFile(BytesIO(content)) as archive:
-        sheets = [name for name in names if name.startswith("xl/worksheets/")]
-        try:
-            return any(_FORMULA.search(archive.read(name)) for name in sheets)
-        except (zipfile.BadZipFile, zlib.error, NotImplementedError, EOFError):
-            return True  # openpyxl says what is wrong with it
 
 
 def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[Sheet]:
@@ -126,16 +187,8 @@ def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[Sheet]:
         for row, (cells, written) in enumerate(
             zip(sheet.iter_rows(), beside, strict=False), start=1
         ):
-            count += len(cells)
-            if count > _MOST_CELLS:
-                raise InputError(
-                    Fault(
-                        message="holds too many cells",
-                        file=file,
-                        place=f"sheet {sheet.title}",
-                        expected=f"at most {_MOST_CELLS}",
-                    )
-                )
+            count += max(len(cells), 1)
+            _check_cells(count, MOST_SHEET_PLACES, file, f"sheet {sheet.title}")
             for cell, formula in zip(cells, written, strict=False):
                 if cell.value is None and formula.data_type == "f":
                     raise InputError(

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from compwright.foundations.errors import Fault
+from compwright.foundations.input_sizes import MOST_MEMBER
 from compwright.records.correction import ControlFile
 
 MAGIC = b"@@MMCIBN."
@@ -43,8 +44,6 @@ _NAME, _SHOWN, _KIND, _SIZE, _DATE, _SUM, _FOLDER = (
 _FILE, _MARK = b"7", b"0"
 _ACTIVE = b"\\_NC_ACT.DIR\\"
 _LISTED = re.compile(rb"^(\\[^\n]*\\)([^\\\n]+)$", re.MULTILINE)
-#: Bytes of the largest text that is read; those of a five-axis machine have one million.
-LARGEST = 32 << 20
 _ZEROS = b"\x00"
 #: What was read is kept by content, of as many containers as a job has states.
 _KEPT = 8
@@ -135,9 +134,9 @@ def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
             if _ZEROS not in content:
                 programs.append(ControlFile(member.path, content))
             continue
-        if member.size > LARGEST:
+        if member.size > MOST_MEMBER:
             what = f"holds {member.name} with {member.size} bytes, more than any control's"
-            expected = f"at most {LARGEST} bytes"
+            expected = f"at most {MOST_MEMBER} bytes"
             faults.append(_fault(file, member.start - _BLOCK, what, expected=expected))
             continue
         one = ControlFile(f"{file.name}: {member.name}", content)
