@@ -17,16 +17,19 @@ from compwright.estimation.circle import _thinned
 from compwright.evaluation.copies import same_runs, same_runs_findings
 from compwright.evaluation.readings import drift, suspect_traverses
 from compwright.evaluation.standards import evaluate
-from compwright.formats.families.control_texts import _UNKNOWN
+from compwright.formats.families.control_texts import _UNKNOWN, _said_names, texts_of
 from compwright.foundations.errors import InputError
 from compwright.instruments import assembling
 from compwright.instruments.header_words import difference_of, said_unit, unit_of, without_unit
 from compwright.instruments.profile_of_file import proposed_profile
 from compwright.instruments.reading import read_positioning
+from compwright.instruments.sections import Sections, header_of
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.circular import CircularRun
+from compwright.records.correction import ControlFile
 from compwright.records.positioning import PositioningTest
 from compwright.workflow.stages.control import read_files
+from format_samples import DEFINITIONS
 
 
 def readings(targets: int, runs: int, seed: int = 1) -> tuple[FloatArray, FloatArray]:
@@ -163,6 +166,41 @@ def test_long_headers_take_time_in_proportion_to_their_length(unit: str) -> None
 @pytest.mark.parametrize("unit", ["\t", " ", "= ", "a\t", "n/a "])
 def test_long_lines_of_control_files_take_time_in_proportion_to_their_length(unit: str) -> None:
     assert linear(lambda text: _UNKNOWN.sub(b"", text.encode()), unit, "$MA_X", "!")
+
+
+def listings(entries: int) -> tuple[ControlFile, ...]:
+    """A listing that knows no value, and beside it a file that knows all but the last."""
+    names = [f"$MA_ENC_COMP[0,{index},AX1]" for index in range(entries)]
+    unknown = "".join(f"MD {name} = n/a\n" for name in names)
+    known = "".join(f"N{at} {name.lower()}=1.5\n" for at, name in enumerate(names[:-1]))
+    return (
+        ControlFile("a.ini", f"{unknown}$MA_X=1\n".encode()),
+        ControlFile("b.ini", f"{known}; {names[-1]}=2\n{names[-1]}= n/a\n$MA_X=n/a\n".encode()),
+    )
+
+
+def test_what_a_listing_does_not_know_is_looked_for_once() -> None:
+    definition = DEFINITIONS["siemens-840d-sl"]
+    listing, beside = texts_of(definition, listings(5), [])
+    lines = listing.content.decode().split("\n")
+    assert [line.strip() for line in lines[:5]] == [""] * 4 + ["MD $MA_ENC_COMP[0,4,AX1] = n/a"]
+    assert beside.content.split(b"\n")[-2].strip() == b""
+    assert linear(
+        lambda text: texts_of(definition, listings(len(text) // 4), []), " ", before="    "
+    )
+
+
+@pytest.mark.parametrize("unit", ["a", "a ", "=", " ", "a=n/a "])
+def test_words_of_long_lines_are_found_in_time_in_proportion(unit: str) -> None:
+    assert linear(lambda text: _said_names([ControlFile("a", text.encode())]), unit, "$MA_X=", "!")
+
+
+def test_header_lines_are_joined_in_time_in_proportion() -> None:
+    def header(text: str) -> object:
+        return header_of(Sections({"A": [(1, "b" * 50)] * (4 * len(text))}), ["A"])
+
+    assert header_of(Sections({"A": [(1, "x: 1"), (2, "x: 2")]}), ["A"]) == {"x": "1\n2"}
+    assert linear(header, " ")
 
 
 def test_a_number_of_a_million_digits_in_a_control_file_is_refused(tmp_path: Path) -> None:

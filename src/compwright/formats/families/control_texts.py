@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import lru_cache
+from itertools import takewhile
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
@@ -30,6 +32,10 @@ _POINT = re.compile(rb"^[^;\n]*=[ \t]*[+-]?[0-9]*\.[0-9]", re.MULTILINE)
 _UNKNOWN = re.compile(
     rb"^((?:[^;\n=]*?[^;\n= \t])?)[ \t]*=[ \t]*n/a[ \t]*\r?$", re.MULTILINE | re.IGNORECASE
 )
+#: What stands before the comment of a line with a value, and in it the word before a value that
+#: is known.
+_ASSIGNING = re.compile(rb"^[^;\n=]*=[^;\n]*", re.MULTILINE)
+_SAID = re.compile(rb"(?<![^\s=])([^\s=]++)[ \t]*+=(?![ \t]*+n/a)", re.IGNORECASE)
 #: What was laid over containers is kept by content, of as many sets as a job has states.
 _KEPT = 16
 
@@ -120,16 +126,38 @@ def _listed(files: Sequence[ControlFile], definition: Definition) -> tuple[Contr
         else file
         for file in files
     ]
-    return tuple(_without_unknown(file, pointed) for file in pointed)
+    if not any(_UNKNOWN.search(file.content) for file in pointed):
+        return tuple(pointed)
+    said = _said_names(pointed)
+    return tuple(_without_unknown(file, at, said) for at, file in enumerate(pointed))
 
 
-def _without_unknown(file: ControlFile, files: Sequence[ControlFile]) -> ControlFile:
-    others = [other.content for other in files if other is not file]
+def _said_names(files: Sequence[ControlFile]) -> list[tuple[bytes, int]]:
+    """Return the last word before each value that files give, reversed and in small letters, with
+    the index of its file, sorted: the words that end alike stand together.
+    """
+    return sorted(
+        {
+            (found[1][::-1].lower(), at)
+            for at, file in enumerate(files)
+            for line in _ASSIGNING.finditer(file.content)
+            for found in _SAID.finditer(line[0])
+        }
+    )
+
+
+def _without_unknown(file: ControlFile, at: int, said: Sequence[tuple[bytes, int]]) -> ControlFile:
+    known: dict[bytes, bool] = {}
 
     def blank(found: re.Match[bytes]) -> bytes:
-        name = re.escape(found[1].split()[-1]) if found[1].split() else b"(?!)"
-        said = re.compile(rb"(?m)^[^;\n]*" + name + rb"[ \t]*=(?![ \t]*n/a)", re.IGNORECASE)
-        return b" " * len(found[0]) if any(map(said.search, others)) else found[0]
+        words = found[1].split()
+        name = words[-1][::-1].lower() if words else b""
+        if name not in known:
+            first = bisect_left(said, (name,)) if name else len(said)
+            behind = (said[place] for place in range(first, len(said)))
+            alike = takewhile(lambda one: one[0].startswith(name), behind)
+            known[name] = any(index != at for _, index in alike)
+        return b" " * len(found[0]) if known[name] else found[0]
 
     return replace(file, content=_UNKNOWN.sub(blank, file.content))
 
