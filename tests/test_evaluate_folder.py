@@ -4,6 +4,7 @@ file costs another one its result.
 
 from __future__ import annotations
 
+import copy
 import csv
 import io
 import os
@@ -11,7 +12,7 @@ import pickle
 import re
 import sys
 import zipfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -57,7 +58,8 @@ def positioning_text(slope: float, axis: str = "X", seed: int = 0) -> str:
     return "\n".join(rows) + "\n"
 
 
-SLOPES = {f"t{place:02}.csv": 4.0 + place for place in range(12)}
+#: Not evenly spread: their mean is not their median.
+SLOPES = {f"t{place:02}.csv": 4.0 + place + 9.0 * (place == 10) for place in range(12)}
 
 
 @pytest.fixture(scope="module")
@@ -161,6 +163,10 @@ def test_other_processes_give_the_same_bytes(
 
 @pytest.fixture(scope="module")
 def shown(outcome: EvaluationRun) -> str:
+    return at_a_terminal(outcome.document)
+
+
+def at_a_terminal(document: Mapping[str, Any]) -> str:
     """The list at a terminal of 80 columns."""
     from rich.console import Console
 
@@ -168,8 +174,30 @@ def shown(outcome: EvaluationRun) -> str:
         patched.setenv("COLUMNS", "80")
         patched.setattr(Console, "is_terminal", property(lambda self: True))  # noqa: ARG005
         patched.setattr(sys, "stdout", stream := io.StringIO())
-        print_renderables(many_renderables(outcome.document))
+        print_renderables(many_renderables(document))
     return re.sub(r"\x1b\[[0-9;]*m", "", stream.getvalue())
+
+
+@pytest.mark.parametrize(
+    ("findings", "told"),
+    [
+        ([("CW-R001", "info")], ""),
+        ([("CW-R001", "info"), ("CW-R053", "warning"), ("CW-R006", "warning")], "CW-R053"),
+        ([("CW-R053", "warning"), ("CW-T030", "warning")], "CW-T030"),  # the unit is in doubt
+        ([("CW-T030", "warning"), ("CW-T099", "error")], "CW-T099"),
+    ],
+)
+def test_a_line_tells_what_is_to_be_looked_at_first(
+    findings: list[tuple[str, str]], told: str, outcome: EvaluationRun
+) -> None:
+    document = copy.deepcopy(dict(outcome.document))
+    first = document["results"][0]
+    assert first["sources"][0]["file"].endswith("c.csv")
+    first["findings"] = [
+        {"code": code, "severity": severity, "message": ""} for code, severity in findings
+    ]
+    line = next(x for x in at_a_terminal(document).splitlines() if x.startswith("c.csv "))
+    assert line.partition("arcsec")[2].strip() == told
 
 
 def test_a_line_each_and_a_summary_in_80_columns(shown: str) -> None:

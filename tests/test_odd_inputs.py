@@ -465,6 +465,16 @@ def test_a_key_that_stands_twice_in_a_plan(plan: dict[str, Any]) -> None:
             "axes.X.wanted: contradicts itself; expected ascending positions",
         ),
         (
+            ("axes", "X", "wanted", "positions", 1),
+            0.0,  # as the first one
+            "axes.X.wanted: contradicts itself; expected ascending positions",
+        ),
+        (
+            ("axes", "X", "wanted", "kind"),
+            "rotary",
+            "axes.X: contradicts itself; expected one kind of axis throughout",
+        ),
+        (
             ("axes", "X", "axis", "encoder", "system"),
             None,
             "axes.X.axis.encoder.system: does not fit",

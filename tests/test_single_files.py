@@ -12,6 +12,7 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.foundations.errors import StorageError
+from compwright.reporting.evaluation_table import table_bytes
 from compwright.workflow.stages.single_files import kind_of, refuse_other_kinds
 from laser_files import laser_file
 
@@ -47,8 +48,8 @@ def workbook(tmp_path: Path) -> bytes:
         (JOB, "a job"),
         (PROFILE, "a mapping profile"),
         (b"virtual_machine: 1\n", "a virtual machine"),
-        (EVALUATION, "a document compwright/evaluation"),
-        (PLAN, "a document compwright/plan"),
+        (EVALUATION, "a JSON document (compwright/evaluation)"),
+        (PLAN, "a JSON document (compwright/plan)"),
         (SVG, "a picture"),
         (b"\x89PNG\r\n", "a picture"),
         (b"mine", ""),
@@ -108,6 +109,23 @@ def test_a_workbook_is_not_replaced_by_a_document(tmp_path: Path) -> None:
     (tmp_path / "a.json").write_bytes(workbook(tmp_path))
     with pytest.raises(StorageError, match="found a workbook"):
         refuse_other_kinds({tmp_path / "a.json": EVALUATION}, force=True)
+
+
+def test_a_workbook_of_the_user_is_not_replaced_by_a_table(tmp_path: Path) -> None:
+    """Also one that began as a table of compwright and was saved by a spreadsheet program since."""
+    path = tmp_path / "t.xlsx"
+    document: dict[str, object] = {"results": [], "errors": []}
+    table = table_bytes(document, ".xlsx")
+    longer = table_bytes({**document, "errors": [{"file": "a", "message": "b"}]}, ".xlsx")
+    path.write_bytes(table)
+    refuse_other_kinds({path: longer}, force=True)
+    openpyxl.load_workbook(path).save(path)
+    with pytest.raises(StorageError, match="found a workbook"):
+        refuse_other_kinds({path: longer}, force=True)
+    for content in (workbook(tmp_path), b"PK\x03\x04 and no more"):
+        path.write_bytes(content)
+        with pytest.raises(StorageError, match="found a workbook"):
+            refuse_other_kinds({path: table}, force=True)
 
 
 @pytest.mark.parametrize(

@@ -352,3 +352,14 @@ def test_what_was_removed_comes_back_when_the_rest_cannot_be_written(
     )
     monkeypatch.undo()
     assert tree(tmp_path) == before
+
+
+def test_what_was_read_is_not_removed_either(tmp_path: Path) -> None:
+    """Though an earlier run wrote it and it holds no longer with what is written now."""
+    storage.write_files(tmp_path, {"old": b"1", "older": b"1", "cards/old": b"1"})
+    storage.read_bytes(tmp_path / "old")
+    storage.read_bytes(tmp_path / "cards" / "old")
+    storage.write_files(
+        tmp_path, {"new": b"2"}, force=True, outdated=["old", "older"], renewed=["cards"]
+    )
+    assert tree(tmp_path) == {"cards": None, "cards/old": b"1", "new": b"2", "old": b"1"}

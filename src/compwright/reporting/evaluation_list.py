@@ -173,17 +173,13 @@ def _warnings(results: Sequence[_Result]) -> _Column:
 
 def _gravest(findings: Sequence[Mapping[str, str]]) -> _Cell:
     """Return the code of the finding to be looked at first: an error, a doubt of the whole result,
-    another warning; an info is none.
+    else the warning that stands first on the page of the test; an info is none.
     """
-    ranks = [
-        (one["severity"] != "error", one["code"] not in DOUBTS, one["code"], one["severity"])
-        for one in findings
-        if one["severity"] != "info"
-    ]
-    if not ranks:
+    grave = [one for one in findings if one["severity"] != "info"]
+    if not grave:
         return _Cell("")
-    _, _, code, severity = min(ranks)
-    return _Cell(code, _STYLES[severity])
+    first = min(grave, key=lambda one: (one["severity"] != "error", one["code"] not in DOUBTS))
+    return _Cell(first["code"], _STYLES[first["severity"]])
 
 
 def _largest(causes: Sequence[Any]) -> str:

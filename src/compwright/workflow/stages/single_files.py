@@ -6,7 +6,10 @@ measurement, a job, a plan, a picture in the place of a document.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+import zipfile
+import zlib
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from io import BytesIO
 from pathlib import Path
 from typing import Final
 
@@ -18,6 +21,8 @@ from compwright.instruments.own_forms import is_plain_csv
 from compwright.instruments.table_shape import has_table
 from compwright.instruments.text_input import read_any_lines
 
+_TABLE: Final = "a table"
+_WORKBOOK: Final = "a workbook"
 #: First bytes -> what a file is.
 _SIGNATURES: Final = (
     (re.compile(rb"\x89PNG"), "a picture"),
@@ -26,7 +31,7 @@ _SIGNATURES: Final = (
         re.compile(rb"(?:<\?xml[^>]*>\s*)?(?:<!(?:--|DOCTYPE)[^>]*>\s*)*<svg", re.DOTALL),
         "a picture",
     ),
-    (re.compile(rb"PK\x03\x04"), "a workbook"),
+    (re.compile(rb"PK\x03\x04"), _WORKBOOK),
     (re.compile(rb"SQLite format 3\x00"), "an index of history"),
     (re.compile(rb"\s*<(?:!DOCTYPE html|html)", re.IGNORECASE), "a page"),
 )
@@ -38,14 +43,13 @@ _YAML: Final = (
     (re.compile(rb"^virtual_machine\s*:", re.MULTILINE), "a virtual machine"),
 )
 _SCHEMA: Final = re.compile(rb'\s*\{\s*"schema"\s*:\s*"(compwright/[a-z_]+)/')
-_TABLE: Final = "a table"
 #: What a file with an ending of these may be that nothing else tells.
 _ENDINGS: Final = {
     "a picture": {".svg", ".png", ".pdf"},
     "a job": {".yaml", ".yml"},
     "a mapping profile": {".yaml", ".yml"},
     _TABLE: {".csv", ".txt"},
-    "a workbook": {".xlsx"},
+    _WORKBOOK: {".xlsx"},
 }
 _DOCUMENT: Final = {".json"}
 _LOOKED_AT: Final = 65536  # bytes
@@ -76,7 +80,8 @@ def _others(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
             continue  # what was read is refused where it is written
         kind, new = kind_of(there), kind_of(content)
         endings = _ENDINGS.get(new, _DOCUMENT)
-        same = kind == new and (kind != _TABLE or _first_cell(there) == _first_cell(content))
+        mark = _MARKS.get(kind)
+        same = kind == new and (mark is None or mark(there) == mark(content))
         if not same and (kind or path.suffix.lower() not in endings):
             yield Fault(
                 message="is no file that this command writes, and is not replaced, not even with"
@@ -94,7 +99,7 @@ def kind_of(content: bytes) -> str:
     told = next((kind for mark, kind in _SIGNATURES if mark.match(content)), "")
     schema = _SCHEMA.match(content)
     if schema is not None:
-        told = f"a document {schema[1].decode()}"
+        told = f"a JSON document ({schema[1].decode()})"
     return told or _of_text(content)
 
 
@@ -115,3 +120,23 @@ def _of_text(content: bytes) -> str:
 def _first_cell(content: bytes) -> bytes:
     """Return what the header row of a table begins with: of those of compwright always the same."""
     return re.split(rb"[;,\t]", content.lstrip(b"\xef\xbb\xbf").partition(b"\n")[0])[0]
+
+
+def _properties(content: bytes) -> bytes:
+    """Return what a workbook says of itself, empty where it says nothing: who made it and when it
+    was changed last. Those of compwright carry no date, so that these are always the same until
+    another program saves one.
+    """
+    try:
+        with zipfile.ZipFile(BytesIO(content)) as archive:
+            size = archive.getinfo("docProps/core.xml").file_size
+            return b"" if size > _LOOKED_AT else archive.read("docProps/core.xml")
+    except (zipfile.BadZipFile, zlib.error, KeyError, ValueError, RuntimeError, OSError, EOFError):
+        return b""
+
+
+#: By kind: what tells those that compwright wrote from others.
+_MARKS: Final[Mapping[str, Callable[[bytes], bytes]]] = {
+    _TABLE: _first_cell,
+    _WORKBOOK: _properties,
+}
