@@ -78,8 +78,7 @@ def sheets_of(content: bytes, file: str) -> tuple[Sheet, ...]:
             Fault(
                 message="is an Excel workbook that cannot be opened",
                 file=file,
-                expected="a workbook (.xlsx), or the sheet saved as CSV UTF-8",
-                found=f"{type(error).__name__}",
+                expected="it saved anew by a spreadsheet program, or the sheet as CSV UTF-8",
             )
         ) from error
     return tuple(sheet for sheet in sheets if any(sheet.lines))
