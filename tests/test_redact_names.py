@@ -219,3 +219,30 @@ def test_when_it_was_measured_stays_and_no_other_date_does(tmp_path: Path) -> No
     assert (tmp_path / "out" / "x.csv").read_text().splitlines()[:4] == [
         "# Datum: 02.03.2026", "# date: 3.3.2026 14:05 Uhr", "# redacted", "# Temperatur: 20,5",
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("header", "said"),
+    [
+        ("Abweichung [µm]", None),
+        ("Abweichung (Ist - Soll) [µm]", "measured minus target"),
+        ("Abweichung (Soll - Ist) [µm]", "target minus measured"),
+    ],
+)
+def test_a_sign_that_nobody_stated_is_not_stated_beside_the_copy(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], header: str, said: str | None
+) -> None:
+    text = _FOREIGN.replace("Abweichung (Ist - Soll) [µm]", header)
+    (tmp_path / "y.csv").write_text(text, encoding="utf-8")
+    out = tmp_path / "out"
+    assert compwright(["redact", str(tmp_path / "y.csv"), "--out", str(out)]) == 0
+    profile, answer = out / "y.profile.yaml", tmp_path / "a.json"
+    words = ["evaluate", str(out / "y.csv"), "--json", str(answer), "--profile"]
+    if said is None:
+        assert compwright([*words, str(profile)]) == 2
+        assert "must be filled in" in capsys.readouterr().err
+        return
+    assert compwright([*words, str(profile)]) == 0
+    (result,) = json.loads(answer.read_text())["results"]
+    sign = 1 if said == "measured minus target" else -1
+    assert result["targets"][0]["deviations_positive"] == [0.4 * sign]

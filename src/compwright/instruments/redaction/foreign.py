@@ -20,7 +20,7 @@ from compwright.instruments.foreign_table import (
     named_columns,
 )
 from compwright.instruments.header_words import axis_above, difference_of, said_unit
-from compwright.instruments.profile import MARK, VERSION, Profile
+from compwright.instruments.profile import MARK, SIGNS, VERSION, Profile
 from compwright.instruments.profiled import columns_of
 from compwright.instruments.redaction.key_lines import redacted_comment
 from compwright.instruments.redaction.plain import joined
@@ -60,8 +60,15 @@ def redacted_table(lines: Sequence[str], profile: Profile, cuts: Cuts) -> tuple[
     return result, words.renamed(dict(zip(table.columns, names, strict=True)))
 
 
-def profile_lines(profile: Profile) -> str:
-    """Return a profile as YAML, without remarks."""
+#: What stands in a profile for a sign that no text of the table states, and that nobody answered.
+SIGN_TO_FILL_IN: Final = (
+    f"sign:  # FILL IN: {SIGNS[0]}, if a positive value means that the axis stands too far to +;"
+    f" else {SIGNS[1]}"
+)
+
+
+def profile_lines(profile: Profile, *, sign_open: bool) -> str:
+    """Return a profile as YAML, without remarks but for that about a sign that is ``sign_open``."""
     marks = {character: name for name, character in DELIMITERS.items()}
     keys: dict[str, object] = {
         "layout": profile.layout,
@@ -92,7 +99,12 @@ def profile_lines(profile: Profile) -> str:
     place = profile.position_map
     if place is not None:
         keys["position_map"] = {"sense": place.sense, "offset": place.offset}
-    told = [f"{key}: {json.dumps(value, ensure_ascii=False)}" for key, value in keys.items()]
+    told = [
+        SIGN_TO_FILL_IN
+        if sign_open and key == "sign"
+        else f"{key}: {json.dumps(value, ensure_ascii=False)}"
+        for key, value in keys.items()
+    ]
     return "\n".join([f"{MARK}: {VERSION}", *told, ""])
 
 

@@ -18,7 +18,7 @@ from compwright.instruments.profile import SIGNS, Profile, read_profile
 from compwright.instruments.profile_of_file import proposed_profile
 from compwright.instruments.profiled import at_its_header, has_columns
 from compwright.instruments.redaction.ballbar import ELEMENT_WORDS, redacted_ballbar
-from compwright.instruments.redaction.foreign import profile_lines, redacted_table
+from compwright.instruments.redaction.foreign import SIGN_TO_FILL_IN, profile_lines, redacted_table
 from compwright.instruments.redaction.key_lines import NAMES, VALUES
 from compwright.instruments.redaction.lines import lines_of
 from compwright.instruments.redaction.plain import redacted_plain
@@ -64,12 +64,18 @@ ALLOWED: frozenset[str] = (
 @dataclass(frozen=True, slots=True)
 class Redacted:
     """The bytes of a copy; ``profile``: the text of the profile that reads it, where its original
-    needs one, and ``read_by`` the one that read the original.
+    needs one, and ``read_by`` the one that read the original. A sign that nobody stated is left to
+    be filled in.
     """
 
     content: bytes
     profile: str = ""
     read_by: Profile | None = None
+
+    @property
+    def answered(self) -> str:
+        """The profile with a sign, whichever: the numbers of the copy are compared in any."""
+        return self.profile.replace(SIGN_TO_FILL_IN, f"sign: {SIGNS[0]}")
 
 
 def is_measurement(content: bytes, file: str, profile: Profile | None = None) -> bool:
@@ -116,7 +122,10 @@ def redacted_measurement(
     if form is not PLAIN_CSV or _is_plain(lines, profile):
         answers = profile if profile is not None and profile.layout == "own" else None
         return replace(_by(_BY_FORM[form.name], content, file, cuts), read_by=answers)
-    return _by_profile(content, file, cuts, profile or _proposed(content, file))
+    if profile is not None:
+        return _by_profile(content, file, cuts, profile)
+    proposed, sign_open = _proposed(content, file)
+    return _by_profile(content, file, cuts, proposed, sign_open=sign_open)
 
 
 def _is_plain(lines: Sequence[str], profile: Profile | None) -> bool:
@@ -136,24 +145,28 @@ def _by(redacted: _Redacted, content: bytes, file: str, cuts: Cuts) -> Redacted:
     return Redacted(text.to_bytes(redacted(text.lines, cuts)))
 
 
-def _by_profile(content: bytes, file: str, cuts: Cuts, profile: Profile) -> Redacted:
+def _by_profile(
+    content: bytes, file: str, cuts: Cuts, profile: Profile, *, sign_open: bool = False
+) -> Redacted:
     text = lines_of(content, file, profile.encoding)
     found = at_its_header(text.lines, profile)
     lines, read_by = redacted_table(text.lines, found, cuts)
-    return Redacted(text.to_bytes(lines), profile_lines(read_by), found)
+    return Redacted(text.to_bytes(lines), profile_lines(read_by, sign_open=sign_open), found)
 
 
-def _proposed(content: bytes, file: str) -> Profile:
-    """Return the profile that is proposed for a table; whatever its sign, the numbers stay the
-    same. Raises InputError where more than the sign is open.
+def _proposed(content: bytes, file: str) -> tuple[Profile, bool]:
+    """Return the profile that is proposed for a table, and whether its sign is open: with any, the
+    numbers stay the same. Raises InputError where more than the sign is open.
     """
     proposed = proposed_profile(content, file)
+    sign_open = any(one.startswith("sign:") for one in proposed.open)
     lines = [
-        f"sign: {SIGNS[0]}" if line.startswith("sign:") and proposed.open else line
+        f"sign: {SIGNS[0]}" if line.startswith("sign:") and sign_open else line
         for line in proposed.text.split("\n")
     ]
     try:
-        return read_profile(encoded("\n".join(lines)), f"the profile proposed for {file}")
+        text = encoded("\n".join(lines))
+        return read_profile(text, f"the profile proposed for {file}"), sign_open
     except CompwrightError as error:
         raise InputError(
             Fault(
@@ -168,9 +181,9 @@ def _proposed(content: bytes, file: str) -> Profile:
 
 
 def _of_workbook(content: bytes, file: str, cuts: Cuts, profile: Profile | None) -> Redacted:
-    sheets = sheets_of(content, file)
+    sheets, sign_open = sheets_of(content, file), False
     if profile is None and not any(is_plain_csv(sheet.lines) for sheet in sheets):
-        profile = _proposed(content, file)
+        profile, sign_open = _proposed(content, file)
     made: list[Sheet] = []
     read_by: Profile | None = None
     for sheet in sheets:
@@ -184,7 +197,7 @@ def _of_workbook(content: bytes, file: str, cuts: Cuts, profile: Profile | None)
             continue
         made.append(Sheet(_title(sheet, cuts, made), lines))
     cuts.removed.extend(("part of the workbook", name) for name in other_parts(content))
-    told = "" if read_by is None else profile_lines(read_by)
+    told = "" if read_by is None else profile_lines(read_by, sign_open=sign_open)
     return Redacted(workbook_of(made), told, profile)
 
 

@@ -34,7 +34,7 @@ def measurement_copy(content: bytes, file: str, cuts: Cuts, profile: Profile | N
     whose copy something is left that was taken out.
     """
     made = redacted_measurement(content, file, cuts, profile)
-    read_by = None if not made.profile else read_profile(made.profile.encode(), "profile")
+    read_by = None if not made.profile else read_profile(made.answered.encode(), "profile")
     old = _read(content, file, made.read_by)
     try:
         new = _read(made.content, file, read_by if read_by is not None else made.read_by)
