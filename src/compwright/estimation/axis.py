@@ -175,7 +175,7 @@ class AxisPosterior:
         data = self.cells.data
         known = data.precision[weights.draw]
         precision = np.where(data.counts > 0, data.counts / weights.noise, known)
-        curve = part.rows(self.cells, weights.draw) @ values.T
+        curve = part.evidence.rows_under(weights.draw) @ values.T
         left = precision[:, np.newaxis] * (data.values[weights.draw][:, np.newaxis] - curve)
         total = np.add.reduceat(left, data.starts, axis=0).T
         by_target = np.add.reduceat(precision, data.starts)

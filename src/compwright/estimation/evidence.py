@@ -111,13 +111,6 @@ class Weights:
     draw: int
 
 
-def design_rows(basis: Basis, targets: FloatArray, data: CellData, draw: int) -> FloatArray:
-    """Return the columns (c, j) of all weights at the cells under a draw of the noise: those of the
-    basis, of single tests, and what is common to means.
-    """
-    return np.hstack([_own_rows(basis, targets, data), data.columns[draw]])
-
-
 def _own_rows(basis: Basis, targets: FloatArray, data: CellData) -> FloatArray:
     positive, negative = basis.design(targets)
     own = np.where((data.signs > 0)[:, np.newaxis], positive[data.seats], negative[data.seats])
@@ -136,6 +129,12 @@ class Evidence:
         self.rows = _own_rows(basis, targets, data)
         self.typical = data.typical()
         self.values = data.values[self.typical]
+
+    def rows_under(self, draw: int) -> FloatArray:
+        """Return the columns (c, j) of all weights at the cells under a draw of the noise: those of
+        the basis, of single tests, and what is common to means.
+        """
+        return np.hstack([self.rows, self.data.columns[draw]])
 
     def log_variances(self, h: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return log prior variances (j,) of the weights and their derivatives (hyperparameters,
@@ -233,7 +232,7 @@ class Evidence:
             slopes=slopes,
             precision=np.where(data.counts > 0, data.counts / noise, data.precision[index]),
             values=data.values[index],
-            rows=np.hstack([self.rows, data.columns[index]]) * deviations,
+            rows=self.rows_under(index) * deviations,
             data=data,
         )
 

@@ -27,7 +27,6 @@ from compwright.estimation.evidence import (
     Evidence,
     Prior,
     Weights,
-    design_rows,
 )
 from compwright.estimation.hyperparameters import HyperparameterDraws, draw_hyperparameters
 from compwright.records.axis import FloatArray
@@ -94,10 +93,6 @@ class Part:
     def weights(self) -> tuple[Weights, ...]:
         """The draws (n). They are large: made when asked for, and kept for the last few parts."""
         return _weights_of(self)
-
-    def rows(self, cells: Cells, draw: int) -> FloatArray:
-        """Return the columns (c, j) of all weights at the cells under a draw of the noise."""
-        return design_rows(self.basis, cells.targets, cells.data, draw)
 
 
 @functools.lru_cache(maxsize=8)

