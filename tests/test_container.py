@@ -9,7 +9,7 @@ import pytest
 from compwright.formats.control_format import control_format
 from compwright.formats.text.container import opened, unknown_container
 from compwright.foundations.errors import InputError
-from compwright.foundations.input_sizes import MOST_MEMBER
+from compwright.foundations.input_sizes import MOST_CONTROL_TEXT
 from compwright.records.correction import ControlFile
 from format_samples import DEFINITIONS
 from sinumerik_archive import ARCHIVE, cec_text, eec_text, member, needs_archive
@@ -99,7 +99,7 @@ def test_a_hostile_container_takes_no_time() -> None:
 
 def test_a_member_larger_than_any_control_has_is_refused() -> None:
     """Not read line by line for minutes; a program of that size concerns nobody."""
-    content = b"$MA_BACKLASH[0,AX1]=0\n" * (MOST_MEMBER // 22 + 1)
+    content = b"$MA_BACKLASH[0,AX1]=0\n" * (MOST_CONTROL_TEXT // 22 + 1)
     assert "INITIAL.INI" in refused(container([(ACTIVE, "INITIAL.INI", content)]))
     assert not members(container([("\\MPF.DIR\\", "LONG.MPF", content)]))
 

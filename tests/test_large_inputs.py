@@ -168,6 +168,18 @@ def test_long_lines_of_control_files_take_time_in_proportion_to_their_length(uni
     assert linear(lambda text: _UNKNOWN.sub(b"", text.encode()), unit, "$MA_X", "!")
 
 
+def test_a_text_longer_than_any_of_a_control_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "m.cfg"
+    file.write_bytes(b"0 0 0\n" * 1_400_000)
+    with pytest.raises(InputError) as caught:
+        read_files([file])
+    assert str(caught.value) == (
+        "m.cfg: is too large; expected a text of a control of at most 8 MB, found 8.4 MB"
+    )
+    file.write_bytes(b"@@MMCIBN." + b"0 0 0\n" * 1_400_000)
+    assert len(read_files([file])) == 1  # an archive; what is in it is told where it is opened
+
+
 def listings(entries: int) -> tuple[ControlFile, ...]:
     """A listing that knows no value, and beside it a file that knows all but the last."""
     names = [f"$MA_ENC_COMP[0,{index},AX1]" for index in range(entries)]

@@ -51,8 +51,9 @@ XML: Final = InputKind("an XML file", 32_000_000)
 MOST_ELEMENTS: Final = 200_000
 MOST_LEVELS: Final = 40
 MOST_SAMPLES_OF_A_RUN: Final = 1_000_000
-#: One text in an archive of a control; those of a five-axis machine have one million bytes.
-MOST_MEMBER: Final = 32 << 20
+#: Bytes of one text of a control, alone or in an archive: the largest of a five-axis machine has
+#: one million.
+MOST_CONTROL_TEXT: Final = 8_000_000
 
 
 def in_words(size: int) -> str:

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from compwright.foundations.errors import Fault
-from compwright.foundations.input_sizes import MOST_MEMBER
+from compwright.foundations.input_sizes import MOST_CONTROL_TEXT, in_words
 from compwright.records.correction import ControlFile
 
 MAGIC = b"@@MMCIBN."
@@ -134,9 +134,9 @@ def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
             if _ZEROS not in content:
                 programs.append(ControlFile(member.path, content))
             continue
-        if member.size > MOST_MEMBER:
+        if member.size > MOST_CONTROL_TEXT:
             what = f"holds {member.name} with {member.size} bytes, more than any control's"
-            expected = f"at most {MOST_MEMBER} bytes"
+            expected = f"at most {in_words(MOST_CONTROL_TEXT)}"
             faults.append(_fault(file, member.start - _BLOCK, what, expected=expected))
             continue
         one = ControlFile(f"{file.name}: {member.name}", content)

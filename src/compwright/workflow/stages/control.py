@@ -21,10 +21,11 @@ from compwright.formats.definition.options import (
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
+from compwright.formats.text.container import is_container
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
-from compwright.foundations.input_sizes import CONTROL, MOST_DIGITS
+from compwright.foundations.input_sizes import CONTROL, MOST_CONTROL_TEXT, MOST_DIGITS, in_words
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile, ControlState
 from compwright.records.job import Job
@@ -272,6 +273,18 @@ def _endless_number(file: ControlFile) -> Fault | None:
     )
 
 
+def _long_text(file: ControlFile) -> Fault | None:
+    """Return the fault of a text that is longer than any of a control; archives may be longer."""
+    if len(file.content) <= MOST_CONTROL_TEXT or is_container(file):
+        return None
+    return Fault(
+        message="is too large",
+        file=file.name,
+        expected=f"a text of a control of at most {in_words(MOST_CONTROL_TEXT)}",
+        found=in_words(len(file.content)),
+    )
+
+
 def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     """Read control files; a folder stands for all files in it. Raises InputError with every file
     that cannot be read.
@@ -300,6 +313,7 @@ def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
         for name, times in Counter(file.name for file in files).items()
         if times > 1
     )
+    faults.extend(filter(None, map(_long_text, files)))
     faults.extend(filter(None, map(_endless_number, files)))
     raise_all(InputError, faults)
     return tuple(files)
