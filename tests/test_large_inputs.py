@@ -18,6 +18,7 @@ from compwright.evaluation.copies import same_runs, same_runs_findings
 from compwright.evaluation.readings import drift, suspect_traverses
 from compwright.evaluation.standards import evaluate
 from compwright.formats.families.control_texts import _UNKNOWN, _said_names, texts_of
+from compwright.foundations import yaml_reader
 from compwright.foundations.errors import InputError
 from compwright.instruments import assembling
 from compwright.instruments.header_words import difference_of, said_unit, unit_of, without_unit
@@ -178,6 +179,18 @@ def test_a_text_longer_than_any_of_a_control_is_refused(tmp_path: Path) -> None:
     )
     file.write_bytes(b"@@MMCIBN." + b"0 0 0\n" * 1_400_000)
     assert len(read_files([file])) == 1  # an archive; what is in it is told where it is opened
+
+
+def test_a_job_full_of_keys_is_refused_before_it_is_understood(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(yaml_reader, "MOST_YAML_WORDS", 20)
+    assert len(yaml_reader.read_yaml(b"a: [" + b"1," * 19 + b"]", "j.yaml").data["a"]) == 19
+    with pytest.raises(InputError) as caught:
+        yaml_reader.read_yaml(b"".join(b"k%d: 1\n" % key for key in range(11)), "j.yaml")
+    assert str(caught.value) == (
+        "j.yaml: line 11: is too long; expected at most 20 keys and values"
+    )
 
 
 def listings(entries: int) -> tuple[ControlFile, ...]:

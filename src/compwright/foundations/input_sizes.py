@@ -25,6 +25,9 @@ MEASUREMENT: Final = InputKind("a measurement file", 64_000_000)
 CONTROL: Final = InputKind("a file of a control", 64_000_000)
 #: Read by people, written by hand: job, definition, profile, virtual machine.
 YAML: Final = InputKind("a YAML file", 1_000_000)
+#: Keys and values of one: a long job has some thousand.
+MOST_YAML_WORDS: Final = 40_000
+MOST_YAML_LEVELS: Final = 50
 #: Plan, record, prediction: they carry files of controls and every target.
 JSON: Final = InputKind("a JSON file of compwright", 128_000_000)
 #: What is copied or compared as it is.

@@ -15,6 +15,7 @@ from typing import Any
 import yaml
 
 from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.input_sizes import MOST_YAML_LEVELS, MOST_YAML_WORDS
 
 KeyPath = tuple[str | int, ...]
 
@@ -46,7 +47,6 @@ def key_path_text(path: KeyPath) -> str:
     return text
 
 
-_DEEPEST = 50  # composing recurses; a job or a definition needs less than ten levels
 _LONE_SURROGATE = re.compile("[\ud800-\udfff]")  # cannot be written to any file or terminal
 
 
@@ -57,6 +57,7 @@ class _Loader(yaml.SafeLoader):
         super().__init__(text)
         self.file = file
         self.depth = 0
+        self.words = 0
 
     def get_event(self) -> yaml.Event:
         """Return the next event. Raises InputError for YAML that is no plain data, or nested deeper
@@ -67,12 +68,15 @@ class _Loader(yaml.SafeLoader):
         self.depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(
             event, yaml.CollectionEndEvent
         )
+        self.words += isinstance(event, yaml.ScalarEvent)
         if isinstance(event, yaml.AliasEvent):
             message, expected = "aliases (*name) are not accepted", "the value written out"
         elif getattr(event, "tag", None) is not None:
             message, expected = "tags (!name) are not accepted", "the plain value"
-        elif self.depth > _DEEPEST:
-            message, expected = "is nested too deeply", f"at most {_DEEPEST} levels"
+        elif self.depth > MOST_YAML_LEVELS:  # composing recurses
+            message, expected = "is nested too deeply", f"at most {MOST_YAML_LEVELS} levels"
+        elif self.words > MOST_YAML_WORDS:
+            message, expected = "is too long", f"at most {MOST_YAML_WORDS} keys and values"
         else:
             return event
         place = f"line {event.start_mark.line + 1}" if event.start_mark else ""
