@@ -298,3 +298,47 @@ def test_rows_above_the_header_row(text: str, profile: str, row: int, told: str)
     lines = text.splitlines(keepends=True)
     moved = lines[row : row + 2]
     assert told in stray("".join([*moved, *lines[:row], *lines[row + 2 :]]), profile)
+
+
+@pytest.mark.parametrize(
+    ("text", "profile", "row"),
+    [
+        (f"# unit: um\ntarget_mm,+1,-1,+2,-2,+3,-3\n{ROWS}", None, "50.5,,,,,,"),
+        (WIDE, WIDE_PROFILE, "50.5\t\t\t"),
+        (WIDE, WIDE_PROFILE, "50.5"),  # the row in which a copy ended
+        (FOREIGN.replace("Mittel;;;0,5\n", ""), LONG_PROFILE, "50,500;vor;1;"),
+    ],
+)
+def test_a_target_without_any_reading_is_told(text: str, profile: str | None, row: str) -> None:
+    used = read_profile(profile.encode(), "p.yaml") if profile else None
+    whole = read_positioning(text.encode(), "x.csv", used)
+    assert not any("Rows without any" in finding.message for finding in whole.findings)
+    test = read_positioning(f"{text}{row}\n".encode(), "x.csv", used)
+    assert 50.5 not in test.targets
+    severity, message = next(
+        (finding.severity, finding.message)
+        for finding in test.findings
+        if finding.code == "CW-R006" and "Rows without any reading" in finding.message
+    )
+    assert severity == "warning"
+    assert "target 50.5 mm" in message
+
+
+#: What a spreadsheet shows for a target that it cannot show or work out, in English, German, French
+#: and Russian, and what somebody writes who takes a row out by hand.
+MARKS = ["#####", "#REF!", "#DIV/0!", "#N/A", "#WERT!", "#BEZUG!", "#NV", "#VALEUR!", "#ЗНАЧ!"]
+MARKS += ["# 50.5", "#50.5"]
+
+
+@pytest.mark.parametrize("mark", MARKS)
+def test_a_row_whose_target_is_shown_as_a_comment_is_told(mark: str) -> None:
+    head = "# unit: um\ntarget_mm,+1,-1,+2,-2,+3,-3\n"
+    row = f"{mark},1.1,-1.1,1.2,-1.2,1.3,-1.3\n"
+    told = stray(head + row + ROWS)
+    assert "line 3 " in told
+    assert mark.split(maxsplit=1)[0] in told
+    assert stray(f"{head}{ROWS}# end of the test, 1.1 mm before the stop\n# runs: 3\n") == ""
+    long = "target_mm,direction,run,deviation_um\n0,+,1,1.1\n100,+,1,1.2\n0,-,1,1.3\n100,-,1,1.4\n"
+    assert "line 6 " in stray(f"{long}{mark},+,2,1.5\n")
+    foreign = FOREIGN.replace("Mittel", f"{mark};vor;2;0,7\nMittel")
+    assert "line 7 " in stray(foreign, LONG_PROFILE)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import zipfile
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import openpyxl
@@ -14,6 +15,7 @@ from compwright.foundations.errors import InputError
 from compwright.instruments.profile import read_profile
 from compwright.instruments.profile_of_file import proposed_profile
 from compwright.instruments.reading import read_positioning, read_tests
+from compwright.workflow.stages.inputs import read_measurement
 
 Rows = Sequence[Sequence[Any]]
 LONG = ("target_mm", "direction", "run", "deviation_um")
@@ -200,3 +202,20 @@ def test_without_openpyxl(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "openpyxl", None)
     content = workbook({"X": [LONG, *READINGS]})
     assert "pip install compwright[excel]" in refused(content)
+
+
+def test_a_copied_sheet_of_no_axis_beside_the_one_that_a_job_takes_is_told(tmp_path: Path) -> None:
+    """The copy is what a spreadsheet program calls ``X (2)``: it may be the newer measurement."""
+    file = tmp_path / "m.xlsx"
+    other = [(target, way, run, -value) for target, way, run, value in READINGS]
+    sheets = {"X": [LONG, *READINGS], "Y": [LONG, *other]}
+    file.write_bytes(workbook(sheets))
+    codes = [finding.code for finding in read_measurement(file, None, "X").findings]
+    assert "CW-R061" not in codes
+    file.write_bytes(workbook({**sheets, "X (2)": [LONG, *other]}))
+    test = read_measurement(file, None, "X")
+    assert test.positive[0, 0] == pytest.approx(0.0004)
+    (told,) = [finding for finding in test.findings if finding.code == "CW-R061"]
+    assert told.severity == "warning"
+    assert "X (2)" in told.message
+    assert "m Y" not in told.message

@@ -282,6 +282,45 @@ def test_a_copy_of_the_folder_alone_is_put_right_and_the_rest_stays(
     assert files(top) == course.old
 
 
+COPIED_IN_PART = {
+    "one file less": lambda kept: kept.unlink(),
+    "half of one": lambda kept: kept.write_bytes(kept.read_bytes()[:-3]),
+}
+
+
+@pytest.mark.parametrize("damage", COPIED_IN_PART)
+@pytest.mark.parametrize("when", ["before the new files stand there", "after"])
+def test_a_folder_that_was_copied_in_part_is_not_said_to_be_as_before(
+    tmp_path: Path, course: Course, when: str, damage: str
+) -> None:
+    """As a program leaves it that synchronises folders file by file, or a stick pulled too early:
+    of the files that were moved away not all have come whole.
+    """
+    top = stopped(
+        tmp_path / "top", course.last_move + 1 if when == "after" else course.first_move + 5
+    )
+    kept = next(
+        path
+        for path in sorted((top / "out" / UNFINISHED).glob("*.old"))
+        if path.read_bytes() == b"old y"
+    )
+    whole = kept.read_bytes()
+    COPIED_IN_PART[damage](kept)
+    before = files(top)
+    for _ in range(2):  # nothing is forgotten
+        start_command()
+        with pytest.raises(InputError, match=r"set/y: the earlier file, .* is (missing|damaged)"):
+            storage.read_bytes(top / "out" / "record")
+        with pytest.raises(StorageError, match="set/y: the earlier file"):
+            write(top)
+        assert put_right() == ()
+        assert files(top) == before
+    kept.write_bytes(whole)  # the rest has come
+    start_command()
+    assert storage.read_bytes(top / "out" / "record") == b"old record"
+    assert files(top) == course.old
+
+
 def test_a_copy_of_the_folder_beside_alone_is_put_right_by_itself(
     tmp_path: Path, course: Course
 ) -> None:
@@ -383,7 +422,7 @@ DAMAGE: dict[str, Callable[[dict[str, object]], object]] = {
     "no journal": lambda _data: [],
     "another version": lambda data: {**data, "form": "compwright/unfinished/2"},
     "a bit": lambda data: {**data, "key": "0"},
-    "another file": lambda data: {**data, "files": [["record", False, "0"]]},
+    "another file": lambda data: {**data, "files": [["record", False, "0", ""]]},
 }
 
 

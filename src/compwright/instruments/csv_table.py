@@ -158,6 +158,22 @@ def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple
     return comments, others
 
 
+def rows_as_comments(
+    lines: Sequence[str], header_line: int, cells_of: Callable[[str], list[str] | None], width: int
+) -> list[tuple[int, str]]:
+    """Return the lines below the header row that are comments by their first character and rows by
+    their cells: those that somebody took out, and those whose target a spreadsheet shows as
+    ``#####`` or ``#REF!``.
+    """
+    found = []
+    for number, line in enumerate(lines[header_line:], start=header_line + 1):
+        if comment_text(line) is not None:
+            cells = cells_of(line)
+            if cells is not None and len(cells) == width and any(map(is_number, cells[1:])):
+                found.append((number, line))
+    return found
+
+
 def first_row(lines: Sequence[str]) -> tuple[int, str] | None:
     """Return the first line that is neither blank nor a comment, with its number; None where there
     is none.
@@ -180,7 +196,7 @@ def header_names(header: str) -> tuple[str, list[str], int]:
     """
     best: tuple[str, list[str], int] = (",", [], 0)
     for delimiter in DELIMITERS:
-        names = [column_name(cell) for cell in _cells(header, delimiter) or ()]
+        names = [column_name(cell) for cell in row_cells(header, delimiter) or ()]
         known = sum(name in COLUMNS or traverse_of(name) is not None for name in names)
         if (known, len(names)) > (best[2], len(best[1])):
             best = (delimiter, names, known)
@@ -224,7 +240,7 @@ def _rows(
     """Return the lines of the rows and the cells of each column."""
     found = Gathered(len(columns))
     for number, line in lines:
-        cells = _cells(line, delimiter)
+        cells = row_cells(line, delimiter)
         if cells is None:
             faults.add(
                 "a quote is not closed on its line", place=f"line {number}", found=shown(line)
@@ -312,7 +328,7 @@ def _without_unnamed(table: Table, faults: FaultList) -> Table:
     )
 
 
-def _cells(line: str, delimiter: str) -> list[str] | None:
+def row_cells(line: str, delimiter: str) -> list[str] | None:
     """Return the stripped cells of one line, None when a quote is not closed or a cell is absurdly
     long.
     """

@@ -10,6 +10,8 @@ from compwright.instruments.csv_table import (
     first_row,
     header_names,
     read_table,
+    row_cells,
+    rows_as_comments,
     split_lines,
     traverse_of,
 )
@@ -22,6 +24,7 @@ from compwright.instruments.reading_findings import (
     falling_finding,
     left_out_finding,
     measured_findings,
+    stray_finding,
 )
 from compwright.instruments.target_data import is_target_data, read_target_data
 
@@ -50,9 +53,19 @@ def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:
     comment_lines, lines = split_lines(text)
     comments = read_comments(comment_lines, faults)
     refuse_other_files(lines, comments, faults.file)
-    read = read_csv(read_table(lines, faults), comments, faults)
+    table = read_table(lines, faults)
+    read = read_csv(table, comments, faults)
     findings = measured_findings(comments.header, sign_said=read.sign_said) if read.measured else []
-    about = (doubtful_finding(read.doubtful), left_out_finding(read.left_out))
+    width = len(row_cells(text[table.line - 1], table.delimiter) or ())
+    hidden = rows_as_comments(
+        text, table.line, lambda line: row_cells(line, table.delimiter), width
+    )
+    about = (
+        doubtful_finding(read.doubtful),
+        left_out_finding(read.left_out),
+        read.unread,
+        stray_finding(hidden),
+    )
     findings += [finding for finding in about if finding is not None]
     return Parsed(
         kind=read.kind,

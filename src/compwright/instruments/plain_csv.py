@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from compwright.foundations.findings import Finding
 from compwright.foundations.units import TO_INSIDE
 from compwright.instruments.comments import Comments, sign_of
 from compwright.instruments.csv_table import (
@@ -28,8 +29,9 @@ from compwright.instruments.csv_table import (
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, counts_of
 from compwright.instruments.parts import AXIS_COLUMN
+from compwright.instruments.reading_findings import unread_finding
 from compwright.instruments.readings import IntArray, Readings, readings_at
-from compwright.records.axis import AxisKind
+from compwright.records.axis import AxisKind, FloatArray
 
 _KIND_OF_TARGET = {"target_mm": AxisKind.LINEAR, "target_deg": AxisKind.ROTARY}
 #: Columns of values; the unit is the last part of the name.
@@ -56,6 +58,7 @@ class CsvReadings:
     sign_said: bool = False
     left_out: tuple[str, ...] = ()
     doubtful: str = ""
+    unread: Finding | None = None
 
 
 def read_csv(table: Table, comments: Comments, faults: FaultList) -> CsvReadings:
@@ -91,8 +94,10 @@ def read_csv(table: Table, comments: Comments, faults: FaultList) -> CsvReadings
         faults.raise_if_any()  # without these columns every row would repeat the same fault
     if traverses:
         factor = _wide_factor(target, comments, faults) * (sign or 1.0)
-        readings = _wide(table, (target, traverses), factor, marks, faults)
+        readings, targets = _wide(table, (target, traverses), factor, marks, faults)
+        unread = unread_finding(targets, readings, _KIND_OF_TARGET[target])
     else:
+        unread = None  # an empty value of a row is a fault there
         readings = _long(table, (target, value), sign or 1.0, marks, faults)
     marks.check(comma_is_delimiter=table.delimiter == ",")
     return CsvReadings(
@@ -102,6 +107,7 @@ def read_csv(table: Table, comments: Comments, faults: FaultList) -> CsvReadings
         sign_said=sign is not None,
         left_out=tuple(column for column in table.columns if column not in (*used, AXIS_COLUMN)),
         doubtful=marks.doubtful_point(),
+        unread=unread,
     )
 
 
@@ -312,7 +318,8 @@ def _wide(
     factor: float,
     marks: DecimalMarks,
     faults: FaultList,
-) -> Readings:
+) -> tuple[Readings, FloatArray]:
+    """Return the readings and the targets of all rows, NaN after noting a fault."""
     target, traverses = columns
     names = list(traverses)
     positions = marks.parse_all(table.of(target), table.lines, table.place(target), target)
@@ -337,7 +344,7 @@ def _wide(
     runs = np.array([run for _, run in traverses.values()], dtype=np.int64)
     readings = Readings(positions[row] + 0.0, signs[column], runs[column], numbers * factor, place)
     whole = np.isfinite(readings.targets) & np.isfinite(numbers)
-    return readings if whole.all() else readings.only(whole)
+    return (readings if whole.all() else readings.only(whole)), positions
 
 
 def _rows_of_new_targets(

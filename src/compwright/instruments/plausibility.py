@@ -41,6 +41,7 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.instruments.assembling import Grid, as_text
+from compwright.instruments.reading_findings import missing_finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
 
 #: Plausible deviations lie between these, in mm or deg: outside, the unit is probably not the one
@@ -88,9 +89,7 @@ def _missing(grid: Grid, kind: AxisKind) -> Finding | None:
     if not gaps:
         return None
     total = _all_deviations(grid).size
-    return Finding(
-        "CW-R006", "warning", f"{len(gaps)} of {total} readings are missing: {_list(gaps)}."
-    )
+    return missing_finding(f"{len(gaps)} of {total} readings are missing: {_list(gaps)}.")
 
 
 def _one_sided(grid: Grid) -> Finding | None:

@@ -12,6 +12,7 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.instruments.assembling import as_text
+from compwright.instruments.csv_table import rows_as_comments
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.foreign_table import (
     ForeignTable,
@@ -25,7 +26,11 @@ from compwright.instruments.numbers import parse_number, plain_numbers
 from compwright.instruments.parsed import Parsed
 from compwright.instruments.parts import Part, parts_by_axis
 from compwright.instruments.profile import Profile
-from compwright.instruments.reading_findings import left_out_finding, stray_finding
+from compwright.instruments.reading_findings import (
+    left_out_finding,
+    stray_finding,
+    unread_finding,
+)
 from compwright.instruments.readings import Readings, readings_at
 from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import Direction, FloatArray
@@ -102,9 +107,9 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
     unused = [row for row, used in enumerate(numbered) if not used]
     rows = [row for row, used in enumerate(numbered) if used]
     if profile.layout == "wide":
-        readings = _wide(rows, cells, profile)
+        readings, targets = _wide(rows, cells, profile)
     else:
-        readings = _long(rows, cells, profile, faults)
+        readings, targets = _long(rows, cells, profile, faults)
     left = [
         name
         for name in table.columns
@@ -112,7 +117,8 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
     ]
     about = (
         left_out_finding(left),
-        stray_finding(_above(text, table, profile)),
+        unread_finding(targets, readings, profile.kind),
+        stray_finding([*_above(text, table, profile), *_hidden(text, table, profile)]),
         _unused(unused, table, profile),
         read_so_finding(readings, profile.kind, f"the profile {profile.file}"),
     )
@@ -234,7 +240,8 @@ def _factor(unit: str) -> float:
     return {**LENGTHS, **ANGLES}[unit]
 
 
-def _wide(rows: Sequence[int], cells: _Cells, profile: Profile) -> Readings:
+def _wide(rows: Sequence[int], cells: _Cells, profile: Profile) -> tuple[Readings, FloatArray]:
+    """Return the readings and the targets of all rows."""
     targets = cells.targets(rows)
     lines = np.array([cells.table.lines[row] for row in rows], dtype=np.int64)
     names = list(profile.traverses)
@@ -251,17 +258,21 @@ def _wide(rows: Sequence[int], cells: _Cells, profile: Profile) -> Readings:
     order = order[np.isfinite(deviations[order])]
     at, columns, deviations = at[order], columns[order], deviations[order]
     ways = list(profile.traverses.values())
-    return Readings(
+    readings = Readings(
         targets[at],
         np.array([way is Direction.POSITIVE for way, _ in ways], dtype=np.bool_)[columns],
         np.array([run for _, run in ways], dtype=np.int64)[columns],
         deviations,
         lambda index: f"line {lines[at[index]]}, column {names[columns[index]]}",
     )
+    return readings, targets
 
 
-def _long(rows: Sequence[int], cells: _Cells, profile: Profile, faults: FaultList) -> Readings:
-    targets = cells.targets(rows)
+def _long(
+    rows: Sequence[int], cells: _Cells, profile: Profile, faults: FaultList
+) -> tuple[Readings, FloatArray]:
+    """Return the readings and the targets of all rows."""
+    targets = of_rows = cells.targets(rows)
     values = cells.text(rows, profile.value)
     # an empty value is a reading that was not made; `plausibility` counts them
     made = np.array([bool(text) for text in values], dtype=np.bool_) & np.isfinite(targets)
@@ -286,7 +297,7 @@ def _long(rows: Sequence[int], cells: _Cells, profile: Profile, faults: FaultLis
     runs = np.array(_runs(taken, told, profile, faults), dtype=np.int64)
     positive = [direction is Direction.POSITIVE for direction in told]
     readings = readings_at(taken.lines, taken.targets, positive, runs, taken.deviations)
-    return readings if runs.all() else readings.only(runs > 0)
+    return (readings if runs.all() else readings.only(runs > 0)), of_rows
 
 
 def _refuse_steps(rows: _Rows, profile: Profile, faults: FaultList) -> None:
@@ -404,6 +415,13 @@ def _above(text: Sequence[str], table: ForeignTable, profile: Profile) -> list[t
         if target < len(cells) and any(map(_NUMBER.fullmatch, valued)):
             found += [(number, line)] if _NUMBER.fullmatch(cells[target]) else []
     return found
+
+
+def _hidden(text: Sequence[str], table: ForeignTable, profile: Profile) -> list[tuple[int, str]]:
+    def cells(line: str) -> list[str] | None:
+        return cells_of(line, profile.delimiter)
+
+    return rows_as_comments(text, profile.header_line, cells, len(table.columns))
 
 
 def _unused(rows: Sequence[int], table: ForeignTable, profile: Profile) -> Finding | None:

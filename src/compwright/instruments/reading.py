@@ -32,6 +32,7 @@ from compwright.instruments.profiled import (
 from compwright.instruments.reading_findings import (
     assumed_finding,
     header_findings,
+    sheets_finding,
     unfinished_finding,
 )
 from compwright.instruments.sections import axis_name
@@ -102,7 +103,7 @@ def read_tests(
         for read in reads
     )
     if left_out:
-        finding = Finding("CW-R061", "warning", f"Sheets that were left out: {_listed(left_out)}.")
+        finding = sheets_finding(f"Sheets that were left out: {_listed(left_out)}.")
         tests = tuple(replace(test, findings=(*test.findings, finding)) for test in tests)
     return tuple(_mapped(test, profile) for test in tests)
 

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from compwright.foundations.findings import Finding
+from compwright.instruments.assembling import as_text
 from compwright.instruments.fault_list import shown
+from compwright.instruments.readings import Readings
 from compwright.instruments.text_input import unfinished_number
+from compwright.records.axis import AxisKind, FloatArray
 
 _LISTED = 5
 #: Values of ``compensated_for`` that say the instrument corrected nothing.
@@ -47,6 +52,31 @@ def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
         "Lines that look like readings stand outside the readings and were not read: line"
         f" {told}{more}. Compare with the instrument.",
     )
+
+
+def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> Finding | None:
+    """Return the finding about targets of rows (n,), in the unit of ``kind``, of which no reading
+    was made; None when there are none.
+    """
+    without = np.setdiff1d(targets[np.isfinite(targets)], readings.targets)
+    if not without.size:
+        return None
+    told = ", ".join(as_text(target) for target in without[:_LISTED].tolist())
+    more = f" and {without.size - _LISTED} more" if without.size > _LISTED else ""
+    return missing_finding(
+        f"Rows without any reading were left out: target {told}{more} {kind.unit}. The results do"
+        " not speak of them."
+    )
+
+
+def missing_finding(words: str) -> Finding:
+    """Return the finding about readings that are missing; ``words``: a sentence."""
+    return Finding("CW-R006", "warning", words)
+
+
+def sheets_finding(words: str) -> Finding:
+    """Return the finding about sheets of a workbook that were left out; ``words``: a sentence."""
+    return Finding("CW-R061", "warning", words)
 
 
 def unfinished_finding(lines: Sequence[str]) -> Finding | None:

@@ -34,12 +34,14 @@ class DamagedError(Exception):
 class Entry:
     """A file that is written or, without ``digest`` (sha256 of the new bytes), removed.
 
-    ``name``: below the folder, with ``/``; ``there``: whether something stood there before.
+    ``name``: below the folder, with ``/``; ``there``: whether something stood there before, and
+    ``earlier`` the sha256 of its bytes, empty where it was no file or could not be read.
     """
 
     name: str
     there: bool
     digest: str = ""
+    earlier: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,12 +78,17 @@ def digest_of(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()
 
 
+def digest_at(path: Path) -> str:
+    """Return the sha256 of a file, empty for what is no ordinary one. Raises OSError."""
+    if not stat.S_ISREG(path.lstat().st_mode):
+        return ""
+    with path.open("rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()
+
+
 def is_new(path: Path, entry: Entry) -> bool:
     """Whether the file at ``path`` is the new one of ``entry``. Raises OSError."""
-    if not stat.S_ISREG(path.lstat().st_mode):
-        return False
-    with path.open("rb") as stream:
-        return hashlib.file_digest(stream, "sha256").hexdigest() == entry.digest
+    return digest_at(path) == entry.digest != ""
 
 
 def put_journal(folder: Path, journal: Journal) -> None:
@@ -119,7 +126,9 @@ def _text(journal: Journal) -> str:
     data = {
         "form": _FORM,
         "key": journal.key,
-        "files": [[entry.name, entry.there, entry.digest] for entry in journal.entries],
+        "files": [
+            [entry.name, entry.there, entry.digest, entry.earlier] for entry in journal.entries
+        ],
         "made": list(journal.made),
         "parts": list(journal.parts),
         "first": journal.first,
@@ -140,8 +149,8 @@ def _read(content: bytes) -> Journal:
         if checksum != _checksum(data):
             raise DamagedError("its journal is damaged")
         entries = tuple(
-            Entry(name=str(name), there=bool(there), digest=str(digest))
-            for name, there, digest in data["files"]
+            Entry(name=str(name), there=bool(there), digest=str(digest), earlier=str(earlier))
+            for name, there, digest, earlier in data["files"]
         )
         return Journal(
             key=str(data["key"]),

@@ -28,6 +28,7 @@ from compwright.foundations.storage.journal import (
     UNFINISHED,
     DamagedError,
     Journal,
+    digest_at,
     is_new,
     is_ours,
     new_file,
@@ -260,9 +261,14 @@ def withdraw(sets: Sequence[Set]) -> None:
     """Put back what was there before in folders whose locks are held, the first of which decides,
     and remove its journal.
 
-    Raises NotPutRightError, and nothing was done, where a file was changed since; OSError.
+    Raises NotPutRightError, and nothing was done, where a file was changed since or an earlier one
+    did not come along; OSError.
     """
-    faults = [fault for folder, journal in sets for fault in _changed_since(folder, journal)]
+    faults = [
+        fault
+        for folder, journal in sets
+        for fault in (*_changed_since(folder, journal), *_lost_since(folder, journal))
+    ]
     if faults:
         raise NotPutRightError(*faults)
     for folder, journal in sets:
@@ -311,6 +317,37 @@ def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
                 file=str(target),
                 expected="it elsewhere (move it), so that the earlier file can be put back",
             )
+
+
+def _lost_since(folder: Path, journal: Journal) -> Iterator[Fault]:
+    """Yield a fault for each earlier file that is gone or damaged: of a folder that is copied or
+    synchronised the files come one by one, and not all of them may have come.
+    """
+    for number, entry in enumerate(journal.entries):
+        target, kept = folder / entry.name, old_file(folder, number)
+        if not entry.there:
+            continue
+        if os.path.lexists(kept):
+            if entry.earlier and digest_at(kept) != entry.earlier:
+                yield _lost("is damaged", target, folder)
+        elif not os.path.lexists(target) or (
+            entry.earlier
+            and entry.earlier != entry.digest
+            and _is_placed(folder, number, journal)
+            and is_new(target, entry)
+        ):
+            yield _lost("is missing", target, folder)
+
+
+def _lost(what: str, target: Path, folder: Path) -> Fault:
+    return Fault(
+        message=f"the earlier file, which a stopped command had moved away, {what}",
+        file=str(target),
+        expected=(
+            f"the folder copied again as a whole, hidden files too, or {folder / UNFINISHED}"
+            " removed, which keeps what is here, old and new side by side"
+        ),
+    )
 
 
 def _is_placed(folder: Path, number: int, journal: Journal) -> bool:

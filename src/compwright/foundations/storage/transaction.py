@@ -24,6 +24,7 @@ from compwright.foundations.storage.journal import (
     UNFINISHED,
     Entry,
     Journal,
+    digest_at,
     digest_of,
     is_ours,
     new_file,
@@ -267,10 +268,15 @@ class _Work:
 
 
 def _entry(part: _Part, change: _Change) -> Entry:
+    target = part.folder / change.name
+    earlier = ""
+    with suppress(OSError):  # not there, or not to be read
+        earlier = digest_at(target)
     return Entry(
         name=change.name,
-        there=os.path.lexists(part.folder / change.name),
+        there=os.path.lexists(target),
         digest="" if change.content is None else digest_of(change.content),
+        earlier=earlier,
     )
 
 

@@ -24,6 +24,7 @@ from compwright.foundations.utf8 import shown_path
 from compwright.instruments.plausibility import skipped_finding
 from compwright.instruments.profile import Profile
 from compwright.instruments.reading import read_tests
+from compwright.instruments.reading_findings import sheets_finding
 from compwright.planning.motions import unknown_motions
 from compwright.records.axis import Axis, AxisKind, PositionMap
 from compwright.records.job import AS_FOUND, AxisJob, Job, TestRequest
@@ -111,7 +112,21 @@ def read_measurement(path: Path, profile: Profile | None = None, axis: str = "")
                 found=", ".join(test.axis or test.name for test in tests),
             )
         )
-    return ours[0]
+    return _without_unnamed(ours[0], tests)
+
+
+def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) -> PositioningTest:
+    """Return the test that is taken, with a warning about those of which nobody says the axis: a
+    sheet that was copied may be the newer measurement.
+    """
+    unnamed = [test.name for test in tests if not test.axis]
+    if not unnamed:
+        return ours
+    finding = sheets_finding(
+        f"Tests in the same file of which nobody says the axis were left out: {', '.join(unnamed)}."
+        f" Only {ours.name} is used.",
+    )
+    return replace(ours, findings=(*ours.findings, finding))
 
 
 def read_test(entry: AxisJob, request: TestRequest, folder: Path) -> PositioningTest:
