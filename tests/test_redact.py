@@ -400,7 +400,7 @@ def test_copies_are_replaced_with_force_alone(tmp_path: Path) -> None:
     assert (out / "a.csv").read_text() == "my own notes"
 
 
-@pytest.mark.parametrize("broken", ["a number", "a text"])
+@pytest.mark.parametrize("broken", ["a number", "a cycle", "a text"])
 def test_a_copy_that_does_not_prove_right_is_not_written(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -415,6 +415,8 @@ def test_a_copy_that_does_not_prove_right_is_not_written(
         made = right(lines, cuts)
         if broken == "a number":
             return [line.replace("2.1", "2.2") for line in made]
+        if broken == "a cycle":
+            return [made[0], "# cycle: step", *made[2:]]
         return [*made[:-1], "# m%C3%BChlbauer"]
 
     for form in measurement._BY_FORM:
@@ -423,7 +425,7 @@ def test_a_copy_that_does_not_prove_right_is_not_written(
     file.write_bytes(filled(PLAIN["long"]))
     assert compwright(["redact", str(file), "--out", str(tmp_path / "out")]) == 3
     assert not (tmp_path / "out").exists()
-    where = "a.csv: " if broken == "a number" else "a.csv: line 18: "
+    where = "a.csv: " if broken != "a text" else "a.csv: line 18: "
     assert f"{where}is not copied" in capsys.readouterr().err
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
-from typing import Any, Final, Literal, get_args
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +12,6 @@ from compwright.records.axis import FloatArray
 
 #: Parts of the noise that `without` takes away.
 NoisePart = Literal["scatter", "tails", "growth", "traverses", "drift"]
-ALL_PARTS: Final[tuple[NoisePart, ...]] = get_args(NoisePart)
 
 #: How offset and tilt of the traverses hang together: each drawn on its own; both traverses of a
 #: run alike (a new set-up between runs); or a random walk from traverse to traverse in time.

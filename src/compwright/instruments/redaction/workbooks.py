@@ -71,12 +71,6 @@ def other_parts(content: bytes) -> list[str]:
         ]
 
 
-def members_of(content: bytes) -> list[bytes]:
-    """Return the unpacked parts of a workbook and their names."""
-    with zipfile.ZipFile(BytesIO(content)) as archive:
-        return [part for name in archive.namelist() for part in (name.encode(), archive.read(name))]
-
-
 def _types(sheets: int) -> str:
     part = (
         f'<Override PartName="/xl/worksheets/sheet{{}}.xml" ContentType="{_TYPE}.worksheet+xml"/>'
