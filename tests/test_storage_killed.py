@@ -321,6 +321,25 @@ def test_a_folder_that_was_copied_in_part_is_not_said_to_be_as_before(
     assert files(top) == course.old
 
 
+def test_a_folder_whose_journal_has_not_come_yet_keeps_its_files(
+    tmp_path: Path, course: Course
+) -> None:
+    """Programs that synchronise go by the name: ``0.old`` comes before ``journal.json``."""
+    top = stopped(tmp_path / "top", course.last_move - 1)
+    journal = top / "out" / UNFINISHED / "journal.json"
+    journal.rename(tmp_path / "not yet")
+    before = files(top)
+    with pytest.raises(InputError, match="its journal is missing"):
+        storage.read_bytes(top / "out" / "record")
+    with pytest.raises(StorageError, match="its journal is missing"):
+        write(top)
+    assert files(top) == before
+    (tmp_path / "not yet").rename(journal)
+    start_command()
+    assert storage.read_bytes(top / "out" / "record") == b"old record"
+    assert files(top) == course.old
+
+
 def test_a_copy_of_the_folder_beside_alone_is_put_right_by_itself(
     tmp_path: Path, course: Course
 ) -> None:

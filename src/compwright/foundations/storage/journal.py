@@ -114,12 +114,25 @@ def read_journal(folder: Path) -> Journal | None:
             raise DamagedError("its journal is no file that compwright has written")
         content = (staging / JOURNAL).read_bytes()
     except FileNotFoundError:
+        if _has_both(staging) and not os.path.lexists(staging / JOURNAL) and _has_both(staging):
+            raise DamagedError("its journal is missing") from None
         return None
     journal = _read(content)
     for name in (*(entry.name for entry in journal.entries), *journal.made):
         if not _is_inside(folder, name):
             raise DamagedError(f"its journal names a file outside of the folder: {name}")
     return journal
+
+
+def _has_both(staging: Path) -> bool:
+    """Whether earlier and new files wait side by side. That is so only while there is a journal: it
+    has not come along with a copy.
+    """
+    try:
+        kinds = {name.partition(".")[2] for name in os.listdir(staging) if is_ours(name)}  # noqa: PTH208
+    except OSError:
+        return False
+    return {"old", "new"} <= kinds
 
 
 def _text(journal: Journal) -> str:
