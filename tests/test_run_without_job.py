@@ -203,3 +203,15 @@ def test_way_from_one_folder_to_a_file(tmp_path: Path, monkeypatch: pytest.Monke
 
     monkeypatch.setattr(os.path, "relpath", other_drive)
     assert storage.way_to(Path("x.csv"), Path("out")) == (tmp_path / "x.csv").as_posix()
+
+
+def test_an_axis_that_no_file_names_is_asked_for_by_its_number(
+    hall: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A control that counts its axes, and nothing in it yet: nothing says which of them X is."""
+    del hall
+    words = ["run", FILE, "--format", "fanuc-30i", "--axis", "X", "--travel", "0:800"]
+    assert compwright([*words, "--state", "none", "--out", "elsewhere"]) == 2
+    said = capsys.readouterr().err
+    assert "give the address of axis X; expected a number, found 'X'" in said
+    assert "no file of the control" not in said

@@ -64,7 +64,7 @@ class IncrementsFamily(Family):
 
     def addresses_by_name(self, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
         """See `Family.addresses_by_name`: the letters of 1020."""
-        names = StateReader(self, files, (), None).names()
+        names = StateReader(self, files, (), None).names() if files else {}
         return {
             name: (address, f"1020 of axis {address} in the control's files")
             for address, name in names.items()
