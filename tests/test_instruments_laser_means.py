@@ -111,6 +111,15 @@ def test_a_compensation_text_by_its_field(sign: str, factor: float) -> None:
     assert "a compensation table" in told(test)["CW-R058"]
 
 
+def test_a_row_of_a_compensation_text_above_its_table_is_told() -> None:
+    whole = compensation_file(ROWS)
+    assert "CW-R063" not in told(read(whole))
+    first, *others = whole.splitlines(keepends=True)
+    moved = "".join([first, "3   -200   -1   0.0011\r\n", *others])
+    assert "line 2 '3 -200 -1 0.0011'." in told(read(moved))["CW-R063"]
+    assert "CW-R063" not in told(read("".join([first, "2 of 3, 2026-03-02\r\n", *others])))
+
+
 def test_a_compensation_text_without_the_field() -> None:
     text = compensation_file(ROWS, sign=None)
     assert "errors or corrections" in refused(text)

@@ -23,6 +23,7 @@ from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.foreign_units import LENGTHS
 from compwright.instruments.numbers import DecimalMarks, parse_number
 from compwright.instruments.parsed import Parsed
+from compwright.instruments.reading_findings import stray_finding
 from compwright.instruments.readings import readings_at
 from compwright.instruments.sections import Line
 from compwright.instruments.worked_rows import read_so_finding
@@ -41,6 +42,8 @@ _COLUMNS = {"no.": "no", "no": "no", "target no": "no", "target no.": "no", "poi
     name: name for name in ("axis position", "combined", "forward", "reverse")
 }
 _NUMBER_WITH_UNIT = re.compile(r"(?P<number>[+-]?[0-9.,]+(?:[eE][+-]?[0-9]+)?)\s*(?P<unit>\S*)")
+#: A row of the table: number, position, one value or more.
+_ROW = re.compile(r"[0-9]+(?:[\s;]+[+-]?[0-9][0-9.,]*(?:[eE][+-]?[0-9]+)?){2,}")
 #: Positions printed and computed from start and spacing are the same within this, mm.
 _SAME = 1e-3
 #: A value and its nearest multiple of the resolution are the same within this share of it.
@@ -52,7 +55,7 @@ class _Text:
     keys: dict[str, tuple[str, int]] = field(default_factory=dict)
     columns: tuple[str, ...] = ()
     rows: list[Line] = field(default_factory=list)
-    other: list[str] = field(default_factory=list)
+    other: list[Line] = field(default_factory=list)
 
     def get(self, key: str) -> str:
         return self.keys.get(key, ("", 0))[0]
@@ -104,9 +107,10 @@ def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answ
     lines, positions, positive, values = zip(*rows, strict=True) if rows else ((), (), (), ())
     deviations = np.array(values, dtype=np.float64) * factor * sign
     readings = readings_at(lines, positions, positive, [1] * len(rows), deviations)
+    stray = stray_finding([line for line in found.other if _ROW.fullmatch(line[1])])
     header = {key: value for key, (value, _) in found.keys.items() if value}
     if found.other:
-        header["comment"] = "\n".join(found.other)
+        header["comment"] = "\n".join(line for _, line in found.other)
     return Parsed(
         kind=AxisKind.LINEAR,
         readings=readings,
@@ -114,7 +118,7 @@ def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answ
         assumed=("forward: approach in direction +", *(() if answers.unit else ("unit: mm",))),
         findings=(
             _a_table(found.get("sign convention") or "its sign said by the profile"),
-            *filter(None, [read_so_finding(readings, AxisKind.LINEAR)]),
+            *filter(None, [stray, read_so_finding(readings, AxisKind.LINEAR)]),
         ),
     )
 
@@ -136,7 +140,7 @@ def _text(text: Sequence[str]) -> _Text:
         elif inside:
             found.rows.append((number, line))
         else:
-            found.other.append(line)
+            found.other.append((number, line))
     return found
 
 
