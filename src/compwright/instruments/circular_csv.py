@@ -46,7 +46,7 @@ _VALUES: Final = ("radius_mm", "deviation_um")
 _COLUMNS: Final[tuple[str, ...]] = ("direction", "run", "angle_deg", *_VALUES)
 _PLANE: Final = re.compile(r"([A-Za-z][0-9]{0,2})[ ,/-]?([A-Za-z][0-9]{0,2})")
 _FORM_KEY: Final = re.compile(r"circular\s+([0-9]{1,9})")
-_SENSES: Final[tuple[Sense, ...]] = ("ccw", "cw")
+_SENSES: Final[tuple[Sense, Sense]] = ("ccw", "cw")
 _YES: Final[Mapping[str, bool]] = {"yes": True, "true": True, "no": False, "false": False}
 #: Radii whose median lies farther from nominal than this are in another unit or of another circle.
 _FAR: Final = (1.0, 0.05)  # mm, share of the nominal radius; the larger of both
@@ -296,7 +296,7 @@ def _samples(
 ) -> dict[tuple[Sense, int], _Samples]:
     """Return the rows by direction and run."""
     _check_size(table, faults)
-    senses = _senses(table, faults)
+    senses = table.which("direction", _SENSES, str.lower, faults)
     numbered = "run" in table.columns
     runs = (
         counts_of(table.of("run"), table.place("run"), "run", faults)
@@ -341,22 +341,6 @@ def _check_size(table: Table, faults: FaultList) -> None:
             found=str(len(table.lines)),
         )
         faults.raise_if_any()
-
-
-def _senses(table: Table, faults: FaultList) -> IntArray:
-    """Return the place in `_SENSES` of the direction of each row, -1 after noting a fault."""
-    cells, place = table.of("direction"), table.place("direction")
-    known = {text: {"ccw": 0, "cw": 1}.get(text.lower(), -1) for text in set(cells)}
-    if -1 in known.values():
-        for index, text in enumerate(cells):
-            if known[text] < 0:
-                faults.add(
-                    "direction is neither ccw nor cw",
-                    place=place(index),
-                    expected="ccw or cw",
-                    found=shown(text),
-                )
-    return np.fromiter(map(known.__getitem__, cells), np.int64, len(cells))
 
 
 # one caller

@@ -9,10 +9,13 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from compwright.foundations.errors import Fault, InputError
 from compwright.instruments.comments import comment_text
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.numbers import parse_number
+from compwright.instruments.readings import IntArray
 
 DELIMITERS = {",": "comma", ";": "semicolon", "\t": "tab"}
 COLUMNS = frozenset(
@@ -83,6 +86,26 @@ class Table:
     def place(self, column: str) -> Callable[[int], str]:
         """Return what tells the place of a cell of a column by the index of its row."""
         return lambda index: f"line {self.lines[index]}, column {column}"
+
+    def which(
+        self, column: str, words: tuple[str, str], spelt: Callable[[str], str], faults: FaultList
+    ) -> IntArray:
+        """Return for each row the place in ``words`` of its cell as ``spelt`` makes it: 0 or 1, -1
+        after noting a fault where it is neither.
+        """
+        cells, place = self.of(column), self.place(column)
+        places = {words[0]: 0, words[1]: 1}
+        known = {text: places.get(spelt(text), -1) for text in set(cells)}
+        if -1 in known.values():
+            for index, text in enumerate(cells):
+                if known[text] < 0:
+                    faults.add(
+                        f"{column} is neither {words[0]} nor {words[1]}",
+                        place=place(index),
+                        expected=f"{words[0]} or {words[1]}",
+                        found=shown(text),
+                    )
+        return np.fromiter(map(known.__getitem__, cells), np.int64, len(cells))
 
 
 def column_name(text: str) -> str:

@@ -30,7 +30,7 @@ from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, counts_of
 from compwright.instruments.parts import AXIS_COLUMN
 from compwright.instruments.reading_findings import unread_finding
-from compwright.instruments.readings import IntArray, Readings, readings_at
+from compwright.instruments.readings import Readings, readings_at
 from compwright.records.axis import AxisKind, FloatArray
 
 _KIND_OF_TARGET = {"target_mm": AxisKind.LINEAR, "target_deg": AxisKind.ROTARY}
@@ -278,7 +278,7 @@ def _long(
     target, value = columns
     factor = TO_INSIDE[value.rpartition("_")[2]][1]
     positions = marks.parse_all(table.of(target), table.lines, table.place(target), target)
-    signs = _signs(table, faults)
+    ways = table.which("direction", ("+", "-"), plain_signs, faults)
     runs = counts_of(table.of("run"), table.place("run"), "run", faults)
     numbers = marks.parse_all(
         table.of(value),
@@ -291,25 +291,9 @@ def _long(
         deviations = numbers * factor - positions
     else:
         deviations = sign * (numbers * factor)
-    readings = readings_at(table.lines, positions, signs > 0, runs, deviations)
-    whole = np.isfinite(deviations) & np.isfinite(positions) & (runs > 0) & (signs != 0)
+    readings = readings_at(table.lines, positions, ways == 0, runs, deviations)
+    whole = np.isfinite(deviations) & np.isfinite(positions) & (runs > 0) & (ways >= 0)
     return readings if whole.all() else readings.only(whole)
-
-
-def _signs(table: Table, faults: FaultList) -> IntArray:
-    """Return +1 or -1 for the direction of each row, 0 after noting a fault."""
-    cells, place = table.of("direction"), table.place("direction")
-    known = {text: {"+": 1, "-": -1}.get(plain_signs(text), 0) for text in set(cells)}
-    if 0 in known.values():
-        for index, text in enumerate(cells):
-            if not known[text]:
-                faults.add(
-                    "direction is neither + nor -",
-                    place=place(index),
-                    expected="+ or -",
-                    found=shown(text),
-                )
-    return np.fromiter(map(known.__getitem__, cells), np.int64, len(cells))
 
 
 def _wide(

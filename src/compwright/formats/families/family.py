@@ -18,6 +18,7 @@ from compwright.formats.definition.options import axis_options, resolve_options
 from compwright.formats.definition.schema import Choice, Definition, OptionRule
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.axis_tables import AxisTable, paired
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import file_names
 from compwright.formats.families.delivery import Delivery
@@ -25,7 +26,7 @@ from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.entered import Entered, Entries, by_statements
 from compwright.formats.text.scale import Scale
-from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
+from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import (
@@ -36,9 +37,6 @@ from compwright.records.correction import (
 )
 from compwright.records.facts import AxisFacts
 from compwright.records.numbering import NumberedSections
-
-#: Address, axis and table: what is written for one axis.
-AxisTable = tuple[str, Axis, AxisCompensation]
 
 
 @dataclass(frozen=True, slots=True)
@@ -397,7 +395,9 @@ class Family(ABC):
         without an axis, CapacityError with everything that the control cannot hold exactly: all
         limits are checked here again, whatever was checked before.
         """
-        pairs = self._pairs(compensations, axes)
+        pairs = paired(
+            self.definition, compensations, [(self.address(axis)[0], axis) for axis in axes]
+        )
         bound = self.bound_to(files, [axis for _, axis, _ in pairs])
         pairs = bound.with_partners(pairs)
         faults = [
@@ -468,35 +468,3 @@ class Family(ABC):
                 table = replace(compensation, address=partner)
                 result.setdefault(partner, (partner, partner_of(axis, partner), table))
         return list(result.values())
-
-    def _pairs(
-        self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
-    ) -> list[AxisTable]:
-        by_address = {self.address(axis)[0]: axis for axis in axes}
-        faults = []
-        pairs: dict[str, AxisTable] = {}
-        for compensation in compensations:
-            found = next((axis for axis in axes if axis.address == compensation.address), None)
-            address = (
-                self.address(found)[0]
-                if found is not None
-                else normal_text(self.definition, compensation.address)
-            )
-            if address not in by_address:
-                faults.append(
-                    Fault(
-                        message=f"no axis has the address {compensation.address}",
-                        expected=", ".join(by_address),
-                    )
-                )
-            elif address in pairs:
-                faults.append(Fault(message=f"axis {address} has two tables"))
-            else:
-                pairs[address] = (address, by_address[address], compensation)
-        raise_all(UsageError, faults)
-        return list(pairs.values())
-
-
-def sound(tables: Sequence[AxisTable]) -> list[AxisTable]:
-    """Return the tables that can be written at all: two points and more, finite, ascending."""
-    return [each for each in tables if each[2].positions.size >= 2 and not limits.unsound(each[2])]

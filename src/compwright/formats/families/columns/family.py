@@ -8,6 +8,7 @@ from typing import Self
 
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.axis_tables import AxisTable
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import table_values
 from compwright.formats.families.columns.between import columns_between
@@ -21,7 +22,7 @@ from compwright.formats.families.columns.reading import read_columns
 from compwright.formats.families.columns.sources import AxisNumbers
 from compwright.formats.families.columns.table import VALUES
 from compwright.formats.families.columns.writing import write_columns
-from compwright.formats.families.family import AxisTable, Family
+from compwright.formats.families.family import Family
 from compwright.formats.text.entered import Entered, Entries
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, FloatArray

@@ -10,9 +10,10 @@ from collections.abc import Iterable, Sequence
 
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.axis_tables import AxisTable, sound
 from compwright.formats.families.between import Asked, Between, instead
 from compwright.formats.families.card_words import table_values
-from compwright.formats.families.family import AxisTable, Family, sound
+from compwright.formats.families.family import Family
 from compwright.formats.families.grid.capacity import AxisLimits
 from compwright.formats.families.grid.entered import entered
 from compwright.formats.families.grid.joints import other_joints

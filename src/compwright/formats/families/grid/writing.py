@@ -13,8 +13,9 @@ from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.schema import Choice, WrittenFile
 from compwright.formats.definition.statements import print_form
 from compwright.formats.definition.vocabulary import When
+from compwright.formats.families.axis_tables import AxisTable
 from compwright.formats.families.control_texts import gathered_files, texts_of
-from compwright.formats.families.family import AxisTable, Family
+from compwright.formats.families.family import Family
 from compwright.formats.families.grid.beside import MODULO_START
 from compwright.formats.families.grid.new_files import AxisText, NewFile
 from compwright.formats.families.grid.shapes import shape_of

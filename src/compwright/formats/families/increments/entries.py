@@ -11,7 +11,8 @@ from decimal import Decimal
 import numpy as np
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.family import AxisTable, Family
+from compwright.formats.families.axis_tables import AxisTable
+from compwright.formats.families.family import Family
 from compwright.formats.families.increments.axis_reading import increment_limit
 from compwright.formats.families.increments.axis_values import INCH, thousandths
 from compwright.formats.families.increments.backlash import both_backlashes

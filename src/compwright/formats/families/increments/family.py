@@ -8,9 +8,10 @@ from typing import Self
 from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.axis_tables import AxisTable, sound
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import sign_check
-from compwright.formats.families.family import AxisTable, Family, LeftOpen, sound
+from compwright.formats.families.family import Family, LeftOpen
 from compwright.formats.families.increments.between import straightness_between
 from compwright.formats.families.increments.capacity import AxisLimits
 from compwright.formats.families.increments.card import increment_values

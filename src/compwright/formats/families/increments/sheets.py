@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from compwright.formats.families.family import AxisTable, Family
+from compwright.formats.families.axis_tables import AxisTable
+from compwright.formats.families.family import Family
 from compwright.formats.families.increments.entries import all_entries
 from compwright.formats.families.increments.writing import sheet_rows, write_programs
 from compwright.formats.text.entry_sheet import write_sheet

@@ -14,7 +14,8 @@ from decimal import Decimal
 
 from compwright.formats.definition.schema import Choice, Definition, WrittenFile
 from compwright.formats.definition.statements import print_form
-from compwright.formats.families.family import AxisTable, Family
+from compwright.formats.families.axis_tables import AxisTable
+from compwright.formats.families.family import Family
 from compwright.formats.families.increments.axis_values import thousandths
 from compwright.formats.families.increments.entries import Entries, all_entries
 from compwright.formats.families.increments.lengths import length_text

@@ -11,9 +11,10 @@ from typing import Self
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.axis_tables import AxisTable, sound
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import sign_check, typed
-from compwright.formats.families.family import AxisTable, Family, LeftOpen, sound
+from compwright.formats.families.family import Family, LeftOpen
 from compwright.formats.families.lists.between import lists_between
 from compwright.formats.families.lists.reading import read_state
 from compwright.formats.families.lists.table import COUNTS, TENTH, VALUE_TYPES, counted

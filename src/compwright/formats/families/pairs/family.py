@@ -12,11 +12,11 @@ from typing import Self
 import numpy as np
 
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.axis_tables import AxisTable
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import CURVES
 from compwright.formats.families.control_texts import is_listing, texts_of
 from compwright.formats.families.delivery import Delivery
-from compwright.formats.families.family import AxisTable
 from compwright.formats.families.grid.family import GridFamily
 from compwright.formats.families.pairs.between import pairs_between
 from compwright.formats.families.pairs.capacity import PairLimits

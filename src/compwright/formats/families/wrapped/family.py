@@ -9,9 +9,10 @@ from collections.abc import Sequence
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.axis_tables import AxisTable, sound
 from compwright.formats.families.between import Asked, Between, instead
 from compwright.formats.families.card_words import sign_check
-from compwright.formats.families.family import AxisTable, Family, LeftOpen, sound
+from compwright.formats.families.family import Family, LeftOpen
 from compwright.formats.families.wrapped.card import table_words
 from compwright.formats.families.wrapped.counts import COUNTS, Counts, counts_of
 from compwright.formats.families.wrapped.reading import read_wrapped
