@@ -90,3 +90,27 @@ def test_decode_shows_both_and_says_that_they_share(tmp_path: Path) -> None:
     code, said, shown = quietly(["decode", *files, "--format", "fanuc-30i"])
     assert code == 0, said
     assert "axes 1 and 2 share the point numbers 1 to 41" in shown + said
+
+
+def test_numbers_of_ones_own_are_shared_with_nobody(tmp_path: Path) -> None:
+    """Every number holds something: X may choose among its own 41, whatever the spacings that Y and
+    Z name need of theirs.
+    """
+    backup = Backup.real()
+    own = {*range(1, 42), *range(101, 142), *range(201, 242), *range(300, 313)}
+    backup.points(dict.fromkeys(set(range(1536)) - own, 1))
+    rng = np.random.default_rng(4)
+    spacings = {1: "auto", 2: "27.5", 3: "auto"}
+    axes = tuple(
+        axis_job(rng, number, words={"table": f"{{spacing: {spacing}}}"})
+        for number, spacing in spacings.items()
+    )
+    job = Job("own", 1, "answerable", axes, backup.files())
+    outcome = play(job, tmp_path)
+    assert outcome.written == ["X", "Y", "Z"], str(outcome)
+    assert outcome.faults == []
+    after = VirtualFanuc(reloaded(backup.files(), tmp_path / "out" / "tables" / "fanuc-30i"))
+    for number, first in ((1, 1), (2, 101), (3, 201)):
+        numbers = after.grid(number).numbers()
+        assert numbers <= set(range(first, first + 41))
+        assert len(numbers) > 10

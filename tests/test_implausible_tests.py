@@ -71,6 +71,19 @@ def test_mm_read_as_um_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[
     }
 
 
+def test_um_read_as_mm_is_named_before_what_the_control_cannot_hold(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    targets, values = readings()
+    write(tmp_path / "x.csv", targets, {sign: block * 1000.0 for sign, block in values.items()})
+    assert run(tmp_path) == 4
+    said = capsys.readouterr().err.splitlines()
+    doubt = next(n for n, line in enumerate(said) if "1000 times smaller (µm read as mm)" in line)
+    assert "x.csv" in said[doubt]
+    assert "beyond what the control holds" in said[-1]
+    assert doubt < len(said) - 1
+
+
 @pytest.mark.parametrize("runs", [1, 5])
 def test_zeros_are_refused(tmp_path: Path, runs: int) -> None:
     targets, values = readings(runs=runs)

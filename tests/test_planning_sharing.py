@@ -13,7 +13,7 @@ from compwright.records.fitted import TableRequest
 from compwright.records.plan import PlannedAxis
 from planning_samples import KnownAxis, axis_of, capacity_of, work_of
 
-STORE = replace(capacity_of(axis_of()), shared_points=True, max_points=128)
+STORE = replace(capacity_of(axis_of()), shared_points=128, max_points=128)
 
 
 def planned(
@@ -69,7 +69,7 @@ def test_two_named_tables_take_twice_as_much() -> None:
 
 
 def test_a_store_of_ones_own_is_shared_with_nobody() -> None:
-    own = replace(STORE, shared_points=False)
+    own = replace(STORE, shared_points=None)
     entries = {"X": planned(), "Y": planned("Y")}
     assert most(entries, {"X": own, "Y": STORE}) == {"X": 128, "Y": 128}
     assert most({"X": planned()}, {"X": STORE, "Z": STORE}) == {"X": 128, "Z": 128}  # Z: no table
@@ -95,4 +95,24 @@ def test_a_store_that_is_full_leaves_two_points_which_writing_then_refuses() -> 
 def test_an_axis_never_gets_more_than_it_may_hold_itself() -> None:
     entries = {"X": planned(), "Y": planned("Y")}
     small = replace(STORE, max_points=40)
-    assert most(entries, {"X": small, "Y": STORE}) == {"X": 18, "Y": 18}  # the store is the smaller
+    assert most(entries, {"X": small, "Y": STORE}) == {"X": 40, "Y": 62}
+
+
+def test_no_axis_is_left_less_than_the_points_that_it_has_already() -> None:
+    """X has 41 of its own, Y and Z none; 20 are free: 20 / 3 - 2 are too few for anything but the
+    two points that a table has at least.
+    """
+    having = replace(STORE, shared_points=20, own_points=41)
+    having_none = replace(STORE, shared_points=20)
+    entries = {name: planned(name, spacing="auto") for name in "XYZ"}
+    stores = {"X": having, "Y": having_none, "Z": having_none}
+    assert most(entries, stores) == {"X": 41, "Y": 4, "Z": 4}
+    two = {"X": planned(mode="bidirectional", spacing="auto")}
+    assert most(two, {"X": having}) == {"X": 20}
+
+
+def test_a_named_grid_takes_from_the_store_only_what_its_own_points_do_not_hold() -> None:
+    """20 intervals have 21 points; the two to spare are for a table in the store."""
+    entries = {"X": planned(spacing=50.0), "Y": planned("Y")}
+    assert most(entries, {"X": replace(STORE, own_points=21), "Y": STORE})["Y"] == 126
+    assert most(entries, {"X": replace(STORE, own_points=20), "Y": STORE})["Y"] == 103

@@ -43,7 +43,7 @@ def grid_chosen(
         )
         raise CapacityError(
             Fault(
-                message="no equally spaced grid fits the table's ends",
+                message=f"no equally spaced grid fits the table's ends{_others(capacity)}",
                 place="table",
                 expected=(
                     f"{capacity.min_points} to {most_points(capacity)} points at multiples of"
@@ -74,6 +74,13 @@ def grid_chosen(
         lost,
         0.0 if capacity.max_points is None else grid_loss(finest, kept, capacity.interpolation),
     )
+
+
+def _others(capacity: Capacity) -> str:
+    """Return who else has the points that this axis lacks, where the control shares them."""
+    if capacity.shared_points is None:
+        return ""
+    return "; the axes of the control share its points: a wider spacing of other axes leaves more"
 
 
 def most_points(capacity: Capacity) -> int:

@@ -11,8 +11,8 @@ import numpy as np
 from compwright.estimation.reach import longer_tests
 from compwright.evaluation.believable import believable
 from compwright.evaluation.standards import evaluate
-from compwright.foundations.errors import CapacityError, CompwrightError, collect, raise_all
-from compwright.foundations.findings import Finding
+from compwright.foundations.errors import CapacityError, CompwrightError, Fault, collect, raise_all
+from compwright.foundations.findings import Finding, doubts_of
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.declared import fresh_slope, with_slopes
 from compwright.planning.fresh import FreshTests, Like, fresh_tests
@@ -242,7 +242,7 @@ def fit_all(
             one_curve = work.planned.request.mode == "single"
             capacities[name] = capacity_of(work.planned.axis, one_curve=one_curve)
         except CapacityError as error:
-            errors.append(_of_axis(error, name, job_file))
+            errors.append(_not_held(error, name, work, job_file))
     capacities = shared_fairly(
         capacities,
         {name: work.planned for name, work in wanted.items() if work.planned.active is not None},
@@ -255,7 +255,7 @@ def fit_all(
     fitted = dict(works)
     for name, found in zip(tasks, each(_fit, list(tasks.values())), strict=True):
         if isinstance(found, CapacityError):
-            errors.append(_of_axis(found, name, job_file))
+            errors.append(_not_held(found, name, works[name], job_file))
             continue
         fitted[name] = replace(
             works[name],
@@ -319,8 +319,19 @@ def _pays(
     return gains(goal, with_it, without, fresh_like_first(work, rule))
 
 
-def _of_axis(error: CapacityError, name: str, file: str) -> CapacityError:
-    return CapacityError(*(fault.within(f"axis {name}").in_file(file) for fault in error.faults))
+def _not_held(error: CapacityError, name: str, work: AxisWork, file: str) -> CapacityError:
+    """Return why the control does not hold a table of an axis; before it what is doubtful in its
+    tests, because readings that are something else than they say are the usual cause.
+    """
+    doubted = [
+        Fault(message=doubt.message, place=f"axis {name}, test {result.test.name}").in_file(
+            result.test.sources[0].file if result.test.sources else file
+        )
+        for result in work.results
+        for doubt in doubts_of(result.findings)
+    ]
+    held = [fault.within(f"axis {name}").in_file(file) for fault in error.faults]
+    return CapacityError(*doubted, *held)
 
 
 def predict_axis(

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Final
+
+import numpy as np
 
 from compwright.records.capacity import Capacity
 from compwright.records.plan import PlannedAxis
+
+#: So many points more may a table take from the store than it has nodes.
+_TO_SPARE: Final = 2
 
 
 def shared_fairly(
@@ -17,30 +23,38 @@ def shared_fairly(
 
     An axis whose spacing the job names gets what it needs; two tables need twice the points. What
     the job names stays as it is: where it does not fit, writing refuses it. A grid that is in the
-    control and stays takes none of what is free, unless other axes use its points too.
+    control and stays takes none of what is free, unless other axes use its points too, and so does
+    one that fits into the points that its axis has already: no axis is left less than those.
     """
     sharing = {
         name: one
         for name, one in capacities.items()
-        if one.shared_points
+        if one.shared_points is not None
         and one.max_points
         and name in planned
         and not (planned[name].request.keeps and one.there and not one.there_shared)
     }
     sets = {name: 2 if planned[name].request.mode == "bidirectional" else 1 for name in sharing}
-    free = {
-        name: one for name, one in sharing.items() if planned[name].request.named_spacing is None
-    }
-    named = 0
-    for name in sharing.keys() - free.keys():
-        request, axis = planned[name].request, planned[name].axis
-        low = min(axis.travel[0] if request.start is None else request.start, axis.reference)
-        high = max(axis.travel[1] if request.end is None else request.end, axis.reference)
-        named += sets[name] * (int((high - low) / (request.named_spacing or 1.0)) + 3)
+    free = [name for name in sharing if planned[name].request.named_spacing is None]
+    room = min((one.shared_points or 0 for one in sharing.values()), default=0)
+    for name in sharing.keys() - set(free):
+        needed = sets[name] * _named_points(planned[name])
+        if needed > sharing[name].own_points:
+            room -= needed + sets[name] * _TO_SPARE
     result = dict(capacities)
-    for name, one in free.items():
-        room = min(other.max_points or 0 for other in sharing.values())
-        share = (room - named) // len(free) // sets[name] - 2
+    for name in free:
+        one = sharing[name]
+        share = max(one.own_points // sets[name], room // len(free) // sets[name] - _TO_SPARE)
         if len(sharing) > 1 or sets[name] > 1:
             result[name] = replace(one, max_points=max(2, min(one.max_points or 2, share)))
     return result
+
+
+def _named_points(planned: PlannedAxis) -> int:
+    """Return how many points the spacing that the job names gives, counted from the reference."""
+    request, axis = planned.request, planned.axis
+    spacing = request.named_spacing or 1.0
+    low = min(axis.travel[0] if request.start is None else request.start, axis.reference)
+    high = max(axis.travel[1] if request.end is None else request.end, axis.reference)
+    below = int(np.ceil((axis.reference - low) / spacing - 1e-6))
+    return below + int(np.ceil((high - axis.reference) / spacing - 1e-6)) + 1

@@ -68,13 +68,15 @@ class Capacity:
     ``there_shared``: other axes use its points too, so that a table on it needs some of its own.
     ``unfit``: why no table of this axis can stand on them, which only the control's format knows.
     ``cover``: whole spacings by which a table should reach beyond the travel on each side, where
-    nobody knows what the control does behind its ends. ``shared_points``: ``max_points`` is what
-    all axes share. ``zero``: the direction in which the correction is zero at the reference,
-    however that is approached (None: that of the reference return); of two curves, the correction
-    in + less that in - at the reference then lies in ``backlash_range``. ``stays``: tables that act
-    on the axis and stay beside whatever is written. ``slope``: a straight line of its own beside
-    the table can take a slope, a multiple of this per section, mm or deg; None: there is none.
-    ``wave``: a second table for a short period; None: there is none.
+    nobody knows what the control does behind its ends. ``shared_points``: the points that are left
+    to all axes of the control together (None: each has a store of its own), ``own_points``: those
+    of ``max_points`` that the axis has beside them and nobody else may take. ``zero``: the
+    direction in which the correction is zero at the reference, however that is approached (None:
+    that of the reference return); of two curves, the correction in + less that in - at the
+    reference then lies in ``backlash_range``. ``stays``: tables that act on the axis and stay
+    beside whatever is written. ``slope``: a straight line of its own beside the table can take a
+    slope, a multiple of this per section, mm or deg; None: there is none. ``wave``: a second table
+    for a short period; None: there is none.
     """
 
     format: str
@@ -102,7 +104,8 @@ class Capacity:
     there_shared: bool = False
     unfit: str = ""
     cover: int = 0
-    shared_points: bool = False
+    shared_points: int | None = None
+    own_points: int = 0
     zero: Direction | None = None
     below: Beyond = "hold"
     above: Beyond = "hold"

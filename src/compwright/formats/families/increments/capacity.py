@@ -63,7 +63,8 @@ class AxisLimits:
             backlash_range=scale.range("backlash"),
             min_points=definition.limit_number("min_points") or 2,
             max_points=self._most_points(gap),
-            shared_points=True,
+            shared_points=self._shared_numbers(),
+            own_points=self._own_points(),
             lattice=Lattice(
                 unit=scale.quantum("value"),
                 increments=(-limit, limit),
@@ -87,12 +88,30 @@ class AxisLimits:
         )
 
     def _most_points(self, gap: int) -> int:
-        """Return how many nodes a table may have in ``gap`` numbers: sections have numbers, and a
-        table that starts or ends at the reference needs one more. The one that is there fits.
+        """Return how many nodes a table may have in ``gap`` numbers. The one that is there fits."""
+        return max(2, self._nodes(gap), 0 if self.shares else len(self.there))
+
+    def _nodes(self, numbers: int) -> int:
+        """Return how many nodes ``numbers`` in a row give: sections have numbers, and a table that
+        starts or ends at the reference needs one more.
         """
         axis = self.axis
-        inside = axis.travel[0] < axis.reference < axis.travel[1]
-        return max(2, gap + inside, 0 if self.shares else len(self.there))
+        return numbers + (axis.travel[0] < axis.reference < axis.travel[1])
+
+    def _own_points(self) -> int:
+        """Return how many nodes the longest row gives that the axis claims and nobody else has."""
+        highest = self.definition.limit_number("max_number") or 0
+        rows = (
+            longest_gap(min(claimed.stop - 1, highest), self.used, claimed.start)
+            for claimed in self.facts.claimed
+        )
+        most = max(rows, default=0)
+        return self._nodes(most) if most else 0
+
+    def _shared_numbers(self) -> int:
+        """Return the length of the longest row of numbers that no axis claims."""
+        highest = self.definition.limit_number("max_number") or 0
+        return longest_gap(highest, [*self.used, *self.facts.claimed], first_point(self.options))
 
     def _assume(self, fact: str, value: str, evidence: str) -> None:
         self.assumed.append(Assumption(f"axis {self.axis.name}: {fact}", value, evidence))

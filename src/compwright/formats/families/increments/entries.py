@@ -354,6 +354,7 @@ class _Axis:
                 two=two,
                 reference=self.facts.reference_number if self.facts.claimed else None,
                 negative=self.facts.negative_first if len(self.facts.claimed) > 1 else None,
+                claimed=self.facts.claimed,
                 start=first_point(self.options) if stated else start,
             )
         except NoRoom as error:

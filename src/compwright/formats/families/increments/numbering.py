@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 
 from compwright.records.correction import ControlState
 from compwright.records.facts import IncrementFacts
@@ -44,14 +45,16 @@ def find_place(
     two: bool,
     reference: int | None,
     negative: int | None = None,
+    claimed: Sequence[range] = (),
     start: int,
 ) -> Place:
     """Return where a table of nodes ``low`` to ``high`` (whole spacings from the reference, low <=
     0 <= high) goes.
 
     ``reference`` and ``negative``: the numbers that the axis has now of its reference and of the
-    first of its set for travel in -, kept where the table still fits there; ``used``: numbers of
-    other axes; ``two``: a second set of the same length follows. The first
+    first of its set for travel in -, kept where the table still fits there; ``claimed``: all
+    numbers that it has now, which come before those that are free for every axis, from ``start``
+    on; ``used``: numbers of other axes; ``two``: a second set of the same length follows. The first
     number lies at or below the reference's, the last above it. Raises NoRoom.
     """
     first, last = min(low + 1, 0), max(high, 1)
@@ -62,13 +65,15 @@ def find_place(
         for place in (*both, kept):
             if _free(place, highest, used):
                 return place
-    for begin in range(start, highest + 2 - length * (2 if two else 1)):
+    needed = length * (2 if two else 1)
+    own = (range(one.start, one.stop + 1 - needed) for one in claimed)
+    for begin in chain(*own, range(start, highest + 2 - needed)):
         place = _at(begin - first, first, last, two=two)
         if _free(place, highest, used):
             return place
     gap = longest_gap(highest, used, start)
     raise NoRoom(
-        f"the table needs {length * (2 if two else 1)} point numbers in a row; the longest row that"
+        f"the table needs {needed} point numbers in a row; the longest row that"
         f" no other axis uses has {gap} (numbers {start} to {highest}); a wider spacing or a"
         " shorter table would help, or files that say what more numbers hold"
     )
