@@ -9,7 +9,7 @@ import numpy as np
 
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.verification import LoadingVerdict
-from compwright.verification.hypotheses import Hypothesis
+from compwright.verification.hypothesis import Hypothesis
 from compwright.verification.likelihood import AfterMeans, ErrorBelief
 from compwright.verification.loading import judge_loading
 from compwright.verification.views import View, measurement_views

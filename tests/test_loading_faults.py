@@ -14,7 +14,8 @@ from compwright.records.correction import AxisCompensation, no_compensation
 from compwright.records.noise import normal_noise
 from compwright.records.positioning import PositioningTest
 from compwright.records.verification import LoadingVerdict
-from compwright.verification.hypotheses import Loading, loading_hypotheses
+from compwright.verification.hypotheses import loading_hypotheses
+from compwright.verification.hypothesis import Loading
 from compwright.verification.likelihood import (
     Curves,
     ErrorBelief,

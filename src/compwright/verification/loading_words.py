@@ -15,7 +15,7 @@ from compwright.foundations.numerals import significant
 from compwright.foundations.units import PositionUnit, outside_factor
 from compwright.records.axis import FloatArray
 from compwright.records.verification import Candidate, LoadingName
-from compwright.verification.hypotheses import Hypothesis
+from compwright.verification.hypothesis import Hypothesis
 from compwright.verification.likelihood import AfterMeans, ErrorBelief
 
 _PPM: Final = 1e6

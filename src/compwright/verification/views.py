@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from compwright.verification.hypotheses import Hypothesis
+from compwright.verification.hypothesis import Hypothesis
 from compwright.verification.likelihood import ErrorBelief
 
 #: Prior odds of a fault of measurement against a loaded table well measured.

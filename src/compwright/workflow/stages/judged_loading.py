@@ -26,7 +26,8 @@ from compwright.records.noise import NoiseDraws
 from compwright.records.plan import PlannedAxis
 from compwright.records.positioning import PositioningTest
 from compwright.records.verification import LoadingVerdict
-from compwright.verification.hypotheses import Loading, loading_hypotheses
+from compwright.verification.hypotheses import loading_hypotheses
+from compwright.verification.hypothesis import Loading
 from compwright.verification.likelihood import after_means, belief_of, draws_for
 from compwright.verification.loading import judge_loading
 from compwright.verification.views import UNLIKE, View, measurement_views, of_other_axis, unit_views

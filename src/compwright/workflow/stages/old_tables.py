@@ -24,7 +24,8 @@ from compwright.planning.wanted import (
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import PlannedTest
-from compwright.verification.hypotheses import Loading, loading_hypotheses
+from compwright.verification.hypotheses import loading_hypotheses
+from compwright.verification.hypothesis import Loading
 from compwright.verification.likelihood import after_means, belief_of, draws_for
 from compwright.verification.loading import judge_loading
 from compwright.verification.old_table import OldTable

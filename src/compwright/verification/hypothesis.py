@@ -1,0 +1,82 @@
+"""A way in which a table may have been loaded, and what was to be loaded.
+
+A correction is what the control adds to the command, table and backlash together. A constant common
+to both directions is the instrument's datum and of no account; a difference between the directions
+is not. Weights are prior odds against the loaded table (weight 1); several variants may stand under
+one name, and a family that runs through many (a cut at any node) shares its weight among them.
+mm or deg.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+from compwright.records.correction import AxisCompensation
+from compwright.records.verification import LoadingName
+
+#: A machine that has warmed up by a fraction of a degree, or whose scale is read a little
+#: otherwise, changes the effect of a table by so much of itself (standard deviation).
+SLACK: Final = 0.02
+#: Standard deviation of a factor that nothing is known of.
+UNKNOWN_FACTOR: Final = 0.7
+# Prior odds of a fault against the loaded table, of each distinct variant. With odds of 5:1 and a
+# verdict from 99 %, a fault that lies two standard errors from the loaded table, where it is mixed
+# up most easily, passes for it in about 2 % of the tests.
+COMMON: Final = 0.2
+RARE: Final = 0.05
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Hypothesis:
+    """One way in which a table may have been loaded.
+
+    ``positive``, ``negative`` (m,): by how much the correction then differs from what acted behind
+    the belief; ``free`` (2, m): by what it may differ further, times a standard normal number.
+    ``weight``: prior odds against the loaded table. ``slack``: standard deviation of the factor
+    by which the change may differ. ``sloped``: with a slope over the positions of any size.
+    ``inner``: it has the loaded table as its limit (a cut near the end, a factor near one): no name
+    of its own where it is the same. ``read``: of a fault of measurement, what the table does.
+    """
+
+    name: LoadingName
+    positive: FloatArray
+    negative: FloatArray
+    weight: float = 1.0
+    detail: str = ""
+    factor: float = 1.0
+    shift_nodes: int = 0
+    of: str | None = None
+    free: FloatArray | None = None
+    slack: float = 0.0
+    sloped: bool = False
+    inner: bool = False
+    read: LoadingName | None = None
+
+    @property
+    def change(self) -> FloatArray:
+        """The change in + and - (2, m)."""
+        return np.stack([self.positive, self.negative])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Loading:
+    """What was to be loaded, and what was there.
+
+    ``new``: planned; ``old``: in the control before; ``acted``: behind the belief of the deviation
+    (in the tests before); ``others``: tables planned for other axes, by name. ``beside``: by
+    direction, what acts in the test in any case (m,). ``read_back``: what was read back from the
+    control is what was planned.
+    """
+
+    new: AxisCompensation
+    old: AxisCompensation
+    acted: AxisCompensation
+    others: Mapping[str, AxisCompensation] = field(default_factory=dict)
+    reference: float = 0.0
+    beside: tuple[FloatArray, FloatArray] | None = None
+    read_back: bool = False

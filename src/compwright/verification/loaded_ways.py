@@ -1,0 +1,151 @@
+"""What a control does with a table whose values are others than planned: the changes at the targets
+of a test, and the hypotheses that stand for them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.correction import AxisCompensation
+from compwright.records.verification import LoadingName
+from compwright.verification.hypothesis import SLACK, Hypothesis, Loading
+
+Curve = FloatArray  # (2, m): in + and in -
+Held = dict[Direction, FloatArray]  # values at the nodes (k,)
+
+
+class Ways:
+    """One loading at one set of targets.
+
+    ``table``: the planned table alone, ``own`` (2, m) what it does; ``stay``: what other tables do
+    in any case; ``old`` and ``old_backlash``: what was there before.
+    """
+
+    def __init__(self, loading: Loading, targets: FloatArray) -> None:
+        self.loading, self.targets = loading, targets
+        new = loading.new
+        self.acted = self.at(loading.acted)
+        if loading.beside is not None:
+            self.acted = self.acted - np.stack(loading.beside)
+        self.stay = self.at(_only_others(new))
+        self.table = replace(new, others=(), backlash=0.0)
+        self.own = self.at(self.table)
+        self.backlash = self.jump(new)
+        self.old = self.at(loading.old)
+        self.old_backlash = self.jump(loading.old)
+        self.has_old = bool(np.any(np.abs(self.old - self.stay) > 0.0))
+
+    def at(self, one: AxisCompensation) -> Curve:
+        """Return what a compensation does in + and - (2, m)."""
+        return np.stack([one.at(self.targets, direction) for direction in Direction])
+
+    def jump(self, one: AxisCompensation) -> Curve:
+        """Return what its backlash does of that."""
+        return np.stack(
+            [np.full(self.targets.size, one.backlash_at(direction)) for direction in Direction]
+        )
+
+    def total(self, curve: Curve, backlash: Curve | None = None) -> Curve:
+        """Return the change where ``curve`` acts with ``backlash`` (default: the new one)."""
+        return self.stay + curve + (self.backlash if backlash is None else backlash) - self.acted
+
+    def made(
+        self, name: LoadingName, change: Curve, weight: float, detail: str = "", **more: Any
+    ) -> Hypothesis:
+        """Return the hypothesis of a change (2, m); ``more``: further fields of it."""
+        return Hypothesis(
+            name=name,
+            positive=change[0],
+            negative=change[1],
+            weight=weight,
+            detail=detail,
+            slack=SLACK,
+            **more,
+        )
+
+    def both(
+        self, name: LoadingName, curve: Curve, weight: float, detail: str = "", **more: Any
+    ) -> Iterator[Hypothesis]:
+        """Yield a fault of the table with the new backlash, and with that which was there."""
+        yield self.made(name, self.total(curve), weight, detail, **more)
+        if np.any(self.backlash != self.old_backlash):
+            told = f"{detail}, with the old backlash" if detail else "with the old backlash"
+            yield self.made(name, self.total(curve, self.old_backlash), 0.1 * weight, told, **more)
+
+    def held(self) -> Held:
+        """Return the values of the planned table at its nodes."""
+        return {d: self.table.curve(d) for d in Direction}
+
+    def old_values(self) -> Held:
+        """Return what was there at the nodes, without what stays and the backlash."""
+        nodes, old, stay = self.table.positions, self.loading.old, _only_others(self.loading.new)
+        line = self.table.slope * (nodes - self.table.origin)
+        return {
+            d: old.at(nodes, d) - old.backlash_at(d) - stay.at(nodes, d) - line for d in Direction
+        }
+
+    def values(self, curves: Mapping[Direction, FloatArray]) -> Curve:
+        """Return what the table does with other values (k,) at its nodes."""
+        return self.at(
+            replace(
+                self.table,
+                positive=curves[Direction.POSITIVE],
+                negative=curves[Direction.NEGATIVE],
+            )
+        )
+
+    def _from_zero(self, curve: Curve, curves: Mapping[Direction, FloatArray]) -> Curve | None:
+        """Return ``curve`` where each direction counts from a zero of its own: at the reference as
+        the planned table; None where that is the same.
+        """
+        nodes, at = self.table.positions, self.loading.reference
+        off = [
+            float(np.interp(at, nodes, self.table.curve(d)) - np.interp(at, nodes, curves[d]))
+            for d in Direction
+        ]
+        return None if abs(off[0] - off[1]) < 1e-9 else curve + np.array(off)[:, np.newaxis]
+
+    def moved(
+        self,
+        name: LoadingName,
+        curves: Mapping[Direction, FloatArray],
+        weight: float,
+        **more: Any,
+    ) -> Iterator[Hypothesis]:
+        """Yield a table with other values, counting as it stands and from its own zero."""
+        curve = self.values(curves)
+        yield from self.both(name, curve, weight, **more)
+        counted = self._from_zero(curve, curves)
+        if counted is not None:
+            yield from self.both(name, counted, 0.5 * weight, **more)
+
+    def shifts(self, by: int, held: Held) -> Iterator[Held]:
+        """Yield the values ``held`` by ``by`` nodes too far to +: around a turn; else with the end
+        value, or nothing, at the nodes that get none.
+        """
+        if self.table.period is not None:
+            yield {d: _around(values, by) for d, values in held.items()}
+            return
+        index = np.arange(self.table.positions.size) - by
+        inside = (index >= 0) & (index < index.size)
+        kept = np.clip(index, 0, index.size - 1)
+        yield {d: values[kept] for d, values in held.items()}
+        ends = [values[kept][~inside] for values in held.values()]
+        if any(np.any(np.abs(end) > 0.0) for end in ends):
+            yield {d: np.where(inside, values[kept], 0.0) for d, values in held.items()}
+
+
+def _only_others(one: AxisCompensation) -> AxisCompensation:
+    empty = np.empty(0)
+    return replace(one, positions=empty, positive=empty, negative=empty, backlash=0.0, slope=0.0)
+
+
+def _around(values: FloatArray, by: int) -> FloatArray:
+    """Return the values of a table around a turn, whose last is its first, ``by`` nodes further."""
+    turned = np.roll(values[:-1], by)
+    return np.append(turned, turned[0])

@@ -1,0 +1,181 @@
+"""From hypotheses that a test has rated to names: the likeliest, those that no test could tell from
+it, and those that this one leaves open.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+from compwright.records.verification import Candidate, LoadingName
+from compwright.verification.hypothesis import UNKNOWN_FACTOR
+from compwright.verification.likelihood import AfterMeans
+from compwright.verification.rating import Rated, distances
+
+#: A test that fits is refused in 1 of 1000 cases by what is left over, and by a slope beyond what
+#: is declared: normal score.
+REFUSED: Final = 3.09
+#: No two tests are closer in temperature, mm/mm: 0.03 K of steel.
+LEAST_SLOPE: Final = 0.3e-6
+#: Logarithm of odds beyond which nobody asks: a second name there is none.
+_CERTAIN: Final = 1e6
+#: Distance between two names, in standard errors, from which nearly every test tells them apart.
+_TELLING: Final = 8.0
+#: From which probability on a candidate is told.
+_TOLD: Final = 0.005
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """What a test says of names.
+
+    ``best``: the likeliest hypothesis of the likeliest name; ``fits``: whether the test fits it.
+    ``together``: probability of that name with all that lies within one standard error of it, whose
+    names are ``equivalent``; ``near``: names that this test says little of beside it. ``margin``:
+    logarithm of the odds over the likeliest name that is none of these. ``hidden``: loaded or not,
+    the test would be the same.
+    """
+
+    best: Rated
+    fits: bool
+    together: float
+    equivalent: tuple[LoadingName, ...]
+    near: tuple[LoadingName, ...]
+    candidates: tuple[Candidate, ...]
+    margin: float
+    hidden: bool
+
+
+def named(after: AfterMeans, rated: Sequence[Rated], declared_slope: float | None) -> Named:
+    """Return the name that ``rated`` give a test, and what is to be said beside it.
+
+    ``declared_slope``: as `judge_loading` takes it.
+    """
+    totals: dict[LoadingName, float] = {}
+    for each in rated:
+        totals[each.name] = totals.get(each.name, 0.0) + each.probability
+    name = max(totals, key=lambda one: totals[one])
+    if name in ("loaded", "thermal"):
+        name = _acting(rated, declared_slope)
+    best = max((each for each in rated if each.name == name), key=lambda each: each.log)
+    far = distances(after, best, rated)
+    fits = best.score <= REFUSED
+    counted: set[LoadingName] = {name}
+    if name in ("loaded", "thermal"):
+        counted = {"loaded", "thermal"}
+    # A test that fits as it stands, and better than turned, has values that turning hardly changes.
+    together = sum(
+        each.probability
+        for each, off in zip(rated, far, strict=True)
+        if each.name in counted or off <= 1.0 or (fits and each.hypothesis.read in counted)
+    )
+    equivalent = _equivalent(best, far, rated)
+    hidden = {"loaded", "not_active"} <= {name, *equivalent}
+    told: set[LoadingName] = {*counted, *equivalent}
+    if fits and any(each.hypothesis.read in counted for each in rated):
+        told.add("measurement")
+    return Named(
+        best=best,
+        fits=fits,
+        together=together,
+        equivalent=equivalent,
+        near=tuple(one for one in _near(far, rated) if one != name),
+        candidates=_candidates(rated, totals),
+        margin=0.0 if hidden else _margin(rated, counted, told),
+        hidden=hidden,
+    )
+
+
+def _margin(
+    rated: Sequence[Rated], names: Collection[LoadingName], told: Collection[LoadingName]
+) -> float:
+    """Return the logarithm of the odds for these names over the likeliest that is not ``told`` with
+    them.
+    """
+
+    def together(chosen: Collection[LoadingName]) -> float:
+        logs = np.array([each.log for each in rated if each.name in chosen])
+        return float(logs.max() + np.log(np.sum(np.exp(logs - logs.max()))))
+
+    others = {each.name for each in rated} - set(told)
+    return (
+        min(together(names) - max(map(together, ((one,) for one in others))), _CERTAIN)
+        if others
+        else _CERTAIN
+    )
+
+
+def _acting(rated: Sequence[Rated], declared_slope: float | None) -> LoadingName:
+    """Return ``loaded`` or ``thermal`` for a table that acts: thermal where the slope beside it is
+    beyond what is declared.
+    """
+    plain = next(each for each in rated if each.name == "loaded")
+    if declared_slope is None:
+        return "loaded"
+    slope, error = plain.slope
+    beyond = abs(slope) > REFUSED * math.hypot(error, math.hypot(declared_slope, LEAST_SLOPE))
+    return "thermal" if beyond else "loaded"
+
+
+def _equivalent(best: Rated, far: FloatArray, rated: Sequence[Rated]) -> tuple[LoadingName, ...]:
+    """Return the names that no test could tell from the best. What has the loaded table, or none,
+    as its limit (a factor near one, a cut near an end, a small slope) is no other name there; nor
+    is an unknown factor beside an inverted table, whose factor is -1.
+    """
+    limit = best.name in ("loaded", "not_active")
+    found: dict[LoadingName, None] = {}
+    for each, off in zip(rated, far, strict=True):
+        if each.name in (best.name, "measurement") or off > 1.0:
+            continue
+        if limit and (each.hypothesis.inner or each.hypothesis.sloped):
+            continue
+        if each.hypothesis.sloped and each.name != "thermal":
+            continue
+        if best.name == "inverted" and each.hypothesis.free is not None:
+            continue
+        found[each.name] = None
+    return tuple(found)
+
+
+def _near(far: FloatArray, rated: Sequence[Rated]) -> tuple[LoadingName, ...]:
+    """Return the names whose test lies so close to the best that this one says little of them.
+    Variants that can come as close as they like (a cut near an end, an unknown factor or slope)
+    are no question of it, nor is how the test was measured.
+    """
+    return tuple(
+        dict.fromkeys(
+            each.name
+            for each, off in zip(rated, far, strict=True)
+            if off < _TELLING
+            and each.name != "measurement"
+            and each.hypothesis.free is None
+            and not (each.hypothesis.inner or each.hypothesis.sloped)
+        )
+    )
+
+
+def _candidates(rated: Sequence[Rated], totals: dict[LoadingName, float]) -> tuple[Candidate, ...]:
+    ordered = sorted(totals, key=lambda one: -totals[one])
+    told = [one for one in ordered if totals[one] >= _TOLD] or ordered[:1]
+    return tuple(
+        Candidate(
+            verdict=one,
+            probability=totals[one],
+            detail=max((e for e in rated if e.name == one), key=lambda e: e.log).hypothesis.detail,
+        )
+        for one in told
+    )
+
+
+def factor_of(best: Rated) -> float:
+    """Return the factor of a scaled table: its known one, or that which the test shows."""
+    way = best.hypothesis
+    if way.name != "scaled" or way.free is None:
+        return way.factor
+    size = float(np.sum(way.free**2))
+    return 1.0 + best.amount[0] * UNKNOWN_FACTOR if size > 0.0 else 1.0
