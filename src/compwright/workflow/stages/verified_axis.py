@@ -20,9 +20,10 @@ from compwright.planning.motions import with_motion
 from compwright.planning.outlook import predict_same_targets
 from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
 from compwright.prediction.acting import Correction, difference, nothing
-from compwright.records.axis import Direction
+from compwright.records.axis import Axis, Direction
 from compwright.records.job import Job
-from compwright.records.plan import PlannedAxis
+from compwright.records.plan import PlannedAxis, PlannedTest
+from compwright.records.prediction import AcceptDecision
 from compwright.records.result import PositioningResult
 from compwright.records.settled import LOGARITHM, settled_number
 from compwright.records.verification import LoadingName, LoadingVerdict
@@ -50,20 +51,15 @@ def verified_axis(
     if anything; ``twice``: that the test is a copy of another one; ``others``: the other axes of
     the plan.
     """
-    axis, guarded = planned.axis, job.decision_rule == "guarded"
+    axis = planned.axis
     names = [entry.test.name for entry in planned.tests]
     place = names.index(after.repeats) if after.repeats in names else 0
     repeated = planned.tests[place]
-    before_test = repeated.test
-    before, result = (evaluated(job, axis, test) for test in (before_test, after.test))
+    before, result = (evaluated(job, axis, test) for test in (repeated.test, after.test))
     observed = observed_tests(planned.tests, planned.active)
     posterior = measured_error(planned.tests, observed, axis, planned.active)
-    active = nothing if planned.active is None else planned.active.at
-    table = None if planned.fitted is None else planned.fitted.compensation.at
-    # The test after loading was taken at the motion of the one that it repeats.
-    new = with_motion(table or correction_of(as_found, axis), axis, repeated.backlash_more)
-    change = difference(new, active)
-    fault = twice or measurement_fault(after.test, before_test, axis.travel)
+    change = _change(planned, as_found, repeated)
+    fault = twice or measurement_fault(after.test, repeated.test, axis.travel)
     compared = _compare_loaded(planned, read_back)
     loading = (
         judged_loading(
@@ -80,7 +76,42 @@ def verified_axis(
         if fault is None
         else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
     )
-    waves = folded_findings(after.test.targets, axis.screw_pitch, axis.kind.unit)
+    accept, findings = _judged(job, axis, before, result, loading, fault)
+    like = Like(place, fresh_slope(job.decision_rule, repeated))
+    return VerifiedAxis(
+        before=before,
+        predicted=predict_same_targets(result, posterior, change, axis, like),
+        expected=_expected(result, posterior, change),
+        after=result,
+        loading=_told(loading, _sentences(control, planned)),
+        accept=accept,
+        findings=(*loading.findings, *_named(loading), *findings, *compared),
+    )
+
+
+def _change(planned: PlannedAxis, as_found: DecodedState, repeated: PlannedTest) -> Correction:
+    """Return by what the correction differs, where all went well, from what acted in the test that
+    the one after loading repeats, at whose motion it was taken.
+    """
+    active = nothing if planned.active is None else planned.active.at
+    table = None if planned.fitted is None else planned.fitted.compensation.at
+    wanted = table or correction_of(as_found, planned.axis)
+    return difference(with_motion(wanted, planned.axis, repeated.backlash_more), active)
+
+
+def _judged(
+    job: Job,
+    axis: Axis,
+    before: PositioningResult,
+    result: PositioningResult,
+    loading: LoadingVerdict,
+    fault: NamedFault | None,
+) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...]]:
+    """Return the decisions of an axis after loading, by parameter, and what speaks against its
+    test: of one that is certainly no measurement (``fault``) nothing more than that.
+    """
+    guarded = job.decision_rule == "guarded"
+    waves = folded_findings(result.test.targets, axis.screw_pitch, axis.kind.unit)
     accept = measured_decisions(
         job.axes[axis.name],
         result,
@@ -89,27 +120,13 @@ def verified_axis(
         folded=bool(waves),
     )
     lacking = [name for name, entry in accept.items() if guarded and entry.U is None]
-    proof = () if fault else proof_lacking(after.test, before_test)
-    doubts = () if fault else doubted(result, before, guarded=guarded)
-    return VerifiedAxis(
-        before=before,
-        predicted=predict_same_targets(
-            result, posterior, change, axis, Like(place, fresh_slope(job.decision_rule, repeated))
-        ),
-        expected=_expected(result, posterior, change),
-        after=result,
-        loading=_told(loading, _sentences(control, planned)),
-        accept=accept,
-        findings=(
-            *loading.findings,
-            *_named(loading),
-            *proof,
-            *doubts,
-            *waves,
-            *lacking_guard(axis, result.standard, lacking),
-            *compared,
-        ),
+    against = (
+        *(() if fault else proof_lacking(result.test, before.test)),
+        *(() if fault else doubted(result, before, guarded=guarded)),
+        *waves,
+        *lacking_guard(axis, result.standard, lacking),
     )
+    return accept, against
 
 
 def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, tuple[str, ...]]:
