@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from compwright.jobs.consistency import default_name
+from compwright.jobs.plain_data import default_name
 from compwright.records.job import AS_FOUND
 
 #: What stands for a round that is over: its state, and behind the names of its tests.

@@ -13,13 +13,9 @@ from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import TO_INSIDE
 from compwright.foundations.yaml_reader import YamlDocument, read_yaml_with_faults
-from compwright.jobs.consistency import (
-    NONE_WORD,
-    Contradiction,
-    contradictions,
-    default_name,
-)
+from compwright.jobs.consistency import NONE_WORD, contradictions
 from compwright.jobs.faults import schema_faults, shown
+from compwright.jobs.plain_data import Contradiction, default_name
 from compwright.jobs.schema import (
     SCHEMA_VERSION,
     AxisSection,

@@ -5,38 +5,29 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import cast, get_args
 
+from compwright.formats.definition.bindings import binding_of, evidence_of
 from compwright.formats.definition.extends import DefinitionText
 from compwright.formats.definition.required import Required
 from compwright.formats.definition.schema import (
-    Absent,
     Addresses,
     BetweenAxes,
-    Binding,
     CardRule,
-    Choice,
     Definition,
     Dialect,
     DiameterRule,
-    EvidenceNote,
     Expectation,
     Expected,
     Layout,
     LimitRule,
     LookRule,
-    Measure,
     OptionRule,
-    OptionValue,
     ParameterRule,
-    Plain,
     Statement,
     TextKind,
     WrittenFile,
 )
 from compwright.formats.definition.vocabulary import (
-    CHOICES,
     LOOKED_AT,
-    MEASURES,
-    PLAIN,
     AddressType,
     Case,
     DiameterTables,
@@ -45,20 +36,16 @@ from compwright.formats.definition.vocabulary import (
     OptionType,
     Pairing,
     Predicate,
-    Repeated,
     Rest,
-    Say,
-    Sign,
     When,
 )
 from compwright.formats.definition.yaml_fields import Node
 from compwright.records.axis import AxisKind, Direction
-from compwright.records.correction import Beyond, Evidence
+from compwright.records.correction import Beyond
 from compwright.records.plan import Texts
 from compwright.records.verification import LoadingName
 
 _NEWLINES = {"lf": "\n", "crlf": "\r\n", "lfcrcr": "\n\r\r"}
-_UNITS = ("mm", "um", "inch", "pulse", "mm/m")
 
 
 def definition_of_sections(
@@ -97,7 +84,7 @@ def definition_of_sections(
             {
                 name: binding
                 for name, node in part["bindings"].entries()
-                if (binding := _binding(name, node)) is not None
+                if (binding := binding_of(name, node)) is not None
             },
             section="bindings",
             file=file,
@@ -122,18 +109,13 @@ def definition_of_sections(
     )
 
 
-def _evidence(node: Node) -> EvidenceNote:
-    part = node.keys("state", "source")
-    return EvidenceNote(state=part["state"].literal(Evidence), source=part["source"].text())
-
-
 def _addresses(node: Node) -> Addresses:
     part = node.keys("type", "case", "letters", "evidence")
     return Addresses(
         type=part["type"].literal(AddressType),
         case=part["case"].literal(Case),
         letters=part["letters"].optional_text(),
-        evidence=_evidence(part["evidence"]),
+        evidence=evidence_of(part["evidence"]),
     )
 
 
@@ -158,7 +140,7 @@ def _dialect(node: Node) -> Dialect:
         block_number=part["block_number"].optional_text(),
         line_checksum=part["line_checksum"].optional_text(),
         blanks_anywhere=part["blanks"].one_of(("beside_marks", "anywhere")) == "anywhere",
-        evidence=_evidence(part["evidence"]),
+        evidence=evidence_of(part["evidence"]),
     )
 
 
@@ -188,7 +170,7 @@ def _text(name: str, node: Node) -> TextKind:
         other_lines_refused=others["are"].one_of(("ignored", "refused")) == "refused",
         because=others["because"].text(),
         ends_with=part["ends_with"].texts(),
-        evidence=_evidence(part["evidence"]),
+        evidence=evidence_of(part["evidence"]),
     )
 
 
@@ -202,7 +184,7 @@ def _statement(name: str, node: Node) -> Statement:
         fields={field: kind.literal(FieldType) for field, kind in part["fields"].entries()},
         within=part["within"].optional_text(),
         rest=part["rest"].literal(Rest),
-        evidence=_evidence(part["evidence"]),
+        evidence=evidence_of(part["evidence"]),
     )
 
 
@@ -215,114 +197,7 @@ def _layout(node: Node) -> Layout:
         below=ends["below"].literal(Beyond),
         above=ends["above"].literal(Beyond),
         singles=part["singles"].texts(),
-        evidence=_evidence(part["evidence"]),
-    )
-
-
-def _binding(name: str, node: Node) -> Binding | None:
-    if name in MEASURES:
-        return _measure(name, node)
-    if name in CHOICES:
-        part = node.keys(
-            "statement", "field", "values", "writes", "repeated", "when_absent", "evidence"
-        )
-        return Choice(
-            quantity=name,
-            statement=part["statement"].text(),
-            field=part["field"].text(),
-            repeated=part["repeated"].literal(Repeated),
-            when_absent=_absent(part["when_absent"]),
-            evidence=_evidence(part["evidence"]),
-            values={text: word.text() for text, word in part["values"].entries()},
-            writes=_word_or_option(part["writes"]),
-        )
-    if name in PLAIN:
-        part = node.keys("statement", "field", "repeated", "when_absent", "evidence")
-        return Plain(
-            quantity=name,
-            statement=part["statement"].text(),
-            field=part["field"].text(),
-            repeated=part["repeated"].literal(Repeated),
-            when_absent=_absent(part["when_absent"]),
-            evidence=_evidence(part["evidence"]),
-        )
-    node.fault(
-        "is not a quantity that compwright knows",
-        expected=f"one of {', '.join((*MEASURES, *CHOICES, *PLAIN))}",
-    )
-    return None
-
-
-def _measure(name: str, node: Node) -> Measure:
-    part = node.keys(
-        "statement",
-        "field",
-        "unit",
-        "sign",
-        "digits",
-        "range",
-        "repeated",
-        "when_absent",
-        "evidence",
-    )
-    unit = part["unit"].keys("linear", "rotary")
-    option = part["sign"].data.get("option") if isinstance(part["sign"].data, dict) else None
-    sign, sign_by, signs = (None, None, {}) if option is not None else _sign(part["sign"])
-    bounds = [item.number() for item in part["range"].items()]
-    if part["range"].data is not None and (len(bounds) != 2 or bounds[0] >= bounds[1]):
-        part["range"].fault("is not a range", expected="two numbers, the smaller one first")
-    return Measure(
-        quantity=name,
-        statement=part["statement"].text(),
-        field=part["field"].text(),
-        repeated=part["repeated"].literal(Repeated),
-        when_absent=_absent(part["when_absent"]),
-        evidence=_evidence(part["evidence"]),
-        linear_unit=_unit(unit["linear"]),
-        rotary_unit=unit["rotary"].one_of(("deg", "mdeg", "pulse")),
-        sign=sign,
-        sign_by=sign_by,
-        signs=signs,
-        digits=part["digits"].integer(0, 9),
-        range=(bounds[0], bounds[-1]) if bounds else (0.0, 0.0),
-        sign_option=None if option is None else part["sign"].keys("option")["option"].text(),
-    )
-
-
-def _unit(node: Node) -> str | OptionValue:
-    if isinstance(node.data, dict):
-        return OptionValue(node.keys("option")["option"].text())
-    return node.one_of(_UNITS)
-
-
-def _word_or_option(node: Node) -> str | OptionValue:
-    if isinstance(node.data, dict):
-        return OptionValue(node.keys("option")["option"].text())
-    return node.text()
-
-
-def _sign(node: Node) -> tuple[Sign | None, str | None, Mapping[str, Sign]]:
-    if not isinstance(node.data, dict):
-        return node.literal(Sign), None, {}
-    choices = [name for name in node.data if name in CHOICES]
-    if len(node.data) != 1 or not choices:
-        node.fault(
-            "has the wrong form",
-            expected=f"a sign, or one of {', '.join(CHOICES)} with a sign for each of its values",
-        )
-        return None, None, {}
-    inner = node.child(choices[0], node.data[choices[0]])
-    return None, choices[0], {word: sign.literal(Sign) for word, sign in inner.entries()}
-
-
-def _absent(node: Node) -> Absent | None:
-    if node.is_null:
-        return None
-    part = node.keys("value", "say", "evidence")
-    return Absent(
-        value=part["value"].text(),
-        say=part["say"].literal(Say),
-        evidence=_evidence(part["evidence"]),
+        evidence=evidence_of(part["evidence"]),
     )
 
 
@@ -332,14 +207,14 @@ def _limit(node: Node) -> LimitRule:
     return LimitRule(
         predicate=part["predicate"].literal(Predicate),
         number=number,
-        evidence=_evidence(part["evidence"]),
+        evidence=evidence_of(part["evidence"]),
     )
 
 
 def _between_axes(node: Node) -> BetweenAxes:
     part = node.keys("instead", "evidence")
     return BetweenAxes(
-        instead=part["instead"].optional_text() or "", evidence=_evidence(part["evidence"])
+        instead=part["instead"].optional_text() or "", evidence=evidence_of(part["evidence"])
     )
 
 
@@ -348,14 +223,14 @@ def _diameter(node: Node) -> DiameterRule:
     return DiameterRule(
         tables=part["tables"].literal(DiameterTables),
         card=part["card"].text(),
-        evidence=_evidence(part["evidence"]),
+        evidence=evidence_of(part["evidence"]),
     )
 
 
 def _parameters(node: Node) -> Iterator[tuple[str, ParameterRule]]:
     for name, each in node.entries():
         part = each.keys("here", "evidence")
-        yield name, ParameterRule(part["here"].literal(Here), _evidence(part["evidence"]))
+        yield name, ParameterRule(part["here"].literal(Here), evidence_of(part["evidence"]))
 
 
 def _option(name: str, node: Node) -> OptionRule:
@@ -384,7 +259,7 @@ def _option(name: str, node: Node) -> OptionRule:
         whole_control=part["belongs_to"].one_of(("axis", "control")) == "control",
         asked=part["asked"].optional_text(),
         help=part["help"].text(),
-        evidence=_evidence(part["evidence"]),
+        evidence=evidence_of(part["evidence"]),
     )
 
 
@@ -401,7 +276,7 @@ def _written(node: Node) -> WrittenFile:
         footer=part["footer"].texts(),
         optional=belongs == "optional",
         when="always" if belongs in ("complete", "optional") else cast("When", belongs),
-        evidence=_evidence(part["evidence"]),
+        evidence=evidence_of(part["evidence"]),
     )
 
 
@@ -412,7 +287,7 @@ def _card(node: Node) -> CardRule:
         title=part["title"].text(),
         text=one_curve,
         two_curves=two_curves,
-        evidence=_evidence(part["evidence"]),
+        evidence=evidence_of(part["evidence"]),
     )
 
 
@@ -431,7 +306,7 @@ def _look_at(node: Node) -> dict[LoadingName, tuple[LookRule, ...]]:
 
 def _look(node: Node) -> LookRule:
     part = node.keys("text", "evidence")
-    return LookRule(*_by_curves(part["text"]), _evidence(part["evidence"]))
+    return LookRule(*_by_curves(part["text"]), evidence_of(part["evidence"]))
 
 
 def _expectation(node: Node, sample: Mapping[str, str]) -> Expectation:

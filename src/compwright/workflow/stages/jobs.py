@@ -24,7 +24,8 @@ from compwright.foundations.errors import (
 from compwright.foundations.input_sizes import MEASUREMENT, YAML
 from compwright.instruments.drift_csv import read_drift
 from compwright.jobs.command_line import job_from_options
-from compwright.jobs.consistency import NONE_WORD, Contradiction
+from compwright.jobs.consistency import NONE_WORD
+from compwright.jobs.plain_data import Contradiction
 from compwright.jobs.reading import read_job
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import Job

@@ -1,0 +1,69 @@
+"""Plain data of a job as read, whose types the schema has still to check, and what is found wrong
+with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import PureWindowsPath
+from typing import Any
+
+from compwright.foundations.yaml_reader import KeyPath
+from compwright.jobs.faults import shown, suggestion, too_large
+from compwright.records.job import AS_FOUND
+
+
+@dataclass(frozen=True, slots=True)
+class Contradiction:
+    """A fault with its key path; the caller adds file and line."""
+
+    path: KeyPath
+    message: str
+    expected: str = ""
+    found: str = ""
+
+
+def default_name(file: str) -> str:
+    """Return the default name of a test: the stem of its file, whichever way its path is
+    written.
+    """
+    return PureWindowsPath(file).stem or file
+
+
+def mapping_of(value: Any) -> Mapping[str, Any]:
+    """Return a mapping; an empty one for anything else."""
+    return value if isinstance(value, dict) else {}
+
+
+def list_of(value: Any) -> Sequence[Any]:
+    """Return a list; an empty one for anything else."""
+    return value if isinstance(value, list) else []
+
+
+def number_of(value: Any) -> float | None:
+    """Return a number; None for anything else, and for one that is too large."""
+    if isinstance(value, bool) or not isinstance(value, int | float) or too_large(value):
+        return None
+    return float(value)
+
+
+def repeated_files(files: Sequence[Any], path: KeyPath) -> Iterator[Contradiction]:
+    """Find files that a list names twice."""
+    for index, file in enumerate(files):
+        if isinstance(file, str) and file in files[:index]:
+            yield Contradiction((*path, index), "is given twice", "each file once", shown(file))
+
+
+def unknown_state(
+    section: Mapping[str, Any], path: KeyPath, states: Sequence[str]
+) -> Iterator[Contradiction]:
+    """Find a test measured in a state that the job does not know."""
+    state = section.get("measured_in", AS_FOUND)
+    if isinstance(state, str | int) and str(state) not in states:
+        yield Contradiction(
+            (*path, "measured_in"),
+            "names no state of this job",
+            suggestion(str(state), states),
+            shown(state),
+        )
