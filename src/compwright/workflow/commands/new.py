@@ -8,6 +8,7 @@ from pathlib import Path
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.family import LeftOpen
+from compwright.formats.text.other_files import says_nothing
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.utf8 import encoded
@@ -42,12 +43,14 @@ def new_job(
 ) -> NewOutcome:
     """Write a job for every axis on which the control's files say that something acts.
 
-    Where no axis has a table or backlash, every axis that the files name gets one. Raises
-    UsageError, InputError (files that contradict themselves) and StorageError.
+    Where no axis has a table or backlash, every axis that the files name gets one. Of a folder the
+    job takes what says something of the control. Raises UsageError, InputError (files that
+    contradict themselves) and StorageError.
     """
     control = open_control(format_id, options)
     unsaid = _unsaid(control)
     stands_in = False
+    files, aside = _set_aside(control.definition, files)
     own = read_files(files)
     try:
         state, left_out = _read(control, own)
@@ -75,8 +78,27 @@ def new_job(
     refuse_other_kinds({out: encoded(text)}, force=force)
     storage.write_file(out, encoded(text), force=force)
     said = (finding.message for finding in control.findings)
-    told = (*left_out, *_idle(control, state, drafts), *said)
+    told = (*aside, *left_out, *_idle(control, state, drafts), *said)
     return NewOutcome(out, tuple(_open(given, drafts)), told)
+
+
+def _set_aside(definition: Definition, files: Sequence[Path]) -> tuple[list[Path], tuple[str, ...]]:
+    """Return the files that the job takes, and what it leaves of folders because nothing in it is
+    the control's, one line each. A folder of which all is taken stays a folder; a file that is
+    named is always taken. Raises InputError.
+    """
+    taken: list[Path] = []
+    aside: list[Path] = []
+    for path in files:
+        inside = [one for one in storage.list_files(path) if one != path]
+        others = {file.name for file in read_files(inside) if says_nothing(definition, file)}
+        left = [one for one in inside if one.name in others]
+        whole = not left or len(left) == len(inside)
+        taken += [path] if whole else [one for one in inside if one not in left]
+        aside += [] if whole else left
+    return taken, tuple(
+        f"{path} is left aside: no line of it is a statement of {definition.id}" for path in aside
+    )
 
 
 def _unsaid(control: Control) -> LeftOpen | None:
