@@ -525,6 +525,37 @@ def test_a_file_that_has_a_cec_table_on_before_its_values_is_not_written(before:
     assert "$AN_CEC[20,1]=" in pair_into(eec() + values + on)
 
 
+@pytest.mark.parametrize(
+    ("off", "again"),
+    [
+        (["$SN_CEC_TABLE_ENABLE[20]"], False),
+        (["$MA_CEC_ENABLE[AX1]"], False),
+        (["$SN_CEC_TABLE_ENABLE[20]", "$SN_CEC_TABLE_ENABLE[21]", "$MA_CEC_ENABLE[AX1]"], False),
+        (["$SN_CEC_TABLE_ENABLE[20]", "$MA_CEC_ENABLE[AX1]"], True),
+    ],
+)
+def test_a_cec_table_that_is_off_before_its_values_goes_on_behind_them(
+    off: list[str], again: bool
+) -> None:
+    """Off stays off until every value is there, as in a maker's program; ``again``: the file says
+    itself what is behind them.
+    """
+    values = cec(20, ("AX1", "AX1"), value="0", step=85) + cec(
+        21, ("AX1", "AX1"), value="0", step=85
+    )
+    every = ("$SN_CEC_TABLE_ENABLE[20]", "$SN_CEC_TABLE_ENABLE[21]", "$MA_CEC_ENABLE[AX1]")
+    tail = "".join(f"{name}=1\n" for name in every if again or name not in off)
+    lines = pair_into("".join(f"{name}=0\n" for name in off) + eec() + values + tail).splitlines()
+    for name in every:
+        own = "$AN_CEC[2" if "AX1" in name else name.replace("$SN_CEC_TABLE_ENABLE", "$AN_CEC")[:-1]
+        rows = [n for n, line in enumerate(lines) if line.startswith(own)]
+        assert len(rows) > 2, own
+        said = {n: line.rpartition("=")[2] for n, line in enumerate(lines) if name in line}
+        assert said[max(said)] == "1", name
+        assert max(said) > rows[-1], name
+        assert all(text == "0" for n, text in said.items() if n < rows[-1]), name
+
+
 def test_an_entry_is_named_in_full() -> None:
     """What stands between the brackets of an input axis is its value; the entry is the name
     before.

@@ -127,21 +127,30 @@ class OwnTables:
             {"table": str(index)},
         )
 
+    def first_values(self, indices: Collection[int]) -> dict[int, int]:
+        """Return the line of the first value of these tables by the number of the file."""
+        first: dict[int, int] = {}
+        for index in indices:
+            for row in self.said(index, "cross_value"):
+                line = row.occurrence.line
+                first[row.number] = min(first.get(row.number, line), line)
+        return first
+
     def check_protected(self, index: int, output: str, faults: list[Fault]) -> None:
         """Refuse a file that has a table switched on before its values: the control would take none
         of them when it is loaded.
         """
-        first: dict[int, int] = {}
-        for row in self.said(index, "cross_value"):
-            first[row.number] = min(first.get(row.number, row.occurrence.line), row.occurrence.line)
         for switches in (
             self.said(index, "cross_table_enabled"),
             self.said_of_axis(output, "cross_axis_enabled"),
         ):
-            for number, line in first.items():
-                mine = [switch for switch in switches if switch.number == number]
-                before = [switch for switch in mine if switch.occurrence.line < line]
-                if not before or (before[-1] is not mine[-1] and same_value(before[-1].text, "0")):
+            for number, line in self.first_values([index]).items():
+                before = [
+                    switch
+                    for switch in switches
+                    if switch.number == number and switch.occurrence.line < line
+                ]
+                if not before or same_value(before[-1].text, "0"):
                     continue
                 fault = Fault(
                     message=(
@@ -152,9 +161,9 @@ class OwnTables:
                     file=before[-1].occurrence.file,
                     place=before[-1].occurrence.place,
                     expected=(
-                        "the values before the switch, or in a file of their own, as the control"
-                        " exports them (NC_CEC.INI)"
+                        "0 there, or the values before the switch, or in a file of their own, as"
+                        " the control exports them (NC_CEC.INI)"
                     ),
-                    found=f"the first value in line {line}",
+                    found=f"{before[-1].text}, and the first value in line {line}",
                 )
                 faults.append(fault)

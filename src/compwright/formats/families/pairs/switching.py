@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from compwright.formats.families.pairs.own_tables import OwnTables
 from compwright.formats.families.pairs.places import ADDED
-from compwright.formats.text.gathering import same_value
+from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.own_files import OwnFiles, TablePlaces
 from compwright.foundations.errors import Fault
 
 
@@ -21,8 +22,9 @@ class Switches:
         """Make a table act with its own values where the files say otherwise: it is ours."""
         if self.own is None:
             return
-        for quantity in ("cross_table_enabled", "cross_weight"):
-            self.own.put(quantity, self.tables.said(index, quantity), "1")
+        switches = self.tables.said(index, "cross_table_enabled")
+        self._on(self.own, "cross_table_enabled", switches, [index], {"table": str(index)})
+        self.own.put("cross_weight", self.tables.said(index, "cross_weight"), "1")
         for quantity in ("cross_type", *ADDED):
             self.own.put(quantity, self.tables.said(index, quantity), "0")
 
@@ -58,7 +60,32 @@ class Switches:
                 )
             )
         else:
-            self.own.put("cross_axis_enabled", places, "1")
+            named = {"axis": self.tables.spelling(output)}
+            self._on(self.own, "cross_axis_enabled", places, self.tables.kept, named)
+
+    def _on(
+        self,
+        own: OwnFiles,
+        quantity: str,
+        switches: Sequence[Found],
+        indices: Collection[int],
+        named: Mapping[str, str],
+    ) -> None:
+        """Switch tables on by the last switch of each file, or behind their values where the switch
+        stands before them: there it has to stay off.
+        """
+        first = self.tables.first_values(indices)
+        early = set()
+        for number in dict.fromkeys(switch.number for switch in switches):
+            last = max(one.occurrence.line for one in switches if one.number == number)
+            if last < first.get(number, 0):
+                early.add(number)
+        own.put(quantity, [switch for switch in switches if switch.number not in early], "1")
+        every = [self.tables.table_places(index) for index in sorted(indices)]
+        rows = [row for places in every for group in places.rows.values() for row in group]
+        for number in early:
+            held = TablePlaces({0: rows}, {}, "cross_value", named)
+            own.put_behind(held, number, quantity, "1")
 
     def _check_unsaid(self, output: str, others: Sequence[int], faults: list[Fault]) -> None:
         if not others:
