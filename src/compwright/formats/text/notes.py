@@ -57,8 +57,14 @@ class Notes:
         self.findings.append(Finding(code, "warning" if severity == "warning" else "info", message))
 
     def counted_as(self, label: str, name: str, value: str) -> None:
-        """Note that a quantity is not in the files, and what it was counted as."""
-        self.find("CW-S005", "warning", f"{label}: {name} is not in the files; counted as {value}")
+        """Note that a quantity is not in the files, what it was counted as, what hangs on it."""
+        self.find(
+            "CW-S005",
+            "warning",
+            f"{label}: {name} is not in the files; counted as {value}. If the control holds"
+            " anything else, that acted in the tests, and what is written or shown is wrong by the"
+            " difference: look it up at the control, or add the file that says it",
+        )
 
     def switched_off(self, label: str, what: str) -> None:
         """Note that a table of the files corrects nothing; ``what`` says by what it is off."""
