@@ -518,6 +518,14 @@ def test_a_reference_beside_machine_zero_is_said_first(tmp_path: Path) -> None:
     assert any(doubt["code"] == "CW-S018" and "1240" in doubt["message"] for doubt in doubts)
 
 
+def test_a_reference_that_cannot_be_read_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A length without a point, which this series does not write: -500 mm or -0.5 mm."""
+    assert Bench(tmp_path, {(1240, "1"): "-500"}).run("X") == 3
+    assert "parameter 1240 is a length and needs a decimal point" in capsys.readouterr().err
+
+
 def test_a_coding_that_is_not_known_is_asked_for(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

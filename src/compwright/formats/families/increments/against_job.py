@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.axis_values import AxisValues, thousandths
+from compwright.formats.families.increments.axis_values import AxisValues
 from compwright.formats.families.travel_limits import check_travel
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import AxisKind
@@ -61,9 +61,7 @@ def check_reference(
     ``reference``: the position from which the points are counted, mm or deg.
     """
     told = values.found("reference_coordinate")
-    where = None
-    if told is not None and ("." in told.text or thousandths(values.definition)):
-        where = values.length("reference_coordinate", kind)
+    where = values.length("reference_coordinate", kind)
     differs = where is not None and abs(float(where) - reference) > SAME_PLACE
     if values.axis is not None and told is not None and differs:
         message = "the job and the control's files disagree about the reference position (1240)"
