@@ -27,6 +27,8 @@ from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.plan import Texts
 from loop import Floats, Machine, accuracy, allowed, csv_of
 
+pytestmark = pytest.mark.brief
+
 FORMATS = (
     "siemens-840d-sl",
     "siemens-828d",

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from compwright.cli.saying import answer, json_file, print_lines, tell
+from compwright.cli.saying import deliver, print_lines, tell
 from compwright.cli.words import (
     PATH,
     compwright,
@@ -44,13 +44,10 @@ def decode(
 ) -> int:
     """Say what a control would do with these files."""
     from compwright.workflow.commands.decode import decode_files
-    from compwright.workflow.showing.answers import decode_summary, write_document
+    from compwright.workflow.showing.answers import decode_summary
 
     document = decode_files(paths, format_id, pairs(options), axis=axis, at=at)
-    to_file = json_file(json_path)
-    if to_file is not None:
-        write_document(document, to_file, force=force)
-    answer(document, json_path, lambda: decode_summary(document))
+    deliver(document, json_path, lambda: decode_summary(document), force=force)
     return 0
 
 
@@ -106,13 +103,10 @@ def compare(
     """Hold what is really in the control against the plan."""
     from compwright.workflow.commands.compare import compare_plan
     from compwright.workflow.commands.verify import plan_path
-    from compwright.workflow.showing.answers import compare_summary, write_document
+    from compwright.workflow.showing.answers import compare_summary
 
     outcome = compare_plan(plan_path(plan, plan), loaded)
-    to_file = json_file(json_path)
-    if to_file is not None:
-        write_document(outcome.document, to_file, force=force)
-    answer(outcome.document, json_path, lambda: compare_summary(outcome.document))
+    deliver(outcome.document, json_path, lambda: compare_summary(outcome.document), force=force)
     return outcome.exit_code
 
 
@@ -142,13 +136,10 @@ def diff(
 ) -> int:
     """Say what differs between two backups of one machine."""
     from compwright.workflow.commands.diff import diff_files
-    from compwright.workflow.showing.answers import diff_summary, write_document
+    from compwright.workflow.showing.answers import diff_summary
 
     outcome = diff_files(old, new, format_id, pairs(options))
-    to_file = json_file(json_path)
-    if to_file is not None:
-        write_document(outcome.document, to_file, force=force)
-    answer(outcome.document, json_path, lambda: diff_summary(outcome.document))
+    deliver(outcome.document, json_path, lambda: diff_summary(outcome.document), force=force)
     return outcome.exit_code
 
 

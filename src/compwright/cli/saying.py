@@ -45,6 +45,24 @@ def answer(
         print_safely(lambda: show(renderables()))
 
 
+def deliver(
+    document: Mapping[str, Any],
+    json_path: Path | None,
+    renderables: Callable[[], list[Any]],
+    *,
+    force: bool,
+) -> None:
+    """Write the document that is all a command makes where ``--json`` asks for a file, and print
+    its answer. Raises StorageError.
+    """
+    from compwright.workflow.showing.answers import write_document
+
+    to_file = json_file(json_path)
+    if to_file is not None:
+        write_document(document, to_file, force=force)
+    answer(document, json_path, renderables)
+
+
 def answer_lines(
     document: Mapping[str, Any], json_path: Path | None, lines: Callable[[], Iterable[str]]
 ) -> None:

@@ -18,7 +18,8 @@ from compwright.evaluation.circular_checks import run_findings, test_findings
 from compwright.evaluation.circular_fit import Point, least_squares_circle
 from compwright.evaluation.circular_points import ActualPath, hysteresis, paths
 from compwright.evaluation.minimum_zone import minimum_zone
-from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.evaluation.standards import by_id
+from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.circular import CircularResult, CircularRun, CircularTest, Sense
@@ -81,16 +82,7 @@ CIRCULAR_STANDARDS: Final[Mapping[str, CircularStandard]] = {
 
 def circular_standard_by_id(name: str) -> CircularStandard:
     """Return the circular standard of an id. Raises UsageError for an unknown one."""
-    if name not in CIRCULAR_STANDARDS:
-        raise UsageError(
-            Fault(
-                message="unknown circular standard",
-                place="--standard",
-                expected=", ".join(CIRCULAR_STANDARDS),
-                found=name,
-            )
-        )
-    return CIRCULAR_STANDARDS[name]
+    return by_id(name, CIRCULAR_STANDARDS, "circular standard")
 
 
 def evaluate_circle(

@@ -156,7 +156,7 @@ def _near(test: PositioningTest) -> tuple[list[str], float]:
     }
     within = [gap for (one, other), gap in apart.items() if one[0] is other[0]]
     noise = float(np.quantile(within, _QUANTILE)) if within else 0.0
-    if noise <= _STEPS * _step(test):
+    if noise <= _STEPS * test.step:
         return [], noise
     near = [
         f"{_name(test, *one)} and {_name(test, *other)} ({text_of(gap, test)})"
@@ -208,14 +208,6 @@ def _without_drift(gaps: FloatArray, places: NDArray[np.intp]) -> FloatArray:
     left -= np.multiply.outer(along, along @ left) / (along @ along)
     rms: FloatArray = np.sqrt(np.sum(left**2, axis=0) / (places.size - 2))
     return rms
-
-
-def _step(test: PositioningTest) -> float:
-    """Return the smallest step between two different readings, mm or deg."""
-    values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
-    steps = np.diff(np.unique(values[np.isfinite(values)]))
-    steps = steps[steps > _ROUNDING]
-    return float(steps.min()) if steps.size else 0.0
 
 
 def _same(one: FloatArray, other: FloatArray) -> bool:

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Final, Literal
+from typing import Final, Literal, TypeVar
 
 import numpy as np
 
@@ -41,6 +41,8 @@ from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult, TargetColumns
 
 Spread = Literal["std", "range"]
+Entry = TypeVar("Entry")
+
 DEFAULT_STANDARD: Final = "iso230-2:2014"
 
 
@@ -115,20 +117,25 @@ _MOST_LISTED: Final = 20  # targets that a finding names
 _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
+def by_id(name: str, standards: Mapping[str, Entry], kind: str) -> Entry:
+    """Return one of ``standards`` of a ``kind`` by its id. Raises UsageError for an unknown one."""
+    if name not in standards:
+        raise UsageError(
+            Fault(
+                message=f"unknown {kind}",
+                place="--standard",
+                expected=", ".join(standards),
+                found=name,
+            )
+        )
+    return standards[name]
+
+
 def standard_by_id(name: str, spread: str = "std") -> Standard:
     """Return the standard of an id. Raises UsageError for an unknown id and for a ``spread`` that
     the standard does not have.
     """
-    if name not in STANDARDS:
-        raise UsageError(
-            Fault(
-                message="unknown standard",
-                place="--standard",
-                expected=", ".join(STANDARDS),
-                found=name,
-            )
-        )
-    standard = STANDARDS[name]
+    standard = by_id(name, STANDARDS, "standard")
     if spread not in {"std", "range"}:
         raise UsageError(
             Fault(

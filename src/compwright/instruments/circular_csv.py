@@ -148,13 +148,8 @@ def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str)
 def _keys(comments: Comments, faults: FaultList) -> _Keys:
     calibrated = _YES.get(comments.get("calibrated").lower())
     if comments.get("calibrated") and calibrated is None:
-        place, found = comments.places["calibrated"], shown(comments.get("calibrated"))
-        faults.add(
-            "key 'calibrated' has an unknown value",
-            place=place,
-            expected="yes, no, true or false",
-            found=found,
-        )
+        expected = "yes, no, true or false"
+        _note_wrong("calibrated", "has an unknown value", comments, expected, faults)
     return _Keys(
         axes=_axes(comments, faults),
         radius=_positive(comments, "nominal_radius_mm", "150", faults),
@@ -172,12 +167,7 @@ def _axes(comments: Comments, faults: FaultList) -> tuple[str, str]:
     axes = axes_of_plane(text)
     if axes is None:
         expected = "first and second axis, such as XY, YZ or ZX"
-        faults.add(
-            "key 'plane' names no plane",
-            place=comments.places["plane"],
-            expected=expected,
-            found=shown(text),
-        )
+        _note_wrong("plane", "names no plane", comments, expected, faults)
         return "", ""
     return axes
 
@@ -199,6 +189,17 @@ def _note_missing(key: str, example: str, faults: FaultList) -> None:
     )
 
 
+def _note_wrong(
+    key: str, message: str, comments: Comments, expected: str, faults: FaultList
+) -> None:
+    faults.add(
+        f"key '{key}' {message}",
+        place=comments.places[key],
+        expected=expected,
+        found=shown(comments.get(key)),
+    )
+
+
 def _positive(comments: Comments, key: str, example: str, faults: FaultList) -> float:
     text = comments.get(key)
     if not text:
@@ -207,20 +208,10 @@ def _positive(comments: Comments, key: str, example: str, faults: FaultList) -> 
     try:
         value = parse_number(text)
     except ValueError as reason:
-        faults.add(
-            f"key '{key}' {reason}",
-            place=comments.places[key],
-            expected="a number above 0",
-            found=shown(text),
-        )
+        _note_wrong(key, str(reason), comments, "a number above 0", faults)
         return float("nan")
     if value < _SMALLEST:
-        faults.add(
-            f"key '{key}' is not positive",
-            place=comments.places[key],
-            expected="a number above 0",
-            found=shown(text),
-        )
+        _note_wrong(key, "is not positive", comments, "a number above 0", faults)
     return value
 
 
@@ -231,12 +222,7 @@ def _centre(comments: Comments, faults: FaultList) -> tuple[float, ...] | None:
     centre = centre_of(text)
     if centre is None:
         expected = "two or three coordinates in mm, such as -400, -250, -300"
-        faults.add(
-            "key 'centre' is not a position",
-            place=comments.places["centre"],
-            expected=expected,
-            found=shown(text),
-        )
+        _note_wrong("centre", "is not a position", comments, expected, faults)
     return centre
 
 

@@ -4,7 +4,6 @@ before and after it.
 
 from __future__ import annotations
 
-import csv
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ from typing import Final
 
 from compwright.foundations.input_sizes import MOST_COLUMNS
 from compwright.instruments.comments import comment_text
-from compwright.instruments.csv_table import Gathered
+from compwright.instruments.csv_table import Gathered, row_cells
 from compwright.instruments.fault_list import FaultList, shown
 
 #: Delimiters by their names in a profile; blanks: any number of them.
@@ -43,15 +42,8 @@ def cells_of(line: str, delimiter: str) -> list[str] | None:
     """
     if delimiter == " ":
         return line.split()
-    if '"' not in line and len(line) < csv.field_size_limit():
-        return [" ".join(cell.split()) for cell in line.split(delimiter)] if line else []
-    if line.count('"') % 2:
-        return None
-    try:
-        cells = next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])
-    except csv.Error:
-        return None
-    return [" ".join(cell.split()) for cell in cells]
+    cells = row_cells(line, delimiter)
+    return None if cells is None else [" ".join(cell.split()) for cell in cells]
 
 
 def named_columns(cells: Sequence[str]) -> tuple[str, ...]:

@@ -62,6 +62,14 @@ class PositioningTest:
         """Whether both approach directions were measured."""
         return bool(np.any(np.isfinite(self.positive)) and np.any(np.isfinite(self.negative)))
 
+    @property
+    def step(self) -> float:
+        """The smallest step between two different readings, mm or deg; 0 where all are the same."""
+        values = np.concatenate([self.positive.ravel(), self.negative.ravel()])
+        steps = np.diff(np.unique(values[np.isfinite(values)]))
+        steps = steps[steps > SAME_READING]
+        return float(steps.min()) if steps.size else 0.0
+
 
 def to_machine(test: PositioningTest, position_map: PositionMap) -> PositioningTest:
     """Return ``test`` in machine coordinates: machine = sense * instrument + offset.

@@ -79,26 +79,41 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
     return [*shown, *circle_tables(prediction["circles"])]
 
 
-def _prediction_table(test: Mapping[str, Any], accept: Mapping[str, Any], unit: str) -> Table:
+def _table_of_parameters(*headings: str) -> Table:
+    """Return a table with a name, numbers under ``headings`` and a word in each row."""
     table = plain_table()
     table.add_column("", no_wrap=True)
-    for heading in (f"before, {unit}", "predicted", "5 to 95 %", "new targets", "limit"):
+    for heading in headings:
         table.add_column(heading, justify="right", no_wrap=True)
     table.add_column("", no_wrap=True)
+    return table
+
+
+def _band(band: Mapping[str, Any] | None) -> tuple[str, str]:
+    """Return the cells of a prediction: its median and its range."""
+    if not band:
+        return MISSING, ""
+    return number(band["median"]), f"{number(band['p05'])} to {number(band['p95'])}"
+
+
+def _decision(entry: Mapping[str, Any] | None) -> tuple[str, str | Text]:
+    """Return the cells of a tolerance: its limit and what is decided."""
+    return (plain(entry["limit"]), _word(entry["decision"])) if entry else ("", "")
+
+
+def _prediction_table(test: Mapping[str, Any], accept: Mapping[str, Any], unit: str) -> Table:
+    table = _table_of_parameters(
+        f"before, {unit}", "predicted", "5 to 95 %", "new targets", "limit"
+    )
     for name, value in test["before"].items():
         if value is None:
             continue
-        band = test["predicted"].get(name)
-        fresh = test["predicted_new_targets"].get(name)
-        entry = accept.get(name)
         table.add_row(
             symbol(name),
             number(value),
-            number(band["median"]) if band else MISSING,
-            f"{number(band['p05'])} to {number(band['p95'])}" if band else "",
-            number(fresh["median"]) if fresh else MISSING,
-            plain(entry["limit"]) if entry else "",
-            _word(entry["decision"]) if entry else "",
+            *_band(test["predicted"].get(name)),
+            _band(test["predicted_new_targets"].get(name))[0],
+            *_decision(accept.get(name)),
         )
     return table
 
@@ -234,26 +249,20 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     shown: list[RenderableType] = []
     for name, axis in document["axes"].items():
         unit = unit_text(axis["unit"])
-        table = plain_table()
-        table.add_column("", no_wrap=True)
-        for heading in (f"before, {unit}", "predicted", "5 to 95 %", "after", "within", "limit"):
-            table.add_column(heading, justify="right", no_wrap=True)
-        table.add_column("", no_wrap=True)
+        table = _table_of_parameters(
+            f"before, {unit}", "predicted", "5 to 95 %", "after", "within", "limit"
+        )
         for parameter, value in axis["after"].items():
             if value is None:
                 continue
-            band = axis["predicted"].get(parameter)
             within = axis["within_prediction"].get(parameter)
-            entry = axis["accept"].get(parameter)
             table.add_row(
                 symbol(parameter),
                 number(axis["before"].get(parameter)),
-                number(band["median"]) if band else MISSING,
-                f"{number(band['p05'])} to {number(band['p95'])}" if band else "",
+                *_band(axis["predicted"].get(parameter)),
                 number(value),
                 "" if within is None else "yes" if within else "no",
-                plain(entry["limit"]) if entry else "",
-                _word(entry["decision"]) if entry else "",
+                *_decision(axis["accept"].get(parameter)),
             )
         loading = axis["loading"]
         shown += [

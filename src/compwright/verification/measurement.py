@@ -290,7 +290,7 @@ def _ends(test: PositioningTest) -> str:
 def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
     (s, dof), (s_first, dof_first) = pooled_scatter(after), pooled_scatter(first)
     odds = noise_odds(s, dof, s_first, dof_first)
-    if not odds or (odds == "quiet" and s_first < _ROUNDED * _step(first)):
+    if not odds or (odds == "quiet" and s_first < _ROUNDED * first.step):
         return
     ratio = s / s_first if odds == "loud" else s_first / s if s > 0.0 else math.inf
     times = (
@@ -348,11 +348,3 @@ def _places(targets: FloatArray) -> FloatArray:
     """Return targets rounded so that the same place is the same number."""
     rounded: FloatArray = np.round(targets, 6)
     return rounded
-
-
-def _step(test: PositioningTest) -> float:
-    """Return the smallest step between two different readings, mm or deg."""
-    values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
-    steps = np.diff(np.unique(values[np.isfinite(values)]))
-    steps = steps[steps > SAME_READING]
-    return float(steps.min()) if steps.size else 0.0

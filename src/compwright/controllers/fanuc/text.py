@@ -24,6 +24,7 @@ from functools import lru_cache
 from typing import Literal
 
 from compwright.controllers.fanuc.series import Series
+from compwright.controllers.places import OfLine
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -55,7 +56,7 @@ KEPT_FILES = 64
 
 
 @dataclass(frozen=True, slots=True)
-class Setting:
+class Setting(OfLine):
     """One value of a parameter. ``axis``: controlled axis number, None for a parameter of no axis.
 
     ``bit``: number of a single bit, None for the whole value. ``keyword``: P, M or I as in a file,
@@ -78,19 +79,14 @@ class Setting:
             "" if self.axis is None else f" of axis {self.axis}"
         )
 
-    def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
-        """Return a fault at this line."""
-        return Fault(
-            message=message,
-            file=self.file,
-            place=f"line {self.line}",
-            expected=expected,
-            found=found or self.text,
-        )
+    @property
+    def shown(self) -> str:
+        """The right side, as written."""
+        return self.text
 
 
 @dataclass(frozen=True, slots=True)
-class PointRecord:
+class PointRecord(OfLine):
     """One pitch error data record: point number (from 0), increment as written, and how it was
     marked as such.
     """
@@ -101,15 +97,10 @@ class PointRecord:
     file: str
     line: int
 
-    def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
-        """Return a fault at this line."""
-        return Fault(
-            message=message,
-            file=self.file,
-            place=f"line {self.line}",
-            expected=expected,
-            found=found or self.text,
-        )
+    @property
+    def shown(self) -> str:
+        """The right side, as written."""
+        return self.text
 
 
 @dataclass(slots=True)

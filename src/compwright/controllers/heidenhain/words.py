@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 
+from compwright.controllers.places import OfLine
 from compwright.foundations.errors import Fault
 
 # Bounded on purpose: a length beyond 1e9 mm is no length, and nothing overflows later.
@@ -86,7 +87,7 @@ NCK = Generation(
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class Place(OfLine):
     """A line of a file."""
 
     file: str
@@ -95,16 +96,6 @@ class Place:
     def __str__(self) -> str:
         """Return file and line in words."""
         return f"{self.file}, line {self.line}"
-
-    def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
-        """Return a fault at this line."""
-        return Fault(
-            message=message,
-            file=self.file,
-            place=f"line {self.line}",
-            expected=expected,
-            found=found,
-        )
 
 
 @dataclass(frozen=True, slots=True)

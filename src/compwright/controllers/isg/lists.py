@@ -14,6 +14,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
+from compwright.controllers.places import OfLine
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -30,7 +31,7 @@ _HIGHEST_AXIS = 65535
 
 
 @dataclass(frozen=True, slots=True)
-class Statement:
+class Statement(OfLine):
     """One statement: its name without blanks, in small letters, and the rest of its line."""
 
     name: str
@@ -38,15 +39,10 @@ class Statement:
     file: str
     line: int
 
-    def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
-        """Return a fault at this line."""
-        return Fault(
-            message=message,
-            file=self.file,
-            place=f"line {self.line}",
-            expected=expected,
-            found=found or repr(self.text),
-        )
+    @property
+    def shown(self) -> str:
+        """The rest of the line, as written."""
+        return repr(self.text)
 
     def number(self) -> float | None:
         """Return the value as a finite decimal number, None for anything else."""

@@ -13,6 +13,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from compwright.controllers.places import OfLine
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -55,21 +56,11 @@ _LATER = {
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class Place(OfLine):
     """A line of a script."""
 
     file: str
     line: int
-
-    def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
-        """Return a fault at this line."""
-        return Fault(
-            message=message,
-            file=self.file,
-            place=f"line {self.line}",
-            expected=expected,
-            found=found,
-        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 
+from compwright.controllers.places import OfLine
 from compwright.controllers.sinumerik.units import UnitLines
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -120,7 +121,7 @@ _WHOLE = re.compile(r"[0-9]{1,9}")
 
 
 @dataclass(frozen=True, slots=True)
-class Assignment:
+class Assignment(OfLine):
     """One assignment: variable without ``$``; ``number``: measuring system e or table t, 0 without
     either; ``point`` N.
 
@@ -151,16 +152,6 @@ class Assignment:
     def said(self) -> float | str:
         """The right side in a form that compares: the number, or the axis whatever its case."""
         return self.names.upper() if self.name in _NAMING else self.value
-
-    def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
-        """Return a fault at this line."""
-        return Fault(
-            message=message,
-            file=self.file,
-            place=f"line {self.line}",
-            expected=expected,
-            found=found,
-        )
 
 
 @dataclass(slots=True)

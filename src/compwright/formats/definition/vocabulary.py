@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, get_args
 
 from compwright.records.verification import LoadingName
 
@@ -93,17 +93,8 @@ PLAIN = (
 CROSS = tuple(name for name in (*MEASURES, *CHOICES, *PLAIN) if name.startswith("cross_"))
 
 #: The verdicts of `verify` and `compare` of which a definition says what to look at on the control.
-LOOKED_AT: tuple[LoadingName, ...] = (
-    "loaded",
-    "not_active",
-    "inverted",
-    "scaled",
-    "shifted",
-    "mirrored",
-    "wrong_axis",
-    "one_direction",
-    "backlash",
-    "partial",
+LOOKED_AT: tuple[LoadingName, ...] = tuple(
+    name for name in get_args(LoadingName) if name not in ("thermal", "measurement", "undecided")
 )
 
 AddressType = Literal["integer", "name"]
