@@ -140,7 +140,7 @@ def said(*words: str) -> tuple[int, bytes, str]:
 
 def without_reports() -> None:
     """Let no command draw a report: nobody reads it here."""
-    sys.modules["matplotlib"] = None  # type: ignore[assignment]
+    sys.modules["jinja2"] = None  # type: ignore[assignment]
 
 
 def option_words(options: Mapping[str, Any]) -> list[str]:

@@ -231,7 +231,7 @@ def main() -> None:
     tasks = [(kind, number) for number in range(words.count) for kind in kinds]
     todo = [task for task in tasks if task not in done]
     end = time.monotonic() + words.seconds
-    sys.modules["matplotlib"] = None  # type: ignore[assignment] # no report: nobody reads it here
+    sys.modules["jinja2"] = None  # type: ignore[assignment] # no report: nobody reads it here
     for record in _worked(todo, words.jobs, end):
         records.append(record)
         if words.results:

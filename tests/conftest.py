@@ -1,9 +1,9 @@
-"""For all tests: pages hold empty frames for figures unless a module says `pytest.mark.painted`;
-modules about the control's files say `pytest.mark.brief`; random cases have fixed seeds.
+"""For all tests: pages hold empty frames for figures of circles unless a module says
+`pytest.mark.painted`; modules about the control's files say `pytest.mark.brief`; random cases have
+fixed seeds.
 
-Painting is two thirds of the time of a run. Figures are looked at in the tests of the reporting
-room, of the examples and of the plots that `evaluate` writes. Of the rest most is sampling. Where a
-measured axis or circle is only the way to a control's files, the same stages run with fewer sweeps
+Circles are looked at in the tests of the reporting room, of the examples and of the plots that
+`evaluate` writes. Most of the time of a run is sampling. Where a measured axis or circle is only the way to a control's files, the same stages run with fewer sweeps
 and fewer fresh tests; what the estimate and the prediction say is tested where nothing is brief.
 Fixed seeds: a test fails every time or never; new cases are tried in ``benchmarks/``.
 
@@ -49,7 +49,7 @@ def compiled(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 
 @pytest.fixture(autouse=True, scope="module")
 def unpainted(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Let the figures that stand in pages be empty frames."""
+    """Let the figures of circles that stand in pages be empty frames."""
     with pytest.MonkeyPatch.context() as patch:
         if not request.node.get_closest_marker("painted"):
             unpaint(patch)

@@ -73,20 +73,18 @@ class Outcome:
 
 
 def quietly(arguments: list[str]) -> tuple[int, str, str]:
-    """Run a command in this process, without the plots of the report; exit code, standard error,
+    """Run a command in this process, without the report; exit code, standard error,
     standard output.
     """
     said, shown = io.StringIO(), io.StringIO()
-    plots = {
-        name: module for name, module in sys.modules.items() if name.split(".")[0] == "matplotlib"
-    }
-    sys.modules |= dict.fromkeys(["matplotlib", *plots], None)  # type: ignore[arg-type]
+    pages = {name: module for name, module in sys.modules.items() if name.split(".")[0] == "jinja2"}
+    sys.modules |= dict.fromkeys(["jinja2", *pages], None)  # type: ignore[arg-type]
     try:
         with contextlib.redirect_stdout(shown), contextlib.redirect_stderr(said):
             return run(arguments), said.getvalue(), shown.getvalue()
     finally:
-        del sys.modules["matplotlib"]
-        sys.modules |= plots
+        del sys.modules["jinja2"]
+        sys.modules |= pages
 
 
 @dataclass(frozen=True)

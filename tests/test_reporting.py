@@ -22,13 +22,7 @@ from compwright.reporting import plots
 from compwright.reporting.card import card_html, card_markdown
 from compwright.reporting.numbers import MISSING, decimals_of, number, plain
 from compwright.reporting.panels import known_format
-from compwright.reporting.plots import (
-    before_after_plot,
-    estimate_plot,
-    evaluation_plot,
-    positioning_plot,
-    table_plot,
-)
+from compwright.reporting.plots import evaluation_plot
 from compwright.reporting.run_report import run_report
 from compwright.reporting.verify_report import verify_report
 from frames import unpaint
@@ -185,7 +179,7 @@ def test_the_bands_are_the_limits_that_the_standard_prints(
     high: float,
     tolerance: float,
 ) -> None:
-    positioning_plot(printed_table(year))
+    evaluation_plot({"results": [printed_table(year)]})
     found = band_at(drawn().axes[0], label, position)
     assert found[0] == pytest.approx(low, abs=tolerance)
     assert found[1] == pytest.approx(high, abs=tolerance)
@@ -195,7 +189,7 @@ def test_the_bands_are_the_limits_that_the_standard_prints(
 def test_means_and_readings_of_each_direction_stand_at_their_targets(
     drawn: Callable[[], Any],
 ) -> None:
-    positioning_plot(printed_table(1997))
+    evaluation_plot({"results": [printed_table(1997)]})
     panel = drawn().axes[0]
     positive, negative = lines(panel, "mean (+)"), lines(panel, "mean (−)")
     assert positive.get_xdata()[0] == 6.711
@@ -214,90 +208,11 @@ def test_means_and_readings_of_each_direction_stand_at_their_targets(
     assert "A 9.60   E 7.70   R 6.50   B 4.10 µm" in panel.get_title(loc="right")
 
 
-def test_before_predicted_and_after_share_one_scale(drawn: Callable[[], Any]) -> None:
-    view = verify_view()
-    expected = view["axes"]["X"]["predicted_targets"]
-    before, after = (view[key]["results"][0] for key in ("evaluation_before", "evaluation_after"))
-    before_after_plot(before, {**expected, "parameters": {"A": quantiles(4.12, 3.47, 5.03)}}, after)
-    first, second, third = drawn().axes
-    assert first.get_ylim() == second.get_ylim() == third.get_ylim()
-    assert first.get_xlim() == second.get_xlim() == third.get_xlim()
-    assert first.get_ylim()[0] < min(target["mean_positive"] for target in before["targets"])
-    for sign, key in (("+", "positive"), ("−", "negative")):
-        assert list(lines(second, f"expected mean ({sign})").get_ydata()) == expected[key]
-        low, high = band_at(second, f"mean ± 2 s ({sign})", expected["positions"][3])
-        assert (low, high) == pytest.approx(
-            (expected[key][3] - 2 * 0.71, expected[key][3] + 2 * 0.71), abs=EXACT
-        )
-        assert list(lines(third, f"mean ({sign})").get_ydata()) == [
-            target[f"mean_{key}"] for target in after["targets"]
-        ]
-    assert "A 4.12 (3.47 to 5.03) µm" in [note.get_text() for note in second.texts]
-    assert [panel.get_title(loc="left").strip() for panel in (first, second, third)] == [
-        "Before",
-        "Predicted",
-        "After",
-    ]
-
-
-def test_the_table_plot_marks_the_nodes_of_each_direction_beside_what_was_wanted(
-    drawn: Callable[[], Any],
-) -> None:
-    view = run_view()
-    table, wanted = view["prediction"]["axes"]["X"]["table"], view["axes"]["X"]["wanted"]
-    table_plot({"table": table, "wanted": wanted})
-    panel = drawn().axes[0]
-    for sign, key in (("+", "positive"), ("−", "negative")):
-        nodes = lines(panel, f"table ({sign})")
-        assert list(nodes.get_xdata()) == table["positions"]
-        assert list(nodes.get_ydata()) == table[f"correction_{key}"]
-        assert list(lines(panel, f"wanted ({sign})").get_ydata()) == wanted[key]
-    assert panel.get_ylabel() == "Correction in µm"
-    assert lines(panel, "table (+)").get_markersize() > 0
-    nodes_ = [float(node) for node in range(400)]  # markers would cover the curve
-    table_plot(
-        {
-            "table": {
-                **table,
-                "positions": nodes_,
-                "correction_positive": nodes_,
-                "correction_negative": nodes_,
-            }
-        }
-    )
-    assert lines(drawn().axes[0], "table (+ and −)").get_markersize() == 0
-    table_plot(
-        {
-            "table": {**table, "correction_negative": table["correction_positive"]},
-            "wanted": None,
-            "unit": "um",
-        }
-    )
-    assert [line.get_label() for line in drawn().axes[0].get_lines()][1:] == ["table (+ and −)"]
-
-
-def test_the_estimate_plot_shows_two_standard_deviations_and_the_measured_means(
-    drawn: Callable[[], Any],
-) -> None:
-    view = run_view()
-    estimate = view["axes"]["X"]["estimate"]
-    estimate["std_negative"] = [1.5 for _ in estimate["positions"]]
-    result = view["evaluation"]["results"][0]
-    estimate_plot(estimate, result)
-    panel = drawn().axes[0]
-    band = panel.collections[1].get_paths()[0].vertices
-    heights = [y for x, y in band if x == estimate["positions"][40]]
-    assert max(heights) - min(heights) == pytest.approx(4 * 1.5, abs=EXACT)
-    assert list(lines(panel, "measured mean (−)").get_ydata()) == [
-        target["mean_negative"] for target in result["targets"]
-    ]
-
-
 def test_one_direction_single_runs_and_missing_readings_draw_only_what_there_is(
     drawn: Callable[[], Any],
 ) -> None:
     one_way = run_view()["evaluation"]["results"][1]
-    positioning_plot(one_way)
+    evaluation_plot({"results": [one_way]})
     panel = drawn().axes[0]
     labels = {line.get_label() for line in panel.get_lines()}
     assert {"mean (+)", "single readings (+)"} <= labels
@@ -311,13 +226,15 @@ def test_one_direction_single_runs_and_missing_readings_draw_only_what_there_is(
         [[0.0], [None], [7.0]],
         {"A": None, "E": 8.0, "B": 1.0},
     )
-    positioning_plot(single)
+    evaluation_plot({"results": [single]})
     assert not drawn().axes[0].collections  # no s, no band
     assert drawn().axes[0].get_title(loc="right") == "E 8.00   B 1.00 µm"
 
 
 def test_a_flat_curve_is_not_blown_up(drawn: Callable[[], Any]) -> None:
-    positioning_plot(positioning([0.0, 100.0], [[0.0, 0.001]] * 2, [[0.0, 0.001]] * 2, {"A": 0.0}))
+    evaluation_plot(
+        {"results": [positioning([0.0, 100.0], [[0.0, 0.001]] * 2, [[0.0, 0.001]] * 2, {"A": 0.0})]}
+    )
     low, high = drawn().axes[0].get_ylim()
     assert high - low >= 0.2 - EXACT
 
@@ -339,7 +256,7 @@ def test_every_format_is_written_and_the_same_every_time(kind: str, magic: bytes
 
 
 def test_names_of_the_user_cannot_break_a_figure() -> None:
-    svg = positioning_plot(made_up(name="$\\frac{$ 中\n<b>", axis="C$_1$" * 20))
+    svg = evaluation_plot({"results": [made_up(name="$\\frac{$ 中\n<b>", axis="C$_1$" * 20)]})
     ET.fromstring(svg.decode())  # noqa: S314  our own file
 
 
@@ -844,7 +761,7 @@ def test_without_the_extra_the_tool_says_what_to_install(monkeypatch: pytest.Mon
             sys.modules, module, None
         )  # what importing a package that is not installed comes to
     calls: list[Callable[[], bytes]] = [
-        lambda: positioning_plot(made_up()),
+        lambda: evaluation_plot({"results": [made_up()]}),
         lambda: run_report(run_view()),
         lambda: verify_report(verify_view()),
         lambda: card_html(sample_card()),

@@ -8,16 +8,16 @@ from collections.abc import Iterable
 from typing import Any, Final
 
 from compwright.reporting import sections
+from compwright.reporting.axis_figures import (
+    before_after_figure,
+    estimate_figure,
+    result_figure,
+    table_figure,
+)
 from compwright.reporting.limiting import limits_block
 from compwright.reporting.numbers import decimals_of, number, plain, position_unit, unit_text
-from compwright.reporting.page_parts import anchor, figure
+from compwright.reporting.page_parts import anchor
 from compwright.reporting.periods import periods_block
-from compwright.reporting.plots import (
-    before_after_plot,
-    estimate_plot,
-    positioning_plot,
-    table_plot,
-)
 from compwright.reporting.sections import Document, TextTable
 from compwright.reporting.worth import worth_block
 
@@ -43,12 +43,11 @@ def _run_axis(
     ]
     result = sections.result_of(view.get("evaluation"), name, tests[0].get("name"))
     table = predicted.get("table")
-    prefix = f"x{index}"
     return {
         "name": name,
         "anchor": anchor(index),
         "facts": _axis_facts(axis, predicted),
-        "figure": _before_figure(prefix, name, result, axis, predicted),
+        "figure": _before_figure(name, result, axis, predicted),
         "caption": (
             "Before and, on the same scale, what a test at the same targets is expected to show."
             if axis.get("predicted_targets") and result
@@ -61,26 +60,19 @@ def _run_axis(
             axis.get("findings"), predicted.get("findings"), (result or {}).get("findings")
         ),
         "mode": _mode(axis),
-        "table": _table(prefix, name, table, axis, predicted) if table else None,
+        "table": _table(name, table, axis, predicted) if table else None,
         "refused": plain(axis.get("refused") or ""),
         "limits": limits_block(predicted, unit),
         "worth": worth_block(predicted, unit),
         "periods": periods_block(predicted, unit),
         "state": _state(axis.get("state")),
         "estimate": (
-            figure(
-                f"{prefix}e",
-                f"estimated error of axis {name}",
-                estimate_plot(axis["estimate"], result),
-            )
+            estimate_figure(axis["estimate"], result, f"estimated error of axis {name}")
             if axis.get("estimate") and result
             else None
         ),
         "certificate": _certificate(axis.get("certificate")),
-        "others": [
-            _other_test(f"{prefix}t{count}", test, name, unit, view)
-            for count, test in enumerate(tests[1:], 1)
-        ],
+        "others": [_other_test(test, name, unit, view) for test in tests[1:]],
     }
 
 
@@ -98,18 +90,16 @@ def _axis_facts(axis: Document, predicted: Document) -> list[tuple[str, str]]:
 
 
 def _before_figure(
-    prefix: str, name: str, result: Document | None, axis: Document, predicted: Document
-) -> Any:
+    name: str, result: Document | None, axis: Document, predicted: Document
+) -> str | None:
     if result is None:
         return None
     expected = axis.get("predicted_targets")
     if not expected:
-        return figure(f"{prefix}b", f"deviations of axis {name}", positioning_plot(result))
+        return result_figure(result, f"deviations of axis {name}")
     with_numbers = {**expected, "parameters": predicted.get("predicted")}
-    return figure(
-        f"{prefix}b",
-        f"deviations of axis {name} before and predicted",
-        before_after_plot(result, with_numbers),
+    return before_after_figure(
+        result, with_numbers, f"deviations of axis {name} before and predicted"
     )
 
 
@@ -132,24 +122,16 @@ def _run_parameters(test: Document, result: Document | None, unit: object) -> di
     )
 
 
-def _other_test(
-    prefix: str, test: Document, axis: str, unit: object, view: Document
-) -> dict[str, Any]:
+def _other_test(test: Document, axis: str, unit: object, view: Document) -> dict[str, Any]:
     result = sections.result_of(view.get("evaluation"), axis, test.get("name"))
     return {
         "name": plain(test.get("name")),
-        "figure": (
-            figure(prefix, f"deviations of axis {axis}", positioning_plot(result))
-            if result
-            else None
-        ),
+        "figure": result_figure(result, f"deviations of axis {axis}") if result else None,
         "parameters": _run_parameters(test, result, unit),
     }
 
 
-def _table(
-    prefix: str, name: str, table: Document, axis: Document, predicted: Document
-) -> dict[str, Any]:
+def _table(name: str, table: Document, axis: Document, predicted: Document) -> dict[str, Any]:
     unit = table.get("unit", axis.get("unit", "um"))
     positions, positive, negative = (
         list(table[key]) for key in ("positions", "correction_positive", "correction_negative")
@@ -169,10 +151,9 @@ def _table(
     if axis.get("wanted"):
         caption += " Broad line: what was wanted before rounding and limits."
     return {
-        "figure": figure(
-            f"{prefix}c",
+        "figure": table_figure(
+            {"table": table, "wanted": axis.get("wanted"), "unit": unit},
             f"correction of axis {name}",
-            table_plot({"table": table, "wanted": axis.get("wanted"), "unit": unit}),
         ),
         "caption": caption,
         "count": len(rows),

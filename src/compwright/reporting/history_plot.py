@@ -9,9 +9,10 @@ from typing import Any, Final
 
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.utf8 import visible
+from compwright.reporting.charts import Document
 from compwright.reporting.extra import need
 from compwright.reporting.numbers import symbol, unit_text
-from compwright.reporting.panels import Document, known_format, new_figure, render, style
+from compwright.reporting.panels import known_format, new_figure, render, style
 
 _ROW_HEIGHT: Final = 2.1  # inches
 _COLUMNS: Final = {"axes": ("A", "B_mean", "s"), "planes": ("squareness", "G_bidirectional")}

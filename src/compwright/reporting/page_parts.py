@@ -7,7 +7,6 @@ from typing import Any
 
 from compwright.reporting import sections
 from compwright.reporting.numbers import number, plain
-from compwright.reporting.page import inline_figure
 from compwright.reporting.sections import Document
 
 
@@ -57,8 +56,3 @@ def with_unit(value: object, unit: str) -> str:
     """Return a number with its unit; what stands for a missing one alone."""
     text = number(value)
     return f"{text} {unit}" if value is not None else text
-
-
-def figure(prefix: str, description: str, svg: bytes) -> Any:
-    """Return a figure as markup; ``prefix``: of its ids."""
-    return inline_figure(svg, prefix=prefix, description=description)

@@ -16,7 +16,8 @@ from typing import Any, Final
 
 from compwright.foundations.errors import Fault, UsageError
 from compwright.reporting.causes import Cause, ranked_causes
-from compwright.reporting.panels import Document, known_format, new_figure, render, style
+from compwright.reporting.charts import Document
+from compwright.reporting.panels import known_format, new_figure, render, style
 from compwright.reporting.polar_words import (
     centre_text,
     grouped,

@@ -6,8 +6,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from compwright.reporting.charts import Document
 from compwright.reporting.numbers import MISSING, number, plain, standard_text
-from compwright.reporting.panels import Document
 
 _TURN: Final = 360.0
 

@@ -18,7 +18,6 @@ from compwright.reporting import sections
 from compwright.reporting.axis_report import axis_block
 from compwright.reporting.card import changes_content
 from compwright.reporting.circles import circle_blocks
-from compwright.reporting.extra import need
 from compwright.reporting.numbers import (
     SIMPLE,
     number,
@@ -71,11 +70,6 @@ def run_report(view: Document, each: Each = in_turn) -> bytes:
             ),
         },
     )
-
-
-def load_plotting() -> None:
-    """Load what draws figures. Raises UsageError when the report extra is missing."""
-    need("matplotlib.figure")
 
 
 def _what_was_done(view: Document, axes: Document) -> str:

@@ -9,11 +9,11 @@ from __future__ import annotations
 from typing import Any
 
 from compwright.reporting import sections
+from compwright.reporting.axis_figures import before_after_figure, result_figure
 from compwright.reporting.circles import circle_blocks
 from compwright.reporting.numbers import number, plain, symbol, unit_text
 from compwright.reporting.page import render_page
-from compwright.reporting.page_parts import anchor, common, figure, remaining
-from compwright.reporting.plots import before_after_plot, positioning_plot
+from compwright.reporting.page_parts import anchor, common, remaining
 from compwright.reporting.sections import Document, TextTable
 
 
@@ -126,7 +126,7 @@ def _verify_axis(index: int, name: str, axis: Document, view: Document) -> dict[
         "name": name,
         "anchor": anchor(index),
         "loading": _loading(axis.get("loading") or {}),
-        "figure": _after_figure(index, name, before, after, extra, axis),
+        "figure": _after_figure(name, before, after, extra, axis),
         "parameters": sections.parameter_block(
             unit, measured.get("standard", ""), measured.get("not_applicable"), columns
         ),
@@ -138,27 +138,18 @@ def _verify_axis(index: int, name: str, axis: Document, view: Document) -> dict[
 
 
 def _after_figure(
-    index: int,
     name: str,
     before: Document | None,
     after: Document | None,
     extra: Document,
     axis: Document,
-) -> Any:
+) -> str | None:
     if before is None:
-        return (
-            figure(
-                f"x{index}a", f"deviations of axis {name} after loading", positioning_plot(after)
-            )
-            if after
-            else None
-        )
+        return result_figure(after, f"deviations of axis {name} after loading") if after else None
     expected = extra.get("predicted_targets")
     with_numbers = {**expected, "parameters": axis.get("predicted")} if expected else None
-    return figure(
-        f"x{index}a",
-        f"axis {name} before, predicted and after",
-        before_after_plot(before, with_numbers, after),
+    return before_after_figure(
+        before, with_numbers, f"axis {name} before, predicted and after", after
     )
 
 

@@ -51,9 +51,7 @@ class RunOutcome:
 
 def ready_for_axes() -> None:
     """Load what the work on an axis needs, beside this module, before there is work."""
-    from compwright.reporting.run_report import load_plotting
-
-    load_plotting()
+    from compwright.reporting import axis_report  # noqa: F401
 
 
 def run_job(

@@ -1,0 +1,312 @@
+"""Charts as plain SVG inside a page, side by side on one scale: no plotting library is loaded, and
+a page of many axes is painted in no time. Letters are those of the page.
+
+Lengths are points, of a picture as wide as the text of A4.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from html import escape
+from typing import Final
+
+from compwright.foundations.utf8 import visible
+from compwright.reporting.charts import INK, LEGEND_TITLE, Band, Chart, Curve, covered, legend_of
+
+_WIDTH: Final = 518.4
+# Round the panels: the label beside the numbers, one digit, the margin on the right, between
+# panels, and below them position, legend and its title.
+_BESIDE: Final = 27.0
+_DIGIT: Final = 4.9
+_EDGE: Final = 9.0
+_GAP: Final = 17.0
+_BELOW: Final = 70.0
+_HEAD: Final = 18.0  # above them a line of words
+_LINE: Final = 12.0  # and another one
+_TITLE: Final = 8.5  # sizes of letters
+_TEXT: Final = 8.0
+_SMALL: Final = 7.5
+_LETTER: Final = 0.6  # a letter's width, of its size: that of wide ones
+_APART: Final = 1.4  # from number to number along an axis, of a number's width
+_ROW: Final = 21.0  # from number to number up an axis
+_MOST_NUMBERS: Final = 9
+_STEPS: Final = (1.0, 2.0, 2.5, 5.0)
+_STEPS_OF_A_TURN: Final = (1.0, 1.5, 3.0, 4.5, 6.0, 9.0)  # 30, 45 and 90 rather than 50 and 100
+_HANDLE: Final = 22.0  # what stands before a name in the legend
+_FREE: Final = 12.0  # behind it
+_SOFT: Final = "#555555"
+#: Points of a line beyond which it is thinned: two to each point of the picture.
+_MOST_POINTS: Final = 1000
+
+
+@dataclass(frozen=True, slots=True)
+class _Scale:
+    """Where values from ``low`` to ``high`` stand: from ``first`` to ``last`` points."""
+
+    low: float
+    high: float
+    first: float
+    last: float
+
+    def at(self, values: Sequence[float]) -> list[float]:
+        """Return where values stand."""
+        by = (self.last - self.first) / (self.high - self.low)
+        start = self.first - by * self.low
+        return [start + by * value for value in values]
+
+
+def chart_svg(charts: Sequence[Chart], height: float, description: str) -> str:
+    """Return the picture of panels on one scale, ``height`` points high with all its words;
+    ``description`` is what a screen reader says.
+    """
+    across, up = covered(charts)
+    head = _HEAD + (_LINE if any(chart.note for chart in charts) else 0.0)
+    bottom = height - _BELOW
+    rows, decimals = _ticks(*up, int((bottom - head) / _ROW), _STEPS)
+    numbers = [_written(value, decimals) for value in rows]
+    left = _BESIDE + _DIGIT * max(map(len, numbers), default=0)
+    each = (_WIDTH - left - _EDGE - _GAP * (len(charts) - 1)) / len(charts)
+    y = _Scale(*up, bottom, head)
+    parts = []
+    for index, chart in enumerate(charts):
+        start = left + index * (each + _GAP)
+        x = _Scale(*across, start, start + each)
+        beside = numbers if index == 0 else [""] * len(rows)
+        parts += [
+            *_frame(chart, x, y, list(zip(rows, beside, strict=True))),
+            *_content(chart, x, y),
+        ]
+        parts += _words(chart, x, y, named=index == 0)
+    parts += _legend(charts, bottom)
+    return (
+        f'<svg viewBox="0 0 {_WIDTH:g} {height:g}" role="img" font-size="{_SMALL:g}"'
+        f' fill="{INK}" aria-label="{_text(description)}">{"".join(parts)}</svg>'
+    )
+
+
+# --- axes
+# --------------------------------------------------------------------------------------------------
+
+
+def _frame(chart: Chart, x: _Scale, y: _Scale, rows: list[tuple[float, str]]) -> Iterator[str]:
+    """Yield grid, lines and numbers of both axes; ``rows``: values with their numbers."""
+    columns, decimals = _along(x, _STEPS_OF_A_TURN if chart.degrees else _STEPS)
+    beside, below = y.at([value for value, _ in rows]), x.at(columns)
+    grid = "".join(f"M{x.first:.2f},{at:.2f}H{x.last:.2f}" for at in beside)
+    grid += "".join(f"M{at:.2f},{y.first:.2f}V{y.last:.2f}" for at in below)
+    yield _path(grid, "#e3e3e3", 0.5)
+    marks = "".join(f"M{x.first:.2f},{at:.2f}h-3.5" for at in beside)
+    marks += "".join(f"M{at:.2f},{y.first:.2f}v3.5" for at in below)
+    yield _path(f"M{x.first:.2f},{y.last:.2f}V{y.first:.2f}H{x.last:.2f}{marks}", _SOFT, 0.6)
+    for at, (_, written) in zip(beside, rows, strict=True):
+        if written:
+            yield _word(x.first - 6.0, at + 2.7, written, anchor="end")
+    for at, value in zip(below, columns, strict=True):
+        yield _word(at, y.first + 12.0, _written(value, decimals), anchor="middle")
+
+
+def _along(x: _Scale, steps: Sequence[float]) -> tuple[list[float], int]:
+    """Return the numbers along an axis, as many as stand apart, and their decimals."""
+    for most in range(_MOST_NUMBERS, 1, -1):
+        columns, decimals = _ticks(x.low, x.high, most, steps)
+        wide = max((len(_written(value, decimals)) for value in columns), default=0)
+        if len(columns) * wide * _LETTER * _SMALL * _APART <= x.last - x.first:
+            break
+    return columns, decimals
+
+
+def _ticks(low: float, high: float, most: int, steps: Sequence[float]) -> tuple[list[float], int]:
+    """Return about ``most`` round numbers from low to high, and how many decimals they have."""
+    least = (high - low) / max(most, 1)
+    power = 10.0 ** math.floor(math.log10(least))
+    step = next(
+        size * power for size in (*steps, 10.0 * steps[0]) if size * power >= least * (1 - 1e-9)
+    )
+    decimals = next((d for d in range(12) if abs(round(step, d) - step) < 1e-6 * step), 12)
+    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    return [round(place * step, decimals) for place in range(first, last + 1)], decimals
+
+
+def _written(value: float, decimals: int) -> str:
+    return f"{value:.{decimals}f}".replace("-", "−")
+
+
+# --- curves and bands
+# --------------------------------------------------------------------------------------------------
+
+
+def _content(chart: Chart, x: _Scale, y: _Scale) -> Iterator[str]:
+    for band in chart.bands:
+        yield from _filled(band, x, y)
+    (zero,) = y.at([0.0])
+    yield _path(f"M{x.first:.2f},{zero:.2f}H{x.last:.2f}", "#777777", 0.8)
+    for curve in chart.curves:
+        yield _drawn(curve, x, y)
+
+
+def _filled(band: Band, x: _Scale, y: _Scale) -> Iterator[str]:
+    """Yield the area of a band, a piece for each stretch where both limits are known."""
+    for first, last in _stretches(
+        [low + high for low, high in zip(band.low, band.high, strict=True)]
+    ):
+        where = band.x[first:last]
+        lower = _thinned(where, band.low[first:last])
+        upper = _thinned(where, band.high[first:last])
+        outline = [_points(x.at(line[0]), y.at(line[1])) for line in (lower, upper)]
+        back = " ".join(reversed(outline[1].split(" ")))
+        yield (
+            f'<polygon points="{outline[0]} {back}" fill="{band.look.colour}"'
+            ' fill-opacity="0.13"></polygon>'
+        )
+
+
+def _drawn(curve: Curve, x: _Scale, y: _Scale) -> str:
+    """Return a curve: its line, and its markers, all in one path."""
+    look, parts = curve.look, []
+    if curve.width:
+        line = ""
+        for first, last in _stretches(curve.y):
+            where, values = _thinned(curve.x[first:last], curve.y[first:last])
+            line += f"M{_points(x.at(where), y.at(values))}"
+        dashes = () if curve.whole else look.dashes
+        parts.append(_path(line, look.colour, curve.width, curve.opacity, dashes))
+    if curve.size:
+        known = [at for at in zip(curve.x, curve.y, strict=True) if math.isfinite(at[1])]
+        if known:
+            across, up = zip(*known, strict=True)
+            parts.append(_markers(curve, x.at(across), y.at(up)))
+    return "".join(parts)
+
+
+def _markers(curve: Curve, x: Sequence[float], y: Sequence[float]) -> str:
+    half, size = 0.5 * curve.size, curve.size
+    right, down, shape = {
+        "^": (0.0, -half, f"l{half:g},{size:g}h{-size:g}z"),
+        "v": (0.0, half, f"l{-half:g},{-size:g}h{size:g}z"),
+        "_": (-half, 0.0, f"h{size:g}"),
+    }[curve.marker or curve.look.marker]
+    path = "".join(f"M{at + right:.2f},{up + down:.2f}{shape}" for at, up in zip(x, y, strict=True))
+    return _path(path, curve.look.colour, curve.edge, curve.opacity, fill=curve.face or "none")
+
+
+def _stretches(values: Sequence[float]) -> Iterator[tuple[int, int]]:
+    """Yield from where to where values are known."""
+    first = None
+    if all(map(math.isfinite, values)):
+        yield from [(0, len(values))] if values else []
+        return
+    for index, value in enumerate([*values, math.nan]):
+        if math.isfinite(value):
+            first = index if first is None else first
+        elif first is not None:
+            yield first, index
+            first = None
+
+
+def _thinned(x: Sequence[float], y: Sequence[float]) -> tuple[Sequence[float], Sequence[float]]:
+    """Return a line of at most `_MOST_POINTS`: of every few neighbours the lowest and the highest,
+    so that no peak goes.
+    """
+    if len(y) <= _MOST_POINTS:
+        return x, y
+    few = -(-2 * len(y) // _MOST_POINTS)
+    kept = {0, len(y) - 1}
+    for first in range(0, len(y), few):
+        piece = y[first : first + few]
+        kept |= {first + piece.index(min(piece)), first + piece.index(max(piece))}
+    places = sorted(kept)
+    return [x[place] for place in places], [y[place] for place in places]
+
+
+def _points(x: Sequence[float], y: Sequence[float]) -> str:
+    return " ".join(f"{at:.2f},{up:.2f}" for at, up in zip(x, y, strict=True))
+
+
+def _path(
+    path: str,
+    colour: str,
+    width: float,
+    opacity: float = 1.0,
+    dashes: Sequence[float] = (),
+    fill: str = "none",
+) -> str:
+    lengths = ",".join(f"{width * length:g}" for length in dashes)
+    dashed = f' stroke-dasharray="{lengths}"' if dashes else ""
+    faint = f' opacity="{opacity:g}"' if opacity < 1.0 else ""
+    return (
+        f'<path d="{path}" fill="{fill}" stroke="{colour}" stroke-width="{width:g}"{dashed}{faint}>'
+        "</path>"
+    )
+
+
+# --- words
+# --------------------------------------------------------------------------------------------------
+
+
+def _words(chart: Chart, x: _Scale, y: _Scale, *, named: bool) -> Iterator[str]:
+    """Yield what stands round a panel; ``named``: whether its deviations are."""
+    above = y.last - 5.0
+    if chart.note:
+        yield _word(x.first, above, chart.note)
+        above -= _LINE
+    if chart.title:
+        yield _word(x.first, above, chart.title, size=_TITLE, more=' font-weight="bold"')
+    if chart.right:
+        yield _word(x.last, above, chart.right, size=_TEXT, anchor="end")
+    yield _word((x.first + x.last) / 2, y.first + 23.0, chart.x_label, size=_TEXT, anchor="middle")
+    if named:
+        middle = (y.first + y.last) / 2
+        turned = f' transform="rotate(-90 9 {middle:g})"'
+        yield _word(9.0, middle, chart.y_label, size=_TEXT, anchor="middle", more=turned)
+
+
+def _legend(charts: Sequence[Chart], bottom: float) -> Iterator[str]:
+    """Yield the legend of all panels: + above −, under a line that says what they are."""
+    entries = list(legend_of(charts).items())
+    if not entries:
+        return
+    yield _word(_WIDTH / 2, bottom + 37.0, LEGEND_TITLE, anchor="middle")
+    height = 2 if len(entries) > 1 else 1
+    columns = [entries[first : first + height] for first in range(0, len(entries), height)]
+    wide = [
+        _HANDLE + 6.0 + _LETTER * _SMALL * max(len(name) for name, _ in column)
+        for column in columns
+    ]
+    at = (_WIDTH - sum(wide) - _FREE * (len(columns) - 1)) / 2
+    for column, width in zip(columns, wide, strict=True):
+        for row, (name, part) in enumerate(column):
+            up = bottom + 49.0 + 11.0 * row
+            yield _handle(part, at, up - 2.6)
+            yield _word(at + _HANDLE + 6.0, up, name)
+        at += width + _FREE
+
+
+def _handle(part: Band | Curve, at: float, up: float) -> str:
+    ends = _Scale(0.0, 1.0, at, at + _HANDLE)
+    level = _Scale(-1.0, 1.0, up + 3.0, up - 3.0)
+    if isinstance(part, Band):
+        return "".join(
+            _filled(Band(x=(0, 1), low=(-1, -1), high=(1, 1), look=part.look), ends, level)
+        )
+    line = Curve(
+        x=(0, 1), y=(0, 0), look=part.look, width=part.width, whole=part.whole, opacity=part.opacity
+    )
+    mark = Curve(
+        x=(0.5,), y=(0.0,), look=part.look, size=part.size, marker=part.marker, face=part.face,
+        edge=part.edge, opacity=part.opacity,
+    )  # fmt: skip
+    return _drawn(line, ends, level) + _drawn(mark, ends, level)
+
+
+def _word(
+    x: float, y: float, words: str, *, size: float = _SMALL, anchor: str = "start", more: str = ""
+) -> str:
+    own = "" if size == _SMALL else f' font-size="{size:g}"'
+    where = "" if anchor == "start" else f' text-anchor="{anchor}"'
+    return f'<text x="{x:.2f}" y="{y:.2f}"{own}{where}{more}>{_text(words)}</text>'
+
+
+def _text(words: str) -> str:
+    return escape(visible(words)).replace("  ", "\u00a0\u00a0")  # blanks count, as in a table

@@ -1,0 +1,391 @@
+"""What a figure of a positioning test shows, as data: curves, bands and words, in the units of the
+documents (deviations in µm or arcsec, positions in mm or deg). Who draws it: `chart_svg` in pages,
+`plots` in files of their own.
+
+The approach directions differ by marker, line and lightness, so that a print without colours can be
+read.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Final, Literal
+
+from compwright.reporting.numbers import number, position_unit, standard_text, symbol, unit_text
+
+Document = Mapping[str, Any]
+Marker = Literal["^", "v", "_"]
+
+INK: Final = "#222222"
+LEGEND_TITLE: Final = "(+) and (−): approach in the positive and in the negative direction"
+#: Share of the range of positions and of deviations that is left free on either side.
+_MARGIN_X: Final = 0.03
+_MARGIN_Y: Final = 0.05
+#: Least height of a panel (µm, arcsec): a flat curve does not magnify what no instrument resolves.
+_LEAST_HEIGHT: Final = 0.2
+_MOST_MARKED: Final = 150  # nodes of a table that markers can still tell apart
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """How one approach direction is drawn; ``dashes``: lengths of line and gap in widths of the
+    line, none: a whole line.
+    """
+
+    key: str
+    sign: str
+    marker: Marker
+    dashes: tuple[float, ...]
+    colour: str
+
+
+LOOKS: Final = (
+    Look("positive", "+", "^", (), "#0b4a82"),
+    Look("negative", "−", "v", (4.0, 1.6), "#c2590c"),
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Curve:
+    """A line of ``width`` points through ``y`` over ``x`` (none at 0), with markers of ``size``
+    points (none at 0), filled with ``face`` (none: empty) inside edges of ``edge`` points. NaN is a
+    gap; without a ``label`` it does not stand in the legend.
+    """
+
+    x: Sequence[float]
+    y: Sequence[float]
+    look: Look
+    label: str = ""
+    width: float = 0.0
+    whole: bool = False
+    opacity: float = 1.0
+    size: float = 0.0
+    marker: Marker | None = None
+    face: str | None = None
+    edge: float = 1.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Band:
+    """What lies between ``low`` and ``high`` over ``x``."""
+
+    x: Sequence[float]
+    low: Sequence[float]
+    high: Sequence[float]
+    look: Look
+    label: str = ""
+
+
+@dataclass(slots=True, kw_only=True)
+class Chart:
+    """One panel: its ``title``, words at the ``right`` of it or in a line below (``note``), names
+    of the axes, and what it shows. ``degrees``: positions of a rotary axis.
+    """
+
+    title: str = ""
+    right: str = ""
+    note: str = ""
+    x_label: str = ""
+    y_label: str = ""
+    degrees: bool = False
+    bands: list[Band] = field(default_factory=list)
+    curves: list[Curve] = field(default_factory=list)
+
+    def named(self) -> Iterator[Band | Curve]:
+        """Yield what stands in the legend."""
+        parts: list[Band | Curve] = [*self.bands, *self.curves]
+        yield from (part for part in parts if part.label)
+
+    def name_axes(self, unit: object, quantity: str = "Deviation") -> None:
+        """Name both axes with their units."""
+        self.degrees = position_unit(unit) == "deg"
+        self.x_label = f"Position in {unit_text(position_unit(unit))}"
+        self.y_label = f"{quantity} in {unit_text(unit)}"
+
+
+# --- charts
+# --------------------------------------------------------------------------------------------------
+
+
+def result_chart(result: Document) -> Chart:
+    """Return one positioning result: for each direction single readings, means and mean ± k s over
+    the targets. After ISO 230-2:1997 figure 2.
+
+    ``result`` is an entry of ``results`` of an evaluation document. Its ``deviations_positive`` /
+    ``deviations_negative`` per target, where given, are drawn as points; ``coverage`` (default 2)
+    is k.
+    """
+    chart = Chart()
+    targets = result.get("targets", [])
+    coverage = float(result.get("coverage") or 2.0)
+    positions = [_number(target.get("position")) for target in targets]
+    for look in LOOKS:
+        means = [_number(target.get(f"mean_{look.key}")) for target in targets]
+        if not _any_known(means):
+            continue
+        spread = [coverage * _number(target.get(f"s_{look.key}")) for target in targets]
+        _add_band(chart, positions, means, spread, look, f"mean ± {coverage:g} s ({look.sign})")
+        points = [
+            (position, _number(reading))
+            for position, target in zip(positions, targets, strict=True)
+            for reading in target.get(f"deviations_{look.key}") or []
+        ]
+        if points:
+            x, y = zip(*points, strict=True)
+            label = f"single readings ({look.sign})"
+            chart.curves.append(
+                Curve(x=x, y=y, look=look, label=label, size=2.6, edge=0.4, opacity=0.75)
+            )
+        label = f"mean ({look.sign})"
+        chart.curves.append(_means(positions, means, look, label, face=look.colour))
+    chart.name_axes(result.get("unit"))
+    return chart
+
+
+def expected_chart(predicted: Document, coverage: float) -> Chart:
+    """Return the expected means of each direction with ± ``coverage`` times the one ``s`` of a
+    single reading. ``predicted`` holds ``positions`` (m), ``positive``, ``negative`` (m) or None,
+    and ``s``.
+    """
+    chart = Chart()
+    spread = coverage * _number(predicted.get("s"))
+    for look in LOOKS:
+        means = numbers(predicted.get(look.key))
+        if not _any_known(means):
+            continue
+        positions, label = numbers(predicted["positions"]), f"mean ± {coverage:g} s ({look.sign})"
+        _add_band(chart, positions, means, [spread] * len(means), look, label)
+        chart.curves.append(
+            _means(positions, means, look, f"expected mean ({look.sign})", face="#ffffff")
+        )
+    return chart
+
+
+def table_chart(entry: Document) -> Chart:
+    """Return the correction over position for both directions, nodes marked, beside the correction
+    that was wanted.
+
+    ``entry`` holds ``table`` (``positions``, ``correction_positive``, ``correction_negative``,
+    ``unit``) as in the prediction document, and ``wanted`` (``positions``, ``positive``,
+    ``negative``) or None in the same unit.
+    """
+    chart = Chart(title="Correction that the control adds to the command")
+    table, wanted = entry["table"], entry.get("wanted") or {}
+    for look in LOOKS:
+        if wanted.get(look.key):
+            x, y = numbers(wanted["positions"]), numbers(wanted[look.key])
+            label = f"wanted ({look.sign})"
+            chart.curves.append(
+                Curve(x=x, y=y, look=look, label=label, width=2.6, whole=True, opacity=0.35)
+            )
+    positions = numbers(table["positions"])
+    values = {look.key: numbers(table.get(f"correction_{look.key}")) for look in LOOKS}
+    same = values["positive"] == values["negative"]
+    dense = len(positions) > _MOST_MARKED  # the line alone
+    size = 0.0 if dense else 4.0 if len(positions) <= 60 else 2.0
+    for look in LOOKS[:1] if same else LOOKS:
+        label = "table (+ and −)" if same else f"table ({look.sign})"
+        chart.curves.append(
+            Curve(
+                x=positions, y=values[look.key], look=look, label=label, width=1.0, size=size,
+                face=look.colour,
+            )
+        )  # fmt: skip
+    chart.name_axes(table.get("unit", entry.get("unit")), "Correction")
+    return chart
+
+
+def estimate_chart(estimate: Document, result: Document) -> Chart:
+    """Return the estimated deviation with its ± 2 standard deviations, and the measured means as
+    markers.
+
+    ``estimate`` holds ``positions`` (g), ``mean_positive``, ``mean_negative``, ``std_positive``,
+    ``std_negative`` (g) in the unit of the positioning result ``result``.
+    """
+    chart = Chart(title="Estimated deviation with ± 2 standard deviations")
+    positions = numbers(estimate["positions"])
+    for look in LOOKS:
+        means = numbers(estimate.get(f"mean_{look.key}"))
+        if not means:
+            continue
+        spread = [2.0 * value for value in numbers(estimate[f"std_{look.key}"])]
+        _add_band(chart, positions, means, spread, look)
+        label = f"estimate ({look.sign})"
+        chart.curves.append(Curve(x=positions, y=means, look=look, label=label, width=1.2))
+    targets = result.get("targets", [])
+    where = [_number(target.get("position")) for target in targets]
+    for look in LOOKS:
+        means = [_number(target.get(f"mean_{look.key}")) for target in targets]
+        if _any_known(means):
+            label = f"measured mean ({look.sign})"
+            chart.curves.append(
+                Curve(x=where, y=means, look=look, label=label, size=4.2, face=look.colour)
+            )
+    chart.name_axes(result.get("unit"))
+    return chart
+
+
+def _means(x: Sequence[float], y: Sequence[float], look: Look, label: str, *, face: str) -> Curve:
+    return Curve(x=x, y=y, look=look, label=label, width=1.4, size=4.2, face=face)
+
+
+def _add_band(
+    chart: Chart,
+    x: Sequence[float],
+    y: Sequence[float],
+    half: Sequence[float],
+    look: Look,
+    label: str = "",
+) -> None:
+    """Add y ± half, with its limits where it has a ``label``; nothing where half is not known."""
+    if not _any_known(half):
+        return
+    low = [value - width for value, width in zip(y, half, strict=True)]
+    high = [value + width for value, width in zip(y, half, strict=True)]
+    chart.bands.append(Band(x=x, low=low, high=high, look=look, label=label))
+    if label:
+        chart.curves.extend(
+            Curve(x=x, y=limit, look=look, width=0.55, opacity=0.8, marker="_", size=3.5)
+            for limit in (low, high)
+        )
+
+
+# --- what a figure covers
+# --------------------------------------------------------------------------------------------------
+
+
+def covered(charts: Sequence[Chart]) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return the positions and the deviations that the panels show on one scale, (low, high) each:
+    all that is known, zero, and a margin.
+    """
+    positions, deviations = [math.inf, -math.inf], [0.0, 0.0]
+    for chart in charts:
+        for curve in chart.curves:
+            _stretch(positions, curve.x)
+            _stretch(deviations, curve.y)
+        for band in chart.bands:
+            _stretch(deviations, band.low)
+            _stretch(deviations, band.high)
+    if positions[0] > positions[1]:
+        positions = [0.0, 0.0]
+    low, high = _with_margin(deviations, _MARGIN_Y)
+    lacking = max(0.0, _LEAST_HEIGHT - (high - low)) / 2
+    return _with_margin(positions, _MARGIN_X, least=1.0), (low - lacking, high + lacking)
+
+
+def _stretch(limits: list[float], values: Sequence[float]) -> None:
+    low, high = min(values, default=math.nan), max(values, default=math.nan)
+    if not (math.isfinite(low) and math.isfinite(high)):
+        known = [value for value in values if math.isfinite(value)]
+        low, high = min(known, default=limits[0]), max(known, default=limits[1])
+    limits[0], limits[1] = min(limits[0], low), max(limits[1], high)
+
+
+def _with_margin(limits: Sequence[float], share: float, least: float = 0.0) -> tuple[float, float]:
+    low, high = limits
+    free = share * (high - low) or least / 2
+    return low - free, high + free
+
+
+def legend_of(charts: Sequence[Chart]) -> dict[str, Band | Curve]:
+    """Return what stands in the legend of all panels, by its name: each once, what is alike side by
+    side, + before −.
+    """
+    entries: dict[str, Band | Curve] = {}
+    for chart in charts:
+        for part in chart.named():
+            entries.setdefault(part.label, part)
+    order = list(dict.fromkeys(_quantity(label) for label in entries))
+    # stable: + stays before −
+    names = sorted(entries, key=lambda label: order.index(_quantity(label)))
+    return {name: entries[name] for name in names}
+
+
+def _quantity(label: str) -> str:
+    return label.rpartition(" (")[0]
+
+
+# --- words in a figure
+# --------------------------------------------------------------------------------------------------
+
+
+def title_of(result: Document) -> str:
+    """Return axis, test, standard and number of runs as one line."""
+    runs = result.get("n_runs") or {}
+    counts = sorted({int(runs[key]) for key in ("positive", "negative") if runs.get(key)})
+    count = "–".join(str(value) for value in counts)
+    name = str(result.get("name") or "")
+    axis = str(result.get("axis") or "?")
+    parts = [
+        f"Axis {_one_line(axis, 10)}",
+        _one_line(name, 20),
+        standard_text(result.get("standard", "")),
+        f"n = {count}" if count else "",
+    ]
+    return "   ".join(part for part in parts if part)
+
+
+def parameter_line(result: Document, most: int = 4) -> str:
+    """The parameters of the corner: both directions together, or those of the one direction that
+    was measured.
+    """
+    given = {
+        key: value for key, value in (result.get("parameters") or {}).items() if value is not None
+    }
+    for keys in (
+        ("A", "E", "R", "B"),
+        ("P", "Pa", "Ps_max", "U_max"),
+        _single("positive"),
+        _single("negative"),
+    ):
+        shown = [key for key in keys if key in given][:most]
+        if shown:
+            text = "   ".join(f"{symbol(key)} {number(given[key])}" for key in shown)
+            return f"{text} {unit_text(result.get('unit'))}"
+    return ""
+
+
+def _single(direction: str) -> tuple[str, ...]:
+    return tuple(f"{letter}_{direction}" for letter in "AER")
+
+
+def prediction_line(predicted: Document, before: Document, most: int) -> str:
+    """Medians and 5-95 % of the first parameters of those that the panel before names."""
+    given = before.get("parameters") or {}
+    order = [
+        key
+        for key in ("A", "E", "P", "Pa", *_single("positive"), *_single("negative"))
+        if given.get(key) is not None
+    ]
+    shown = [
+        (symbol(key), predicted[key]) for key in order if isinstance(predicted.get(key), Mapping)
+    ][:most]
+    text = "   ".join(
+        f"{name} {number(q.get('median'))} ({number(q.get('p05'))} to {number(q.get('p95'))})"
+        for name, q in shown
+    )
+    return f"{text} {unit_text(before.get('unit'))}" if text else ""
+
+
+def _one_line(text: str, most: int) -> str:
+    line = " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
+    return line if len(line) <= most else f"{line[: most - 1]}…"
+
+
+# --- numbers of a document
+# --------------------------------------------------------------------------------------------------
+
+
+def _number(value: object) -> float:
+    return float(value) if isinstance(value, int | float) else math.nan
+
+
+def numbers(values: Sequence[object] | None) -> list[float]:
+    """Return the numbers of a list of a document; null, which is a gap in the curve, as NaN."""
+    return [_number(value) for value in values or []]
+
+
+def _any_known(values: Sequence[float]) -> bool:
+    return any(math.isfinite(value) for value in values)
