@@ -7,7 +7,9 @@ needs it, the verdict on the loading is given, not judged: how it is judged has 
 
 from __future__ import annotations
 
+import html
 import json
+import re
 import shutil
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -171,6 +173,16 @@ def test_the_round_after_it_stops_and_says_what_is_left(rounds: Rounds) -> None:
     assert {"report.html"} <= present
 
 
+def test_the_page_of_the_verification_shows_the_next_round(rounds: Rounds) -> None:
+    for folder, document in zip((rounds.first.parent, rounds.first), rounds.documents, strict=True):
+        page = (folder / "verification.html").read_text(encoding="utf-8")
+        words = " ".join(html.unescape(re.sub("<[^>]+>", " ", page)).split())
+        then = document["next"]
+        mark = "further table" if then["axes"]["X"]["table"] else "no further table"
+        shown = then["axes"]["X"]["reason"].replace("um", "µm")
+        assert f"Next round {then['reason']}. X {mark} {shown}" in words
+
+
 def test_the_next_plan_starts_from_what_was_read_back(rounds: Rounds) -> None:
     """The totals are what acts now less what the tests of both rounds show."""
     plan = read_plan((rounds.first / "plan.json").read_bytes(), "plan.json")
@@ -325,6 +337,22 @@ def test_what_cannot_be_compared_is_not_built_upon(pair: Pair) -> None:
     then = pair.next("the files say nothing of axis X")
     assert not then.files
     assert "the files say nothing of axis X" in then.document["reason"]
+
+
+def test_squareness_alone_is_answered_in_words(pair: Pair) -> None:
+    """Circles after loading and no test of an axis: what to give, or what to run."""
+    job = replace(pair.found.job, apply=replace(pair.found.job.apply, squareness={"XY": "Y"}))
+    circles: Any = {"xy": None}
+    bare = {name: replace(axis, fitted=None) for name, axis in pair.found.plan.axes.items()}
+    for axes, said in (
+        (pair.found.plan.axes, "measure an axis that has a table after loading too"),
+        (bare, "run a new job, with what was read back as as_found"),
+    ):
+        plan = replace(pair.found.plan, axes=axes)
+        found = replace(pair.found, job=job, plan=plan, circles=circles, axes={}, tests=[])
+        then = next_round(found, pair.compared, pair.folder / "job")
+        assert not then.files
+        assert said in then.document["reason"]
 
 
 def test_limits_that_were_edited_after_the_run(pair: Pair) -> None:

@@ -47,11 +47,32 @@ def verify_report(view: Document) -> bytes:
             **common(view, list(zip(("before", "after"), evaluations, strict=True))),
             "doubts": sections.doubts(verification.get("doubts")),
             "verdict": {"tone": tone, "text": text, "rows": rows},
+            "next": _next_round(verification.get("next")),
             "axes": blocks,
             "circles": circle_blocks(verification.get("circles") or {}, *evaluations),
             "findings": remaining(view, blocks, *evaluations),
         },
     )
+
+
+def _next_round(then: Document | None) -> dict[str, Any] | None:
+    """Return what becomes of the next round; None where none was asked for."""
+    if then is None:
+        return None
+    marks = {True: ("good", "further table"), False: ("open", "no further table")}
+    return {
+        "heading": "Next round" if then["written"] else "No next round",
+        "reason": plain(then["reason"]),
+        "axes": [
+            {
+                "name": name,
+                "mark": dict(zip(("tone", "text"), marks[axis["table"]], strict=True)),
+                "reason": plain(axis["reason"]),
+            }
+            for name, axis in then["axes"].items()
+        ],
+        "between": [plain(line) for line in then["between"]],
+    }
 
 
 def _verify_rows(index: int, name: str, axis: Document, unit: str) -> list[dict[str, Any]]:

@@ -51,8 +51,6 @@ from compwright.workflow.stages.worked_through import worked_through
 FOLDER: Final = "next"
 #: Findings of an axis that say what its test does not prove.
 LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024", "CW-E010"})
-#: What a run writes beside its folders.
-_NOBODY: Final = "no axis may be corrected further"
 _KEEPS: Final = "it keeps what is in the control"
 
 
@@ -103,7 +101,7 @@ def next_round(
     general = _general(found, compared)
     well = [test for test in found.tests if test.axis not in told]
     if general or not well:
-        return Round(document=next_document(general or _NOBODY, told))
+        return Round(document=next_document(general or _nobody(found), told))
     try:
         looped = _looped(found, well)
         inputs = next_files(found.job, found.plan, looped)
@@ -113,7 +111,7 @@ def next_round(
         return Round(document=next_document(f"the next round cannot be made: {reason}", told))
     told |= {test.axis: _told(finished, test.axis) for test in well}
     if not any(axis.updated for axis in told.values()):
-        return Round(document=next_document(_NOBODY, told))
+        return Round(document=next_document(_nobody(found), told))
     told = {name: told[name] for name in found.plan.axes if name in told}
     files = {**inputs, **results}
     return Round(
@@ -158,6 +156,22 @@ def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
             " all); settle that first, then run a new job"
         )
     return ""
+
+
+def _nobody(found: Verified) -> str:
+    """Return that there is nothing to go on from, and what becomes of squareness then."""
+    told = "no axis may be corrected further"
+    if not (found.circles and found.job.apply.squareness):
+        return told
+    if any(entry.fitted is not None and entry.tests for entry in found.plan.axes.values()):
+        return (
+            f"{told}, and squareness alone gets no next round: measure an axis that has a table"
+            " after loading too, and give it with --after beside the circles"
+        )
+    return (
+        f"{told}, and squareness alone gets no next round: for what is left of it run a new job,"
+        " with what was read back as as_found and with the circles after loading"
+    )
 
 
 def _refused(found: Verified, compared: Mapping[str, Any] | str) -> Iterator[tuple[str, str]]:
