@@ -31,6 +31,7 @@ from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.workflow.commands import verify
 from compwright.workflow.commands.compare import compare_plan
+from compwright.workflow.stages.handed_over import files_of_job, kept
 from compwright.workflow.stages.jobs import read_job_file
 from compwright.workflow.stages.next_round import (
     Round,
@@ -353,6 +354,28 @@ def test_squareness_alone_is_answered_in_words(pair: Pair) -> None:
         then = next_round(found, pair.compared, pair.folder / "job")
         assert not then.files
         assert said in then.document["reason"]
+
+
+def test_a_definition_that_lies_in_the_folder_is_not_kept_twice(pair: Pair, tmp_path: Path) -> None:
+    """That of a next round lies in ``definition/``; one from elsewhere gets its copy."""
+    own, elsewhere = tmp_path / "next" / "definition" / "own.yaml", tmp_path / "base.yaml"
+    own.parent.mkdir(parents=True)
+    for path in (own, elsewhere):
+        path.write_bytes(f"# {path.name}\n".encode())
+    texts = [(str(path), path.read_bytes()) for path in (own, elsewhere)]
+    texts.append(("shipped.yaml", b"# as it ships"))
+    given = [
+        file
+        for file in files_of_job(pair.found.job, pair.folder, tuple(texts))
+        if file.role == "definition"
+    ]
+    recorded, copies = kept(given, tmp_path / "next", by="run", there={}, written=())
+    assert [file.copy for file in recorded] == [
+        "definition/own.yaml",
+        "inputs/base.yaml",
+        "inputs/shipped.yaml",
+    ]
+    assert sorted(copies) == ["inputs/base.yaml", "inputs/shipped.yaml"]
 
 
 def test_limits_that_were_edited_after_the_run(pair: Pair) -> None:

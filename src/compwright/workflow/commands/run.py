@@ -80,7 +80,7 @@ def run_job(
     draft = {} if stated is None else _assumed_job(stated, finished)
     given = [
         *(given_job(JOB, out / JOB, content) for content in draft.values()),
-        *files_of_job(job, folder, finished.measured.control.definition.carried),
+        *files_of_job(job, folder, finished.measured.control.definition.own),
     ]
     recorded, outdated = recorded_run(finished, results, given, out, draft=draft)
     files = {**results.files, **recorded, **draft}

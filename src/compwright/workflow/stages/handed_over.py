@@ -36,11 +36,11 @@ class GivenFile:
 
 def files_of_job(job: Job, folder: Path, definition: Texts) -> list[GivenFile]:
     """Return every file that a job was made from, the job's own first; ``definition``: the texts
-    of a definition of the user's own. Raises InputError for what cannot be read (any more).
+    of a definition of the user's own, by their files. Raises InputError for what cannot be read
+    (any more).
     """
     found = [] if not job.file else [_given("job", "", Path(job.file).name, Path(job.file))]
-    for name, content in definition:
-        found.append(GivenFile(role="definition", of="", name=name, path=None, content=content))
+    found += [_text_of_definition(Path(name), content) for name, content in definition]
     for name, entry in job.axes.items():
         for request in entry.before:
             of = f"{name} {request.name}"
@@ -58,6 +58,14 @@ def files_of_job(job: Job, folder: Path, definition: Texts) -> list[GivenFile]:
     for state, texts in job.states.items():
         found += [file for text in texts for file in files_at("state", state, text, folder)]
     return found
+
+
+def _text_of_definition(path: Path, content: bytes) -> GivenFile:
+    """Return a text of a definition: it may come from a plan, or ship."""
+    there = storage.is_there(path) and storage.read_bytes(path) == content
+    return GivenFile(
+        role="definition", of="", name=path.name, path=path if there else None, content=content
+    )
 
 
 def given_job(name: str, path: Path, content: bytes) -> GivenFile:

@@ -297,7 +297,7 @@ def _worked(
         job = read_job_file(folder / JOB)
         finished = worked_through(job, folder, folder, each=each)
         results = result_files(finished, each)
-        given = files_of_job(job, folder, finished.measured.control.definition.carried)
+        given = files_of_job(job, folder, finished.measured.control.definition.own)
     record, _ = recorded_run(finished, results, given, folder)
     return finished, {**results.files, **record}, results.notes
 
