@@ -12,15 +12,18 @@ import json
 import math
 import os
 import sqlite3
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from compwright.cli import run as compwright
+from compwright.documents.record_reading import faults_of_record
 from compwright.workflow.commands import history as command
 from compwright.workflow.stages import result_folders
+from compwright.workflow.stages.history_entries import entries_of
+from compwright.workflow.stages.result_folders import ResultFolder
 
 EMPTY: dict[str, Any] = {
     "schema": "compwright/record/1",
@@ -465,6 +468,76 @@ def test_a_damaged_record_is_named_and_the_rest_is_shown(
     assert "fault of compwright" not in told.err
     assert "axis X" in told.out
     assert compwright(["history", str(tmp_path / "bad")]) == 3
+
+
+def test_an_edited_record_is_refused_with_every_key_that_does_not_fit(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    edited = axis_test(unit=7, std_error={"A": {"value": -1.0, "dof": 4}}, sources="x")
+    del edited["date"]
+    folder = record(tmp_path / "a", axis_test(), edited, states={}, machine={"name": {"a": 1}})
+    assert compwright(["history", str(folder)]) == 3
+    told = capsys.readouterr().err
+    places = [line.partition("record.json: ")[2].partition(": ")[0] for line in told.splitlines()]
+    assert sorted(places) == [
+        "machine.name",
+        "states",
+        "tests[1].date",
+        "tests[1].sources",
+        "tests[1].std_error.A",
+        "tests[1].unit",
+    ]
+    assert "Error" not in told
+
+
+def leaves(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    yield path
+    inside = dict(enumerate(value)) if isinstance(value, list) else value
+    for key, below in inside.items() if isinstance(inside, dict) else ():
+        yield from leaves(below, (*path, key))
+
+
+def with_edit(whole: Any, path: tuple[Any, ...], put: Any) -> Any:
+    edited = json.loads(json.dumps(whole))
+    inner = edited
+    for key in path[:-1]:
+        inner = inner[key]
+    if put is leaves:  # anything that no document holds
+        del inner[path[-1]]
+    else:
+        inner[path[-1]] = put
+    return edited
+
+
+@pytest.mark.parametrize("put", [None, True, -1, "x", [], {}, [None], {"a": 1}, leaves])
+def test_no_edit_of_a_record_ends_as_a_fault_of_our_own(put: Any) -> None:
+    """Whatever passes the check can be shown, key by key of a whole record."""
+    whole = {
+        **EMPTY,
+        "machine": {"name": "VMC", "serial": "S"},
+        "states": ["as_found"],
+        "inputs": [
+            {"role": "state", "of": "as_found", "file": "f", "sha256": "0", "copy": None, "by": ""}
+        ],
+        "files": [{"file": "tables/f", "sha256": "1", "size": 2}],
+        "tests": [
+            axis_test(taken="after", uncertainty={"A": {"U": 1.0, "coverage": 2}}, targets=[0.0]),
+            circle(20.0, "2024-01-01"),
+        ],
+        "verification": {
+            "verdict": "good",
+            "axes": {"X": {"loading": {"verdict": "loaded"}, "read_back": "equal"}},
+        },
+    }
+    assert faults_of_record(whole) == []
+    refused = 0
+    for path in [path for path in leaves(whole) if path]:
+        edited = with_edit(whole, path, put)
+        faults = faults_of_record(edited)
+        refused += bool(faults)
+        if not faults:
+            entries_of(ResultFolder(Path("a"), edited, (), (), ()))
+    assert refused > 20
 
 
 def test_what_is_no_folder_with_results(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -43,8 +43,8 @@ class Form:
     ``keys``: the key of a field that is called otherwise. ``absent``: fields that may be missing
     (older documents lack them); they keep their default. ``constant``: fields that the JSON does
     not hold. ``inline``: the field whose own keys stand beside those of the record. ``beside``:
-    keys that belong to no field. ``read``: fields read by a function of their own, handed the
-    mapping of the record.
+    keys that belong to no field; ``others``: so does every other key, and is left alone. ``read``:
+    fields read by a function of their own, handed the mapping of the record.
     """
 
     keys: Mapping[str, str] = field(default_factory=dict)
@@ -52,6 +52,7 @@ class Form:
     constant: Mapping[str, object] = field(default_factory=dict)
     inline: str = ""
     beside: frozenset[str] = frozenset()
+    others: bool = False
     read: Mapping[str, Callable[[Reader, Mapping[str, Any], str], Any]] = field(
         default_factory=dict
     )
@@ -103,7 +104,7 @@ class Reader:
         if form.inline:
             rest = {key: value for key, value in data.items() if key not in taken}
             values[form.inline] = self.record(rest, _hints(cls)[form.inline], place)
-        else:
+        elif not form.others:
             self._unknown(data, taken, place)
         if any(value is FAULTY for value in values.values()):
             return FAULTY

@@ -12,8 +12,9 @@ from dataclasses import asdict
 from typing import Any
 
 from compwright.documents.json_text import read_json
+from compwright.documents.record_reading import faults_of_record
 from compwright.documents.recorded_test import PARAMETERS, Errors, measured_test
-from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.errors import InputError, raise_all
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.utf8 import encoded
 from compwright.records.record import RecordedInput
@@ -236,29 +237,12 @@ def _read_back(findings: Iterable[Mapping[str, str]]) -> str:
 
 
 def read_record(content: bytes, file: str) -> dict[str, Any]:
-    """Return a record. Raises InputError when it is none, or of a newer schema."""
+    """Return a record. Raises InputError when it is none or of a newer schema, and for every key
+    that does not fit.
+    """
     data = read_json(content, file, SCHEMA, "record", f"{RECORD} of a run")
-    misfit = next((key for key, needed in _ENTRIES.items() if not _are(data, key, needed)), None)
-    if misfit is not None:
-        raise InputError(
-            Fault(message="does not fit the schema", file=file, place=misfit, expected=SCHEMA)
-        )
-    return dict(data)
-
-
-#: Lists of a record, with what each of their entries names at least.
-_ENTRIES = {
-    "inputs": ("role", "of", "file", "sha256", "copy", "by"),
-    "files": ("file", "sha256"),
-    "tests": ("kind", "taken"),
-}
-
-
-def _are(data: Mapping[str, Any], key: str, needed: Sequence[str]) -> bool:
-    entries = data.get(key)
-    return isinstance(entries, list) and all(
-        isinstance(entry, dict) and all(name in entry for name in needed) for entry in entries
-    )
+    raise_all(InputError, [fault.in_file(file) for fault in faults_of_record(data)])
+    return data
 
 
 def is_record(content: bytes) -> bool:

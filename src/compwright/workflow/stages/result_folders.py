@@ -10,8 +10,9 @@ from typing import Any
 
 from compwright.documents.older_record import older_record
 from compwright.documents.record import RECORD, read_record
+from compwright.documents.record_reading import faults_of_record
 from compwright.foundations import storage
-from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.input_sizes import JSON
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.utf8 import shown_path
@@ -77,10 +78,7 @@ def read_folder(path: Path) -> ResultFolder:
         return _read_older(path)
     content = storage.read_bytes(file, JSON)
     record = read_record(content, shown_path(file))
-    try:
-        expected = _expected(record)
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
-        raise _misfit(file, error) from error
+    expected = _expected(record)
     return ResultFolder(
         path=path,
         record=record,
@@ -127,6 +125,7 @@ def _read_older(path: Path) -> ResultFolder:
         )
     except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
         raise _misfit(path, error) from error
+    raise_all(InputError, [fault.in_file(shown_path(path)) for fault in faults_of_record(record)])
     missing = [name for name, document in documents.items() if document is None]
     told = "has no record (an older version): the files in it are not checked"
     without = f", and {' and '.join(missing)} not there" if missing else ""

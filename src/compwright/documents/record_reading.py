@@ -1,0 +1,179 @@
+"""The keys of ``record.json`` that a later command reads, checked like a job (see `checked_json`):
+an edited record is refused with every key that does not fit. Other keys are left alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Final, Literal
+
+import numpy as np
+
+from compwright.documents.checked_json import FAULTY, Form, Reader
+from compwright.foundations.errors import Fault
+from compwright.records.axis import FloatArray
+from compwright.records.record import InputRole
+
+
+def faults_of_record(data: Mapping[str, Any]) -> list[Fault]:
+    """Return what does not fit in a record, or in what an older version left in place of one, each
+    with its key path.
+    """
+    reader = Reader("records", _FORMS, _RULES)
+    reader.record(data, _Record, "")
+    return reader.faults
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _File:
+    file: str
+    sha256: str
+    by: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Input:
+    role: InputRole
+    of: str
+    file: str
+    sha256: str
+    copy: str | None
+    by: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Error:
+    value: float
+    dof: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Uncertainty:
+    U: float | None
+    coverage: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Squareness:
+    value: float | None
+    std_error: float | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Test:
+    """What every test says. ``measured_in``: the state, of one before loading; else empty."""
+
+    name: str
+    taken: Literal["before", "after"]
+    date: str
+    simulated: bool
+    standard: str
+    unit: str
+    sources: tuple[str, ...]
+    parameters: Mapping[str, float | None]
+    measured_in: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _AxisTest(_Test):
+    kind: Literal["positioning"]
+    axis: str
+    axis_kind: Literal["linear", "rotary"]
+    s: float | None
+    std_error: Mapping[str, _Error]
+    targets: FloatArray = field(default_factory=lambda: np.empty(0))
+    uncertainty: Mapping[str, _Uncertainty] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _CircularTest(_Test):
+    kind: Literal["circular"]
+    plane: str
+    squareness: _Squareness | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Loading:
+    verdict: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _VerifiedAxis:
+    loading: _Loading
+    read_back: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Verification:
+    verdict: Literal["good", "bad", "undecided"]
+    axes: Mapping[str, _VerifiedAxis]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Record:
+    machine: Mapping[str, object]
+    states: tuple[str, ...]
+    inputs: tuple[_Input, ...]
+    files: tuple[_File, ...]
+    tests: tuple[_AxisTest | _CircularTest, ...]
+    verification: _Verification | None
+
+
+def _tests(reader: Reader, data: Mapping[str, Any], place: str) -> Any:
+    """Each test by its kind, so that what is wrong is told of that one."""
+    tests = data["tests"]
+    if not isinstance(tests, list):
+        return reader.wrong(place, "a list of tests", tests)
+    kinds = {"positioning": _AxisTest, "circular": _CircularTest}
+    found = []
+    for index, test in enumerate(tests):
+        at = f"{place}[{index}]"
+        kind = test.get("kind") if isinstance(test, dict) else None
+        known = kinds.get(kind) if isinstance(kind, str) else None
+        if not isinstance(test, dict):
+            found.append(reader.wrong(at, "keys with values", test))
+        elif known is None:
+            found.append(reader.wrong(f"{at}.kind", " or ".join(map(repr, kinds)), kind))
+        else:
+            found.append(reader.record(test, known, at))
+    return FAULTY if any(test is FAULTY for test in found) else tuple(found)
+
+
+def _error(error: _Error) -> Iterator[str]:
+    if not (error.value >= 0 and error.dof > 0):
+        yield "a standard error of 0 or more, with degrees of freedom above 0"
+
+
+def _uncertainty(stated: _Uncertainty) -> Iterator[str]:
+    if not ((stated.U is None or stated.U >= 0) and stated.coverage > 0):
+        yield "an uncertainty of 0 or more, with a coverage factor above 0"
+
+
+def _squareness(found: _Squareness) -> Iterator[str]:
+    if found.std_error is not None and found.std_error < 0:
+        yield "a standard error of 0 or more"
+
+
+def _record(record: _Record) -> Iterator[str]:
+    if record.verification is None and any(test.taken == "after" for test in record.tests):
+        yield "a verification, because there are tests after loading"
+
+
+_ALONE: Final = Form(others=True)
+_FORMS: Final[Mapping[type, Form]] = {
+    _Record: Form(others=True, read={"tests": _tests}),
+    _File: Form(others=True, absent=frozenset({"by"})),
+    _Input: Form(others=True, absent=frozenset({"by"})),
+    _AxisTest: Form(others=True, absent=frozenset({"targets", "uncertainty"})),
+    _VerifiedAxis: Form(others=True, absent=frozenset({"read_back"})),
+    **dict.fromkeys(
+        (_CircularTest, _Error, _Uncertainty, _Squareness, _Loading, _Verification), _ALONE
+    ),
+}
+_RULES: Final[Mapping[type, Callable[[Any], Iterator[str]]]] = {
+    _Record: _record,
+    _Error: _error,
+    _Uncertainty: _uncertainty,
+    _Squareness: _squareness,
+}
