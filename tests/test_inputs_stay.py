@@ -4,16 +4,19 @@ an earlier run did not write.
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from compwright.cli import run as compwright
 from compwright.foundations import storage
 from compwright.foundations.errors import StorageError
+from dying import Process, running
 from loop import Machine, csv_of
 
 pytestmark = pytest.mark.brief
@@ -214,6 +217,49 @@ def test_an_earlier_answer_is_replaced_where_it_is_named(folder: Path) -> None:
     assert (
         (folder / "old.json").read_bytes().startswith(b'{\n  "schema": "compwright/evaluation/1"')
     )
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["evaluate", "."],
+        ["decode", "control", "--format", CONTROL],
+        ["compare", "job/plan.json", "--loaded", "control"],
+        ["diff", "control", "--with", "control", "--format", CONTROL],
+        ["history", "."],
+        ["formats", "list"],
+    ],
+    ids=lambda words: words[0],
+)
+def test_a_command_that_answers_only_changes_nothing_on_the_disk(
+    folder: Path, words: list[str]
+) -> None:
+    """No call that changes a disk is even tried: a medium may be read only."""
+    process = Process()
+    with running(process):
+        assert compwright(words) in (0, 1, 3)
+    assert process.made == []
+
+
+def test_a_medium_that_is_read_only_is_verified_from(folder: Path) -> None:
+    """What is read lies where nothing can be made, what is written goes elsewhere."""
+    elsewhere = folder.parent / "elsewhere"
+    words = ["verify", "job.yaml", "--after", "after.csv", "--loaded", "control"]
+    real = os.open
+
+    def refusing(path: Any, flags: int, *arguments: Any, **more: Any) -> int:
+        changes = flags & (os.O_CREAT | os.O_WRONLY | os.O_RDWR)
+        if changes and folder in Path(path).resolve().parents:
+            raise OSError(errno.EROFS, os.strerror(errno.EROFS), str(path))
+        return real(path, flags, *arguments, **more)
+
+    before = tree(folder)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(os, "open", refusing)
+        assert compwright([*words, "--out", str(elsewhere)]) == 1
+        assert compwright(words) == 5
+    assert (elsewhere / "verification.json").is_file()
+    assert tree(folder) == before
 
 
 def test_a_command_remembers_only_its_own_inputs(folder: Path) -> None:
