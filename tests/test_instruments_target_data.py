@@ -161,6 +161,9 @@ def test_one_direction_only() -> None:
     text = "".join(line + "\n" for line in COMPLETE.splitlines() if "BWD" not in line)
     test = read(text)
     assert test.negative.shape == (2, 0)
+    (doubt,) = (one for one in test.findings if one.code == "CW-R053")
+    assert "Only REF_DATA_FWD is there" in doubt.message
+    assert "CW-R053" not in {one.code for one in read(COMPLETE).findings}
 
 
 def without(entry: str) -> str:

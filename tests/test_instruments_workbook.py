@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import zipfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -219,3 +220,71 @@ def test_a_copied_sheet_of_no_axis_beside_the_one_that_a_job_takes_is_told(tmp_p
     assert told.severity == "warning"
     assert "X (2)" in told.message
     assert "m Y" not in told.message
+
+
+# ---------------------------------------------------------------- hidden
+
+
+def hiding(*, rows: Sequence[int] = (), columns: Sequence[str] = (), state: str = "") -> bytes:
+    """Two sheets of the same readings; the second hides something."""
+    book = openpyxl.load_workbook(
+        io.BytesIO(workbook({"X": [LONG, *READINGS], "Y & Z": [LONG, *READINGS, (None, None)]}))
+    )
+    sheet = book["Y & Z"]
+    for row in rows:
+        sheet.row_dimensions[row].hidden = True
+    for column in columns:
+        sheet.column_dimensions[column].hidden = True
+    if state:
+        sheet.sheet_state = state
+    stream = io.BytesIO()
+    book.save(stream)
+    return stream.getvalue()
+
+
+def told_hidden(content: bytes) -> list[list[str]]:
+    return [
+        [one.message for one in test.findings if one.code == "CW-R064"]
+        for test in read_tests(content, "x.xlsx")
+    ]
+
+
+def test_hidden_rows_are_read_and_told() -> None:
+    """Rows without anything in them are nobody's loss."""
+    open_, hidden = read_tests(hiding(rows=[3, 5, 9]), "x.xlsx")
+    assert open_.positive.tolist() == hidden.positive.tolist()
+    (first, (told,)) = told_hidden(hiding(rows=[3, 5, 9]))
+    assert first == []
+    assert "2 rows, hidden or filtered out (row 3, 5)" in told
+
+
+def test_rows_that_a_filter_hides_are_told() -> None:
+    """As a spreadsheet program saves a filter: the rows that do not pass are hidden."""
+    book = openpyxl.load_workbook(io.BytesIO(workbook({"X": [LONG, *READINGS]})))
+    sheet = book["X"]
+    sheet.auto_filter.ref = "A1:D5"
+    sheet.auto_filter.add_filter_column(1, ["+"])
+    for row in (4, 5):
+        sheet.row_dimensions[row].hidden = True
+    stream = io.BytesIO()
+    book.save(stream)
+    ((told,),) = told_hidden(stream.getvalue())
+    assert "2 rows, hidden or filtered out (row 4, 5)" in told
+
+
+def test_hidden_columns_and_sheets_are_told() -> None:
+    assert "1 column (D)" in told_hidden(hiding(columns=["D", "F"]))[1][0]
+    for state in ("hidden", "veryHidden"):
+        assert "the whole sheet" in told_hidden(hiding(state=state))[1][0]
+    assert told_hidden(hiding()) == [[], []]
+
+
+def test_rows_without_numbers_of_their_own_are_counted() -> None:
+    """The number of a row may be left out (ECMA-376, 18.3.1.73): it is the next one."""
+    content = hiding(rows=[3])
+    stream = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(stream, "w") as new:
+        for name in old.namelist():
+            part = old.read(name)
+            new.writestr(name, re.sub(rb'(<row) r="\d+"', rb"\1", part))
+    assert "1 row, hidden or filtered out (row 3)" in told_hidden(stream.getvalue())[1][0]

@@ -20,6 +20,7 @@ from compwright.instruments.other_files import refuse_other_files
 from compwright.instruments.parsed import Parsed
 from compwright.instruments.plain_csv import VALUES, read_csv
 from compwright.instruments.reading_findings import (
+    cut_finding,
     doubtful_finding,
     falling_finding,
     left_out_finding,
@@ -88,6 +89,14 @@ def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
             falling_finding(
                 "The targets are listed from high to low, and FWD was taken as the approach in"
                 " direction +: check the labels.",
+            )
+        )
+    if read.alone:
+        findings.append(
+            cut_finding(
+                f"Only {read.alone} is there. In this form all of one direction stands before the"
+                " other, so a file that was cut off between them reads like a test in one"
+                " direction: compare with the instrument."
             )
         )
     assumed = ["FWD: approach in direction +, BWD: in direction -"]

@@ -18,6 +18,7 @@ from compwright.instruments.code_page import read_plain_lines
 from compwright.instruments.cut_files import cut_findings
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.forms import PLAIN_CSV, Form, form_of
+from compwright.instruments.hidden_cells import hidden_finding
 from compwright.instruments.own_forms import is_plain_csv
 from compwright.instruments.parsed import Parsed
 from compwright.instruments.parts import Part, plain_parts
@@ -174,7 +175,9 @@ def _of_sheet(sheet: Sheet, file: str, profile: Profile | None) -> list[_Read]:
     else:
         parts = plain_parts(sheet.lines, faults)
         reads = _by_form(PLAIN_CSV, parts, faults, None)
-    return [replace(read, part=replace(read.part, sheet=sheet.name)) for read in reads]
+    reads = [replace(read, part=replace(read.part, sheet=sheet.name)) for read in reads]
+    hidden = hidden_finding(sheet.hidden, sheet.lines)
+    return reads if hidden is None else [_told(read, hidden) for read in reads]
 
 
 def _refuse_no_sheet(reads: Sequence[_Read], sheets: Sequence[Sheet], file: str) -> None:

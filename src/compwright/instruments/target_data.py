@@ -36,7 +36,8 @@ _DEGREES = {"degree": "deg", "degrees": "deg", "°": "deg"}
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TargetData:
     """What the file says: kind, readings in mm or deg (deviations), header keys, and what remains
-    to be told.
+    to be told. ``alone``: the name of the readings where they are those of one direction; else
+    empty.
     """
 
     kind: AxisKind
@@ -44,6 +45,7 @@ class TargetData:
     header: Mapping[str, str]
     unit_said: bool
     descending: bool
+    alone: str
 
 
 @dataclass(slots=True)
@@ -107,8 +109,14 @@ def read_target_data(lines: Sequence[tuple[int, str]], faults: FaultList) -> Tar
         readings=_readings(entries, factor),
         header={key: value for key, (value, _) in entries.keys.items()},
         unit_said="UNIT" in entries.keys,
+        alone=_alone(entries),
         descending=len(listed) > 1 and all(later < earlier for earlier, later in pairwise(listed)),
     )
+
+
+def _alone(entries: _Entries) -> str:
+    held = [name for name, direction in _DIRECTIONS.items() if entries.readings[direction]]
+    return held[0] if len(held) == 1 else ""
 
 
 def _readings(entries: _Entries, factor: float) -> Readings:

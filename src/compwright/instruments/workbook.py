@@ -9,7 +9,7 @@ import warnings
 import zipfile
 import zlib
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date, datetime, time
 from io import BytesIO
 from itertools import repeat
@@ -23,6 +23,7 @@ from compwright.foundations.input_sizes import (
     MOST_UNPACKED_BESIDE,
     in_words,
 )
+from compwright.instruments.hidden_cells import NOTHING_HIDDEN, Hidden, hidden_of
 
 _SIGNATURE: Final = b"PK\x03\x04"
 _FORMULA: Final = re.compile(rb"<(?:\w+:)?f[ />]")
@@ -35,10 +36,13 @@ _XML: Final = (".xml", ".rels")
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """``lines``: line n of the sheet is item n - 1; a row without cells is an empty line."""
+    """``lines``: line n of the sheet is item n - 1; a row without cells is an empty line.
+    ``hidden``: what a spreadsheet program does not show of it.
+    """
 
     name: str
     lines: list[str]
+    hidden: Hidden = NOTHING_HIDDEN
 
 
 def is_workbook(content: bytes) -> bool:
@@ -71,6 +75,8 @@ def sheets_of(content: bytes, file: str) -> tuple[Sheet, ...]:
             values = openpyxl.load_workbook(BytesIO(content), read_only=True, data_only=True)
             written = openpyxl.load_workbook(BytesIO(content), read_only=True) if formulas else None
             sheets = tuple(_sheets(values, written, file))
+        with zipfile.ZipFile(BytesIO(content)) as archive:
+            hidden = hidden_of(archive)
     except InputError:
         raise
     except Exception as error:
@@ -81,7 +87,11 @@ def sheets_of(content: bytes, file: str) -> tuple[Sheet, ...]:
                 expected="it saved anew by a spreadsheet program, or the sheet as CSV UTF-8",
             )
         ) from error
-    return tuple(sheet for sheet in sheets if any(sheet.lines))
+    return tuple(
+        replace(sheet, hidden=hidden.get(sheet.name, NOTHING_HIDDEN))
+        for sheet in sheets
+        if any(sheet.lines)
+    )
 
 
 def _check_size(content: bytes, file: str) -> bool:

@@ -1,0 +1,135 @@
+"""What a workbook hides: rows that are hidden or filtered out, columns, whole sheets (ECMA-376,
+18.3.1.73 ``row``, 18.3.1.13 ``col``, 18.2.19 ``sheet``).
+
+A spreadsheet program shows them to nobody, and saves their cells like all others.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+import zipfile
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from compwright.foundations.errors import InputError
+from compwright.foundations.findings import Finding
+from compwright.instruments.safe_xml import Element, read_xml
+
+_BOOK: Final = "xl/workbook.xml"
+_LINKS: Final = "xl/_rels/workbook.xml.rels"
+_TAG: Final = re.compile(rb"<(?:\w+:)?(row|col)(?=[\s/>])([^>]*)>")
+_ATTRIBUTE: Final = re.compile(rb"(?<!\S)(hidden|r|min|max)\s*=\s*[\"']([^\"']*)[\"']")
+_YES: Final = frozenset({b"1", b"true"})
+#: So many rows are named.
+_NAMED: Final = 5
+#: A sheet has no more columns (ECMA-376, 18.3.1.13): what lies behind is no column.
+_COLUMNS: Final = 16384
+
+
+@dataclass(frozen=True, slots=True)
+class Hidden:
+    """Rows and columns of a sheet, counted from 1, and whether all of it is hidden."""
+
+    rows: frozenset[int] = frozenset()
+    columns: frozenset[int] = frozenset()
+    whole: bool = False
+
+
+NOTHING_HIDDEN: Final = Hidden()
+
+
+def hidden_of(archive: zipfile.ZipFile) -> dict[str, Hidden]:
+    """Return what each sheet hides, by its name; nothing of what cannot be told."""
+    try:
+        book = read_xml(archive.read(_BOOK), _BOOK)
+        links = read_xml(archive.read(_LINKS), _LINKS)
+    except (InputError, KeyError):
+        return {}
+    parts = {
+        link.attributes.get("Id", ""): posixpath.normpath(
+            posixpath.join("/xl", link.attributes.get("Target", ""))
+        ).lstrip("/")
+        for link in links.children
+    }
+    names = set(archive.namelist())
+    found = {}
+    for sheet in book.anywhere("sheet"):
+        part = parts.get(_link(sheet), "")
+        if part in names:
+            whole = sheet.attributes.get("state", "visible") != "visible"
+            found[sheet.attributes.get("name", "")] = _of_part(archive.read(part), whole=whole)
+    return found
+
+
+def _link(sheet: Element) -> str:
+    """Return the id under which a sheet is linked, whatever the name space is called."""
+    return next((text for key, text in sheet.attributes.items() if key.endswith(":id")), "")
+
+
+def _of_part(content: bytes, *, whole: bool) -> Hidden:
+    rows: set[int] = set()
+    columns: set[int] = set()
+    row = 0
+    for tag in _TAG.finditer(content):
+        said = dict(_ATTRIBUTE.findall(tag[2]))
+        if tag[1] == b"row":
+            row = int(said[b"r"]) if said.get(b"r", b"").isdigit() else row + 1
+        if said.get(b"hidden") not in _YES:
+            continue
+        if tag[1] == b"row":
+            rows.add(row)
+        else:
+            columns.update(_span(said))
+    return Hidden(frozenset(rows), frozenset(columns), whole)
+
+
+def _span(said: Mapping[bytes, bytes]) -> range:
+    first, last = (said.get(key, b"") for key in (b"min", b"max"))
+    if not (first.isdigit() and last.isdigit()):
+        return range(0)
+    return range(int(first), min(int(last), _COLUMNS) + 1)
+
+
+def hidden_finding(hidden: Hidden, lines: Sequence[str]) -> Finding | None:
+    """Return the finding about hidden rows and columns that hold anything and were read like the
+    others; None where there are none. ``lines``: those of the sheet, cells set off by tabs.
+    """
+    cells = [line.split("\t") for line in lines]
+    rows = sorted(row for row in hidden.rows if row <= len(lines) and lines[row - 1])
+    columns = sorted(
+        column
+        for column in hidden.columns
+        if any(len(row) >= column and row[column - 1] for row in cells)
+    )
+    told = list(_told(hidden, rows, columns))
+    if not told:
+        return None
+    return Finding(
+        "CW-R064",
+        "warning",
+        f"Hidden in the workbook, and read like the rest: {'; '.join(told)}. Compare the number of"
+        " readings with the instrument, and take out what is not of the test.",
+    )
+
+
+def _told(hidden: Hidden, rows: Sequence[int], columns: Sequence[int]) -> Iterator[str]:
+    if hidden.whole:
+        yield "the whole sheet"
+    if rows:
+        more = f" and {len(rows) - _NAMED} more" if len(rows) > _NAMED else ""
+        which = f"{', '.join(map(str, rows[:_NAMED]))}{more}"
+        yield f"{len(rows)} row{'s' * (len(rows) > 1)}, hidden or filtered out (row {which})"
+    if columns:
+        letters = ", ".join(map(_letters, columns))
+        yield f"{len(columns)} column{'s' * (len(columns) > 1)} ({letters})"
+
+
+def _letters(column: int) -> str:
+    """Return a column as a spreadsheet program names it: A, B, .., Z, AA."""
+    name = ""
+    while column:
+        column, rest = divmod(column - 1, 26)
+        name = chr(ord("A") + rest) + name
+    return name
