@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.basis import Basis, log_density, smooth_density
+from compwright.estimation.factors import factored, inverse_of_lower
 from compwright.records.axis import FloatArray
 
 NOISE, LOCAL, SMOOTH, LENGTH, EXCESS, REVERSAL, REVERSAL_LENGTH, PERIODIC = range(8)
@@ -179,7 +180,7 @@ class Evidence:
         """
         scaled = self._scaled(h, draw)
         matrix, moment = _normal(scaled, scaled.removed(scaled.rows))
-        inverse = _inverse_factor(matrix)
+        inverse = inverse_of_lower(factored(matrix)[1])
         return Weights(
             mean=scaled.deviations * (inverse.T @ (inverse @ moment)),
             root=scaled.deviations[:, np.newaxis] * inverse.T,
@@ -310,7 +311,7 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     covariance = scaled.rows @ scaled.rows.T
     covariance += scaled.local * (data.seats[:, np.newaxis] == data.seats)
     covariance.flat[:: y.size + 1] += 1.0 / scaled.precision
-    factor = _factored(covariance)[1]
+    factor = factored(covariance)[1]
     log = -float(np.sum(np.log(np.diag(factor))))
     if not derivatives:
         z = np.linalg.solve(factor, y)
@@ -321,7 +322,7 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
             by_target=_NONE,
             by_cell=_NONE,
         )
-    inverse = np.asarray(np.linalg.inv(factor), dtype=np.float64)
+    inverse = inverse_of_lower(factor)
     z, whitened = inverse @ y, inverse @ scaled.rows
     seen = np.add.reduceat(inverse, data.starts, axis=1)
     return _Marginal(
@@ -333,20 +334,6 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     )
 
 
-def _factored(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return a symmetric matrix and its Cholesky factor; where rounding has left it indefinite
-    (readings without any scatter), the matrix with as much more on its diagonal as that takes
-    (Rasmussen and Williams 2006, section 3.4.3: a jitter for numerical stability).
-    """
-    for exponent in range(-15, -3):
-        try:
-            return matrix, np.asarray(np.linalg.cholesky(matrix), dtype=np.float64)
-        except np.linalg.LinAlgError:
-            more = 10.0**exponent * float(np.max(np.diag(matrix)))
-            matrix = matrix + more * np.eye(matrix.shape[0])
-    return matrix, np.asarray(np.linalg.cholesky(matrix), dtype=np.float64)
-
-
 def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     """Return the density by the weights (j, j): the covariance of the cells is noise, local part
     and a sum of low rank (Rasmussen and Williams 2006, eq. A.9 and A.10).
@@ -354,7 +341,7 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     data, y = scaled.data, scaled.values
     weighted = scaled.removed(scaled.rows)
     matrix, moment = _normal(scaled, weighted)
-    matrix, factor = _factored(matrix)
+    matrix, factor = factored(matrix)
     total, local = scaled.total, scaled.local
     log_determinant = (
         -float(np.sum(np.log(scaled.precision)))
@@ -365,7 +352,7 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     log = -0.5 * (log_determinant + float(y @ scaled.removed(y) - moment @ mean))
     if not derivatives:
         return _Marginal(log=log, residual=_NONE, by_weight=_NONE, by_target=_NONE, by_cell=_NONE)
-    inverse = np.asarray(np.linalg.inv(factor), dtype=np.float64)
+    inverse = inverse_of_lower(factor)
     spread = inverse @ weighted.T
     seen = np.add.reduceat(spread, data.starts, axis=1)
     gain = local / (1.0 + local * total)
@@ -386,8 +373,3 @@ def _normal(scaled: _Scaled, weighted: FloatArray) -> tuple[FloatArray, FloatArr
     matrix = scaled.rows.T @ weighted
     matrix.flat[:: matrix.shape[0] + 1] += 1.0
     return matrix, weighted.T @ scaled.values
-
-
-def _inverse_factor(matrix: FloatArray) -> FloatArray:
-    """Return the inverse of the factor of Cholesky of a ``matrix`` (j, j)."""
-    return np.asarray(np.linalg.inv(_factored(matrix)[1]), dtype=np.float64)

@@ -1,0 +1,45 @@
+"""Factors of symmetric matrices, as numpy alone has them: it knows no triangular ones, and takes a
+general inverse where half of it is zero.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+
+#: From this size on a triangle is split: the general inverse of a larger one takes much longer.
+_SMALL: Final = 48
+
+
+def factored(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return a symmetric ``matrix`` (n, n) and its Cholesky factor (n, n), lower; where rounding
+    has left it indefinite (readings without any scatter), the matrix with as much more on its
+    diagonal as that takes (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006,
+    section 3.4.3: a jitter for numerical stability). Raises LinAlgError where that is not enough.
+    """
+    for exponent in range(-15, -3):
+        try:
+            return matrix, np.asarray(np.linalg.cholesky(matrix), dtype=np.float64)
+        except np.linalg.LinAlgError:
+            more = 10.0**exponent * float(np.max(np.diag(matrix)))
+            matrix = matrix + more * np.eye(matrix.shape[0])
+    return matrix, np.asarray(np.linalg.cholesky(matrix), dtype=np.float64)
+
+
+def inverse_of_lower(factor: FloatArray) -> FloatArray:
+    """Return the inverse (n, n) of a lower triangle ``factor`` (n, n): of its halves, and of what
+    couples them -inverse(second) coupling inverse(first) (Golub and Van Loan, Matrix Computations,
+    4th ed. 2013, section 3.1). Raises LinAlgError for a zero on the diagonal.
+    """
+    size = factor.shape[0]
+    if size <= _SMALL:
+        return np.asarray(np.linalg.inv(factor), dtype=np.float64)
+    half = size // 2
+    inverse = np.zeros_like(factor)
+    first = inverse[:half, :half] = inverse_of_lower(factor[:half, :half])
+    second = inverse[half:, half:] = inverse_of_lower(factor[half:, half:])
+    inverse[half:, :half] = -second @ (factor[half:, :half] @ first)
+    return inverse
