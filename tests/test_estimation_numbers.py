@@ -27,6 +27,7 @@ from compwright.estimation.circle_model import (
 )
 from compwright.estimation.circle_noise import grid_of
 from compwright.estimation.circle_report import _condition, shrink_doubt
+from compwright.estimation.factors import factored, inverse_of_lower
 from compwright.estimation.hyperparameters import _log_student, draw_hyperparameters
 from compwright.estimation.peaks import peaks_of
 
@@ -337,3 +338,23 @@ def test_peaks_are_told_apart_and_those_without_mass_left_out() -> None:
     assert [
         peak.place[0] for peak in peaks_of(known, [*starts, np.array([[-8.0, -2.0, 0.0]])])
     ] == pytest.approx([1.0, 9.0])
+
+
+@pytest.mark.parametrize("size", [1, 2, 48, 49, 97, 150])
+def test_the_inverse_of_a_triangle_undoes_it(size: int) -> None:
+    rng = np.random.default_rng(size)
+    root = rng.standard_normal((size, 2 * size)) * np.exp(3.0 * rng.standard_normal((size, 1)))
+    matrix, factor = factored(root @ root.T)
+    inverse = inverse_of_lower(factor)
+    np.testing.assert_allclose(inverse @ factor, np.eye(size), atol=1e-9)
+    np.testing.assert_allclose(np.triu(inverse, 1), 0.0, atol=1e-12)
+    scale = np.sqrt(np.diag(matrix))
+    whole = inverse.T @ inverse @ matrix / scale[:, np.newaxis] * scale
+    np.testing.assert_allclose(whole / whole.diagonal(), np.eye(size), atol=1e-7)
+
+
+def test_a_matrix_that_rounding_left_indefinite_gets_a_factor() -> None:
+    ones = np.ones((60, 60))
+    matrix, factor = factored(ones - 1e-13 * np.eye(60))
+    np.testing.assert_allclose(factor @ factor.T, matrix, atol=1e-12)
+    np.testing.assert_allclose(matrix, ones, atol=1e-9)

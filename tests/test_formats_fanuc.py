@@ -25,7 +25,8 @@ from compwright.formats.text.diff import compare_files
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
-from compwright.workflow.stages.control import DecodedState, decode, open_control
+from compwright.workflow.stages.control import decode, open_control
+from compwright.workflow.stages.decoded import DecodedState
 from fanuc_backup import NUMBERS, OLD_POINTS, parameters, pitch_data
 from format_samples import CONTENT
 from plans import ADDRESSES, random_plan, tolerance, worst_difference

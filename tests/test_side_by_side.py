@@ -4,6 +4,7 @@ errors and the bytes of working in turn.
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import pickle
@@ -11,13 +12,16 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from compwright.cli import run
 from compwright.foundations.errors import CapacityError, Fault
+from compwright.workflow.commands.run import run_job
+from compwright.workflow.stages.jobs import read_job_file
 
 SOURCE = Path(__file__).resolve().parents[1] / "src"
 
@@ -215,3 +219,75 @@ def _lives(process: int) -> bool:
         return not state.exists() or state.read_text().rsplit(")", 1)[1].split()[0] != "Z"
     except (ProcessLookupError, FileNotFoundError):
         return False
+
+
+# --- what another process has to load
+# --------------------------------------------------------------------------------------------------
+
+MACHINE = """
+virtual_machine: 1
+controller: {format: siemens-840d-sl}
+axes:
+  X:
+    travel: [0, 600]
+    address: AX1
+    error: {slope_um_per_m: 15, reversal: {mean_um: -3}, noise_um: 0.4}
+    test: {targets: 7}
+"""
+JOB = """
+compwright: 1
+controller: {format: siemens-840d-sl}
+states: {as_found: none}
+axes: {X: {travel: [0, 600], address: AX1, before: [x.csv]}}
+"""
+#: Reading and writing for controls, jobs and commands: half of the time that all imports take.
+NOT_NEEDED = ("formats", "jobs", "instruments", "documents", "workflow.commands", "cli")
+
+
+class Named(pickle.Unpickler):
+    """Reads a copy and notes the modules that it needs."""
+
+    def __init__(self, copy: bytes) -> None:
+        super().__init__(io.BytesIO(copy))
+        self.modules: set[str] = set()
+
+    def find_class(self, module_name: str, global_name: str) -> Any:
+        self.modules.add(module_name)
+        return super().find_class(module_name, global_name)
+
+
+@pytest.mark.brief
+def test_work_on_an_axis_loads_neither_formats_nor_commands(tmp_path: Path) -> None:
+    (tmp_path / "machine.yaml").write_text(MACHINE)
+    (tmp_path / "job.yaml").write_text(JOB)
+    assert run(["simulate", str(tmp_path / "machine.yaml"), "--out", str(tmp_path)]) == 0
+    named: set[str] = set()
+
+    def copied(work: Callable[[Any], Any], items: Sequence[Any]) -> list[Any]:
+        done = [work(item) for item in items]
+        if items:
+            reader = Named(pickle.dumps((work, list(items), done)))
+            reader.load()
+            named.update(reader.modules)
+        return done
+
+    run_job(read_job_file(tmp_path / "job.yaml"), tmp_path, tmp_path / "out", each=copied)
+    own = {name for name in named if name.startswith("compwright.")}
+    assert {"compwright.planning.axis_tasks", "compwright.reporting.axis_report"} <= own
+    asked = (
+        "import sys\n"
+        "from compwright.workflow.ready import ready_for_axes\n"
+        "ready_for_axes()\n"
+        f"from importlib import import_module; [import_module(name) for name in {sorted(own)}]\n"
+        "print('\\n'.join(sys.modules))"
+    )
+    loaded = subprocess.run(
+        [sys.executable, "-c", asked], capture_output=True, text=True, check=True
+    ).stdout.split()
+    assert "osqp" in loaded  # before there is work
+    assert not [
+        name
+        for name in loaded
+        if name.startswith(tuple(f"compwright.{room}" for room in NOT_NEEDED))
+    ]
+    assert not {"pydantic", "yaml", "click", "rich", "matplotlib", "jinja2.ext"} & set(loaded)

@@ -57,7 +57,8 @@ def run_command(
     crew: Crew, /, inputs: tuple[Path, ...], out: Path | None, json_path: Path | None, **words: Any
 ) -> int:
     """Evaluate, fit, export, predict and report: the whole job."""
-    from compwright.workflow.commands.run import ready_for_axes, run_job
+    from compwright.workflow.commands.run import run_job
+    from compwright.workflow.ready import ready_for_axes
     from compwright.workflow.showing.answers import run_summary
     from compwright.workflow.stages.jobs import job_of
 
@@ -171,8 +172,8 @@ def verify(
     **words: bool,
 ) -> int:
     """Judge the test after loading against the plan."""
-    from compwright.workflow.commands.run import ready_for_axes
     from compwright.workflow.commands.verify import plan_path, verify_job
+    from compwright.workflow.ready import ready_for_axes
     from compwright.workflow.showing.answers import verify_summary
     from compwright.workflow.stages.jobs import default_folder, read_job_file
 

@@ -58,6 +58,11 @@ def solve_quadratic(problem: QuadraticProblem) -> Solution:
     return _certified(problem, x, y)
 
 
+def load_solver() -> None:
+    """Load the solver, which takes a while, before there is a problem."""
+    import osqp  # noqa: F401
+
+
 def _certified(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> Solution:
     proof = certificate(problem, x, y)
     worst = max(proof, key=lambda name: proof[name])

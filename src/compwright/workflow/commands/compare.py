@@ -25,13 +25,13 @@ from compwright.verification.read_back import SAME, judge_read_back
 from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.control import (
     Control,
-    DecodedState,
     decode,
     open_control,
     plan_origin,
     read_files,
 )
 from compwright.workflow.stages.cross_tables import write_planned
+from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.differences import Side, side
 from compwright.workflow.stages.read_back import read_back_differences
 from compwright.workflow.stages.two_readers import probe_positions

@@ -12,7 +12,8 @@ from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Direction, FloatArray
 from compwright.workflow.stages.acting import judged_cross
-from compwright.workflow.stages.control import decode, judged, open_control, read_files
+from compwright.workflow.stages.control import decode, open_control, read_files
+from compwright.workflow.stages.decoded import judged
 
 MOST_POSITIONS = 1_000_000
 

@@ -11,9 +11,10 @@ from compwright.foundations import storage
 from compwright.foundations.input_sizes import YAML
 from compwright.foundations.side_by_side import Crew, alone
 from compwright.jobs.reading import read_job
-from compwright.workflow.commands.run import RunOutcome, ready_for_axes, run_job
+from compwright.workflow.commands.run import RunOutcome, run_job
 from compwright.workflow.commands.simulate import load_machine, simulate_files
 from compwright.workflow.commands.verify import VerifyOutcome, verify_job
+from compwright.workflow.ready import ready_for_axes
 from compwright.workflow.stages.own_files import write_listed
 
 

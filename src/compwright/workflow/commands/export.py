@@ -28,12 +28,12 @@ from compwright.records.plan import Plan, PlannedCross
 from compwright.workflow.stages.control import (
     COMMAND_LINE,
     Control,
-    DecodedState,
     decode,
     open_control,
     read_files,
 )
 from compwright.workflow.stages.cross_tables import write_planned
+from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.own_files import write_listed
 from compwright.workflow.stages.own_output import refuse_added_again
 from compwright.workflow.stages.settled import settled_axis

@@ -49,11 +49,6 @@ class RunOutcome:
     notes: tuple[str, ...] = ()
 
 
-def ready_for_axes() -> None:
-    """Load what the work on an axis needs, beside this module, before there is work."""
-    from compwright.reporting import axis_report  # noqa: F401
-
-
 def run_job(
     job: Job,
     folder: Path,

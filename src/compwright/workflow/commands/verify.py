@@ -38,13 +38,13 @@ from compwright.workflow.showing.view import evaluations, verify_view
 from compwright.workflow.stages.after_tests import after_tests, read_again
 from compwright.workflow.stages.control import (
     Control,
-    DecodedState,
     decode,
     open_control,
     origin_of,
     plan_origin,
     read_files,
 )
+from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.handed_over import BY_VERIFY, INPUTS, files_of_verify
 from compwright.workflow.stages.next_round import (
     FOLDER,

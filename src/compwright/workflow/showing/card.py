@@ -28,7 +28,8 @@ from compwright.records.correction import Assumption, AxisCompensation, ControlF
 from compwright.records.facts import AxisFacts
 from compwright.records.job import AS_FOUND, Job
 from compwright.workflow.stages.acting import correction_of
-from compwright.workflow.stages.control import Control, DecodedState
+from compwright.workflow.stages.control import Control
+from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.inputs import JobInputs
 
 SCHEMA = "compwright/card/1"

@@ -16,7 +16,8 @@ from compwright.records.axis import Direction
 from compwright.records.circular import CircularResult
 from compwright.records.job import Job
 from compwright.records.result import PositioningResult
-from compwright.workflow.stages.control import Control, DecodedState
+from compwright.workflow.stages.control import Control
+from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.predicted import after_loading
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from compwright.prediction.acting import IDLE, Acting, Correction, nothing
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import CrossCompensation
-from compwright.workflow.stages.control import DecodedState, judged
+from compwright.workflow.stages.decoded import DecodedState, judged
 
 
 def correction_of(decoded: DecodedState | None, axis: Axis) -> Correction:

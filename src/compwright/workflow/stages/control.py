@@ -11,9 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import numpy as np
-
-from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.controllers.virtual import virtual_control
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.options import (
     TABLE_VALUES,
@@ -26,10 +24,11 @@ from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import CONTROL, MOST_CONTROL_TEXT, MOST_DIGITS, in_words
-from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, ControlFile, ControlState
 from compwright.records.job import Job
 from compwright.records.plan import Plan, Texts
+from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.definitions import (
     carried_definition,
     definition_named,
@@ -37,7 +36,7 @@ from compwright.workflow.stages.definitions import (
     own_definition,
 )
 from compwright.workflow.stages.read_once import ReadOnce
-from compwright.workflow.stages.two_readers import disagreements, judges
+from compwright.workflow.stages.two_readers import disagreements
 
 #: What has to be known of everything that a definition of one's own, by its id, says.
 READ_BACK = (
@@ -190,17 +189,6 @@ class Control:
         if rule is None or rule.evidence.state != "unconfirmed":
             return "default of the definition"
         return f"default of the definition; {rule.evidence}"
-
-
-@dataclass(frozen=True, slots=True)
-class DecodedState:
-    """A set of control files as both readers understand it; without files (the state ``none``)
-    nothing acts and nobody judges.
-    """
-
-    files: tuple[ControlFile, ...]
-    state: ControlState
-    judge: VirtualControl | ReadOnce | None
 
 
 def open_control(
@@ -426,14 +414,3 @@ def _systems(state: ControlState) -> dict[str, int]:
         for address, facts in state.facts.items()
         if facts.encoder_system is not None
     }
-
-
-def judged(
-    state: DecodedState, address: str, positions: FloatArray, direction: Direction
-) -> FloatArray:
-    """Return the judge's correction at ``positions`` (mm or deg); zero for an axis that the files
-    do not hold.
-    """
-    if state.judge is None or not judges(state.judge, address):
-        return np.zeros(np.shape(positions))
-    return state.judge.correction(address, positions, direction)

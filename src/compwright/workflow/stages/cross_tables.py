@@ -16,7 +16,8 @@ from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import ControlFile, ControlState, CrossCompensation
 from compwright.records.plan import PlannedCross
 from compwright.workflow.stages.acting import judged_cross
-from compwright.workflow.stages.control import Control, DecodedState, decode
+from compwright.workflow.stages.control import Control, decode
+from compwright.workflow.stages.decoded import DecodedState
 
 #: Reading back may differ from what was planned by half a step of the value at either node, mm or
 #: deg.

@@ -30,7 +30,8 @@ from compwright.records.axis import Axis, AxisKind, PositionMap
 from compwright.records.job import AS_FOUND, AxisJob, Job, TestRequest
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest, merge, to_machine
-from compwright.workflow.stages.control import Control, DecodedState, decode, read_files
+from compwright.workflow.stages.control import Control, decode, read_files
+from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.measurement_files import load_profile, measurement_files
 
 #: A table over the travel, read in the wrong unit, is 25.4 times too short or long; it may reach

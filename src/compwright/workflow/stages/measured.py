@@ -18,13 +18,8 @@ from compwright.records.correction import Assumption, ControlState
 from compwright.records.job import AS_FOUND, Job
 from compwright.workflow.stages.acting import acting
 from compwright.workflow.stages.circles import read_circles
-from compwright.workflow.stages.control import (
-    Control,
-    DecodedState,
-    open_control,
-    origin_of,
-    read_files,
-)
+from compwright.workflow.stages.control import Control, open_control, origin_of, read_files
+from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.inputs import JobInputs, read_job_inputs
 from compwright.workflow.stages.own_output import refuse_own_output
 from compwright.workflow.stages.plausible import given_twice, impossible_tests, named_tests

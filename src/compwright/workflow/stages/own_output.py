@@ -24,7 +24,7 @@ from compwright.records.job import Job
 from compwright.records.plan import Plan, PlannedAxis, PlannedTest
 from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.verification.read_back import SAME
-from compwright.workflow.stages.control import DecodedState, judged
+from compwright.workflow.stages.decoded import DecodedState, judged
 from compwright.workflow.stages.inputs import JobInputs
 from compwright.workflow.stages.two_readers import probe_positions
 

@@ -31,7 +31,8 @@ from compwright.foundations.redaction import Cuts
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.workflow.stages.acting import judged_cross
-from compwright.workflow.stages.control import decode, judged, open_control
+from compwright.workflow.stages.control import decode, open_control
+from compwright.workflow.stages.decoded import judged
 from compwright.workflow.stages.definitions import definition_named
 from compwright.workflow.stages.redacted_measurements import not_the_same, refuse_left_over
 

@@ -14,7 +14,8 @@ from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, ControlState
 from compwright.records.job import AxisJob, Job
-from compwright.workflow.stages.control import Control, DecodedState
+from compwright.workflow.stages.control import Control
+from compwright.workflow.stages.decoded import DecodedState
 
 
 def named_axes(

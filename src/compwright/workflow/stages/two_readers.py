@@ -12,7 +12,7 @@ from compwright.foundations.errors import Fault
 from compwright.prediction.acting import Correction
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import ControlState, CrossCompensation
-from compwright.workflow.stages.read_once import ReadOnce
+from compwright.workflow.stages.decoded import judges
 
 #: Largest difference of the two readers, mm or deg: a control that keeps single precision rounds 1
 #: mm to 6e-8 mm.
@@ -24,11 +24,6 @@ EVERYWHERE = np.linspace(-5000.0, 5000.0, 2001)
 #: The findings of tables that were left out: nobody asked for their axis, they cannot be read,
 #: their sign is not known.
 LEFT_OUT = frozenset({"CW-S011", "CW-S050", "CW-S051"})
-
-
-def judges(judge: VirtualControl | ReadOnce, address: str) -> bool:
-    """Return whether the judge finds an axis in the files, which may spell it in another case."""
-    return address.casefold() in {known.casefold() for known in judge.addresses()}
 
 
 def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:

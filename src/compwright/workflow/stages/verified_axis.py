@@ -30,7 +30,8 @@ from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.measurement import NamedFault, measurement_fault, proof_lacking
 from compwright.verification.proof import AfterTest, doubted
 from compwright.workflow.stages.acting import correction_of
-from compwright.workflow.stages.control import Control, DecodedState
+from compwright.workflow.stages.control import Control
+from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.judged_loading import judged_loading
 from compwright.workflow.stages.two_readers import probe_positions
 

@@ -38,7 +38,7 @@ from compwright.records.circular import CircularTest
 from compwright.records.plan import Plan, PlannedCircle
 from compwright.workflow.stages.acting import acting
 from compwright.workflow.stages.circles import read_circle
-from compwright.workflow.stages.control import DecodedState
+from compwright.workflow.stages.decoded import DecodedState
 
 
 def split_after(plan: Plan, specs: Sequence[str]) -> tuple[list[str], dict[str, list[Path]]]:

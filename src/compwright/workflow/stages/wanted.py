@@ -10,13 +10,10 @@ from dataclasses import dataclass, replace
 from compwright.evaluation.same_error import same_error_findings
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
-from compwright.planning.axes import AxisWork, start_axis
+from compwright.planning import axis_tasks
+from compwright.planning.axes import AxisWork
 from compwright.planning.checks import Checks
 from compwright.planning.circles import CircleWork, checked_axes, start_circles
-from compwright.prediction.acting import nothing
-from compwright.records.correction import ControlState
-from compwright.records.job import AxisJob, Job
-from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
 from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.measured import Measured
@@ -45,7 +42,8 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
     entries = {name: entry for name, entry in job.axes.items() if entry.before}
     tests = measured.inputs.tests
     started = each(
-        _started, [(job, entry, tests[name], measured.states) for name, entry in entries.items()]
+        axis_tasks.started,
+        [(job, entry, tests[name], measured.states) for name, entry in entries.items()],
     )
     works = {
         name: replace(work, as_found=correction_of(measured.as_found, work.planned.axis))
@@ -83,10 +81,3 @@ def _not_alike(measured: Measured) -> dict[str, list[PositioningTest]]:
         for name, tests in measured.inputs.tests.items()
         if measured.axes[name].address not in followers
     }
-
-
-def _started(
-    task: tuple[Job, AxisJob, tuple[PlannedTest, ...], Mapping[str, ControlState]],
-) -> AxisWork:
-    """Return an axis evaluated and estimated; what acts on it now is not needed for that."""
-    return start_axis(*task, nothing)

@@ -11,10 +11,10 @@ from compwright.formats.families.delivery import Delivery
 from compwright.foundations.errors import CompwrightError, Fault, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
-from compwright.planning.axes import AxisWork, no_gain
+from compwright.planning import axis_tasks
+from compwright.planning.axes import AxisWork
 from compwright.planning.cross import plan_cross
 from compwright.planning.scale import scale_steps
-from compwright.prediction.acting import Correction
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import ControlFile
 from compwright.records.fitted import FittedTable
@@ -23,8 +23,9 @@ from compwright.records.plan import PlannedAxis
 from compwright.verification.read_back import SAME
 from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.changes import changed_neighbours
-from compwright.workflow.stages.control import Control, DecodedState, decode, judged
+from compwright.workflow.stages.control import Control, decode
 from compwright.workflow.stages.cross_tables import CrossOutcome, write_planned
+from compwright.workflow.stages.decoded import DecodedState, judged
 from compwright.workflow.stages.fitted import Fitted
 from compwright.workflow.stages.measured import Measured
 from compwright.workflow.stages.two_readers import probe_positions
@@ -117,7 +118,7 @@ def _improving(
         for name, work in works.items()
         if work.planned.fitted is not None
     }
-    reasons = zip(tasks, each(_no_gain, list(tasks.values())), strict=True)
+    reasons = zip(tasks, each(axis_tasks.why_no_gain, list(tasks.values())), strict=True)
     refused = {name: why for name, why in reasons if why}
     if not refused:
         return works
@@ -129,10 +130,6 @@ def _improving(
         )
         for name, work in works.items()
     }
-
-
-def _no_gain(task: tuple[AxisWork, Correction]) -> str:
-    return no_gain(*task)
 
 
 def write_fitted(

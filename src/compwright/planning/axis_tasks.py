@@ -1,0 +1,69 @@
+"""Work on one axis, stage by stage, as it is handed to a process beside the first one: functions of
+one argument. What they take and return needs this room to be loaded, and neither commands nor
+formats, so that such a process begins soon.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Literal
+
+from compwright.planning.axes import AxisWork, fresh_like_first, no_gain, predict_axis, start_axis
+from compwright.planning.drifting import drift_or_reversal
+from compwright.planning.goals import goal_told
+from compwright.planning.limiting import what_limits
+from compwright.planning.verdict import stopped, verdict
+from compwright.planning.worth import worth_of_points
+from compwright.prediction.acting import Correction, nothing
+from compwright.records.correction import AxisCompensation, ControlState
+from compwright.records.job import AxisJob, Job
+from compwright.records.plan import PlannedTest
+from compwright.records.prediction import AxisPrediction
+
+
+def started(
+    task: tuple[Job, AxisJob, tuple[PlannedTest, ...], Mapping[str, ControlState]],
+) -> AxisWork:
+    """Return an axis evaluated and estimated (`start_axis`); what acts on it now is not needed for
+    that.
+    """
+    return start_axis(*task, nothing)
+
+
+def why_no_gain(task: tuple[AxisWork, Correction]) -> str:
+    """Return why a table would not improve its axis (`no_gain`)."""
+    return no_gain(*task)
+
+
+def predicted(
+    task: tuple[AxisWork, Correction, AxisCompensation | None, Literal["simple", "guarded"]],
+) -> AxisPrediction:
+    """Return what fresh tests of an axis will show, what keeps it where it is, and whether a table
+    helps. Arguments as of `predict_axis`.
+    """
+    work, new, _, rule = task
+    fresh = fresh_like_first(work, rule)
+    axis, prediction = work.planned.axis, predict_axis(*task, fresh)
+    findings = (
+        *prediction.findings,
+        *goal_told(work, new, fresh),
+        *drift_or_reversal(work, fresh),
+    )
+    limits = what_limits(work, new, fresh)
+    if limits is None:
+        return replace(prediction, findings=findings)
+    tabled = work.planned.fitted is not None
+    # Of a table that was fitted, not of an axis whose tests contradict its files.
+    refused = bool(work.refused) and work.capacity is not None
+    said = (
+        (stopped(axis, limits),)
+        if work.stops
+        else tuple(verdict(axis, limits, tabled=tabled, refused=refused))
+    )
+    return replace(
+        prediction,
+        limits=limits,
+        worth=worth_of_points(work, new, fresh, limits.parameter),
+        findings=(*findings, *said),
+    )
