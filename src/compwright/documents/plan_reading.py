@@ -124,7 +124,7 @@ FORMS: Final[Mapping[type, Form]] = {
         absent=frozenset({"thermal"}),
         read={"positive": _positive, "negative": _negative},
     ),
-    ControlFile: Form(keys={"content": "base64"}),
+    ControlFile: Form(keys={"content": "base64"}, constant={"folder": ""}),
     CircularTest: Form(constant={"vendor": {}}),
     ErrorEstimate: Form(constant={"periods": ()}),
     WantedCorrection: Form(absent=frozenset({"scenarios"})),

@@ -29,10 +29,15 @@ Judged = Literal["independent", "read_back"]
 
 @dataclass(frozen=True, slots=True)
 class ControlFile:
-    """A file of a control: its bare name (no folder) and its bytes."""
+    """A file of a control: its bare name (no folder) and its bytes.
+
+    ``folder``: the folder that was named in its place, empty where the file itself was: files of a
+    folder come in the order of their names, which says nothing of the order in which they count.
+    """
 
     name: str
     content: bytes
+    folder: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)

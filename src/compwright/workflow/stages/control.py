@@ -282,8 +282,10 @@ def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     for path in paths:
         try:
             entries = storage.list_files(path)
+            folder = "" if entries == [path] else str(path)
             files.extend(
-                ControlFile(entry.name, storage.read_bytes(entry, CONTROL)) for entry in entries
+                ControlFile(entry.name, storage.read_bytes(entry, CONTROL), folder)
+                for entry in entries
             )
         except InputError as error:
             faults.extend(error.faults)

@@ -26,7 +26,7 @@ from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.verification.read_back import SAME
 from compwright.workflow.stages.decoded import DecodedState, judged
 from compwright.workflow.stages.inputs import JobInputs
-from compwright.workflow.stages.two_readers import probe_positions
+from compwright.workflow.stages.two_readers import table_positions
 
 PLAN = "plan.json"
 #: Folders of a result that a run replaces as a whole or fills: what lies there is what it makes,
@@ -203,7 +203,7 @@ def _acts_again(
         return False
     new = planned.fitted.compensation
     where = (
-        probe_positions(new.positions)
+        table_positions(new.positions, planned.axis.travel)
         if new.positions.size > 1
         else np.linspace(*planned.axis.travel, 11)
     )

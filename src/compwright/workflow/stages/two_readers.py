@@ -135,3 +135,16 @@ def probe_positions(nodes: FloatArray) -> FloatArray:
         [nodes[0] - 0.7 * step, nodes[0] - 3 * step, nodes[-1] + 0.7 * step, nodes[-1] + 3 * step]
     )
     return np.concatenate([nodes, between, outside])
+
+
+def table_positions(nodes: FloatArray, travel: tuple[float, float]) -> FloatArray:
+    """Return positions at which a table of a plan says what acts: those of `probe_positions` over
+    its nodes and the travel.
+
+    Beyond both a plan's table only holds its ends, whatever the control does there (a PMAC's
+    repeats).
+    """
+    ends = np.concatenate([nodes, travel])
+    where = probe_positions(nodes)
+    inside = (where >= ends.min()) & (where <= ends.max())
+    return np.concatenate([where[inside], travel])

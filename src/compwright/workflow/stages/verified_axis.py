@@ -33,7 +33,7 @@ from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.control import Control
 from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.judged_loading import judged_loading
-from compwright.workflow.stages.two_readers import probe_positions
+from compwright.workflow.stages.two_readers import table_positions
 
 
 def verified_axis(
@@ -208,12 +208,12 @@ def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
 
 def _compare_loaded(planned: PlannedAxis, read_back: DecodedState | None) -> tuple[Finding, ...]:
     """Compare what was read back from the control with the plan's table, by its correction over the
-    travel.
+    table and the travel.
     """
     if read_back is None or planned.fitted is None:
         return ()
     axis, table = planned.axis, planned.fitted.compensation
-    where = probe_positions(table.positions)
+    where = table_positions(table.positions, axis.travel)
     off = difference(table.at, correction_of(read_back, axis))
     worst = max(float(np.max(np.abs(off(where, direction)))) for direction in Direction)
     factor = outside_factor(axis.kind.unit)

@@ -29,6 +29,7 @@ from compwright.formats.families.wrapped.script import (
     over_itself,
     read_script,
 )
+from compwright.formats.families.wrapped.sending import left_to_the_order
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import text_reader
@@ -86,6 +87,7 @@ class _StateReader:
         raise_all(InputError, self.notes.faults)  # no text at all
         self.script = read_script(definition, files)
         self.notes.faults.extend(self.script.faults)
+        self.notes.faults.extend(left_to_the_order(self.script))
 
     def read(self) -> ControlState:
         """Return the state; raises as `read_wrapped`."""

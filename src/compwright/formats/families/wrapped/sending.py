@@ -1,0 +1,57 @@
+"""Whether it is known in which order scripts are sent, where that decides what acts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from compwright.formats.families.wrapped.script import Script, Word
+from compwright.foundations.errors import Fault
+
+_NAMES = {"enabled": "I51", "take_up_rate": "I{}85", "backlash": "I{}86"}
+
+
+def left_to_the_order(script: Script) -> Iterator[Fault]:
+    """Yield what another order of the scripts would leave otherwise, for scripts that were given by
+    their folder: its order is that of their names, and nobody sends them by name.
+    """
+    for (quantity, motor), words in script.settings.items():
+        name = _NAMES[quantity].format(motor)
+        yield from _other_ends(script, name, words, [word.text for word in words])
+    for (kind, motor), commands in _tables(script).items():
+        words, ends = [word for _, word in commands], [done for done, _ in commands]
+        yield from _other_ends(script, f"#{motor} {kind}", words, ends)
+
+
+def _tables(script: Script) -> Mapping[tuple[str, int], list[tuple[str, Word]]]:
+    """Return what is done with each table, by kind and motor: a deletion is one like any other, a
+    definition only like itself.
+    """
+    found: dict[tuple[str, int], list[tuple[str, Word]]] = {}
+    for number, (command, motor, word) in enumerate(script.commands):
+        done, _, kind = command.partition(" ")
+        if kind in ("COMP", "BLCOMP"):
+            told = done if done == "DELETE" else f"{done} {number}"
+            found.setdefault((kind, motor), []).append((told, word))
+    return found
+
+
+def _other_ends(
+    script: Script, name: str, words: Sequence[Word], ends: Sequence[str]
+) -> Iterator[Fault]:
+    """Yield a fault where the last of several ``words`` of ``name`` is the last only by the name of
+    its file; ``ends``: what each leaves.
+    """
+    folder = script.files[words[-1].number].folder
+    last_of = {word.number: (word, end) for word, end in zip(words, ends, strict=True)}
+    for number, (word, end) in last_of.items():
+        if folder and script.files[number].folder == folder and end != ends[-1]:
+            yield words[-1].fault(
+                f"{name}: {word.file}, line {word.line}, says {_shown(word)}, and what is sent last"
+                " counts: a folder has no order",
+                expected="the scripts named one by one, in the order in which they are sent",
+                found=_shown(words[-1]),
+            )
+
+
+def _shown(word: Word) -> str:
+    return " ".join(word.text.split())
