@@ -102,6 +102,9 @@ def _columns(machine: Machine, x: Floats, u: Floats) -> tuple[Floats, Floats]:
     add(noise.wave, np.sin(angle))
     add(noise.wave, np.cos(angle))
     add(noise.temperature, u[:, None])
+    if noise.memory:
+        for step in np.eye(2 * x.size * n):
+            add(1.0, machine.remembered(x.size, step))
     if noise.redrawn:
         add(noise.drift, machine.times(x.size))
         add(noise.expansion, machine.times(x.size) * u[:, None])

@@ -228,6 +228,21 @@ def _wave(rng: Generator) -> Machine:
     return loud(axis, wave=axis.noise.sigma * rng.uniform(0.5, 2), waves=float(rng.uniform(0.5, 3)))
 
 
+def _memory(least: float, most: float) -> Kind:
+    """Return the kind whose readings remember so many of those before them."""
+
+    def made(rng: Generator) -> Machine:
+        axis = plain(rng)
+        size = axis.noise.sigma * float(rng.uniform(0.5, 1.5))
+        return loud(axis, memory=size, memory_time=float(rng.uniform(least, most)))
+
+    return made
+
+
+kind("memory of a few readings")(_memory(1.5, 6))
+kind("memory of about a traverse")(_memory(10, 40))
+
+
 @kind("noise growing along the travel")
 def _growing(rng: Generator) -> Machine:
     return loud(plain(rng), growth=float(rng.uniform(1, 4)))

@@ -35,7 +35,9 @@ class Noise:
     1 + growth times as large at the high end. ``outlier_size`` in sigma, either sign. ``shift``
     and ``tilt`` (over the travel): drawn per traverse; ``walk``: step from a traverse to the next;
     ``run_shift``: drawn per run; ``off_share`` of the traverses lie ``off_size`` off, either side.
-    ``wave``: in time, ``waves`` of them in a test, amplitude and phase drawn per test.
+    ``wave``: in time, ``waves`` of them in a test, amplitude and phase drawn per test. ``memory``:
+    standard deviation of what decays from reading to reading as exp(-t / ``memory_time``), t in
+    readings.
     ``drift``, ``expansion`` (at the far end, none at the low one): grown from the first reading to
     the last, linear in time, the same in each test unless ``redrawn`` (then a standard deviation).
     ``warmup`` grows as 1 - exp(-t / ``warmup_time``), t = 1 at the end of the test; of it
@@ -57,6 +59,8 @@ class Noise:
     off_size: float = 0.0
     wave: float = 0.0
     waves: float = 1.0
+    memory: float = 0.0
+    memory_time: float = 1.0
     drift: float = 0.0
     expansion: float = 0.0
     redrawn: bool = False
@@ -163,7 +167,24 @@ class Machine:
             a, b = self.noise.wave * rng.standard_normal(2)
             angle = 2 * np.pi * self.noise.waves * self.times(u.size)
             drift = drift + a * np.sin(angle) + b * np.cos(angle)
+        if self.noise.memory:
+            steps = rng.standard_normal(2 * u.size * self.runs)
+            drift = drift + self.remembered(u.size, steps)
         return drift
+
+    def remembered(self, m: int, steps: Floats) -> Floats:
+        """What stays of earlier readings: a process of the first order in the order of the readings
+        (2, m, n), made of standard normal ``steps`` (2 m n,).
+        """
+        kept = float(np.exp(-1 / self.noise.memory_time))
+        series = np.empty_like(steps)
+        series[0] = steps[0]
+        for i in range(1, steps.size):
+            series[i] = kept * series[i - 1] + np.sqrt(1 - kept**2) * steps[i]
+        order = np.argsort(self.times(m).ravel())
+        found = np.empty_like(series)
+        found[order] = self.noise.memory * series
+        return found.reshape(2, m, self.runs)
 
     def in_time(self, u: Floats, drift: float, expansion: float) -> Floats:
         """What drift, expansion and warming up add to readings (2, m, n) at ``u`` (m,)."""

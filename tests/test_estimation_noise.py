@@ -16,7 +16,7 @@ from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.noise_readings import readings_of
 from compwright.estimation.noise_rounding import common_std, rounded_std, rounded_stds
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.noise import INDEPENDENT, RUNS
+from compwright.records.noise import INDEPENDENT, RUNS, WAVE
 from compwright.records.positioning import PositioningTest
 
 UM = 1e-3
@@ -180,6 +180,39 @@ def test_traverses_shifted_against_each_other_are_found(
     assert np.median(draws.sigma) == pytest.approx(UM, rel=0.15)
 
 
+def test_traverses_that_are_all_shifted_are_all_moved() -> None:
+    shifts = 2.0 * np.random.default_rng(8).standard_normal((2, 1, N))
+    draws = posterior(white(8) + shifts).draws
+    assert np.mean(draws.moved == 1.0) > 0.5
+
+
+def test_one_traverse_off_is_no_sign_that_all_of_them_move() -> None:
+    """One of ten by 4 µm: with Jeffreys' prior the share is Beta(3/2, 19/2), 0.14 on average; a
+    fresh test without any such traverse must be possible.
+    """
+    readings = white(8)
+    readings[0, :, 2] += 4.0
+    found = posterior(readings)
+    moving = found.fresh.offset > 0.0
+    assert np.mean(moving) > 0.95
+    assert np.median(found.fresh.moved[moving]) < 0.35
+    assert np.mean((1.0 - found.fresh.moved[moving]) ** (2 * N)) > 0.15
+    told = message(found, "CW-E022")
+    assert told.startswith("Single traverses stand off the others by ")
+    assert "run 3 in +: look at" in told
+
+
+def test_a_wave_in_time_is_neither_drift_nor_shifts() -> None:
+    """Two waves of 2 µm in the test, reading by reading in the order of the cycle."""
+    run, place = np.arange(N), np.arange(M)[:, np.newaxis] / M
+    time = np.stack([run + 0.5 * place, run + 1.0 - 0.5 * place]) / N
+    found = posterior(white(12) + 2.0 * np.sin(4.0 * np.pi * time + 1.0))
+    assert np.mean(found.draws.pattern == WAVE) > 0.9
+    assert inside(np.sqrt(2.0) * UM, found.draws.offset)
+    assert np.median(found.draws.sigma) == pytest.approx(UM, rel=0.15)
+    assert message(found, "CW-E022").startswith("The readings rise and fall slowly in time by ")
+
+
 def test_shifted_traverses_leave_the_means_in_doubt_together() -> None:
     """Offsets of 3 µm: the mean of five in one direction is unknown to 3/sqrt(5) µm, common to all
     targets; the contrasts say nothing of it.
@@ -188,7 +221,7 @@ def test_shifted_traverses_leave_the_means_in_doubt_together() -> None:
     found = posterior(white(9) + shifts)
     common = np.einsum("kcq,keq->kce", found.columns, found.columns)
     expected = found.draws.offset**2 / N
-    clear = found.draws.pattern == INDEPENDENT
+    clear = (found.draws.pattern == INDEPENDENT) & (found.draws.moved == 1.0)  # all of them
     assert np.count_nonzero(clear) > 10
     middle, other = M // 2, M + M // 2
     assert common[clear, middle, middle] == pytest.approx(expected[clear], rel=0.05)

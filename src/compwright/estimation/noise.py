@@ -19,11 +19,11 @@ import numpy as np
 from compwright.estimation.noise_cells import cell_means
 from compwright.estimation.noise_chain import WAYS, Chain, Draw
 from compwright.estimation.noise_findings import noise_findings
+from compwright.estimation.noise_patterns import RATES
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.noise_readings import Readings, readings_of
 from compwright.estimation.noise_rounding import rounded_stds
 from compwright.estimation.noise_tails import REACH, TAILS
-from compwright.estimation.noise_traverses import RATES
 from compwright.records.axis import FloatArray
 from compwright.records.noise import IndexArray, NoiseDraws
 from compwright.records.positioning import PositioningTest
@@ -96,6 +96,8 @@ def _noise(
         outlier_size=np.array([tail.size for tail in tails]),
         outlier_fixed=np.array([tail.fixed for tail in tails]),
         pattern=np.array([draw.pattern for draw in draws]),
+        pace=np.array([draw.pace for draw in draws]),
+        moved=np.array([draw.share for draw in draws]),
         offset=sizes[:, 0],
         tilt=sizes[:, 1],
         drift=drift[:, 0],

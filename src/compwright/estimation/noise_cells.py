@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.noise_chain import Draw
+from compwright.estimation.noise_patterns import OFFSET
 from compwright.estimation.noise_readings import Readings, at_traverses
 from compwright.estimation.noise_rounding import common_std, rounded_std
 from compwright.estimation.noise_tails import KINDS, NORMAL, TAILS, Tail
-from compwright.estimation.noise_traverses import OFFSET
 from compwright.records.axis import FloatArray
 
 #: Cells at which what is common to the means is told apart: places along the travel.

@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.cells import LEAST_NOISE
+from compwright.estimation.noise_moves import draw_share
+from compwright.estimation.noise_patterns import OFFSET, Sizes, patterns_of
 from compwright.estimation.noise_readings import (
     Readings,
     Reduced,
@@ -20,8 +22,9 @@ from compwright.estimation.noise_readings import (
 from compwright.estimation.noise_rounding import draw_unrounded, spread_out, step_of
 from compwright.estimation.noise_spread import draw_spread, powers_of, shapes_of
 from compwright.estimation.noise_tails import TAILS, Latent, chances_of, draw_latent
-from compwright.estimation.noise_traverses import Sizes, Traverses, patterns_of
+from compwright.estimation.noise_traverses import Traverses
 from compwright.records.axis import FloatArray
+from compwright.records.noise import WAVE, BoolArray
 from compwright.records.positioning import PositioningTest
 
 #: By how much the scale of a reading may change where its distribution is drawn.
@@ -39,10 +42,10 @@ class Draw:
     """One state of the sampler, mm or deg.
 
     ``sigma``: scale of a reading before it is rounded; ``spread``: how its logarithm follows
-    direction and waves;
-    ``tail``: place in `TAILS`; ``size`` (4,), ``pattern``, ``rate``: of the traverses (`Sizes`);
-    ``drift`` (2,). ``effects`` (k,) of the traverses, drift included, and their ``covariance``
-    given ``data`` of unit weight ``variance``. ``tails``, ``sigmas`` (`WAYS`,): members and scales
+    direction and waves; ``tail``: place in `TAILS`; ``size`` (4,), ``pattern``, ``pace``, ``moved``
+    (q,), ``rate``: of the traverses (`Sizes`), of whose offsets a ``share`` is there; ``drift``
+    (2,). ``effects`` (k,) of the traverses, drift included, and their ``covariance`` given ``data``
+    of unit weight ``variance``. ``tails``, ``sigmas`` (`WAYS`,): members and scales
     that were as likely as ``tail`` with its own. ``absent``, ``absent_spread``, ``tail_chances``:
     how probable each part was nothing, or each tail was the one; ``outlier`` (c, n): taken for one.
     """
@@ -53,6 +56,9 @@ class Draw:
     tails: NDArray[np.intp]
     sigmas: FloatArray
     pattern: int
+    pace: float
+    moved: BoolArray
+    share: float
     size: FloatArray
     drift: FloatArray
     rate: int
@@ -77,7 +83,8 @@ class Chain:
         self.powers = powers_of(self.shapes)
         self.floor = LEAST_NOISE[test.kind]
         self.dof = np.maximum(np.sum(readings.there, axis=1) - 1.0, 0.0)
-        self.sizes, self.spread, self.tail = Sizes(), np.zeros(len(self.shapes)), 0
+        moves = np.ones(2 * readings.runs, dtype=np.bool_)
+        self.sizes, self.spread, self.tail = Sizes(moves), np.zeros(len(self.shapes)), 0
         self.absent_spread = np.ones(len(self.shapes))
         self.values = readings.values
         self.begun = False
@@ -132,6 +139,9 @@ class Chain:
             tails=self.tails,
             sigmas=self.sigmas,
             pattern=self.sizes.pattern,
+            pace=self.sizes.pace,
+            moved=self.sizes.moved,
+            share=self._share(),
             size=self.sizes.size * np.sqrt(variance),
             drift=drift,
             rate=self.sizes.rate,
@@ -147,6 +157,12 @@ class Chain:
         effects = mean + np.sqrt(variance) * (root_of(covariance) @ rng.standard_normal(mean.size))
         self._draw_readings(values, at_traverses(self.readings, effects + drifting))
         return draw
+
+    def _share(self) -> float:
+        """Draw the share of offsets (steps) that are there; 1 where there are none, or a wave."""
+        if self.sizes.size[OFFSET] == 0.0 or self.sizes.pattern == WAVE:
+            return 1.0
+        return draw_share(self.sizes.moved, self.rng)
 
     def _as_read(self, data: Reduced, weights: FloatArray, shift: FloatArray) -> Reduced:
         """Return ``data`` with the means of the readings as they were read, less the ``shift`` (c,

@@ -12,15 +12,15 @@ from typing import Any, Final
 import numpy as np
 
 from compwright.estimation.noise_chain import Draw
+from compwright.estimation.noise_patterns import DRIFT, DRIFT_TILT, OFFSET, RATES, TILT
 from compwright.estimation.noise_readings import Readings, at_traverses
 from compwright.estimation.noise_spread import shapes_of
 from compwright.estimation.noise_tails import KINDS, NORMAL, OUTLIERS, STUDENT
-from compwright.estimation.noise_traverses import DRIFT, DRIFT_TILT, OFFSET, RATES, TILT
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import FloatArray
-from compwright.records.noise import INDEPENDENT, RUNS, WALK, IndexArray
+from compwright.records.noise import INDEPENDENT, RUNS, WALK, WAVE, IndexArray
 from compwright.records.positioning import PositioningTest
 
 #: Odds from which something is said: "strong" evidence (Kass and Raftery, J. Am. Stat. Assoc. 90,
@@ -30,6 +30,8 @@ CLEAR: Final = 20.0
 _SURE: Final = 1000.0
 #: Parts smaller than this, in standard deviations of a reading, change s by less than a tenth.
 _MATTERS: Final = 0.4
+#: Below this share of moves the others are the rule.
+_SELDOM: Final = 0.5
 _SHOWN: Final = 5
 #: So many outliers with a place or a traverse in common are no chance.
 _TOGETHER: Final = 3
@@ -40,7 +42,15 @@ _PATTERN_WORDS: Final = {
     INDEPENDENT: "Traverses are shifted against each other",
     RUNS: "Runs are shifted against each other as a whole",
     WALK: "The zero point wanders from traverse to traverse",
+    WAVE: "The readings rise and fall slowly in time",
 }
+#: The same where most stay where they are.
+_SELDOM_WORDS: Final = {
+    INDEPENDENT: "Single traverses stand off the others",
+    RUNS: "Single runs stand off the others as a whole",
+    WALK: "The zero point jumps now and then, and stays there,",
+}
+_AIR: Final = "look at the air of the hall (heating, cooling, drafts, sun)"
 
 
 def noise_findings(
@@ -78,9 +88,10 @@ def _drifts(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding]:
         yield Finding(
             code,
             "warning",
-            f"{message}. Whether a repeated test drifts so again, one test does not tell: the"
-            " prediction takes it for four times as likely as another drift of this size, either"
-            " way; warm the axis up and measure again to see it without",
+            f"{message}. The prediction takes it that a test repeated in the same way, from as cold"
+            " an axis, drifts so again, to about a tenth; one test does not tell: another drift, or"
+            " none because the axis is warm by then, lies outside of the band. Warm the axis up"
+            " and measure again to see it without",
         )
 
 
@@ -92,12 +103,17 @@ def _traverses(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding
     either = _odds(np.mean([not draw.size[[OFFSET, DRIFT]].any() for draw in draws]))
     if odds >= CLEAR and offset >= _MATTERS * sigma:
         pattern = int(np.argmax(np.bincount([draw.pattern for draw in draws])))
-        step = " a step" if pattern == WALK else ""
+        alike = [draw for draw in draws if draw.pattern == pattern]
+        seldom = _middle([draw.share for draw in alike]) < _SELDOM
+        words = (_SELDOM_WORDS if seldom else _PATTERN_WORDS)[pattern]
+        size = f"{_text(offset, test)}{' a step' if pattern == WALK and not seldom else ''}"
+        where = _standing_off(test, alike) if seldom and pattern == INDEPENDENT else ""
         yield Finding(
             "CW-E022",
             "warning",
-            f"{_PATTERN_WORDS[pattern]} by {_text(offset, test)}{step} (one standard deviation;"
-            f" {_told(odds)}): {_LOOK}. The prediction draws such shifts anew",
+            f"{words} by {size} (one standard deviation; {_told(odds)}){where}:"
+            f" {_AIR if pattern == WAVE else _LOOK}. The prediction draws such"
+            f" {'waves' if pattern == WAVE else 'shifts'} anew{', as seldom' if seldom else ''}",
         )
     elif either >= CLEAR > odds and not drifts:
         yield Finding(
@@ -115,6 +131,14 @@ def _traverses(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding
             f" {_text(tilt, test)} against its middle (one standard deviation; {_told(odds)}): look"
             " at the compensation of air and temperature of the instrument and at drafts",
         )
+
+
+def _standing_off(test: PositioningTest, draws: Sequence[Draw]) -> str:
+    """Return which traverses are moved in most of the draws, in words."""
+    m, runs = test.targets.size, draws[0].moved.size // 2
+    moved = np.flatnonzero(np.mean([draw.moved for draw in draws], axis=0) > 0.5)
+    told = [_traverse(test, m * int(k // runs), int(k % runs)) for k in moved]
+    return f", {' and '.join(told)}" if told else ""
 
 
 def _tails(test: PositioningTest, readings: Readings, draws: Sequence[Draw]) -> Iterator[Finding]:

@@ -11,108 +11,33 @@ standard deviation of a reading.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
-from compwright.estimation.noise_readings import Readings, Reduced
+from compwright.estimation.noise_moves import Evidence, draw_moved, drawn_from_prior
+from compwright.estimation.noise_patterns import (
+    DRIFT,
+    DRIFT_TILT,
+    FORM_SHARES,
+    OFFSET,
+    PACE_SHARES,
+    TILT,
+    Patterns,
+    Sizes,
+)
+from compwright.estimation.noise_readings import Reduced
 from compwright.records.axis import FloatArray
-from compwright.records.noise import WALK, progress, slackening, traverse_order
-from compwright.records.positioning import Cycle
 
-OFFSET, TILT, DRIFT, DRIFT_TILT = range(4)
 #: Prior probability that there is none of it.
 _NOTHING: Final = (0.85, 0.9, 0.85, 0.93)
 #: Scale of the half-Cauchy prior, in standard deviations of a reading.
 _USUAL: Final = (0.7, 0.7, 2.0, 2.0)
 #: Sizes from 0.03 to 360 standard deviations of a reading, by the root of 2.
 _GRID: Final = 0.03 * 2.0 ** (0.5 * np.arange(28))
-#: Prior of the patterns `INDEPENDENT`, `RUNS`, `WALK`.
-_PATTERNS: Final = np.array([0.55, 0.2, 0.25])
-#: Time constants of warming up, in parts of the test: none (even drift), a half, a fifth.
-RATES: Final = np.array([0.0, 2.0, 5.0])
-_PACES: Final = np.array([0.6, 0.2, 0.2])
 #: Natural logarithm of the evidence from which on the sampler begins with a drift (1000 to 1).
 _CLEARLY: Final = 7.0
-
-
-@dataclass(slots=True)
-class Sizes:
-    """Present state of the sampler: ``size`` (4,) of offset, tilt, drift, drift of the tilt, in
-    standard deviations of a reading; ``pattern`` and ``rate`` as in the record of the noise;
-    ``absent`` (4,): how probable it was, when last drawn, that there is none.
-    """
-
-    pattern: int = 0
-    rate: int = 0
-    size: FloatArray = field(default_factory=lambda: np.zeros(4))
-    absent: FloatArray = field(default_factory=lambda: np.ones(4))
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Patterns:
-    """Covariances of the effects (k,) of unit size: ``offset``, ``tilt`` (patterns, k, k), the two
-    drifts as columns ``drift``, ``drift_tilt`` (rates, k). ``walks``: time passes from run to run.
-    """
-
-    offset: FloatArray
-    tilt: FloatArray
-    drift: FloatArray
-    drift_tilt: FloatArray
-    walks: bool
-
-    def covariance(self, sizes: Sizes) -> FloatArray:
-        """Return that of offsets and tilts (k, k), in variances of a reading."""
-        total: FloatArray = (
-            sizes.size[OFFSET] ** 2 * self.offset[sizes.pattern]
-            + sizes.size[TILT] ** 2 * self.tilt[sizes.pattern]
-        )
-        return total
-
-    def columns(self, rate: int) -> FloatArray:
-        """Return what the two drifts do to the effects (k, 2), from the first run to the last."""
-        return np.column_stack([self.drift[rate], self.drift_tilt[rate]])
-
-
-def patterns_of(readings: Readings, cycle: Cycle, runs: tuple[int, int]) -> Patterns:
-    """Return the patterns of a test with ``runs`` in + and in -.
-
-    In a step cycle the approaches to a target follow each other at once: there is nothing that
-    drifts from run to run, and no walk.
-    """
-    n = readings.runs
-    order = np.full((2, n), 2 * n)  # a traverse that was not made stands last
-    for row, place in zip(order, traverse_order(*runs), strict=True):
-        row[: place.size] = place
-    # A random walk that is nothing in the middle of the test, as the record has it.
-    time = order.ravel() - float(sum(runs) // 2)
-    size = np.abs(time)
-    walk = 0.5 * (size[:, np.newaxis] + size - np.abs(np.subtract.outer(time, time)))
-    same = np.tile(np.eye(n), (2, 2))
-    blocks = np.stack([np.eye(2 * n), same, walk])
-    offset, tilt = np.zeros((2, len(blocks), 2, 2, n, 2, 2, n))
-    parts = blocks.reshape(-1, 2, n, 2, n)
-    offset[:, :, 0, :, :, 0] = parts
-    tilt[:, :, 1, :, :, 1] = parts
-    way = progress(n, RATES)
-    way = way - way.mean(axis=1, keepdims=True)
-    ends = slackening(n, RATES, np.array([-1.0, 1.0]), returns=min(runs) > 0)
-    drift, drift_tilt = np.zeros((2, len(RATES), 2, 2, n))
-    for direction, end in enumerate(ends):
-        # A straight line between the ends of the travel: the tilt that slackening adds.
-        even, uneven = end.mean(axis=1), 0.5 * (end[:, 1] - end[:, 0])
-        drift[:, direction, 0] = even[:, np.newaxis] * way
-        drift[:, direction, 1] = uneven[:, np.newaxis] * way
-        drift_tilt[:, direction, 1] = even[:, np.newaxis] * way
-    flat = (len(blocks), 4 * n, 4 * n)
-    return Patterns(
-        offset=offset.reshape(flat),
-        tilt=tilt.reshape(flat),
-        drift=drift.reshape(-1, 4 * n),
-        drift_tilt=drift_tilt.reshape(-1, 4 * n),
-        walks=cycle == "standard" and n > 1,
-    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,13 +60,15 @@ class Traverses:
         root = data.root
         self.patterns, self.data, self.dof = patterns, data, dof
         self.rest = data.rest + floor**2
-        self.offset = root.T @ patterns.offset @ root
+        self.moves = patterns.moves @ root
+        self.waves = root.T @ patterns.waves @ root
         self.tilt = root.T @ patterns.tilt @ root
         self.drift = patterns.drift @ root
         self.drift_tilt = patterns.drift_tilt @ root
-        self.known = len(_PATTERNS) if patterns.walks else WALK
+        self.known = patterns.known
         # By kind, beside nothing else: most of the time there is nothing else.
-        self.alone: dict[int, _Spectrum] = {}
+        self.alone: dict[tuple[int, bytes], _Spectrum] = {}
+        self.offset: tuple[bytes, FloatArray] | None = None
 
     def begin(self, sizes: Sizes) -> None:
         """Set ``sizes``, present state nothing, to those of drifts and of what moves beside them
@@ -152,22 +79,24 @@ class Traverses:
         """
         if not self.patterns.walks:
             return
-        moving, drifting = Sizes(), Sizes()
+        moving, drifting = Sizes(sizes.moved), Sizes(sizes.moved)
         for kind in (OFFSET, TILT):
             without = self._climb(moving, kind)
         for kind in (DRIFT, DRIFT_TILT, OFFSET, TILT, DRIFT, DRIFT_TILT):
             with_drift = self._climb(drifting, kind)
         if with_drift > without + _CLEARLY:
-            sizes.size, sizes.pattern, sizes.rate = drifting.size, drifting.pattern, drifting.rate
+            sizes.size, sizes.form, sizes.rate = drifting.size, drifting.form, drifting.rate
 
     def draw_sizes(self, sizes: Sizes, rng: np.random.Generator) -> None:
         """Draw every size of ``sizes`` anew, each given the others; pattern and rate with them."""
         for kind in (OFFSET, TILT):
-            sizes.pattern = self._draw(sizes, kind, _PATTERNS[: self.known], rng)
+            sizes.form = self._draw(sizes, kind, FORM_SHARES[: self.known], rng)
+            if kind == OFFSET:
+                self._draw_moved(sizes, rng)
         if not self.patterns.walks:
             return
         for kind in (DRIFT, DRIFT_TILT):
-            sizes.rate = self._draw(sizes, kind, _PACES, rng)
+            sizes.rate = self._draw(sizes, kind, PACE_SHARES, rng)
 
     def draw_variance(self, sizes: Sizes, rng: np.random.Generator) -> float:
         """Draw the variance of a reading, all effects integrated out: scaled inverse chi-square
@@ -209,11 +138,30 @@ class Traverses:
         return gain @ scores, prior - gain @ carried.T
 
     def _moving(self, sizes: Sizes) -> FloatArray:
-        total: FloatArray = (
-            sizes.size[OFFSET] ** 2 * self.offset[sizes.pattern]
-            + sizes.size[TILT] ** 2 * self.tilt[sizes.pattern]
-        )
+        total: FloatArray = sizes.size[TILT] ** 2 * self.tilt[sizes.form]
+        if sizes.size[OFFSET] > 0.0:
+            total = total + sizes.size[OFFSET] ** 2 * self._offset(sizes)[sizes.form]
         return total
+
+    def _offset(self, sizes: Sizes) -> FloatArray:
+        """Return the covariances (forms, r, r) of offsets of unit size in the scores."""
+        key = sizes.moved.tobytes()
+        if self.offset is None or self.offset[0] != key:
+            there = self.moves[:, sizes.moved]
+            alike = np.swapaxes(there, 1, 2) @ there
+            self.offset = key, np.concatenate([alike, self.waves])[: self.known]
+        return self.offset[1]
+
+    def _draw_moved(self, sizes: Sizes, rng: np.random.Generator) -> None:
+        """Draw which of the moves are there; by the prior alone where no reading tells of it."""
+        size = sizes.size[OFFSET]
+        if size == 0.0 or sizes.form >= len(self.moves):
+            sizes.moved = drawn_from_prior(sizes.moved.size, rng)
+            return
+        beside = np.eye(self.data.scores.size) + self._drifting(sizes)
+        beside += sizes.size[TILT] ** 2 * self.tilt[sizes.form]
+        evidence = Evidence(beside, self.data.scores, self.rest, self.dof)
+        sizes.moved = draw_moved(sizes.moved, size * self.moves[sizes.form], evidence, rng)
 
     def _drifting(self, sizes: Sizes) -> FloatArray:
         """Return the covariance (r, r) of the drifts in the scores, for the present rate."""
@@ -255,7 +203,7 @@ class Traverses:
         form, place = np.unravel_index(int(np.argmax(np.round(logs, 6))), logs.shape)
         sizes.size[kind] = grid[place]
         if kind in (OFFSET, TILT):
-            sizes.pattern = int(form)
+            sizes.form = int(form)
         else:
             sizes.rate = int(form)
         return float(logs[form, place])
@@ -265,8 +213,9 @@ class Traverses:
         Computations, 4th ed. 2013, section 8.7: simultaneous diagonalisation).
         """
         alone = not np.any(np.delete(sizes.size, kind))
-        if alone and kind in self.alone:
-            return self.alone[kind]
+        key = kind, sizes.moved.tobytes() if kind == OFFSET else b""
+        if alone and key in self.alone:
+            return self.alone[key]
         beside, mine = self._beside(sizes, kind)
         lower = np.linalg.cholesky(beside)
         right = np.linalg.solve(lower, mine)
@@ -279,7 +228,7 @@ class Traverses:
             along=np.squeeze(np.swapaxes(axes, 1, 2) @ white, -1),
         )
         if alone:
-            self.alone[kind] = found
+            self.alone[key] = found
         return found
 
     def _beside(self, sizes: Sizes, kind: int) -> tuple[FloatArray, FloatArray]:
@@ -288,9 +237,10 @@ class Traverses:
         """
         unit = np.eye(self.data.scores.size)
         if kind in (OFFSET, TILT):
-            mine, other = (self.offset, self.tilt) if kind == OFFSET else (self.tilt, self.offset)
-            rest = sizes.size[TILT - kind] ** 2 * other[: self.known]
-            return unit + self._drifting(sizes) + rest, mine[: self.known]
+            offset, tilt = self._offset(sizes), self.tilt[: self.known]
+            mine, other = (offset, tilt) if kind == OFFSET else (tilt, offset)
+            rest = sizes.size[TILT - kind] ** 2 * other
+            return unit + self._drifting(sizes) + rest, mine
         column, beside = (
             (self.drift, self.drift_tilt) if kind == DRIFT else (self.drift_tilt, self.drift)
         )

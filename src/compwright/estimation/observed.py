@@ -102,7 +102,8 @@ def cell_means(
 
 def traverse_columns(donor: NoiseDraws, positions: FloatArray, signs: FloatArray) -> FloatArray:
     """Return columns (n, c, 4) of unit variance: how one traverse in each direction is offset and
-    tilted. What moves both alike is the datum of the test and its slope.
+    tilted; what is there now and then by its root mean square. What moves both alike is the datum
+    of the test and its slope.
     """
     u = (positions - donor.centre) / donor.half
     up, down = signs > 0, signs < 0
@@ -111,7 +112,7 @@ def traverse_columns(donor: NoiseDraws, positions: FloatArray, signs: FloatArray
     second = np.where((donor.pattern == RUNS)[:, np.newaxis], 0.0, down)
     columns = [
         size[:, np.newaxis] * side * along
-        for size, along in ((donor.offset, np.ones_like(u)), (donor.tilt, u))
+        for size, along in ((donor.offset * np.sqrt(donor.moved), np.ones_like(u)), (donor.tilt, u))
         for side in (first, second)
     ]
     return np.stack(columns, axis=2)

@@ -10,20 +10,25 @@ from compwright.records.axis import FloatArray
 from compwright.records.noise import (
     RUNS,
     WALK,
+    WAVE,
     NoiseDraws,
     progress,
     slackening,
     traverse_order,
+    wave_effects,
     within_run,
 )
 
 _PLUS, _MINUS = range(2)
 #: Below this many degrees of freedom Student's law has readings without measure.
 _LEAST_DOF: Final = 1.0
-#: How probable a fresh test drifts as the first one did: one test does not tell. What warms an axis
-#: up is mostly its own motion, which the cycle repeats; a hall, or an axis that was warm already,
-#: is another one next time (ISO 230-2:1997, clause 3.3, wants neither in a test).
-_AGAIN: Final = 0.8
+#: Added to the unit variances of what a wave does, so that it has a root.
+_LEAST: Final = 1e-9
+#: By which part of it a fresh test drifts otherwise than the first one (standard deviation). Mostly
+#: an axis warms up by its own motion, and a repeated cycle brings the same heat: what differs is
+#: where it starts, by some 0.5 to 1 K in a hall that is fit for a test, of the 10 to 20 K by which
+#: a screw warms up (ISO 230-2:1997, clause 3.3, wants no drift in a test at all).
+_DIFFERS: Final = 0.05
 
 
 def fresh_noise(
@@ -36,13 +41,12 @@ def fresh_noise(
     """Return one fresh test for each of the draws: what its readings at ``targets`` (m,) add to the
     error of the axis, (count, m, positive) and (count, m, negative), mm or deg.
 
-    Scatter, tails, offsets and tilts of the traverses are drawn anew. Four tests in five drift as
-    the first one did, the fifth anew, of the same size either way, and its means differ by what
-    drifts within a run. Runs go up and down in turn (ISO 230-2, standard test cycle).
+    Scatter, tails, offsets and tilts of the traverses are drawn anew. Drift comes again as the
+    first test showed it, but for `_DIFFERS`; the means differ by so much of what drifts within a
+    run. Runs go up and down in turn (ISO 230-2, standard test cycle).
     """
     u = (targets - draws.centre) / draws.half
-    offsets = _traverse_effects(draws, draws.offset, positive, negative, rng)
-    tilts = _traverse_effects(draws, draws.tilt, positive, negative, rng)
+    offsets, tilts = _traverses(draws, positive, negative, rng)
     scale = draws.scale_at(targets)
     moved = np.flatnonzero((draws.offset != 0.0) | (draws.tilt != 0.0))
     blocks = []
@@ -52,7 +56,7 @@ def fresh_noise(
         turned = u[:, np.newaxis] * tilts[way][moved, np.newaxis]
         readings[moved] += offsets[way][moved, np.newaxis] + turned
         blocks.append(readings)
-    share = _fresh_share(draws.count, rng)
+    share = 1.0 + _DIFFERS * rng.standard_normal(draws.count)
     drifting = np.flatnonzero((draws.drift != 0.0) | (draws.drift_tilt != 0.0))
     drifts = _drifts(draws.taken(drifting), share[drifting], u, positive, negative)
     for block, drift in zip(blocks, drifts, strict=True):
@@ -84,26 +88,38 @@ def _drifts(
     return found[_PLUS], found[_MINUS]
 
 
-def _fresh_share(count: int, rng: np.random.Generator) -> FloatArray:
-    """Return by how much of the drift of its draw each fresh test drifts (count,): 1, or drawn anew
-    with a mean square of 1.
+def _traverses(
+    draws: NoiseDraws, positive: int, negative: int, rng: np.random.Generator
+) -> tuple[tuple[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]:
+    """Return offsets, then tilts, of the traverses in + (count, positive) and in - (count,
+    negative), by the pattern of each draw.
     """
-    again = rng.random(count) < _AGAIN
-    return np.where(again, 1.0, rng.standard_normal(count))
+    shape = draws.count, positive + negative
+    units = rng.standard_normal(shape) * (rng.random(shape) < draws.moved[:, np.newaxis])
+    offsets = _moved(draws, draws.offset, units, positive, negative)
+    tilts = _moved(draws, draws.tilt, rng.standard_normal(shape), positive, negative)
+    order = traverse_order(positive, negative)
+    signs = np.repeat([1.0, -1.0], [positive, negative])
+    for pace in np.unique(draws.pace[draws.pattern == WAVE]):
+        waved = np.flatnonzero((draws.pattern == WAVE) & (draws.pace == pace))
+        unit = wave_effects(np.concatenate(order), signs, positive + negative, float(pace))
+        unit = unit.reshape(2 * signs.size, -1)
+        unit.flat[:: unit.shape[0] + 1] += _LEAST  # a short traverse hardly has a tilt of its own
+        waves = rng.standard_normal((waved.size, unit.shape[0])) @ np.linalg.cholesky(unit).T
+        offset, tilt = np.split(draws.offset[waved, np.newaxis] * waves, 2, axis=1)
+        for way, part in ((_PLUS, slice(0, positive)), (_MINUS, slice(positive, None))):
+            offsets[way][waved] = offset[:, part]
+            tilts[way][waved] += tilt[:, part]
+    return offsets, tilts
 
 
-def _traverse_effects(
-    draws: NoiseDraws,
-    std: FloatArray,
-    positive: int,
-    negative: int,
-    rng: np.random.Generator,
+def _moved(
+    draws: NoiseDraws, std: FloatArray, unit: FloatArray, positive: int, negative: int
 ) -> tuple[FloatArray, FloatArray]:
     """Return an effect of standard deviation ``std`` (count,) for each traverse in + (count,
-    positive) and in -, by the pattern of each draw.
+    positive) and in -, made of ``unit`` (count, positive + negative) by the pattern of each draw.
     """
     order = traverse_order(positive, negative)
-    unit = rng.standard_normal((draws.count, positive + negative))
     walked, steps = np.cumsum(unit, axis=1), draws.pattern[:, np.newaxis]
     walked = walked - walked[:, [unit.shape[1] // 2]]  # set to nothing in the middle of the test
     blocks = []

@@ -14,8 +14,9 @@ from compwright.records.axis import FloatArray
 NoisePart = Literal["scatter", "tails", "growth", "traverses", "drift"]
 
 #: How offset and tilt of the traverses hang together: each drawn on its own; both traverses of a
-#: run alike (a new set-up between runs); or a random walk from traverse to traverse in time.
-INDEPENDENT, RUNS, WALK = range(3)
+#: run alike (a new set-up between runs); a random walk from traverse to traverse in time; or a
+#: wave in time, smooth within a traverse too (the air of the hall), which tilts it as well.
+INDEPENDENT, RUNS, WALK, WAVE = range(4)
 
 BoolArray = NDArray[np.bool_]
 IndexArray = NDArray[np.intp]
@@ -37,7 +38,9 @@ class NoiseDraws:
     a share ``outlier_share`` of all readings it has the scale ``outlier_size`` instead, or, where
     ``outlier_fixed``, lies on either side by ``outlier_size`` in addition.
     ``offset`` and ``tilt``: standard deviations of offset_jd and tilt_jd, drawn afresh for every
-    test, by ``pattern`` (`INDEPENDENT`, `RUNS`, `WALK`: then those of one step).
+    test, by ``pattern`` (`INDEPENDENT`, `RUNS`, `WALK`: then those of one step; `WAVE`: ``offset``
+    is that of the wave, whose correlation time is ``pace`` of the test, ``tilt`` each traverse's
+    own beside it). Only a share ``moved`` of the offsets (steps) is there, the others are nothing.
     ``drift``, ``drift_tilt``: what the test showed from its first run to its last, on the way p
     that `progress` gives for ``drift_rate``, with q from `slackening`. What drifts within a run
     (`within_run`) is the same in every run and part of the error curve.
@@ -52,6 +55,8 @@ class NoiseDraws:
     outlier_size: FloatArray
     outlier_fixed: BoolArray
     pattern: IndexArray
+    pace: FloatArray
+    moved: FloatArray
     offset: FloatArray
     tilt: FloatArray
     drift: FloatArray
@@ -77,6 +82,9 @@ class NoiseDraws:
         return scale
 
 
+#: Times within a traverse at which a wave is looked at.
+_WITHIN: Final = 4
+
 _ARRAYS: Final = tuple(
     field.name for field in fields(NoiseDraws) if field.name not in ("centre", "half")
 )
@@ -97,6 +105,8 @@ def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> N
         outlier_size=np.ones(sigma.shape),
         outlier_fixed=np.zeros(sigma.shape, dtype=np.bool_),
         pattern=np.zeros(sigma.shape, dtype=np.intp),
+        pace=np.ones(sigma.shape),
+        moved=np.ones(sigma.shape),
         offset=nothing,
         tilt=nothing,
         drift=nothing,
@@ -143,6 +153,27 @@ def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray
         np.where(plus < paired, 2 * plus, plus + paired),
         np.where(minus < paired, 2 * minus + 1, minus + paired),
     )
+
+
+def wave_effects(order: FloatArray, signs: FloatArray, count: int, pace: float) -> FloatArray:
+    """Return the covariance (2, k, 2, k) of the offsets and tilts that a wave of unit standard
+    deviation and correlation time ``pace``, in parts of the test, gives to k of its ``count``
+    traverses: those in the places ``order`` (k,) of time (from 0) and the directions ``signs``
+    (k,), 1 or -1.
+
+    The wave follows the air as a body with a time constant follows a first-order process of the
+    same one: the covariance (1 + a) exp(-a), a = √3 t / pace (Rasmussen and Williams, Gaussian
+    Processes for Machine Learning, 2006, equation 4.17). Offset and tilt are its first two Legendre
+    coefficients over the time of a traverse.
+    """
+    places, weights = np.polynomial.legendre.leggauss(_WITHIN)
+    half = 0.5 / count
+    times = ((order + 0.5) / count)[:, np.newaxis] + half * np.outer(signs, places)
+    apart = np.sqrt(3.0) / pace * np.abs(np.subtract.outer(times, times))
+    shapes = np.stack([0.5 * weights, 1.5 * weights * places])
+    covariance = (1.0 + apart) * np.exp(-apart)
+    found: FloatArray = np.einsum("ap,ipjq,bq->aibj", shapes, covariance, shapes)
+    return found
 
 
 def progress(runs: int, rate: FloatArray) -> FloatArray:

@@ -1,0 +1,93 @@
+"""Which traverses, runs or steps are moved at all: every one, or only some of them.
+
+A mounting that creeps moves every traverse; a knock, a chip or a reference run that missed its mark
+moves one now and then. Moves that are there are normal, the others nothing (Mitchell and Beauchamp,
+J. Am. Stat. Assoc. 83, 1988); the share that is there is one, or has the prior of Jeffreys.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from math import exp, lgamma, log, pi
+from typing import Final
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+from compwright.records.noise import BoolArray
+
+#: Prior probability that every one is moved: neither is more usual.
+_ALL: Final = 0.5
+#: Of the share that is moved where it is not all of them: Beta(1/2, 1/2) (Jeffreys, Theory of
+#: Probability, 3rd ed. 1961, section 3.10).
+_HALF: Final = 0.5
+
+
+@dataclass(slots=True)
+class Evidence:
+    """What ``scores`` (r,) say of their covariance ``matrix`` (r, r), in an unknown variance with
+    ``dof`` degrees of freedom that leaves the sum of squares ``rest`` beside them.
+    """
+
+    matrix: FloatArray
+    scores: FloatArray
+    rest: float
+    dof: int
+
+
+def drawn_from_prior(count: int, rng: np.random.Generator) -> BoolArray:
+    """Return which of ``count`` moves there might be when no reading tells."""
+    every, share, chances = rng.random() < _ALL, rng.beta(_HALF, _HALF), rng.random(count)
+    return np.ones(count, dtype=np.bool_) if every else chances < share
+
+
+def draw_share(moved: BoolArray, rng: np.random.Generator) -> float:
+    """Draw the share of moves that are there, given which of them were (count,)."""
+    there, count = int(np.count_nonzero(moved)), moved.size
+    some = (1.0 - _ALL) * exp(_log_chance(there, count))
+    every = _ALL if there == count else 0.0
+    chance, share = rng.random(), rng.beta(there + _HALF, count - there + _HALF)
+    return 1.0 if chance * (every + some) < every else float(share)
+
+
+def draw_moved(
+    moved: BoolArray, moves: FloatArray, evidence: Evidence, rng: np.random.Generator
+) -> BoolArray:
+    """Draw which of ``moves`` (q, r), standard deviations in the scores, are there, one after the
+    other given the others (George and McCulloch, J. Am. Stat. Assoc. 88, 1993), ``moved`` (q,)
+    being so now; the variance of a reading is integrated out.
+    """
+    drawn = moved.copy()
+    there = moves[moved]
+    inverse = np.linalg.inv(evidence.matrix + there.T @ there)
+    solved = inverse @ evidence.scores
+    square = evidence.rest + float(evidence.scores @ solved)
+    prior, chances = _log_priors(moved.size), rng.random(moved.size)
+    for k, move in enumerate(moves):
+        side = inverse @ move
+        way = -1.0 if drawn[k] else 1.0
+        stretch = max(1.0 + way * float(move @ side), 1e-12)
+        other = square - way * float(move @ solved) ** 2 / stretch
+        gain = -0.5 * (log(stretch) + evidence.dof * log(other / square))
+        beside = int(np.count_nonzero(drawn)) - int(drawn[k])
+        odds = prior[beside + 1] - prior[beside] + way * gain
+        wanted = bool(chances[k] * (1.0 + exp(-min(max(odds, -500.0), 500.0))) < 1.0)
+        if wanted != drawn[k]:
+            drawn[k] = wanted
+            solved = solved - way * side * (float(move @ solved) / stretch)
+            inverse = inverse - (way / stretch) * np.outer(side, side)
+            square = other
+    return drawn
+
+
+@cache
+def _log_priors(count: int) -> tuple[float, ...]:
+    """Return the log prior probability that just the first k of ``count`` moves are there, by k."""
+    some = [log(1.0 - _ALL) + _log_chance(there, count) for there in range(count)]
+    return *some, log(_ALL + (1.0 - _ALL) * exp(_log_chance(count, count)))
+
+
+def _log_chance(there: int, count: int) -> float:
+    """Return log B(k + 1/2, n - k + 1/2) - log B(1/2, 1/2): k of n under Jeffreys' prior."""
+    return lgamma(there + _HALF) + lgamma(count - there + _HALF) - lgamma(count + 1.0) - log(pi)

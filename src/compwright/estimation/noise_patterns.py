@@ -1,0 +1,159 @@
+"""How traverses may move: patterns of their offsets and tilts, and of what drifts with the runs.
+
+Effects of the traverses are normal with a covariance that is a sum of known patterns with unknown
+sizes (linear mixed model: Searle, Casella and McCulloch, Variance Components, 1992, chapter 6).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.noise_readings import Readings
+from compwright.records.axis import FloatArray
+from compwright.records.noise import (
+    WALK,
+    WAVE,
+    BoolArray,
+    progress,
+    slackening,
+    traverse_order,
+    wave_effects,
+)
+from compwright.records.positioning import Cycle
+
+OFFSET, TILT, DRIFT, DRIFT_TILT = range(4)
+#: Correlation times of waves, in parts of the test: one that is shorter than a traverse is scatter,
+#: one as long as the test is a drift.
+PACES: Final = np.array([0.1, 0.2, 0.4])
+#: Prior of the forms of offsets: the patterns `INDEPENDENT`, which is the most usual, `RUNS`,
+#: `WALK`, and `WAVE` by pace.
+FORM_SHARES: Final = np.array([0.45, 0.15, 0.2, 0.2 / 3, 0.2 / 3, 0.2 / 3])
+#: Time constants of warming up, in parts of the test: none (even drift), a half, a fifth.
+RATES: Final = np.array([0.0, 2.0, 5.0])
+PACE_SHARES: Final = np.array([0.6, 0.2, 0.2])
+
+
+@dataclass(slots=True)
+class Sizes:
+    """Present state of the sampler: ``size`` (4,) of offset, tilt, drift, drift of the tilt, in
+    standard deviations of a reading; ``form``: place in `FORM_SHARES`; ``moved`` (q,): which of
+    the moves of `Patterns` are there; ``rate``: place in `RATES`; ``absent`` (4,): how probable it
+    was, when last drawn, that there is none.
+    """
+
+    moved: BoolArray
+    form: int = 0
+    rate: int = 0
+    size: FloatArray = field(default_factory=lambda: np.zeros(4))
+    absent: FloatArray = field(default_factory=lambda: np.ones(4))
+
+    @property
+    def pattern(self) -> int:
+        """Pattern as in the record of the noise."""
+        return min(self.form, WAVE)
+
+    @property
+    def pace(self) -> float:
+        """Correlation time of the wave, in parts of the test; 1 where it is none."""
+        return float(PACES[self.form - WAVE]) if self.form >= WAVE else 1.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Patterns:
+    """What effects (k,) of unit size are made of: ``moves`` (3, q, k), one row for what moves a
+    traverse, a run, or all from one traverse on; ``waves`` (paces, k, k), ``tilt`` (forms, k, k)
+    covariances; the two drifts as columns ``drift``, ``drift_tilt`` (rates, k). ``walks``: time
+    passes from run to run.
+    """
+
+    moves: FloatArray
+    waves: FloatArray
+    tilt: FloatArray
+    drift: FloatArray
+    drift_tilt: FloatArray
+    walks: bool
+
+    @property
+    def known(self) -> int:
+        """Number of forms that there can be."""
+        return len(FORM_SHARES) if self.walks else WALK
+
+    def covariance(self, sizes: Sizes) -> FloatArray:
+        """Return that of offsets and tilts (k, k), in variances of a reading."""
+        if sizes.form < WAVE:
+            there = self.moves[sizes.form, sizes.moved]
+            offset = there.T @ there
+        else:
+            offset = self.waves[sizes.form - WAVE]
+        total: FloatArray = (
+            sizes.size[OFFSET] ** 2 * offset + sizes.size[TILT] ** 2 * self.tilt[sizes.form]
+        )
+        return total
+
+    def columns(self, rate: int) -> FloatArray:
+        """Return what the two drifts do to the effects (k, 2), from the first run to the last."""
+        return np.column_stack([self.drift[rate], self.drift_tilt[rate]])
+
+
+def patterns_of(readings: Readings, cycle: Cycle, runs: tuple[int, int]) -> Patterns:
+    """Return the patterns of a test with ``runs`` in + and in -.
+
+    In a step cycle the approaches to a target follow each other at once: there is nothing that
+    drifts from run to run, no walk and no wave.
+    """
+    n = readings.runs
+    order = np.full((2, n), 2 * n)  # a traverse that was not made stands last
+    for row, place in zip(order, traverse_order(*runs), strict=True):
+        row[: place.size] = place
+    moves = _moves(order, sum(runs) // 2)
+    flat = moves.reshape(len(moves), 2 * n, 2, n)
+    offset, tilt = np.zeros((2, len(moves), 2 * n, 2, 2, n))
+    offset[:, :, :, 0] = flat
+    tilt[:, :, :, 1] = flat
+    signs = np.repeat([1.0, -1.0], n)
+    waves = [wave_effects(order.ravel().astype(float), signs, sum(runs), pace) for pace in PACES]
+    # By direction, offset before tilt, run.
+    parts = np.stack(waves).reshape(-1, 2, 2, n, 2, 2, n).transpose(0, 2, 1, 3, 5, 4, 6)
+    rows = tilt.reshape(len(moves), 2 * n, 4 * n)
+    turned = np.swapaxes(rows, 1, 2) @ rows
+    drift, drift_tilt = _drifts(n, returns=min(runs) > 0)
+    return Patterns(
+        moves=offset.reshape(rows.shape),
+        waves=parts.reshape(-1, 4 * n, 4 * n),
+        tilt=np.concatenate([turned, np.repeat(turned[:1], len(PACES), axis=0)]),
+        drift=drift,
+        drift_tilt=drift_tilt,
+        walks=cycle == "standard" and n > 1,
+    )
+
+
+def _moves(order: FloatArray, middle: int) -> FloatArray:
+    """Return what each move of unit size does to the traverses, whose places in time are ``order``
+    (2, n): (3, 2n, 2n) by pattern. A random walk is nothing at the ``middle`` of the test, as the
+    record has it.
+    """
+    n = order.shape[1]
+    runs = np.zeros((2 * n, 2 * n))
+    runs[:n] = np.tile(np.eye(n), 2)
+    time = order.ravel() - middle
+    step = np.arange(2 * n)[:, np.newaxis] - middle + 0.5  # halfway to the next traverse
+    walk = np.where(step > 0.0, time > step, -1.0 * (time < step))
+    return np.stack([np.eye(2 * n), runs, walk])
+
+
+def _drifts(runs: int, *, returns: bool) -> tuple[FloatArray, FloatArray]:
+    """Return what drift and drift of the tilt do to the effects, (rates, 4 runs) each."""
+    way = progress(runs, RATES)
+    way = way - way.mean(axis=1, keepdims=True)
+    ends = slackening(runs, RATES, np.array([-1.0, 1.0]), returns=returns)
+    drift, drift_tilt = np.zeros((2, len(RATES), 2, 2, runs))
+    for direction, end in enumerate(ends):
+        # A straight line between the ends of the travel: the tilt that slackening adds.
+        even, uneven = end.mean(axis=1), 0.5 * (end[:, 1] - end[:, 0])
+        drift[:, direction, 0] = even[:, np.newaxis] * way
+        drift[:, direction, 1] = uneven[:, np.newaxis] * way
+        drift_tilt[:, direction, 1] = even[:, np.newaxis] * way
+    return drift.reshape(-1, 4 * runs), drift_tilt.reshape(-1, 4 * runs)

@@ -1,0 +1,89 @@
+"""Which traverses are moved: against a count of all that might be, and against tables."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+import pytest
+
+from compwright.estimation.noise_moves import Evidence, draw_moved, draw_share, drawn_from_prior
+from compwright.records.axis import FloatArray
+from compwright.records.noise import wave_effects
+
+MOVES = 4
+
+
+def jeffreys(there: int, count: int) -> float:
+    """Chance that just these ``there`` of ``count`` happen, by numerical integration over the
+    share: its prior is even in arcsin(sqrt(share)).
+    """
+    angles = (np.arange(2000) + 0.5) / 2000 * np.pi / 2
+    share = np.sin(angles) ** 2
+    return float(np.mean(share**there * (1.0 - share) ** (count - there)))
+
+
+def chance_of(
+    moved: tuple[int, ...], moves: FloatArray, scores: FloatArray, rest: float, dof: int
+) -> float:
+    """Posterior, up to a factor, of a set of moves: its prior times the density of the scores, the
+    variance integrated out (Student's, by the determinant and the quadratic form as they stand).
+    """
+    there = moves[np.array(moved, dtype=bool)]
+    matrix = np.eye(scores.size) + there.T @ there
+    square = rest + scores @ np.linalg.inv(matrix) @ scores
+    prior = 0.5 * jeffreys(sum(moved), MOVES) + 0.5 * (sum(moved) == MOVES)
+    return float(prior * np.linalg.det(matrix) ** -0.5 * square ** (-0.5 * dof))
+
+
+def test_each_set_of_moves_is_drawn_as_often_as_it_is_probable() -> None:
+    """16 sets, 4000 sweeps that depend on each other little: three standard errors of 2000."""
+    rng = np.random.default_rng(5)
+    moves = 1.2 * rng.standard_normal((MOVES, 3))
+    scores, rest, dof = np.array([1.5, -0.5, 2.0]), 20.0, 24
+    known = {
+        each: chance_of(each, moves, scores, rest, dof) for each in product((0, 1), repeat=MOVES)
+    }
+    total = sum(known.values())
+    evidence = Evidence(np.eye(3), scores, rest, dof)
+    state = np.ones(MOVES, dtype=np.bool_)
+    counts = dict.fromkeys(known, 0)
+    for _ in range(4000):
+        state = draw_moved(state, moves, evidence, rng)
+        counts[tuple(state.astype(int).tolist())] += 1
+    for each, weight in known.items():
+        chance = weight / total
+        assert counts[each] / 4000 == pytest.approx(
+            chance, abs=3.0 * np.sqrt(chance * (1.0 - chance) / 2000) + 1e-3
+        )
+
+
+def test_share_that_is_moved_before_and_after_a_test() -> None:
+    """Before: all in half of the cases and, of the others, in C(20, 10) / 4^10 = 0.176 for ten
+    (arcsine law: Feller, An Introduction to Probability Theory, volume 1, 3rd ed. 1968, chapter
+    III.4). After all ten were: all of them in 0.5 / 0.588. After one: Beta(1.5, 9.5), mean 3/22.
+    """
+    rng = np.random.default_rng(6)
+    every = np.mean([np.all(drawn_from_prior(10, rng)) for _ in range(4000)])
+    assert every == pytest.approx(0.588, abs=0.031)
+    ones = np.ones(10, dtype=np.bool_)
+    assert np.mean([draw_share(ones, rng) == 1.0 for _ in range(4000)]) == pytest.approx(
+        0.85, abs=0.023
+    )
+    shares = [draw_share(np.arange(10) == 3, rng) for _ in range(4000)]
+    assert np.mean(shares) == pytest.approx(3.0 / 22.0, abs=0.0063)
+
+
+@pytest.mark.parametrize("pace", [0.1, 0.4])
+def test_a_wave_moves_a_traverse_as_the_sum_over_its_readings_says(pace: float) -> None:
+    """Straight lines fitted by least squares to 200 readings of each traverse of such a process:
+    its covariance multiplied out.
+    """
+    m, order, signs = 200, np.array([0.0, 3.0]), np.array([1.0, -1.0])
+    u = (np.arange(m) + 0.5) / m * 2.0 - 1.0
+    times = ((order + 0.5) / 4.0)[:, np.newaxis] + 0.125 * np.outer(signs, u)
+    apart = np.sqrt(3.0) * np.abs(np.subtract.outer(times.ravel(), times.ravel())) / pace
+    covariance = ((1.0 + apart) * np.exp(-apart)).reshape(2, m, 2, m)
+    lines = np.linalg.pinv(np.column_stack([np.ones(m), u]))
+    expected = np.einsum("ap,ipjq,bq->aibj", lines, covariance, lines)
+    assert wave_effects(order, signs, 4, pace) == pytest.approx(expected, abs=0.01)
