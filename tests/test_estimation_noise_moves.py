@@ -1,4 +1,4 @@
-"""Which traverses are moved: against a count of all that might be, and against tables."""
+"""How traverses are moved and which of them: against tables, sums and a count of all sets."""
 
 from __future__ import annotations
 
@@ -8,8 +8,11 @@ import numpy as np
 import pytest
 
 from compwright.estimation.noise_moves import Evidence, draw_moved, draw_share, drawn_from_prior
-from compwright.records.axis import FloatArray
-from compwright.records.noise import wave_effects
+from compwright.estimation.noise_patterns import Patterns, patterns_of
+from compwright.estimation.noise_readings import readings_of
+from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.noise import WALK, wave_effects
+from compwright.records.positioning import PositioningTest
 
 MOVES = 4
 
@@ -56,6 +59,45 @@ def test_each_set_of_moves_is_drawn_as_often_as_it_is_probable() -> None:
         assert counts[each] / 4000 == pytest.approx(
             chance, abs=3.0 * np.sqrt(chance * (1.0 - chance) / 2000) + 1e-3
         )
+
+
+@pytest.fixture(scope="module")
+def patterns() -> Patterns:
+    """Of five targets, three runs up and down in turn."""
+    targets, readings = np.linspace(0.0, 400.0, 5), np.zeros((5, 3))
+    test = PositioningTest(
+        name="x",
+        axis="X",
+        kind=AxisKind.LINEAR,
+        targets=targets,
+        positive=readings,
+        negative=readings,
+        runs_positive=(1, 2, 3),
+        runs_negative=(1, 2, 3),
+        frame="machine",
+    )
+    return patterns_of(readings_of(test), "standard", (3, 3))
+
+
+def test_steps_of_the_zero_point_make_a_random_walk_from_the_middle(patterns: Patterns) -> None:
+    """Brownian motion either way: the covariance is the smaller of the two times, or nothing.
+    Traverses + at -3, -1, 1 from the middle of the test, - at -2, 0, 2; no step tilts anything.
+    """
+    steps = patterns.moves[WALK].reshape(6, 2, 2, 3)
+    assert not np.any(steps[:, :, 1])
+    found = np.einsum("sij,skl->ijkl", steps[:, :, 0], steps[:, :, 0]).reshape(6, 6)
+    times = np.array([-3.0, -1.0, 1.0, -2.0, 0.0, 2.0])
+    alike = np.multiply.outer(times, times) > 0.0
+    assert found == pytest.approx(alike * np.minimum.outer(np.abs(times), np.abs(times)))
+
+
+def test_a_wave_that_rises_on_the_way_up_rises_on_the_way_down(patterns: Patterns) -> None:
+    """Its tilt along the travel turns with the direction; what rises in + lies higher in -."""
+    waves = patterns.waves[-1].reshape(2, 2, 3, 2, 2, 3)
+    up, down = (0, 1, 1), (1, 1, 1)
+    assert waves[(*up, *down)] < 0.0
+    assert waves[(*up, 1, 0, 1)] - waves[(*up, 0, 0, 1)] > 0.0
+    assert waves[(*down, 1, 0, 1)] - waves[(*down, 0, 0, 1)] < 0.0
 
 
 def test_share_that_is_moved_before_and_after_a_test() -> None:

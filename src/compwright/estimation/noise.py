@@ -3,10 +3,10 @@
     reading = mean of its cell + offset and tilt of its traverse + drift with the runs + error
 
 Errors are normal, Student's, or have outliers; their scale may differ by direction and along the
-travel. Traverses move each on its own, by runs, or in a random walk. Every part may be nothing, and
-most of the prior probability says so; what the readings show decides how far it is believed. Drawn
-by Gibbs sampling (Geman and Geman, IEEE Trans. Pattern Anal. 6, 1984), with everything normal
-integrated out where its size is drawn.
+travel. Traverses move each on its own, by runs, or in a random walk, all of them or only some; or
+in a wave in time. Every part may be nothing, and most of the prior probability says so; what the
+readings show decides how far it is believed. Drawn by Gibbs sampling (Geman and Geman, IEEE Trans.
+Pattern Anal. 6, 1984), with everything normal integrated out where its size is drawn.
 """
 
 from __future__ import annotations

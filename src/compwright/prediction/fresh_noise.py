@@ -25,9 +25,10 @@ _LEAST_DOF: Final = 1.0
 #: Added to the unit variances of what a wave does, so that it has a root.
 _LEAST: Final = 1e-9
 #: By which part of it a fresh test drifts otherwise than the first one (standard deviation). Mostly
-#: an axis warms up by its own motion, and a repeated cycle brings the same heat: what differs is
-#: where it starts, by some 0.5 to 1 K in a hall that is fit for a test, of the 10 to 20 K by which
-#: a screw warms up (ISO 230-2:1997, clause 3.3, wants no drift in a test at all).
+#: an axis warms up by its own motion, and the same cycle brings the same heat; what differs is the
+#: temperature at which it starts and how freely it runs. A judgement, for which no source gives a
+#: figure: a start 1 K beside the last one, where 20 K would be the way to the steady state. Another
+#: drift altogether is no part of it: ISO 230-2:1997, clause 3.3, wants none in a test.
 _DIFFERS: Final = 0.05
 
 
