@@ -3,8 +3,10 @@
 fixed seeds.
 
 Circles are looked at in the tests of the reporting room, of the examples and of the plots that
-`evaluate` writes. Most of the time of a run is sampling. Where a measured axis or circle is only the way to a control's files, the same stages run with fewer sweeps
-and fewer fresh tests; what the estimate and the prediction say is tested where nothing is brief.
+`evaluate` writes. Most of the time of a run is sampling. Where a measured axis or circle is only the
+way to a control's files, the same stages run with fewer sweeps and fewer fresh tests; what the
+estimate and the prediction say is tested where nothing is brief. There, and in modules that say
+`pytest.mark.remembered`, the same readings are estimated once.
 Fixed seeds: a test fails every time or never; new cases are tried in ``benchmarks/``.
 
 No power fails while tests run: nothing waits until it is on the disk. Processes that tests start
@@ -19,10 +21,18 @@ from collections.abc import Iterator
 import pytest
 from hypothesis import settings
 
-from compwright.estimation import axis, noise
+from compwright.estimation import axis, likelihood, noise
 from compwright.foundations.processors import look_for_garbage_seldom
-from compwright.planning import circles, fresh, outlook, worth
+from compwright.planning import circles, fresh, misread, outlook, wanted, worth
 from frames import unpaint
+from remembered import remembered
+
+#: Where the planning asks for estimates, and the function that remembers them.
+_ESTIMATES = (
+    (wanted, "noise_of", remembered(noise.noise_of)),
+    (wanted, "estimate_axis", remembered(axis.estimate_axis)),
+    (misread, "log_likelihood", remembered(likelihood.log_likelihood)),
+)
 
 look_for_garbage_seldom()  # as every command does
 settings.register_profile("suite", derandomize=True, deadline=None)
@@ -68,4 +78,7 @@ def sampled(request: pytest.FixtureRequest) -> Iterator[None]:
                 patch.setattr(module, "DRAWS", 240)
             patch.setattr(circles, "DRAWS", 20)
             patch.setattr(worth, "_SIZES", 2)
+            patch.setattr(likelihood, "_DRAWS", 4)
+            for room, name, function in _ESTIMATES:
+                patch.setattr(room, name, function)
         yield
