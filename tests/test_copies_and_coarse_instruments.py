@@ -12,9 +12,9 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.evaluation.copies import same_runs_findings
-from compwright.instruments.reading import read_positioning
 from compwright.workflow.stages.inputs import read_measurement
 from loop import Floats, Machine, csv_of
+from one_test import read_positioning
 
 MACHINE = Machine(noise=0.0006)
 TARGETS = MACHINE.targets(count=17)

@@ -17,10 +17,10 @@ from compwright.evaluation.readings import (
     suspect_traverses,
 )
 from compwright.evaluation.standards import evaluate
-from compwright.instruments.reading import read_positioning
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
 from evaluation_samples import UM, axis_test, noisy, printed_table
+from one_test import read_positioning
 from places import REAL, STANDARD_TABLES, needs_shared
 
 

@@ -16,10 +16,10 @@ from hypothesis.extra.numpy import arrays
 
 from compwright.evaluation.standards import STANDARDS, evaluate
 from compwright.foundations.errors import InputError, UsageError
-from compwright.instruments.reading import read_positioning
 from compwright.records.axis import FloatArray
 from compwright.records.result import PositioningResult
 from evaluation_samples import UM, axis_test, printed_table
+from one_test import read_positioning
 from places import REAL, STANDARD_TABLES, needs_shared
 
 ISO = tuple(name for name, standard in STANDARDS.items() if standard.names[0] == "A")

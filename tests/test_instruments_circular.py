@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 
 from compwright.foundations.errors import InputError, UsageError
 from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
-from compwright.instruments.reading import read_positioning
 from compwright.records.circular import CircularTest
+from one_test import read_positioning
 
 HEAD = "# plane: XY\n# nominal_radius_mm: 150\n# feed_mm_min: 1000\n"
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from compwright.foundations.errors import InputError
-from compwright.instruments.reading import read_positioning
 from compwright.records.positioning import PositioningTest
 from laser_files import compensation_file, laser_file, mean_file
+from one_test import read_positioning
 
 TARGETS = (0.0, 100.5, 200.25, 300.75)
 BY_RUN = [(t, d, r) for r in (1, 2, 3) for d in "+-" for t in TARGETS]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from compwright.foundations.errors import InputError
-from compwright.instruments.reading import read_positioning
+from one_test import read_positioning
 from places import REAL, needs_shared
 
 

@@ -6,9 +6,9 @@ import pytest
 
 from compwright.foundations.errors import InputError
 from compwright.instruments.profile import Profile
-from compwright.instruments.reading import read_positioning
 from compwright.records.positioning import PositioningTest
 from laser_files import compensation_file, laser_file, mean_file
+from one_test import read_positioning
 
 FORWARD = [("0.000", "0.0000"), ("100.000", "0.0021"), ("200.000", "0.0034")]
 REVERSE = [("0.000", "-0.0030"), ("100.000", "-0.0011"), ("200.000", "0.0005")]

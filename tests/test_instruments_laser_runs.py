@@ -7,10 +7,10 @@ import pytest
 
 from compwright.foundations.errors import InputError
 from compwright.instruments.profile import Profile
-from compwright.instruments.reading import read_positioning
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
 from laser_files import laser_file
+from one_test import read_positioning
 
 TARGETS = ["0.0000", "100.2500", "200.0000", "300.1250", "400.0000", "500.0000"]
 #: Two cycles: run r, target i -> about 2 µm of lost motion and 1 µm per target.

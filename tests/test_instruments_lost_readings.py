@@ -12,9 +12,9 @@ import pytest
 from compwright.foundations.errors import InputError
 from compwright.instruments.circular_csv import read_circular_csv
 from compwright.instruments.profile import read_profile
-from compwright.instruments.reading import read_positioning
 from compwright.records.positioning import PositioningTest
 from laser_files import laser_file, mean_file
+from one_test import read_positioning
 from places import PROJECT
 from profile_samples import LONG as FOREIGN
 from profile_samples import LONG_PROFILE, WIDE, WIDE_PROFILE

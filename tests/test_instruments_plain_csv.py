@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from compwright.foundations.errors import InputError
-from compwright.instruments.reading import read_positioning
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.positioning import PositioningTest
+from one_test import read_positioning
 from places import STANDARD_TABLES, needs_shared
 
 LONG = "target_mm,direction,run,deviation_um\n"

@@ -7,9 +7,9 @@ import pytest
 from compwright.foundations.errors import InputError, UsageError
 from compwright.instruments.profile import read_profile
 from compwright.instruments.profile_of_file import proposed_profile
-from compwright.instruments.reading import read_positioning
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
+from one_test import read_positioning
 from profile_samples import LONG, LONG_PROFILE, WIDE, WIDE_PROFILE
 
 

@@ -7,8 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from compwright.foundations.errors import InputError
-from compwright.instruments.reading import read_positioning
 from compwright.records.positioning import PositioningTest
+from one_test import read_positioning
 
 LONG = (
     b"# axis: X\n# unit:"

@@ -11,8 +11,8 @@ import yaml
 from compwright.foundations.errors import InputError, UsageError
 from compwright.instruments.profile import read_profile
 from compwright.instruments.profile_of_file import Proposed, proposed_profile
-from compwright.instruments.reading import read_positioning
 from laser_files import laser_file
+from one_test import read_positioning
 from places import REAL, needs_shared
 
 ROWS = [("0", "{out}", "0.4"), ("100", "{out}", "2.1"), ("200", "{out}", "3.4")]

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from compwright.foundations.errors import InputError
-from compwright.instruments.reading import read_positioning
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
+from one_test import read_positioning
 from places import REAL, needs_shared
 
 COMPLETE = """# exported

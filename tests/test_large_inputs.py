@@ -23,7 +23,6 @@ from compwright.foundations.errors import InputError
 from compwright.instruments import assembling
 from compwright.instruments.header_words import difference_of, said_unit, unit_of, without_unit
 from compwright.instruments.profile_of_file import proposed_profile
-from compwright.instruments.reading import read_positioning
 from compwright.instruments.sections import Sections, header_of
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.circular import CircularRun
@@ -31,6 +30,7 @@ from compwright.records.correction import ControlFile
 from compwright.records.positioning import PositioningTest
 from compwright.workflow.stages.control import read_files
 from format_samples import DEFINITIONS
+from one_test import read_positioning
 
 
 def readings(targets: int, runs: int, seed: int = 1) -> tuple[FloatArray, FloatArray]:

@@ -22,10 +22,10 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.foundations.redaction import Cuts, Names, left_over
-from compwright.instruments.reading import read_positioning
 from compwright.instruments.redaction.plain import redacted_plain
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
+from one_test import read_positioning
 from places import REAL, needs_shared
 from redaction_cases import case, samples
 from redaction_samples import (

@@ -14,12 +14,12 @@ from hypothesis import strategies as st
 
 from compwright.cli import run
 from compwright.foundations.errors import InputError, UsageError
-from compwright.instruments.reading import read_positioning
 from compwright.records.axis import Direction, FloatArray
 from compwright.simulation.curves import RandomCurve
 from compwright.simulation.files import to_csv
 from compwright.simulation.machine import VirtualMachine
 from compwright.simulation.reading import read_machine
+from one_test import read_positioning
 
 PLUS, MINUS = Direction.POSITIVE, Direction.NEGATIVE
 UM = 1e-3  # mm

@@ -58,23 +58,6 @@ class _Read:
     faults: FaultList
 
 
-def read_positioning(content: bytes, file: str, profile: Profile | None = None) -> PositioningTest:
-    """Return the only test in ``content``; as `read_tests`. Raises InputError where there are
-    several.
-    """
-    tests = read_tests(content, file, profile)
-    if len(tests) > 1:
-        raise InputError(
-            Fault(
-                message="holds several tests",
-                file=file,
-                expected="one test",
-                found=", ".join(test.axis or test.name for test in tests),
-            )
-        )
-    return tests[0]
-
-
 def read_tests(
     content: bytes, file: str, profile: Profile | None = None
 ) -> tuple[PositioningTest, ...]:
