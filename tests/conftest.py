@@ -27,11 +27,14 @@ from compwright.planning import circles, fresh, misread, outlook, wanted, worth
 from frames import unpaint
 from remembered import remembered
 
-#: Where the planning asks for estimates, and the function that remembers them.
-_ESTIMATES = (
-    (wanted, "noise_of", remembered(noise.noise_of)),
-    (wanted, "estimate_axis", remembered(axis.estimate_axis)),
-    (misread, "log_likelihood", remembered(likelihood.log_likelihood)),
+#: Where the planning asks for estimates, and the function that remembers them: brief ones, others.
+_BRIEF, _WHOLE = (
+    (
+        (wanted, "noise_of", remembered(noise.noise_of)),
+        (wanted, "estimate_axis", remembered(axis.estimate_axis)),
+        (misread, "log_likelihood", remembered(likelihood.log_likelihood)),
+    )
+    for _ in range(2)
 )
 
 look_for_garbage_seldom()  # as every command does
@@ -69,8 +72,9 @@ def unpainted(request: pytest.FixtureRequest) -> Iterator[None]:
 @pytest.fixture(autouse=True, scope="module")
 def sampled(request: pytest.FixtureRequest) -> Iterator[None]:
     """Sample less where the estimate is only the way to something else."""
+    brief = request.node.get_closest_marker("brief")
     with pytest.MonkeyPatch.context() as patch:
-        if request.node.get_closest_marker("brief"):
+        if brief:
             patch.setattr(noise, "_SETTLING", 8)
             for module in (noise, axis):
                 patch.setattr(module, "_DRAWS", 12)
@@ -79,6 +83,7 @@ def sampled(request: pytest.FixtureRequest) -> Iterator[None]:
             patch.setattr(circles, "DRAWS", 20)
             patch.setattr(worth, "_SIZES", 2)
             patch.setattr(likelihood, "_DRAWS", 4)
-            for room, name, function in _ESTIMATES:
+        if brief or request.node.get_closest_marker("remembered"):
+            for room, name, function in _BRIEF if brief else _WHOLE:
                 patch.setattr(room, name, function)
         yield

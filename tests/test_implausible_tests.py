@@ -16,6 +16,8 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Floats, Machine, csv_of
 
+pytestmark = pytest.mark.remembered
+
 MACHINE = Machine(high=1200.0)
 
 

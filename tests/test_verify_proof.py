@@ -26,6 +26,8 @@ from compwright.workflow.stages.after_tests import read_again
 from compwright.workflow.stages.jobs import read_job_file
 from loop import Floats, Machine, csv_of
 
+pytestmark = pytest.mark.remembered
+
 MACHINE = Machine()
 TARGETS = MACHINE.targets(count=25)
 Readings = dict[int, Floats]
