@@ -8,6 +8,7 @@ import io
 import json
 import os
 import pickle
+import platform
 import signal
 import subprocess
 import sys
@@ -20,6 +21,7 @@ import pytest
 
 from compwright.cli import run
 from compwright.foundations.errors import CapacityError, Fault
+from compwright.foundations.processors import keep_free_memory
 from compwright.workflow.commands.run import run_job
 from compwright.workflow.stages.jobs import read_job_file
 
@@ -291,3 +293,49 @@ def test_work_on_an_axis_loads_neither_formats_nor_commands(tmp_path: Path) -> N
         if name.startswith(tuple(f"compwright.{room}" for room in NOT_NEEDED))
     ]
     assert not {"pydantic", "yaml", "click", "rich", "matplotlib", "jinja2.ext"} & set(loaded)
+
+
+# --- memory that is free again
+# --------------------------------------------------------------------------------------------------
+
+FAULTS = """
+import resource, sys
+from compwright.foundations.processors import keep_free_memory
+if sys.argv[1] == "kept":
+    keep_free_memory()
+blocks = lambda: [bytearray(5_000_000) for _ in range(4)]  # zeros: every page of them is written
+blocks()
+before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+for _ in range(20):
+    blocks()
+print(resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before)
+"""
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="another C library")
+def test_memory_that_is_free_again_is_not_got_from_the_system_anew() -> None:
+    faults = {
+        how: int(
+            subprocess.run(
+                [sys.executable, "-c", FAULTS, how],
+                env={**os.environ, "PYTHONPATH": str(SOURCE)},
+                capture_output=True,
+                check=True,
+            ).stdout
+        )
+        for how in ("kept", "given back")
+    }
+    assert faults["kept"] < 0.1 * faults["given back"]
+
+
+@pytest.mark.parametrize("system", ["win32", "darwin", "linux"])
+def test_where_the_c_library_cannot_be_told_nothing_happens(
+    system: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def no_such_library(_name: object) -> object:
+        assert system == "linux"
+        return object()  # without mallopt, as musl
+
+    monkeypatch.setattr(sys, "platform", system)
+    monkeypatch.setattr("ctypes.CDLL", no_such_library)
+    keep_free_memory()

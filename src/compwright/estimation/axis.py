@@ -120,13 +120,19 @@ class AxisPosterior:
         means: list[list[FloatArray]] = [[], []]
         variances = [np.zeros(where.size), np.zeros(where.size)]
         for part in self.parts:
-            size, made = part.basis.size, part.weights
+            size, split, made = part.basis.size, part.basis.mean_size, part.weights
             weights = np.array([each.mean[:size] for each in made])
-            covariance = sum(each.root[:size] @ each.root[:size].T for each in made)
-            local = sum(each.local for each in made)
-            for side, rows in enumerate(part.basis.design(where)):
-                means[side].append(weights @ rows.T)
-                variances[side] += (np.sum((rows @ covariance) * rows, axis=1) + local) / count
+            covariance = np.sum([each.root[:size] @ each.root[:size].T for each in made], axis=0)
+            mean, half = part.basis.halves(where)
+            curve, reversal = weights[:, :split] @ mean.T, weights[:, split:] @ half.T
+            # Variance of mean ± half, from what both directions share: the grid is fine.
+            both = sum(each.local for each in made)
+            both += np.sum((mean @ covariance[:split, :split]) * mean, axis=1)
+            both += np.sum((half @ covariance[split:, split:]) * half, axis=1)
+            cross = 2.0 * np.sum((mean @ covariance[:split, split:]) * half, axis=1)
+            for side, sign in enumerate((1.0, -1.0)):
+                means[side].append(curve + sign * reversal)
+                variances[side] += (both + sign * cross) / count
         return [np.vstack(each) for each in means], variances
 
     def draw(

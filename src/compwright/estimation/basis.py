@@ -75,6 +75,16 @@ class Basis:
         (k,), mm or deg. Deviation in direction d = f + d r / 2, because B_i = mean(+) - mean(-)
         (ISO 230-2:1997, 2.12).
         """
+        mean, half_reversal = self.halves(positions)
+        if not self.bidirectional:
+            return mean, mean
+        return np.hstack([mean, half_reversal]), np.hstack([mean, -half_reversal])
+
+    def halves(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return what both directions have in common, (k, mean_size), and what the positive one has
+        in addition and the negative one less, (k, size - mean_size), at ``positions`` (k,), mm or
+        deg.
+        """
         u = (positions - self.centre) / self.half
         slope = u if self.turn is None else np.zeros_like(u)
         columns = [np.ones_like(u), slope, *self._waves(u, self.sines)]
@@ -84,11 +94,10 @@ class Basis:
                 columns += [np.cos(angle), np.sin(angle)]
         mean = np.column_stack(columns)
         if not self.bidirectional:
-            return mean, mean
-        half_reversal = 0.5 * np.column_stack(
+            return mean, np.empty((u.size, 0))
+        return mean, 0.5 * np.column_stack(
             [np.ones_like(u), slope, *self._waves(u, self.reversal_sines)]
         )
-        return np.hstack([mean, half_reversal]), np.hstack([mean, -half_reversal])
 
     def _frequencies(self, count: int) -> FloatArray:
         if self.turn is None:

@@ -13,7 +13,11 @@ from threading import Lock, Thread
 from typing import Final, Generic, TypeVar
 
 from compwright.foundations.errors import CompwrightError
-from compwright.foundations.processors import look_for_garbage_seldom, processors
+from compwright.foundations.processors import (
+    keep_free_memory,
+    look_for_garbage_seldom,
+    processors,
+)
 from compwright.foundations.side_by_side import Each, in_turn
 
 T = TypeVar("T")
@@ -32,6 +36,7 @@ def side_by_side(items: int, ready: Callable[[], None]) -> Iterator[Each]:
     call ``ready`` first; in turn where there is one item or one processor, or where the system
     lets no process be started.
     """
+    keep_free_memory()
     others = min(processors(), items, _MOST) - 1
     pool = _pool(others) if others > 0 else None
     if pool is None:
@@ -72,6 +77,7 @@ def _begin() -> None:
     """Begin as the first process did, and end at Ctrl-C without a word: that one says it."""
     Thread(target=_end_with_the_first, daemon=True).start()
     look_for_garbage_seldom()
+    keep_free_memory()
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     if hasattr(signal, "pthread_sigmask"):
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
