@@ -137,9 +137,19 @@ def test_names_that_no_list_tells_apart_are_refused(address: str, other: str, na
     ).axes
 
 
+def over_itself(name: str, value: str) -> str:
+    """A table of an axis over itself, as programs of compensation software hold it."""
+    return (
+        f"$AN_CEC_INPUT_AXIS[0]=({name})\n$AN_CEC_OUTPUT_AXIS[0]=({name})\n$AN_CEC_STEP[0]=100\n"
+        "$AN_CEC_MIN[0]=0\n$AN_CEC_MAX[0]=100\n$AN_CEC_DIRECTION[0]=1\n"
+        f"$AN_CEC_IS_MODULO[0]=0\n$AN_CEC[0,0]=0\n$AN_CEC[0,1]={value}"
+    )
+
+
 @pytest.mark.parametrize(
     "quiet",
     [
+        over_itself("SP1", "0.000000"),
         "$MA_BACKLASH[0,SP1]=0",
         "$MA_BACKLASH[0,SP1]=0.0\n$MA_ENC_COMP_ENABLE[0,SP1]=0",
         "$MA_NUM_ENCS[SP1]=1\n$MA_POS_LIMIT_MINUS[SP1]=-500\n$MA_IS_ROT_AX[SP1]=1",
@@ -161,6 +171,7 @@ def test_another_name_that_holds_nothing_stops_nothing(quiet: str) -> None:
         "$MA_ENC_COMP_ENABLE[0,SP1]=1",
         "$MA_CEC_ENABLE[SP1]=TRUE",
         "$AA_ENC_COMP[0,3,SP1]=0.001",
+        over_itself("SP1", "0.002000"),
     ],
 )
 def test_another_name_that_acts_says_the_way_out(acting: str) -> None:

@@ -158,6 +158,12 @@ class GridReader:
         """Return the tables between axes that the files hold."""
         return PairTables()
 
+    def acting_lines(self) -> dict[str, Found]:
+        """Return, by the name that they give to the axis, a line that corrects something: a value
+        that is not zero, or a switch on.
+        """
+        return _acting_lines(self.gathered)
+
     def axis(self, address: str, axis: Axis | None) -> AxisReading:
         """Return what acts on one axis, and the facts about it."""
         self._one_name(address, axis)
@@ -181,7 +187,7 @@ class GridReader:
         """
         if axis is None or "machine_axis" not in self.definition.bindings:
             return
-        acting = _acting_lines(self.gathered)
+        acting = self.acting_lines()
         others = self.gathered.names.unplaced(address, acting)
         if not others:
             return
@@ -330,9 +336,6 @@ class GridReader:
 
 
 def _acting_lines(gathered: Gathered) -> dict[str, Found]:
-    """Return, by the name that they give to the axis, a line that corrects something: a value that
-    is not zero, or a switch on.
-    """
     lines: dict[str, Found] = {}
     for (name, _), rows in gathered.rows.items():
         acting = [row for row in rows if Decimal(row.occurrence.tokens["value"].text) != 0]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from decimal import Decimal
 
 from compwright.formats.definition.schema import Choice
 from compwright.formats.families.activity import Activity
@@ -17,6 +18,7 @@ from compwright.formats.families.pairs.options import (
     sign_known,
     sign_question,
 )
+from compwright.formats.families.pairs.places import last, places_of
 from compwright.formats.families.pairs.reading import CecReader, Writable
 from compwright.formats.families.pairs.sums import (
     check_sums,
@@ -24,6 +26,7 @@ from compwright.formats.families.pairs.sums import (
     staying,
     with_own_tables,
 )
+from compwright.formats.text.gathering import Found
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, CrossCompensation
 from compwright.records.facts import PairTables
@@ -109,6 +112,19 @@ class PairsReader(GridReader):
     def pair_tables(self) -> PairTables:
         """See `GridReader.pair_tables`."""
         return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
+
+    def acting_lines(self) -> dict[str, Found]:
+        """See `GridReader.acting_lines`: also the values of a table of an axis over itself."""
+        lines = super().acting_lines()
+        for places in places_of(self.gathered).values():
+            base, corrected = (last(name, places) for name in ("cross_input", "cross_output"))
+            acting = [row for row in places.get("cross_value", ()) if Decimal(row.text) != 0]
+            if base is None or corrected is None or not acting:
+                continue
+            name = self.gathered.axis(corrected.text)
+            if self.gathered.axis(base.text) == name:
+                lines.setdefault(name, acting[-1])
+        return lines
 
     def _kind(self, address: str) -> AxisKind:
         """Return the kind of an axis of a table between axes: the job's, the files', else linear,
