@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -96,6 +97,7 @@ def judge(
     return compare(after, before + axis.table, before, covariance, axis.noise)
 
 
+@cache
 def rates(
     act: str, count: int = 100, *, size: float = 5.0, runs: int = 5, directions: str = "+-"
 ) -> dict[str, float]:

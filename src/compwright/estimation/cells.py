@@ -178,6 +178,34 @@ def _reversals(part: CellMeans) -> FloatArray:
     return difference
 
 
+@dataclass(frozen=True, slots=True)
+class _Sizes:
+    """Beside the line, mm or deg: ``roughness`` (rms) of what is left, ``spread`` of readings with
+    its degrees of freedom, ``floor`` below which neither is believed.
+    """
+
+    roughness: float
+    spread: float
+    dof: float
+    floor: float
+
+
+def _sizes(parts: Sequence[CellMeans], left: Sequence[FloatArray], least: float) -> _Sizes:
+    """Return the sizes of what is ``left`` of the means beside the line; ``least``: noise that any
+    instrument has, mm or deg.
+    """
+    largest = max(float(np.max(np.abs(part.means))) for part in parts)
+    floor = max(least, 1e-9 * largest)
+    dof = sum(part.dof for part in parts)
+    squares = sum(part.squares for part in parts)
+    return _Sizes(
+        roughness=max(float(np.sqrt(np.mean(np.concatenate(left) ** 2))), floor),
+        spread=float(np.sqrt(squares / dof)) if dof else _neighbour_spread(parts, left),
+        dof=dof,
+        floor=floor,
+    )
+
+
 def _stacked(
     tests: Sequence[ObservedTest],
     parts: Sequence[CellMeans],
@@ -189,14 +217,9 @@ def _stacked(
     """Return the cells of all tests in the order of their targets, in units of one scale."""
     lines = [line.at(part, index, float(targets[0])) for index, part in enumerate(parts)]
     left = [part.means - taken for part, taken in zip(parts, lines, strict=True)]
-    largest = max(float(np.max(np.abs(part.means))) for part in parts)
-    floor = max(LEAST_NOISE[tests[0].test.kind], 1e-9 * largest)
-    roughness = max(float(np.sqrt(np.mean(np.concatenate(left) ** 2))), floor)
-    dof = sum(part.dof for part in parts)
-    squares = sum(part.squares for part in parts)
-    spread = float(np.sqrt(squares / dof)) if dof else _neighbour_spread(parts, left)
-    scale = max(roughness, spread, floor)
-    floor = max(floor / scale, 1e-4)
+    sizes = _sizes(parts, left, LEAST_NOISE[tests[0].test.kind])
+    scale = max(sizes.roughness, sizes.spread, sizes.floor)
+    floor = max(sizes.floor / scale, 1e-4)
     positions = np.concatenate([part.positions for part in parts])
     seats = np.clip(np.searchsorted(targets, positions + _same(targets)) - 1, 0, None)
     signs = np.concatenate([part.signs for part in parts])
@@ -229,11 +252,11 @@ def _stacked(
         offset=float(line.offsets[0]),
         slope=line.slope,
         reversal=line.reversal,
-        spread=max(spread / scale, floor),
-        roughness=roughness / scale,
+        spread=max(sizes.spread / scale, floor),
+        roughness=sizes.roughness / scale,
         readings=int(np.sum(counts)),
         bidirectional=bool(np.any(signs > 0) and np.any(signs < 0)),
-        repeated=dof > 0.0,
+        repeated=sizes.dof > 0.0,
         noises=noises,
         donor=donor,
         slopes=own.slopes,
