@@ -89,7 +89,7 @@ def predicted(job: Job) -> AxisPrediction:
     work = start_axis(
         job, entry, (planned,), {"as_found": ControlState(format="any", axes={})}, nothing
     )
-    return predict_axis(work, nothing, None, job.decision_rule)
+    return predict_axis(work, nothing, None, job)
 
 
 def test_the_band_holds_what_two_temperatures_make_of_a_flat_axis() -> None:

@@ -194,6 +194,11 @@ def test_the_certificate_counts_over_the_distance_of_the_targets_that_decide() -
         apart = 0.4  # m: targets every 100 mm, extremes at 300 and 700 mm
         low, high = 3.0 + 1.2 * apart, 3.0 + 1.2 * (apart + 0.2)  # the neighbours are as far up
         assert low < result.uncertainty["E_positive"].U / UM < high
+    flat = axis_test(TARGETS, np.zeros((11, 5)), np.zeros((11, 5)))
+    result = evaluate(flat, budget=UncertaintyBudget(device=3.0, device_per_m=1.2))
+    assert result.uncertainty is not None
+    for name in ("A", "E", "M"):  # either sense makes it longer: over the whole metre
+        assert pytest.approx(3.0 + 1.2, rel=0.01) == result.uncertainty[name].U / UM, name
 
 
 def test_hand_worked_terms_of_the_scatter() -> None:

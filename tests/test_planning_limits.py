@@ -49,13 +49,14 @@ def entry_of(limits: dict[str, float], test: str | None = None, **axis: Any) -> 
 
 
 def predicted(p05: float, p95: float, name: str = "x", U: float | None = None) -> TestPrediction:
-    """A prediction of A, µm."""
+    """A prediction of A, µm, with its U; that of the measured test is another one."""
     quantiles = Quantiles((p05 + p95) / 2.0 * UM, p05 * UM, p95 * UM)
     return TestPrediction(
         name=name,
-        before=result_of(name, U, A=20.0),
+        before=result_of(name, 0.1, A=20.0),
         predicted={"A": quantiles},
         predicted_new_targets={},
+        uncertainty=None if U is None else {"A": ExpandedUncertainty(U * UM)},
     )
 
 
@@ -219,7 +220,7 @@ def test_the_value_after_loading_decides(
     value: float | None, U: float | None, rule: Rule, decision: str
 ) -> None:
     found = after(value, U, rule)
-    assert (found.decision, found.limit, found.U) == (decision, 8.0, U)
+    assert (found.decision, found.limit, found.U, found.rule) == (decision, 8.0, U, rule)
     assert found.value == (None if value is None else pytest.approx(value))
 
 

@@ -20,7 +20,7 @@ from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularResult
 from compwright.records.prediction import AcceptDecision, CirclePrediction, Decision, Quantiles
-from compwright.records.result import PositioningResult
+from compwright.records.result import ExpandedUncertainty, PositioningResult
 
 SCHEMA = "compwright/verification/1"
 
@@ -40,7 +40,7 @@ class ExpectedMeans:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedAxis:
     """What ``verify`` found on one axis. ``loading`` holds the keys of the contract; ``accept`` in
-    µm or arcsec.
+    µm or arcsec; ``guard``: U of what is predicted, where the job decides guarded and U is known.
     """
 
     before: PositioningResult
@@ -49,6 +49,7 @@ class VerifiedAxis:
     after: PositioningResult
     loading: Mapping[str, Any]
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
+    guard: Mapping[str, ExpandedUncertainty] | None = None
     findings: tuple[Finding, ...] = ()
 
 
@@ -109,11 +110,13 @@ def _axis(axis: VerifiedAxis) -> dict[str, Any]:
     factor = outside_factor(kind.unit)
     after = parameters_outside(axis.after)
     predicted = quantiles_outside(axis.predicted, kind)
+    guard = {name: entry.U * factor for name, entry in (axis.guard or {}).items()}
     return {
         "unit": outside_unit(kind.unit),
         "test": axis.before.test.name,
         "before": parameters_outside(axis.before),
         "predicted": predicted,
+        **({} if axis.guard is None else {"predicted_U": guard}),
         "after": after,
         "expected": {
             "positions": axis.expected.positions.tolist(),
@@ -122,7 +125,8 @@ def _axis(axis: VerifiedAxis) -> dict[str, Any]:
             "s": axis.expected.s * factor,
         },
         "within_prediction": {
-            name: _within(after.get(name), band) for name, band in predicted.items()
+            name: _within(after.get(name), band, guard.get(name, 0.0))
+            for name, band in predicted.items()
         },
         "loading": dict(axis.loading),
         "accept": {
@@ -131,6 +135,7 @@ def _axis(axis: VerifiedAxis) -> dict[str, Any]:
                 "value": entry.value,
                 "U": entry.U,
                 "decision": entry.decision,
+                **({"rule": entry.rule} if entry.rule == "guarded" else {}),
             }
             for name, entry in axis.accept.items()
         },
@@ -171,6 +176,8 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
     }
 
 
-def _within(value: float | None, band: Mapping[str, float]) -> bool | None:
-    """Whether the value lies in the 90 % interval; None where the test does not have it."""
-    return None if value is None else band["p05"] <= value <= band["p95"]
+def _within(value: float | None, band: Mapping[str, float], guard: float = 0.0) -> bool | None:
+    """Whether the value lies in the 90 % interval with its ``guard`` band on either side; None
+    where the test does not have it.
+    """
+    return None if value is None else band["p05"] - guard <= value <= band["p95"] + guard

@@ -101,6 +101,8 @@ def expanded_uncertainties(
     budget: UncertaintyBudget,
     thermal: Thermal | None = None,
     spread: Callable[[FloatArray], FloatArray] = standard_deviation,
+    *,
+    table_slope: float = 0.0,
 ) -> tuple[dict[str, ExpandedUncertainty] | None, list[Finding]]:
     """Return U (mm or deg, k = 2) of each parameter that ``given`` has, and what had to be assumed.
 
@@ -114,6 +116,9 @@ def expanded_uncertainties(
     wanders. What has no course over the positions (set-up; of the instrument what does not grow
     with the distance) is a draw per test in the differences A, E and M. None for VDI 3441, whose
     parameters annex A does not treat.
+
+    ``table_slope``: of a test that is to come, the standard deviation (mm/mm) of the slope that the
+    uncertainty of an earlier test has put into the axis by the table made from it: one more draw.
     """
     if "P" in given:
         return None, [
@@ -126,7 +131,8 @@ def expanded_uncertainties(
         ]
     names = [name for name, value in given.items() if value is not None]
     there = _measured(test)
-    differences = _propagated(there, names, coverage, _added(there, budget, thermal), spread)
+    added = _added(there, budget, thermal, table_slope)
+    differences = _propagated(there, names, coverage, added, spread)
     result = {
         name: ExpandedUncertainty(_expanded(off), COVERAGE) for name, off in differences.items()
     }
@@ -166,7 +172,9 @@ class _Added:
     variation: float
 
 
-def _added(test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None) -> _Added:
+def _added(
+    test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None, table_slope: float
+) -> _Added:
     """Return what is added, from the contributors.
 
     The certificate of an instrument speaks of the distance of any two positions: U + per_m times
@@ -177,7 +185,7 @@ def _added(test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | 
     length = max(float(test.targets[-1] - test.targets[0]), SAME_READING)
     rest = length_uncertainty(test, replace(budget, device=0.0, device_per_m=0.0), thermal) / length
     per_mm = budget.device_per_m / 1000.0 if test.kind is AxisKind.LINEAR else 0.0
-    slope = math.hypot(per_mm, rest)
+    slope = math.hypot(per_mm, rest, table_slope * unit)
     with_slope = budget.device * per_mm / slope if slope > 0.0 else 0.0
     alone = math.sqrt(max(budget.device**2 - with_slope**2, 0.0))
     return _Added(
@@ -209,16 +217,17 @@ def _propagated(
             block + sloped + (rng.random(block.shape) - 0.5) * added.variation for block in truth
         ]
         one, other = (_parameters(blocks, coverage, spread) for blocks in (seen, truth))
+        with_slope = added.with_slope * np.abs(slopes[part])
+        moved = other
+        if added.with_slope > 0.0:
+            moved = _parameters([block + sloped for block in truth], coverage, spread)
         for name, draws in found.items():
-            draws.append(one[name] - other[name])
-
-    def whole(name: str, off: FloatArray) -> FloatArray:
-        if name[0] not in "AEM":
-            return off
-        sense = 1.0 if off @ slopes >= 0.0 else -1.0  # in which the slope moves the difference
-        return off + sense * added.with_slope * slopes + added.beside * besides
-
-    return {name: whole(name, np.concatenate(draws)) for name, draws in found.items()}
+            off = one[name] - other[name]
+            if name[0] in "AEM":  # what goes with the slope adds to what that does, more or less
+                sense = np.where(moved[name] >= other[name], 1.0, -1.0)
+                off = off + sense * with_slope + added.beside * besides[part]
+            draws.append(off)
+    return {name: np.concatenate(draws) for name, draws in found.items()}
 
 
 def _parameters(

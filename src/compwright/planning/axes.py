@@ -16,7 +16,13 @@ from compwright.foundations.findings import Finding, doubts_of
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.declared import fresh_slope, with_slopes
 from compwright.planning.fresh import FreshTests, Like, fresh_tests
-from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
+from compwright.planning.guard import guard_bands
+from compwright.planning.limits import (
+    accept_decisions,
+    accepted_index,
+    check_limits,
+    lacking_guard,
+)
 from compwright.planning.misread import misread_tests
 from compwright.planning.motions import with_backlash, with_motion
 from compwright.planning.outlook import predict, why_not_better, why_not_seen, yardstick
@@ -338,26 +344,18 @@ def predict_axis(
     work: AxisWork,
     new: Correction,
     table: AxisCompensation | None,
-    rule: Literal["simple", "guarded"] = "simple",
+    job: Job,
     fresh: FreshTests | None = None,
 ) -> AxisPrediction:
     """Return what fresh tests of an axis will show when ``new`` acts. ``table``: what was written
     for it, as read back; None where nothing was. ``fresh``: tests like its first one at new
     targets, where they are drawn already.
     """
-    change = difference(new, work.active)
-    axis = work.planned.axis
+    axis, rule = work.planned.axis, job.decision_rule
     first = fresh or fresh_like_first(work, rule)
     tests = tuple(
-        predict(
-            result,
-            work.posterior,
-            with_motion(change, axis, test.backlash_more),
-            axis,
-            Like(place, fresh_slope(rule, test)),
-            None if place else first,
-        )
-        for place, (result, test) in enumerate(zip(work.results, work.planned.tests, strict=True))
+        _predicted_test(work, place, new, job, None if place else first)
+        for place in range(len(work.results))
     )
     folded = any(finding.code == "CW-E010" for finding in work.posterior.findings)
     accept = accept_decisions(work.entry, tests, rule, folded=folded)
@@ -374,6 +372,25 @@ def predict_axis(
         periods=work.posterior.own.periods,
         evidence=work.posterior.own.search.evidence(),
     )
+
+
+def _predicted_test(
+    work: AxisWork, place: int, new: Correction, job: Job, fresh: FreshTests | None
+) -> TestPrediction:
+    """Return what a fresh test like the one at ``place`` will show when ``new`` acts, with the
+    guard bands where a guarded decision speaks of it.
+    """
+    planned, result = work.planned, work.results[place]
+    test = planned.tests[place]
+    change = with_motion(difference(new, work.active), planned.axis, test.backlash_more)
+    like = Like(place, fresh_slope(job.decision_rule, test))
+    shown = predict(result, work.posterior, change, planned.axis, like, fresh)
+    accept = work.entry.accept
+    names = tuple(each.test.name for each in work.results)
+    if job.decision_rule == "simple" or accept is None or accepted_index(accept, names) != place:
+        return shown
+    bands = guard_bands(job, planned, place, result, work.posterior, change)
+    return replace(shown, uncertainty=bands)
 
 
 def fresh_like_first(work: AxisWork, rule: Literal["simple", "guarded"] = "simple") -> FreshTests:

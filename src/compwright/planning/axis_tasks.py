@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Literal
 
 from compwright.planning.axes import AxisWork, fresh_like_first, no_gain, predict_axis, start_axis
 from compwright.planning.drifting import drift_or_reversal
@@ -37,13 +36,13 @@ def why_no_gain(task: tuple[AxisWork, Correction]) -> str:
 
 
 def predicted(
-    task: tuple[AxisWork, Correction, AxisCompensation | None, Literal["simple", "guarded"]],
+    task: tuple[AxisWork, Correction, AxisCompensation | None, Job],
 ) -> AxisPrediction:
     """Return what fresh tests of an axis will show, what keeps it where it is, and whether a table
     helps. Arguments as of `predict_axis`.
     """
-    work, new, _, rule = task
-    fresh = fresh_like_first(work, rule)
+    work, new, _, job = task
+    fresh = fresh_like_first(work, job.decision_rule)
     axis, prediction = work.planned.axis, predict_axis(*task, fresh)
     findings = (
         *prediction.findings,

@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import Literal
 
 from compwright.evaluation.uncertainty import slope_between_tests
-from compwright.records.job import Job
+from compwright.records.job import Job, UncertaintyBudget
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
 
@@ -48,6 +48,19 @@ def fresh_slope(rule: Literal["simple", "guarded"], test: PlannedTest) -> float:
     of its prediction.
     """
     return 0.0 if rule == "guarded" else test.slope_std
+
+
+def slope_in_table(job: Job, tests: Sequence[PlannedTest], coming: PositioningTest) -> float:
+    """Return the standard deviation of the slope (mm/mm) that the first of the ``tests`` has put
+    into the table, as a test like ``coming`` will meet it: that of its own, and what the
+    coefficient does between their temperatures.
+    """
+    budget, first = job.budget(coming.kind), tests[0].test
+    common = None if budget is None else UncertaintyBudget(U_alpha=budget.U_alpha)
+    return math.hypot(
+        slope_between_tests(first, budget, first.thermal),
+        slope_between_tests(coming, common, first.thermal),
+    )
 
 
 def slope_after(job: Job, tests: Sequence[PlannedTest], after: PositioningTest) -> float:

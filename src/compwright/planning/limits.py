@@ -26,7 +26,7 @@ def accept_decisions(
     """Return the decision about each tolerance of the job from the predicted values (limits in µm
     or arcsec).
 
-    ``guarded``: with the uncertainty of the measured test as guard band; undecided where it has
+    ``guarded``: with the uncertainty of the predicted test as guard band; undecided where it has
     none. ``folded``: the targets show a known period as a longer wave, which the table follows:
     nothing is accepted, because no test at these targets shows it.
     """
@@ -38,7 +38,7 @@ def accept_decisions(
     decisions = {}
     for name, limit in accept.limits.items():
         quantiles = magnitude(prediction.predicted[name])
-        stated = (prediction.before.uncertainty or {}).get(name) if rule == "guarded" else None
+        stated = (prediction.uncertainty or {}).get(name) if rule == "guarded" else None
         lacking = rule == "guarded" and stated is None
         decision = (
             "undecided"
@@ -63,7 +63,8 @@ def measured_decisions(
     folded: bool,
 ) -> dict[str, AcceptDecision]:
     """Return the decision about each tolerance of the job from the test after loading (limits in µm
-    or arcsec); a guarded decision needs the uncertainty of the test.
+    or arcsec); a guarded decision needs the uncertainty of this test, and no more: what the tests
+    before have put into the table acts in the machine, and is measured with it.
 
     Of readings that are not ``believed`` nothing is decided, and nothing is accepted where a known
     period is ``folded``: these targets show it as a longer wave, which the table follows.
@@ -87,7 +88,9 @@ def measured_decisions(
         )
         if folded and decision == "accept":
             decision = "undecided"
-        decisions[name] = AcceptDecision(limit=limit, value=outside, U=U, decision=decision)
+        decisions[name] = AcceptDecision(
+            limit=limit, value=outside, U=U, decision=decision, rule=rule
+        )
     return decisions
 
 

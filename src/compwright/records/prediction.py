@@ -11,7 +11,7 @@ from compwright.records.circular import CircularResult
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import AxisPeriod, PeriodEvidence
 from compwright.records.limits import Limiting, Worth
-from compwright.records.result import PositioningResult
+from compwright.records.result import ExpandedUncertainty, PositioningResult
 
 Decision = Literal["accept", "reject", "undecided"]
 
@@ -28,13 +28,15 @@ class Quantiles:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestPrediction:
     """One test of an axis: what it showed, and what a fresh one will show at its targets and at
-    newly dithered ones.
+    newly dithered ones. ``uncertainty``: of the parameters of the fresh one at the same targets,
+    where it guards a decision about them.
     """
 
     name: str
     before: PositioningResult
     predicted: Mapping[str, Quantiles]
     predicted_new_targets: Mapping[str, Quantiles]
+    uncertainty: Mapping[str, ExpandedUncertainty] | None = None
 
     __test__ = False  # not a test class, whatever the name suggests to a collector
 

@@ -17,7 +17,12 @@ SIMPLE: Final = (
 )
 GUARDED: Final = (
     "Guarded decision (ISO 14253-1): accepted when the 95 % value plus U lies within the limit,"
-    " rejected when the 5 % value less U lies beyond it"
+    " rejected when the 5 % value less U lies beyond it; U (k = 2) of the coming test, with what"
+    " the first one has put into the table"
+)
+GUARDED_AFTER: Final = (
+    "Guarded decision (ISO 14253-1): accepted when the value plus U lies within the limit, rejected"
+    " when the value less U lies beyond it; U (k = 2) of the test after loading"
 )
 
 #: Decimals of a deviation in µm or arcsec: a tenth of what the standards print.

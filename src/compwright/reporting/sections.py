@@ -13,6 +13,7 @@ from typing import Any, Final
 from compwright.foundations.findings import DOUBTS_FIRST
 from compwright.reporting.numbers import (
     GUARDED,
+    GUARDED_AFTER,
     MISSING,
     PARAMETERS,
     decimals_of,
@@ -104,9 +105,9 @@ def doubts(items: Iterable[Document] | None) -> dict[str, Any] | None:
     return {"heading": DOUBTS_FIRST, "items": told} if told else None
 
 
-def rule_lines(accept: Mapping[str, Any], unit: str) -> list[str]:
+def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> list[str]:
     """Return by which rule the limits were decided where it is not the simple comparison, with the
-    guard bands.
+    guard bands: of a prediction, or of the test ``after`` loading.
     """
     guarded = {
         symbol(name): entry.get("U")
@@ -117,7 +118,8 @@ def rule_lines(accept: Mapping[str, Any], unit: str) -> list[str]:
         f"{letter} not stated" if U is None else f"{letter} {number(U)} {unit}"
         for letter, U in guarded.items()
     ]
-    return [f"{GUARDED}; U: {', '.join(bands)}."] if bands else []
+    rule = GUARDED_AFTER if after else GUARDED
+    return [f"{rule}: {', '.join(bands)}."] if bands else []
 
 
 def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:

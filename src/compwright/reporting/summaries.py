@@ -272,6 +272,7 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
                 characters="─",
             ),
             table,
+            *(Text(line) for line in rule_lines(axis["accept"], unit, after=True)),
             Text.assemble("Loading: ", _word(loading["verdict"]), f". {loading['message']}"),
             *(Text(f"  look at: {sentence}") for sentence in loading.get("look_at", ())),
             *finding_lines(axis["findings"]),

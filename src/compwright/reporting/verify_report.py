@@ -142,7 +142,8 @@ def _verify_axis(index: int, name: str, axis: Document, view: Document) -> dict[
         key: within.get(value, "") for key, value in (axis.get("within_prediction") or {}).items()
     }
     if any(notes.values()):
-        columns.append({"title": "5–95 %", "notes": notes})
+        widened = " ± U" if axis.get("predicted_U") else ""
+        columns.append({"title": f"5–95 %{widened}", "notes": notes})
     return {
         "name": name,
         "anchor": anchor(index),
@@ -152,6 +153,7 @@ def _verify_axis(index: int, name: str, axis: Document, view: Document) -> dict[
             unit, measured.get("standard", ""), measured.get("not_applicable"), columns
         ),
         "accept": _acceptance(axis.get("accept") or {}, unit),
+        "rule": sections.rule_lines(axis.get("accept") or {}, unit_text(unit), after=True),
         "findings": sections.findings(
             extra.get("findings"), axis.get("findings"), (after or {}).get("findings")
         ),

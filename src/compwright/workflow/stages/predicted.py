@@ -34,13 +34,13 @@ def predicted(
     """Return what fresh tests will show with the tables as read back, or with what is in the
     control now where there are none.
     """
-    loaded, rule = written.loaded, measured.job.decision_rule
+    loaded, job = written.loaded, measured.job
     tasks = []
     for work in written.works.values():
         planned = work.planned
         has = planned.fitted is not None and loaded is not None
         table = loaded.state.axes[planned.axis.address] if has and loaded is not None else None
-        tasks.append((work, after_loading(work, loaded), table, rule))
+        tasks.append((work, after_loading(work, loaded), table, job))
     axes = dict(zip(written.works, each(axis_tasks.predicted, tasks), strict=True))
     then = _acting_then(measured, fitted, written) if wanted.circles else IDLE
     return Predicted(

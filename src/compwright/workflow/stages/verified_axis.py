@@ -15,6 +15,7 @@ from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import evaluated
 from compwright.planning.declared import fresh_slope
 from compwright.planning.fresh import Like
+from compwright.planning.guard import guard_bands
 from compwright.planning.limits import lacking_guard, measured_decisions
 from compwright.planning.motions import with_motion
 from compwright.planning.outlook import predict_same_targets
@@ -79,6 +80,7 @@ def verified_axis(
     )
     accept, findings = _judged(job, axis, before, result, loading, fault)
     like = Like(place, fresh_slope(job.decision_rule, repeated))
+    guarded = job.decision_rule == "guarded"
     return VerifiedAxis(
         before=before,
         predicted=predict_same_targets(result, posterior, change, axis, like),
@@ -86,6 +88,7 @@ def verified_axis(
         after=result,
         loading=_told(loading, _sentences(control, planned)),
         accept=accept,
+        guard=guard_bands(job, planned, place, before, posterior, change) if guarded else None,
         findings=(*loading.findings, *_named(loading), *findings, *compared),
     )
 
