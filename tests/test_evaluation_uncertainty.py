@@ -184,6 +184,23 @@ def test_hand_worked_terms() -> None:
     assert U["E"] == pytest.approx(hypot(0.4, v * sqrt(2 / 5)), rel=0.05)
 
 
+def test_misalignment_is_counted_to_both_sides_though_it_is_on_one() -> None:
+    """The beam reads too short by anything from 0 to R²/(2L) = 4.5 µm: U is what annex A makes of a
+    range, and the documentation says how often that holds; 1.32 times R holds all of it.
+    """
+    short = np.random.default_rng(4).random(100_000) * 4.5  # µm over 1 m, of E of a steep axis
+    told = stated(UncertaintyBudget(misalignment_mm=3.0))["E"]
+    assert np.mean(short <= told) == pytest.approx(0.577, abs=0.005)
+    others = stated(UncertaintyBudget(misalignment_mm=3.0, device_per_m=3.0 * told))["E"]
+    off = 1.5 * told * np.random.default_rng(5).standard_normal(short.size)
+    assert np.mean(np.abs(off - short) <= others) == pytest.approx(0.92, abs=0.005)
+    assert stated(UncertaintyBudget(misalignment_mm=1.32 * 3.0))["E"] >= short.max()
+    result = evaluate(steep_axis(), budget=UncertaintyBudget(misalignment_mm=3.0))
+    (said,) = [f.message for f in result.findings if f.code == "CW-T020"]
+    assert "too short, by up to 4.50 µm" in said
+    assert f"U counts {told:.2f} µm of it" in said
+
+
 def test_the_certificate_counts_over_the_distance_of_the_targets_that_decide() -> None:
     """A wave with its extremes 500 mm apart, measured over 1 m: U + per_m · 0.5 m, one sign."""
     curve = 0.02 * np.sin(2.0 * np.pi * TARGETS / LENGTH)

@@ -485,15 +485,36 @@ def test_a_machine_that_has_warmed_up_is_named_with_its_slope(folder: Path) -> N
     assert (code, document["verdict"]) == (1, "undecided")
 
 
-def test_a_decision_rule_that_was_edited_after_the_run_leaves_it_undecided(tmp_path: Path) -> None:
-    """Run as guarded, and read as simple because guarded was not good enough."""
+def test_a_guarded_verification_says_what_guarded_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Run as guarded: an axis that is longer by 4 µm/m, which half a kelvin in two tests explains,
+    lies within the prediction and its U, and is decided with the U of the test itself. Then read as
+    simple because guarded was not good enough.
+    """
     (tmp_path / "x.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 1)))
     path = tmp_path / "job.yaml"
-    path.write_text(JOB + "decision_rule: guarded\nuncertainty: {device: {U: 7.5}}\n")
+    declared = "uncertainty: {device: {U: 7.5}, U_theta: 0.5}"
+    steel = "thermal: {alpha_m: 11.5, T_m: 20}"
+    path.write_text(JOB + f"decision_rule: guarded\n{declared}\n{steel}\n")
     assert compwright(["run", str(path)]) == 1
-    assert (
-        after(tmp_path, honest(tmp_path))[1]["axes"]["X"]["accept"]["A"]["decision"] == "undecided"
-    )
+    predicted = json.loads((tmp_path / "job" / "prediction.json").read_text())["axes"]["X"]
+    warm = {s: block + 4e-6 * TARGETS[:, np.newaxis] for s, block in honest(tmp_path).items()}
+    capsys.readouterr()
+    axis = after(tmp_path, warm)[1]["axes"]["X"]
+    said = " ".join(capsys.readouterr().out.split())
+    U, decided = axis["predicted_U"]["A"], axis["accept"]["A"]
+    assert pytest.approx(predicted["accept"]["A"]["U"], rel=1e-9) == U
+    assert axis["predicted"]["A"]["p95"] < decided["value"] < axis["predicted"]["A"]["p95"] + U
+    assert axis["within_prediction"]["A"] is True
+    assert axis["loading"]["verdict"] == "loaded"
+    assert (decided["decision"], decided["rule"]) == ("undecided", "guarded")
+    assert 7.5 < decided["U"] < U
+    assert f"U (k = 2) of the test after loading: A {decided['U']:.2f} µm." in said
+    assert "within ± U" in said
+    page = (tmp_path / "job" / "verification.html").read_text(encoding="utf-8")
+    assert f"of the test after loading: A {decided['U']:.2f} µm" in page
+    assert "5–95 % ± U" in page
     path.write_text(path.read_text().replace("guarded", "simple"))
     code, document = after(tmp_path, honest(tmp_path))
     assert (code, document["verdict"], codes(document)) == (1, "undecided", ["CW-V022"])

@@ -48,9 +48,10 @@ def length_uncertainty(
     test times position.
 
     L is the distance of the extreme targets in m: instrument U + per_m L, misalignment R²/(2L) as a
-    range (0.289 R²/L expanded), temperature alpha L U(theta) and coefficient abs(T - 20) L
-    U(alpha), for the machine and, where it expands, the instrument. Rotary axes have no length
-    terms: only the instrument's U (arcsec).
+    range (0.289 R²/L expanded, to either side as of any range, though the beam only ever reads too
+    short: where nothing else counts, 58 % of the range lie within), temperature alpha L U(theta)
+    and coefficient abs(T - 20) L U(alpha), for the machine and, where it expands, the instrument.
+    Rotary axes have no length terms: only the instrument's U (arcsec).
     """
     if test.kind is AxisKind.ROTARY:
         return budget.device
@@ -252,6 +253,18 @@ def _normal_scores(count: int) -> FloatArray:
     return np.array([law.inv_cdf((i + 0.5) / count) for i in range(count)])
 
 
+def _one_sided(test: PositioningTest, budget: UncertaintyBudget) -> str:
+    """Return what U does not hold of a misalignment; an empty text without one."""
+    length = float(test.targets[-1] - test.targets[0]) / 1000.0
+    if test.kind is AxisKind.ROTARY or budget.misalignment_mm == 0.0 or length <= 0.0:
+        return ""
+    most = budget.misalignment_mm**2 / (2.0 * length)
+    return (
+        f" A misaligned beam only reads too short, by up to {most:.2f} µm over these targets; U"
+        f" counts {FROM_RANGE * most:.2f} µm of it, to either side."
+    )
+
+
 def _assumptions(
     test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None
 ) -> list[Finding]:
@@ -261,7 +274,7 @@ def _assumptions(
             "info",
             "Uncertainty: U (k = 2) from the contributors of ISO 230-2:2006, annex A, as far as the"
             " job declares them; their distributions are propagated (JCGM 101:2008), not the"
-            " coefficients of the annex.",
+            " coefficients of the annex." + _one_sided(test, budget),
         )
     ]
     if test.kind is AxisKind.LINEAR and thermal is None and budget.U_theta > 0.0:

@@ -249,19 +249,20 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     shown: list[RenderableType] = []
     for name, axis in document["axes"].items():
         unit = unit_text(axis["unit"])
+        within = "within ± U" if "predicted_U" in axis else "within"
         table = _table_of_parameters(
-            f"before, {unit}", "predicted", "5 to 95 %", "after", "within", "limit"
+            f"before, {unit}", "predicted", "5 to 95 %", "after", within, "limit"
         )
         for parameter, value in axis["after"].items():
             if value is None:
                 continue
-            within = axis["within_prediction"].get(parameter)
+            inside = axis["within_prediction"].get(parameter)
             table.add_row(
                 symbol(parameter),
                 number(axis["before"].get(parameter)),
                 *_band(axis["predicted"].get(parameter)),
                 number(value),
-                "" if within is None else "yes" if within else "no",
+                "" if inside is None else "yes" if inside else "no",
                 *_decision(axis["accept"].get(parameter)),
             )
         loading = axis["loading"]
