@@ -7,8 +7,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+import yaml
 
 from compwright.cli import run as compwright
+from compwright.formats.control_format import control_format
+from compwright.records.correction import ControlFile
+from format_samples import DEFINITIONS
 from loop import Machine, csv_of
 
 pytestmark = pytest.mark.brief
@@ -40,10 +44,11 @@ BACKLASH = 0.01
 """
 
 
-def run(folder: Path, axis: str, ini: str = INI) -> int:
+def run(folder: Path, axis: str, ini: str = INI, unit: str = "mm") -> int:
     targets = MACHINE.targets()
     name = axis.split(":", maxsplit=1)[0]
-    (folder / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1), axis=name))
+    readings = MACHINE.measure(targets, 1)
+    (folder / "x.csv").write_text(csv_of(targets, readings, axis=name, unit=unit))
     (folder / "machine.ini").write_text(ini)
     (folder / "job.yaml").write_text(
         "compwright: 1\ncontroller: {format: linuxcnc}\nstates: {as_found: [machine.ini]}\n"
@@ -234,3 +239,52 @@ def test_a_travel_outside_the_limits_of_the_joint_is_refused(
     assert "CW-S045  axis 0: 22.2 mm of the travel lie outside" in capsys.readouterr().out
     assert joint("MIN_LIMIT = 0\nMAX_LIMIT = 8\n", tmp_path) == 0
     assert "CW-S045" not in capsys.readouterr().out
+
+
+#: Five axes as LinuxCNC's own configuration xyzbc-trt.ini has them; its source xyzbc-trt-kins.c:
+#: required_coordinates "xyzbc", a joint for each.
+TABLE_OF_TWO = """[KINS]
+KINEMATICS = xyzbc-trt-kins sparm=identityfirst
+JOINTS = 5
+[TRAJ]
+COORDINATES = XYZBC
+LINEAR_UNITS = mm
+ANGULAR_UNITS = degree
+""" + "".join(f"[JOINT_{n}]\nTYPE = {'LINEAR' if n < 3 else 'ANGULAR'}\n" for n in range(5))
+
+
+def test_joints_of_a_kinematics_with_letters_of_its_own_are_named_by_the_axes(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "machine.ini").write_text(TABLE_OF_TWO)
+    made = ["--format", "linuxcnc", "--out", str(tmp_path / "job.yaml")]
+    assert compwright(["new", "--from", str(tmp_path / "machine.ini"), *made]) == 0
+    axes = yaml.safe_load((tmp_path / "job.yaml").read_text())["axes"]
+    found = {name: axis["address"] for name, axis in axes.items()}
+    assert found == {"X": "0", "Y": "1", "Z": "2", "B": "3", "C": "4"}
+
+
+def test_an_axis_is_not_the_joint_of_another_axis(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """B has the place of joint 4 in the row of all letters, and is joint 3 here."""
+    assert run(tmp_path, "B: {kind: rotary, ", TABLE_OF_TWO, "deg") == 3
+    said = capsys.readouterr().err
+    assert "call this joint by another letter" in said
+    assert "XYZBC: joint 4 is C" in said
+    assert not (tmp_path / "job").exists()
+
+
+@pytest.mark.parametrize(
+    "ini",
+    [
+        TABLE_OF_TWO.replace("xyzbc-trt-kins sparm=identityfirst", "trivkins"),
+        TABLE_OF_TWO.replace("JOINTS = 5", "JOINTS = 6"),
+    ],
+)
+def test_axes_that_are_not_those_of_the_joints_name_none(tmp_path: Path, ini: str) -> None:
+    """Without coordinates= trivkins has all letters; with more joints than axes nobody knows."""
+    state = control_format(DEFINITIONS["linuxcnc"], {}).read(
+        [ControlFile("machine.ini", ini.encode())]
+    )
+    assert {facts.letters for facts in state.facts.values()} == {""}

@@ -141,6 +141,26 @@ def joint_number(address: str) -> str:
     )
 
 
+def _letters_of_joints(ini: IniFile) -> str:
+    """Return the letter of each joint: those given to the kinematics, for another kinematics than
+    trivkins the machine's axes where each has one joint, else the row of all letters.
+    """
+    said = {
+        key: "" if (value := ini.find(section, key)) is None else value.text
+        for section, key in (("KINS", "KINEMATICS"), ("KINS", "JOINTS"), ("TRAJ", "COORDINATES"))
+    }
+    given = re.search("coordinates=([A-Za-z]+)", said["KINEMATICS"])
+    if given is not None:
+        return given.group(1).upper()
+    axes = said["COORDINATES"].upper().replace(" ", "").replace("\t", "")
+    module = said["KINEMATICS"].lower().split()[:1]
+    return (
+        axes
+        if module not in ([], ["trivkins"]) and said["JOINTS"].strip() == str(len(axes))
+        else _LETTERS
+    )
+
+
 def _looked_up(table: CompTable, x: FloatArray, direction: Direction) -> FloatArray:
     """Return the table's correction at ``x`` (machine units) as the servo loop does: row below, its
     slope times the distance.
@@ -239,13 +259,7 @@ class _Loader:
         can serve it.
         """
         for ini in self.inis if self.request.reference else ():
-            kinematics = ini.find("KINS", "KINEMATICS")
-            said = (
-                re.search("coordinates=([A-Za-z]+)", kinematics.text)
-                if kinematics is not None
-                else None
-            )
-            letters = said.group(1).upper() if said is not None else _LETTERS
+            letters = _letters_of_joints(ini)
             for number in sorted(numbers):
                 if number >= len(letters) or not self.request.asks_for(str(number)):
                     continue

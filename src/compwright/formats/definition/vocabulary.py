@@ -60,6 +60,8 @@ PLAIN = (
     "axis_name",
     "reference_coordinate",
     "axis_letters",
+    "axis_order",
+    "joint_count",
     "limit_low",
     "limit_high",
     "machine_axis",

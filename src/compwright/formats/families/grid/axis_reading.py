@@ -4,7 +4,6 @@ way.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
@@ -17,6 +16,7 @@ from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.axis_values import AxisValues
 from compwright.formats.families.grid.basic_system import SAYING
+from compwright.formats.families.grid.joints import joint_letters
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.systems import SystemChoice
 from compwright.formats.families.grid.tables import Table, TableSource, value_fields
@@ -150,9 +150,11 @@ class AxisReader:
         in degrees.
         """
         word = self.values.said("rotary")
-        names = self.values.single("axis_letters")
-        found = re.search(r"coordinates=([A-Za-z]+)", names.text) if names is not None else None
-        letters = found[1].upper() if found is not None else ""
+        names, order, joints = (
+            found.text if (found := self.values.single(quantity)) is not None else ""
+            for quantity in ("axis_letters", "axis_order", "joint_count")
+        )
+        letters = joint_letters(names, order, joints)
         listed = self.address.isdigit() and int(self.address) < len(letters)
         if kind is AxisKind.ROTARY:
             self.values.said("angle_unit")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from compwright.foundations.errors import Fault
@@ -11,6 +12,25 @@ from compwright.records.facts import AxisFacts
 #: Letters of axes: an axis of the job that bears another name says nothing of the control's own
 #: letters.
 _LETTERS = "XYZABCUVW"
+
+
+#: The kinematics whose joints are the letters above, whatever other lines say.
+_TRIVIAL = "trivkins"
+
+
+def joint_letters(kinematics: str, order: str, count: str) -> str:
+    """Return the letter of each joint; nothing where the files leave that to the letters' places.
+
+    ``kinematics``: its name with what it is given (``coordinates=XYYZ`` counts before all else);
+    ``order``: the machine's axes, of a kinematics with letters of its own (XYZBC), where there are
+    as many as joints, ``count``.
+    """
+    given = re.search(r"coordinates=([A-Za-z]+)", kinematics)
+    if given is not None:
+        return given[1].upper()
+    letters = "".join(order.split()).upper()
+    name = kinematics.split(maxsplit=1)[0].lower() if kinematics.strip() else _TRIVIAL
+    return letters if name != _TRIVIAL and count.strip() == str(len(letters)) else ""
 
 
 def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
