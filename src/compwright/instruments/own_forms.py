@@ -27,7 +27,7 @@ from compwright.instruments.reading_findings import (
     measured_findings,
     stray_finding,
 )
-from compwright.instruments.target_data import is_target_data, read_target_data
+from compwright.instruments.target_data import is_target_data, read_target_data, split_target_data
 
 
 def is_target_data_file(text: Sequence[str]) -> bool:
@@ -80,7 +80,7 @@ def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:
 
 def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
     """Return the test in the lines of a file of the form ``TGT_DATA[1]=``; faults are noted."""
-    comment_lines, lines = split_lines(text)
+    comment_lines, lines = split_target_data(text)
     comments = read_comments(comment_lines, faults, any_key=False)
     read = read_target_data(lines, faults)
     findings = measured_findings(comments.header, sign_said=bool(comments.get("deviation")))

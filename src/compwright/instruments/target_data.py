@@ -10,18 +10,24 @@ the approach in positive direction.
 from __future__ import annotations
 
 import re
+from array import array
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice, pairwise
+from typing import Final
 
 import numpy as np
 
 from compwright.foundations.units import TO_INSIDE
+from compwright.instruments.comments import comment_text
 from compwright.instruments.fault_list import TOLD_PER_KIND, FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, parse_count
-from compwright.instruments.readings import Readings, readings_at
-from compwright.records.axis import AxisKind, Direction
+from compwright.instruments.readings import IntArray, Readings, readings_at
+from compwright.records.axis import AxisKind, Direction, FloatArray
 
+_TARGET, _FORWARD, _BACKWARD = "TGT_DATA", "REF_DATA_FWD", "REF_DATA_BWD"
+#: How lines of data begin: of a million lines hardly any other has to be looked at twice.
+_BEGINNINGS: Final = (f"{_TARGET}[", f"{_FORWARD}[", f"{_BACKWARD}[")
 _ASSIGNMENT = re.compile(
     r"\s*(?P<name>[A-Za-z_]\w*)\s*(?:\[(?P<indices>[^\]]*)\]\s*)?=(?P<value>.*)", re.ASCII
 )
@@ -29,7 +35,7 @@ _DATA = re.compile(r"\s*(?:TGT_DATA|REF_DATA_FWD|REF_DATA_BWD)\s*\[")
 _KEYS_OF_FORM = re.compile(
     r"\s*(?:UNIT|CYCLES|POSITIONS|TEST_DATA|REF_PV|TEST_PV|TGT_SET_PV|DEC)\s*="
 )
-_DIRECTIONS = {"REF_DATA_FWD": Direction.POSITIVE, "REF_DATA_BWD": Direction.NEGATIVE}
+_DIRECTIONS = {_FORWARD: Direction.POSITIVE, _BACKWARD: Direction.NEGATIVE}
 _DEGREES = {"degree": "deg", "degrees": "deg", "°": "deg"}
 
 
@@ -49,12 +55,35 @@ class TargetData:
 
 
 @dataclass(slots=True)
-class _Entries:
-    """Values by index with the line on which each stands."""
+class _Column:
+    """The entries of one name in the order of the file: indices (``j`` 0 where there is one only),
+    what is assigned, and the line of each.
+    """
 
-    targets: dict[int, tuple[float, int]] = field(default_factory=dict)
-    readings: dict[Direction, dict[tuple[int, int], tuple[float, int]]] = field(
-        default_factory=lambda: {direction: {} for direction in Direction}
+    i: array[int] = field(default_factory=lambda: array("q"))
+    j: array[int] = field(default_factory=lambda: array("q"))
+    texts: list[str] = field(default_factory=list)
+    lines: array[int] = field(default_factory=lambda: array("q"))
+
+
+@dataclass(frozen=True, slots=True)
+class _Entries:
+    """The entries of one name, each pair of indices once, sorted by them: all (n,); ``values`` NaN
+    where one cannot be read.
+    """
+
+    i: IntArray
+    j: IntArray
+    values: FloatArray
+    lines: IntArray
+
+
+@dataclass(slots=True)
+class _Found:
+    """What stands in the lines: columns by name, and all other keys with the line of each."""
+
+    columns: dict[str, _Column] = field(
+        default_factory=lambda: {name: _Column() for name in (_TARGET, *_DIRECTIONS)}
     )
     keys: dict[str, tuple[str, int]] = field(default_factory=dict)
     #: Indices by how they are written: a million readings have few of them.
@@ -68,6 +97,26 @@ class _Entries:
         return found
 
 
+def split_target_data(
+    text: Sequence[str],
+) -> tuple[list[tuple[int, str]], Iterator[tuple[int, str]]]:
+    """Return the comment lines (without ``#``), and all other lines that are not blank, each with
+    its line number from 1.
+    """
+    comments = [
+        (number, told)
+        for number, line in enumerate(text, start=1)
+        if not line.startswith(_BEGINNINGS) and (told := comment_text(line)) is not None
+    ]
+    taken = {number for number, _ in comments}
+    lines = (
+        (number, line)
+        for number, line in enumerate(text, start=1)
+        if line.startswith(_BEGINNINGS) or (number not in taken and line.strip(" \t,;"))
+    )
+    return comments, lines
+
+
 def is_target_data(lines: Iterable[str]) -> bool:
     """Whether the lines (comments taken out) are of this form: a line of data, or one of its keys
     first.
@@ -78,15 +127,35 @@ def is_target_data(lines: Iterable[str]) -> bool:
     )
 
 
-def read_target_data(lines: Sequence[tuple[int, str]], faults: FaultList) -> TargetData:
+def read_target_data(lines: Iterable[tuple[int, str]], faults: FaultList) -> TargetData:
     """Return the readings of the lines (comments and blank lines taken out); every fault is noted.
 
     Faults: a line that is no assignment, wrong indices, an entry given twice, an index that is
     missing or has no target, ``CYCLES`` or ``POSITIONS`` that disagree with the entries, an unknown
     unit.
     """
-    entries = _Entries()
+    found = _found(lines, faults)
     marks = DecimalMarks(faults)
+    entries = {
+        name: _entries(name, column, marks, faults) for name, column in found.columns.items()
+    }
+    marks.check()
+    unit, factor = _unit(found.keys, faults)
+    _check_complete(entries, found.keys, faults)
+    listed = entries[_TARGET].values.tolist()
+    held = [name for name in _DIRECTIONS if entries[name].i.size]
+    return TargetData(
+        kind=AxisKind.LINEAR if unit == "mm" else AxisKind.ROTARY,
+        readings=_readings(entries, factor),
+        header={key: value for key, (value, _) in found.keys.items()},
+        unit_said="UNIT" in found.keys,
+        alone=held[0] if len(held) == 1 else "",
+        descending=len(listed) > 1 and all(later < earlier for earlier, later in pairwise(listed)),
+    )
+
+
+def _found(lines: Iterable[tuple[int, str]], faults: FaultList) -> _Found:
+    found = _Found()
     for number, line in lines:
         match = _ASSIGNMENT.fullmatch(line)
         if match is None:
@@ -96,91 +165,89 @@ def read_target_data(lines: Sequence[tuple[int, str]], faults: FaultList) -> Tar
                 expected="a line such as TGT_DATA[1]=0.0",
                 found=shown(line),
             )
-        elif match["name"] == "TGT_DATA" or match["name"] in _DIRECTIONS:
-            _take_value(entries, match, number, marks, faults)
+            continue
+        column = found.columns.get(match["name"])
+        if column is None:
+            _take_key(found, match, number, faults)
         else:
-            _take_key(entries, match, number, faults)
-    marks.check()
-    unit, factor = _unit(entries, faults)
-    _check_complete(entries, faults)
-    listed = [entries.targets[index][0] for index in sorted(entries.targets)]
-    return TargetData(
-        kind=AxisKind.LINEAR if unit == "mm" else AxisKind.ROTARY,
-        readings=_readings(entries, factor),
-        header={key: value for key, (value, _) in entries.keys.items()},
-        unit_said="UNIT" in entries.keys,
-        alone=_alone(entries),
-        descending=len(listed) > 1 and all(later < earlier for earlier, later in pairwise(listed)),
-    )
+            _take_entry(found, column, match, number, faults)
+    return found
 
 
-def _alone(entries: _Entries) -> str:
-    held = [name for name, direction in _DIRECTIONS.items() if entries.readings[direction]]
-    return held[0] if len(held) == 1 else ""
-
-
-def _readings(entries: _Entries, factor: float) -> Readings:
-    """Return the readings that have a target, in mm or deg by ``factor``."""
-    wanted = {index: value for index, (value, _) in entries.targets.items()}
-    parts = []
-    for direction in Direction:
-        block = entries.readings[direction]
-        columns = np.array(
-            [
-                np.fromiter((wanted.get(i, np.nan) for i, _ in block), np.float64, len(block)),
-                np.fromiter((value for value, _ in block.values()), np.float64, len(block)),
-                np.fromiter((j for _, j in block), np.float64, len(block)),
-                np.fromiter((line for _, line in block.values()), np.float64, len(block)),
-                np.full(len(block), float(direction is Direction.POSITIVE)),
-            ]
-        )
-        there = np.fromiter((i in wanted for i, _ in block), np.bool_, len(block))
-        parts.append(columns[:, there])
-    targets, values, runs, lines, positive = np.concatenate(parts, axis=1)
-    deviations = (values - targets) * factor
-    return readings_at(lines, targets * factor, positive, runs, deviations)
-
-
-def _take_value(
-    entries: _Entries, match: re.Match[str], line: int, marks: DecimalMarks, faults: FaultList
+def _take_entry(
+    found: _Found, column: _Column, match: re.Match[str], line: int, faults: FaultList
 ) -> None:
-    name, written = match["name"], match["indices"]
-    label = f"{name}[{(written or '').strip()}]"
-    wanted = 1 if name == "TGT_DATA" else 2
+    name = match["name"]
+    count = 1 if name == _TARGET else 2
     try:
-        indices = tuple(map(entries.index, (written or "").split(",")))
+        indices = [found.index(written) for written in (match["indices"] or "").split(",")]
     except ValueError:
-        indices = ()
-    if len(indices) != wanted:
-        shape = "[target]" if wanted == 1 else "[target,cycle]"
+        indices = []
+    if len(indices) != count:
         faults.add(
             "has wrong indices",
             place=f"line {line}",
-            expected=f"{name}{shape}, counted from 1",
-            found=shown(label),
+            expected=f"{name}{'[target]' if count == 1 else '[target,cycle]'}, counted from 1",
+            found=shown(f"{name}[{(match['indices'] or '').strip()}]"),
         )
         return
-    value = marks.parse(match["value"], place=f"line {line}, {label}", column=name)
-    if value is None:
-        value = float("nan")  # the entry is there, only unreadable: not to be told as missing too
-    if len(indices) == 1:
-        first = entries.targets.setdefault(indices[0], (value, line))[1]
-    else:
-        first = entries.readings[_DIRECTIONS[name]].setdefault(
-            (indices[0], indices[1]), (value, line)
-        )[1]
-    if first != line:
+    column.i.append(indices[0])
+    column.j.append(indices[1] if count == 2 else 0)
+    column.texts.append(match["value"])
+    column.lines.append(line)
+
+
+def _entries(name: str, column: _Column, marks: DecimalMarks, faults: FaultList) -> _Entries:
+    """Return the numbers of a column; of indices that are given twice the first ones."""
+    i, j, lines = (np.array(each, dtype=np.int64) for each in (column.i, column.j, column.lines))
+
+    def label(at: int) -> str:
+        return f"{name}[{i[at]}]" if name == _TARGET else f"{name}[{i[at]},{j[at]}]"
+
+    def place(at: int) -> str:
+        return f"line {lines[at]}, {label(at)}"
+
+    values = marks.parse_all(column.texts, lines, place, name)
+    # Indices have nine digits at most: two of them fit into one number.
+    _, kept, same = np.unique(i * 1_000_000_000 + j, return_index=True, return_inverse=True)
+    for at in np.setdiff1d(np.arange(i.size), kept).tolist():
         faults.add(
             "is given twice",
-            place=f"line {line}, {label}",
+            place=place(at),
             expected="each index once",
-            found=f"the first in line {first}",
+            found=f"the first in line {lines[kept[same[at]]]}",
         )
+    return _Entries(i[kept], j[kept], values[kept], lines[kept])
 
 
-def _take_key(entries: _Entries, match: re.Match[str], line: int, faults: FaultList) -> None:
+def _readings(entries: Mapping[str, _Entries], factor: float) -> Readings:
+    """Return the readings that have a target, in mm or deg by ``factor``."""
+    wanted = entries[_TARGET]
+    parts = []
+    for name, direction in _DIRECTIONS.items():
+        block = entries[name]
+        there = np.isin(block.i, wanted.i)
+        targets = wanted.values[np.searchsorted(wanted.i, block.i[there])]
+        positive = np.full(targets.size, direction is Direction.POSITIVE)
+        parts.append(
+            (block.lines[there], targets, positive, block.j[there], block.values[there] - targets)
+        )
+    lines, targets, positive, runs, deviations = (
+        np.concatenate(each) for each in zip(*parts, strict=True)
+    )
+    order = np.argsort(lines, kind="stable")
+    return readings_at(
+        lines[order],
+        targets[order] * factor,
+        positive[order],
+        runs[order],
+        deviations[order] * factor,
+    )
+
+
+def _take_key(found: _Found, match: re.Match[str], line: int, faults: FaultList) -> None:
     key = match["name"] if match["indices"] is None else f"{match['name']}[{match['indices']}]"
-    first = entries.keys.setdefault(key, (match["value"].strip(), line))[1]
+    first = found.keys.setdefault(key, (match["value"].strip(), line))[1]
     if first != line:
         faults.add(
             "is given twice",
@@ -190,10 +257,10 @@ def _take_key(entries: _Entries, match: re.Match[str], line: int, faults: FaultL
         )
 
 
-def _unit(entries: _Entries, faults: FaultList) -> tuple[str, float]:
-    if "UNIT" not in entries.keys:
+def _unit(keys: Mapping[str, tuple[str, int]], faults: FaultList) -> tuple[str, float]:
+    if "UNIT" not in keys:
         return TO_INSIDE["mm"]
-    text, line = entries.keys["UNIT"]
+    text, line = keys["UNIT"]
     lower = text.lower()
     known = TO_INSIDE.get(text) or TO_INSIDE.get(_DEGREES.get(lower, lower))
     if known is None:
@@ -207,65 +274,66 @@ def _unit(entries: _Entries, faults: FaultList) -> tuple[str, float]:
     return known
 
 
-def _check_complete(entries: _Entries, faults: FaultList) -> None:
+def _check_complete(
+    entries: Mapping[str, _Entries], keys: Mapping[str, tuple[str, int]], faults: FaultList
+) -> None:
     """Note counts that disagree with the entries, and entries that the counts of targets and cycles
     demand but are not there.
     """
-    taken = [index for block in entries.readings.values() for index in block]
-    positions = max(entries.targets, default=0)
-    cycles = max((j for _, j in taken), default=0)
-    if not taken:
+    targets = entries[_TARGET].i
+    positions = int(targets.max(initial=0))
+    cycles = max(int(entries[name].j.max(initial=0)) for name in _DIRECTIONS)
+    if not cycles:
         faults.add(
             "holds no readings",
             expected="lines REF_DATA_FWD[target,cycle]= or REF_DATA_BWD[target,cycle]=",
         )
-    _check_count(entries, "POSITIONS", positions, "the highest index of TGT_DATA", faults)
-    if taken:
-        _check_count(entries, "CYCLES", cycles, "the highest cycle of the readings", faults)
-    _note_missing(
-        [f"TGT_DATA[{i}]" for i in _first_missing(entries.targets, positions)],
-        positions - len(entries.targets),
-        faults,
-    )
-    for name, direction in _DIRECTIONS.items():
-        block = entries.readings[direction]
-        for (i, j), (_, line) in block.items():
-            if i > positions:
-                faults.add(
-                    "has no target",
-                    place=f"line {line}, {name}[{i},{j}]",
-                    expected=f"an index up to {positions}" if positions else "lines TGT_DATA[i]=",
-                )
-        inside = {index for index in block if index[0] <= positions}
-        if block:
-            grid = (
-                (i, j)
-                for j in range(1, cycles + 1)
-                for i in range(1, positions + 1)
-                if (i, j) not in inside
-            )
-            count = positions * cycles - len(inside)
-            _note_missing(
-                [f"{name}[{i},{j}]" for i, j in islice(grid, TOLD_PER_KIND)] if count else [],
-                count,
-                faults,
-            )
+    _check_count(keys, "POSITIONS", positions, "the highest index of TGT_DATA", faults)
+    if cycles:
+        _check_count(keys, "CYCLES", cycles, "the highest cycle of the readings", faults)
+    held = set(targets.tolist())
+    missing = (f"TGT_DATA[{i}]" for i in range(1, positions + 1) if i not in held)
+    _note_missing(missing, positions - targets.size, faults)
+    for name in _DIRECTIONS:
+        _check_block(name, entries[name], positions, cycles, faults)
 
 
-def _first_missing(present: Mapping[int, object], highest: int) -> Iterator[int]:
-    return islice((index for index in range(1, highest + 1) if index not in present), TOLD_PER_KIND)
+def _check_block(
+    name: str, block: _Entries, positions: int, cycles: int, faults: FaultList
+) -> None:
+    """Note readings without a target, and those of the grid that are not there."""
+    inside = block.i <= positions
+    for at in np.flatnonzero(~inside):
+        faults.add(
+            "has no target",
+            place=f"line {block.lines[at]}, {name}[{block.i[at]},{block.j[at]}]",
+            expected=f"an index up to {positions}" if positions else "lines TGT_DATA[i]=",
+        )
+    count = positions * cycles - int(inside.sum())
+    if block.i.size and count:
+        held = set(zip(block.i.tolist(), block.j.tolist(), strict=True))
+        grid = (
+            f"{name}[{i},{j}]"
+            for j in range(1, cycles + 1)
+            for i in range(1, positions + 1)
+            if (i, j) not in held
+        )
+        _note_missing(grid, count, faults)
 
 
-def _note_missing(names: Sequence[str], count: int, faults: FaultList) -> None:
-    if names:
-        more = f" and {count - len(names)} more" if count > len(names) else ""
-        faults.add("entries are missing", expected=f"{', '.join(names)}{more}")
+def _note_missing(names: Iterable[str], count: int, faults: FaultList) -> None:
+    if count:
+        told = list(islice(names, TOLD_PER_KIND))
+        more = f" and {count - len(told)} more" if count > len(told) else ""
+        faults.add("entries are missing", expected=f"{', '.join(told)}{more}")
 
 
-def _check_count(entries: _Entries, key: str, found: int, what: str, faults: FaultList) -> None:
-    if key not in entries.keys:
+def _check_count(
+    keys: Mapping[str, tuple[str, int]], key: str, found: int, what: str, faults: FaultList
+) -> None:
+    if key not in keys:
         return
-    text, line = entries.keys[key]
+    text, line = keys[key]
     try:
         count = parse_count(text)
     except ValueError as reason:
