@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections import Counter
 
 import numpy as np
@@ -96,6 +97,25 @@ def test_what_the_job_declares_is_no_slope_to_name() -> None:
     }
     assert found[0]["loaded"] + found[1]["loaded"] + found[-2]["loaded"] == 90
     assert found[6]["thermal"] == 30
+
+
+@pytest.mark.parametrize("times", [-1.5, 1.5, 2.4])
+def test_what_the_job_declares_is_told_with_its_size_where_the_table_is_loaded(
+    times: float,
+) -> None:
+    """Limits may be broken by a hall that is warmer: the reader learns it though nothing is wrong
+    with the table.
+    """
+    verdict = judge(table_of(3), table_of(3), 3, slope=times * 20 * PPM, declared=20 * PPM)
+    assert verdict.verdict == "loaded"
+    told = re.search(r"rise by ([+-][\d.]+) ± ([\d.]+) µm/m more", verdict.message)
+    assert told is not None
+    assert float(told[1]) == pytest.approx(times * 20.0, abs=4.0 * float(told[2]))
+    assert 0.05 < float(told[2]) < 1.0
+    within = "within" if abs(times) <= 2.0 else "at the edge of"
+    assert f"{within} what the job declares for two tests (± 40.0 µm/m, k = 2)" in verdict.message
+    still = judge(table_of(3), table_of(3), 3, declared=20 * PPM)
+    assert "rise by" not in still.message
 
 
 def test_the_declared_slope_is_not_in_the_standard_error() -> None:

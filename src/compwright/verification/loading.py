@@ -23,6 +23,7 @@ from compwright.verification.likelihood import AfterMeans
 from compwright.verification.loading_names import LEAST_SLOPE, REFUSED, Named, factor_of, named
 from compwright.verification.loading_words import (
     Shown,
+    declared_slope_text,
     named_message,
     neither_message,
     open_message,
@@ -159,6 +160,8 @@ def _message(
             free = [each for each in ways if each.hypothesis.free is not None]
             return straight_line_message(slope, factor_of(max(free, key=lambda each: each.log)))
         return thermal_message(shown, best.expected, slope)
+    if best.name == "loaded":
+        slope = declared_slope_text(*best.slope, declared_slope or 0.0)
     text = named_message(
         shown, best.name, best.hypothesis, best.expected, factor_of(best), names.equivalent
     )

@@ -21,6 +21,10 @@ from compwright.verification.likelihood import AfterMeans, ErrorBelief
 _PPM: Final = 1e6
 #: Expansion of steel, µm/(m K).
 _STEEL: Final = 11.5
+#: A slope that the job explains is told from three standard errors on, and from a tenth of a kelvin
+#: of steel.
+_CLEAR_SLOPE: Final = 3.0
+_LEAST_TOLD: Final = 0.1 * _STEEL / _PPM
 #: Effect in its own standard errors from which 95 % of the tests tell all of it from half of it at
 #: odds of 100:1: D^2 / 8 - 1.645 D / 2 = ln 100.
 VISIBLE: Final = 10.2
@@ -280,6 +284,21 @@ def slope_text(slope: float, error: float, declared: float) -> str:
         f"{text}. State the temperature of the scale in the files of both tests (T_m) and its"
         " coefficient in the job (thermal), or measure again once machine and instrument have"
         " settled; look at the instrument's temperature sensor."
+    )
+
+
+def declared_slope_text(slope: float, error: float, declared: float) -> str:
+    """Return a slope (mm/mm) of a test whose table acts, where it is clear and the job declares
+    some (``declared``: standard deviation between two tests); else an empty text.
+    """
+    if declared <= 0.0 or abs(slope) < max(_CLEAR_SLOPE * error, _LEAST_TOLD):
+        return ""
+    within = "within" if abs(slope) <= 2.0 * declared else "at the edge of"
+    return (
+        f"Over the travel its deviations rise by {slope * _PPM:+.2f} ± {error * _PPM:.2f} µm/m more"
+        f" than expected: steel does that over {significant(slope * _PPM / _STEEL, signed=True)} K,"
+        f" {within} what the job declares for two tests (± {2.0 * declared * _PPM:.1f} µm/m, k ="
+        " 2). The table is not at fault, but the limits are decided with the slope in the readings."
     )
 
 
