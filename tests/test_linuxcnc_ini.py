@@ -11,7 +11,9 @@ import yaml
 
 from compwright.cli import run as compwright
 from compwright.formats.control_format import control_format
+from compwright.foundations.errors import InputError
 from compwright.records.correction import ControlFile
+from compwright.workflow.stages.control import decode, open_control
 from format_samples import DEFINITIONS
 from loop import Machine, csv_of
 
@@ -288,3 +290,45 @@ def test_axes_that_are_not_those_of_the_joints_name_none(tmp_path: Path, ini: st
         [ControlFile("machine.ini", ini.encode())]
     )
     assert {facts.letters for facts in state.facts.values()} == {""}
+
+
+#: What lies in the folder of every machine: github rene-dev/linuxcnc-configs, haas (a HAL file, the
+#: variables of the interpreter, a tool table), and its table, COMP_FILE_TYPE = 1.
+BESIDE = {
+    "haas.hal": "# Core HAL Loads\n\nloadrt [KINS]KINEMATICS\nnet x-pos joint.0.motor-pos-cmd\n",
+    "haas.var": "5161\t0.000000\n5162\t0.000000\n",
+    "tool.tbl": "T1 P1 D6.000000 Z-102.340000 ;end mill\n",
+    "picture.png": "\x89PNG\x00\x01",
+}
+HAAS = (
+    "[TRAJ]\nLINEAR_UNITS = mm\n[KINS]\nKINEMATICS = trivkins coordinates=xyzc\n"
+    "[JOINT_0]\nTYPE = LINEAR\nBACKLASH = 0.000\nCOMP_FILE = xaxis.comp\nCOMP_FILE_TYPE = 1\n"
+)
+
+
+def machine(**texts: str) -> list[ControlFile]:
+    given = {"haas.ini": HAAS, "xaxis.comp": "0 0 0\n250.000 0.012 0.014\n500.000 0.026 0.026\n"}
+    files = {**given, **BESIDE, **texts}
+    return [ControlFile(name, text.encode("latin-1")) for name, text in files.items()]
+
+
+def test_the_folder_of_a_machine_is_read_whatever_lies_beside_its_table() -> None:
+    state = decode(open_control("linuxcnc", {}), machine(), address="0").state
+    assert state.axes["0"].positive.tolist() == [0, 0.012, 0.026]
+    assert state.axes["0"].negative.tolist() == [0, 0.014, 0.026]
+    told = [finding.message for finding in state.findings if finding.code == "CW-S012"]
+    assert len(told) == 1
+    assert told[0].startswith("haas.hal, haas.var, tool.tbl and 1 more: no table")
+
+
+def test_a_table_that_the_machine_names_is_refused_where_it_is_damaged() -> None:
+    """And where the file that it names is not there, whatever else is."""
+    control = open_control("linuxcnc", {})
+    with pytest.raises(InputError, match=r"xaxis\.comp: line 1: cannot be read as a row"):
+        decode(control, machine(**{"xaxis.comp": "# position + -\n0 0 0\n"}), address="0")
+    with pytest.raises(InputError, match="the table file that it names was not given"):
+        decode(
+            control,
+            machine(**{"haas.ini": HAAS.replace("xaxis.comp", "haas.hal_old")}),
+            address="0",
+        )

@@ -21,7 +21,7 @@ from compwright.formats.families.gantry import find_partners, partner_of
 from compwright.formats.families.grid.axis_reading import AskedAxis, AxisReader, AxisReading
 from compwright.formats.families.grid.basic_system import basic_system
 from compwright.formats.families.grid.beside import Beside
-from compwright.formats.families.grid.table_files import TableFiles
+from compwright.formats.families.grid.table_files import TableFiles, never_loaded
 from compwright.formats.families.grid.turn_checks import check_turn
 from compwright.formats.families.travel_limits import check_limits
 from compwright.formats.text.addresses import normal_text
@@ -226,6 +226,7 @@ class GridReader:
             raise UsageError(
                 "no file of the control was given; expected its own files, or the state `none`"
             )
+        files = self._loaded(files)
         self._refuse_unknown(files)
         texts = [
             self.reader.read(file, self.notes.faults, number)
@@ -245,6 +246,17 @@ class GridReader:
                 )
             )
         return read
+
+    def _loaded(self, files: Sequence[ControlFile]) -> list[ControlFile]:
+        """Return the files without those that the control never opens, which are named."""
+        aside = never_loaded(self.definition, files)
+        if aside:
+            more = f" and {len(aside) - 3} more" if len(aside) > 3 else ""
+            self.notes.idle_file(
+                f"{', '.join(aside[:3])}{more}: no table, and named by no axis: the control does"
+                " not load it as one"
+            )
+        return [file for file in files if file.name not in aside]
 
     def _refuse_unknown(self, files: Sequence[ControlFile]) -> None:
         """Refuse containers that are known by their first bytes only, and say what helps."""

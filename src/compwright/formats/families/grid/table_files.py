@@ -8,12 +8,14 @@ import re
 from collections.abc import Collection, Sequence
 
 from compwright.formats.definition.consistency import curves
+from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import field_matches
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.gathering import Found, Gathered
 from compwright.formats.text.notes import Notes
-from compwright.formats.text.texts import ReadText
+from compwright.formats.text.texts import ReadText, text_reader
 from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
 
 
 class TableFiles:
@@ -27,7 +29,7 @@ class TableFiles:
         binding = self.definition.bindings[curves(self.definition)[0]]
         row = self.definition.statements[binding.statement]
         self.tables = [text for text in texts if "axis" not in row.fields and text.kind == row.text]
-        self.template = next(file.name for file in self.definition.writing if file.rows is not None)
+        self.template = _template(self.definition)
         self.used: set[int] = set()
 
     def named(self) -> list[str]:
@@ -37,10 +39,7 @@ class TableFiles:
 
     def _address_in_name(self, file: str) -> str | None:
         before, after = self.template.split("{axis}")
-        match = re.fullmatch(re.escape(before) + "(.+)" + re.escape(after), file)
-        if match is None or not field_matches(self.definition.addresses.type, match[1]):
-            return None
-        return normal_text(self.definition, match[1])
+        return _address_between(self.definition, before, after, file)
 
     def alone(self) -> bool:
         """Whether one table file was given and nothing else: then the axis that was asked for is
@@ -106,6 +105,42 @@ class TableFiles:
             if text.number not in self.used and (not wanted or text.file not in named):
                 what = "is not named by any axis: the control does not load it"
                 self.notes.idle_file(f"{text.file} {what}")
+
+
+def never_loaded(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
+    """Return the names of files that are no tables and that the control never opens: others tell
+    what it loads, and name none of these. A machine's folder holds many (its HAL files, its tools).
+    """
+    binding = definition.bindings.get("table_file")
+    if binding is None:
+        return []
+    row = definition.statements[definition.bindings[curves(definition)[0]].statement]
+    before, after = _template(definition).split("{axis}")
+    reader, odd, named, told = text_reader(definition), [], set[str](), False
+    for file in files:
+        faults: list[Fault] = []
+        text = reader.read(file, faults)
+        if text is not None and text.kind != row.text:
+            told = told or bool(text.sections)
+            named |= {
+                _base_name(one.tokens[binding.field].text.strip())
+                for one in text.occurrences
+                if one.statement == binding.statement
+            }
+        elif faults and _address_between(definition, before, after, file.name) is None:
+            odd.append(file.name)
+    return [name for name in odd if told and name not in named]
+
+
+def _template(definition: Definition) -> str:
+    return next(file.name for file in definition.writing if file.rows is not None)
+
+
+def _address_between(definition: Definition, before: str, after: str, file: str) -> str | None:
+    match = re.fullmatch(re.escape(before) + "(.+)" + re.escape(after), file)
+    if match is None or not field_matches(definition.addresses.type, match[1]):
+        return None
+    return normal_text(definition, match[1])
 
 
 def _base_name(path: str) -> str:
