@@ -25,6 +25,7 @@ from compwright.foundations.redaction import Cuts, Names, left_over
 from compwright.instruments.redaction.plain import redacted_plain
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
+from compwright.workflow.commands.redact import RedactedFile, RedactOutcome, redaction_lines
 from one_test import read_positioning
 from places import REAL, needs_shared
 from redaction_cases import case, samples
@@ -514,3 +515,13 @@ def test_readings_of_a_copy_are_those_of_its_original(
         )
         for one in ("targets", "positive", "negative"):
             assert np.array_equal(getattr(old, one), getattr(new, one)), name
+
+
+def test_what_was_taken_out_is_counted_in_words() -> None:
+    removed = {"comment": 1, "row beside the table": 3, "serial number": 2}
+    removed["text behind a value"] = 1
+    one = RedactedFile(file=Path("a"), copy=Path("b"), taken_for="measurement", removed=removed)
+    first, *_ = redaction_lines(RedactOutcome(files=(one,), faults=(), written=()))
+    assert first.endswith(
+        "taken out: 1 comment, 3 rows beside the table, 2 serial numbers, 1 text behind a value"
+    )

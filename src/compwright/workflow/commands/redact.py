@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
@@ -24,6 +25,8 @@ from compwright.workflow.stages.redacted_names import names_of_copies
 from compwright.workflow.stages.single_files import refuse_other_kinds
 
 SCHEMA: Final = "compwright/redaction/1"
+#: Before the words that say where texts of a kind stood.
+_WHERE: Final = re.compile(r"(?= (?:behind|beside) )")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -269,11 +272,17 @@ def _told(inputs: Sequence[_Input], names: Sequence[str], out: Path) -> tuple[Re
     )
 
 
+def _counted(count: int, kind: str) -> str:
+    """Return how many texts of a kind were taken out: "1 comment", "3 rows beside the table"."""
+    noun, *where = _WHERE.split(kind, maxsplit=1)
+    return f"{count} {noun}{'s' * (count != 1)}{''.join(where)}"
+
+
 def redaction_lines(outcome: RedactOutcome, *, show: bool = False) -> list[str]:
     """Return in words what was copied and taken out; ``show``: the texts themselves too."""
     lines = []
     for one in outcome.files:
-        counts = ", ".join(f"{count} {kind}" for kind, count in one.removed.items())
+        counts = ", ".join(_counted(count, kind) for kind, count in one.removed.items())
         lines.append(f"{one.copy}: as {one.taken_for}; taken out: {counts or 'nothing'}")
         if one.renamed:
             lines.append(f"  not named {one.name}: that holds such a text, or a long number")
