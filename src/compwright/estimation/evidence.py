@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.basis import Basis, log_density, smooth_density
-from compwright.estimation.factors import factored, inverse_of_lower
+from compwright.estimation.factors import factored, factored_beside, inverse_of_lower
 from compwright.records.axis import FloatArray
 
 NOISE, LOCAL, SMOOTH, LENGTH, EXCESS, REVERSAL, REVERSAL_LENGTH, PERIODIC = range(8)
@@ -130,6 +130,7 @@ class Evidence:
         self.rows = _own_rows(basis, targets, data)
         self.typical = data.typical()
         self.values = data.values[self.typical]
+        self.together = np.nonzero(data.seats[:, np.newaxis] == data.seats)
 
     def rows_under(self, draw: int) -> FloatArray:
         """Return the columns (c, j) of all weights at the cells under a draw of the noise: those of
@@ -235,6 +236,7 @@ class Evidence:
             values=data.values[index],
             rows=self.rows_under(index) * deviations,
             data=data,
+            together=self.together,
         )
 
     def _marginal(
@@ -255,7 +257,8 @@ class Evidence:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Scaled:
     """The model at given hyperparameters: variances, precision per cell, values of the cells, and
-    the ``rows`` (c, j) of weights of unit variance.
+    the ``rows`` (c, j) of weights of unit variance; ``together``: which cells share a target, as
+    places in a matrix (c, c).
     """
 
     noise: float
@@ -266,6 +269,7 @@ class _Scaled:
     values: FloatArray
     rows: FloatArray
     data: CellData
+    together: tuple[NDArray[np.intp], ...]
 
     @property
     def total(self) -> FloatArray:
@@ -309,24 +313,18 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     """Return the density by the covariance of the cells itself (c, c)."""
     data, y = scaled.data, scaled.values
     covariance = scaled.rows @ scaled.rows.T
-    covariance += scaled.local * (data.seats[:, np.newaxis] == data.seats)
+    covariance[scaled.together] += scaled.local
     covariance.flat[:: y.size + 1] += 1.0 / scaled.precision
-    factor = factored(covariance)[1]
-    log = -float(np.sum(np.log(np.diag(factor))))
+    # The covariance is larger than that of the noise alone, its inverse smaller.
+    factor, z = factored_beside(covariance, y, float(scaled.precision @ y**2))
+    log = -float(np.sum(np.log(np.diag(factor)))) - 0.5 * float(z @ z)
     if not derivatives:
-        z = np.linalg.solve(factor, y)
-        return _Marginal(
-            log=log - 0.5 * float(z @ z),
-            residual=_NONE,
-            by_weight=_NONE,
-            by_target=_NONE,
-            by_cell=_NONE,
-        )
+        return _Marginal(log=log, residual=_NONE, by_weight=_NONE, by_target=_NONE, by_cell=_NONE)
     inverse = inverse_of_lower(factor)
-    z, whitened = inverse @ y, inverse @ scaled.rows
+    whitened = inverse @ scaled.rows
     seen = np.add.reduceat(inverse, data.starts, axis=1)
     return _Marginal(
-        log=log - 0.5 * float(z @ z),
+        log=log,
         residual=inverse.T @ z,
         by_weight=(z @ whitened) ** 2 - np.sum(whitened**2, axis=0),
         by_target=np.sum(seen**2, axis=0),

@@ -29,6 +29,27 @@ def factored(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
     return matrix, np.asarray(np.linalg.cholesky(matrix), dtype=np.float64)
 
 
+def factored_beside(
+    matrix: FloatArray, values: FloatArray, largest: float
+) -> tuple[FloatArray, FloatArray]:
+    """Return the Cholesky factor L (n, n) of a symmetric ``matrix`` (n, n), and inverse(L)
+    ``values`` (n,): the last row of the factor of the matrix with the values below and beside it
+    (Golub and Van Loan 2013, section 4.2.5); ``largest``: what values' inverse(matrix) values does
+    not exceed. Rounding is met as by `factored`.
+    """
+    size = values.size
+    bordered = np.empty((size + 1, size + 1))
+    bordered[:size, :size] = matrix
+    bordered[size, :size] = bordered[:size, size] = values
+    bordered[size, size] = 1.0 + 2.0 * largest
+    try:
+        factor = np.asarray(np.linalg.cholesky(bordered), dtype=np.float64)
+    except np.linalg.LinAlgError:
+        factor = factored(matrix)[1]
+        return factor, np.asarray(np.linalg.solve(factor, values), dtype=np.float64)
+    return factor[:size, :size], factor[size, :size]
+
+
 def inverse_of_lower(factor: FloatArray) -> FloatArray:
     """Return the inverse (n, n) of a lower triangle ``factor`` (n, n): of its halves, and of what
     couples them -inverse(second) coupling inverse(first) (Golub and Van Loan, Matrix Computations,
