@@ -47,18 +47,17 @@ FIRST: Final = Like()
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FreshTests:
     """Draws of the deviation at new ``targets`` (m,), mm or deg; what tests like ``result`` add:
-    ``scatter`` of the readings, from the generator in ``state``, and ``slopes`` (s, m) from a
-    temperature that is not known better. ``less``: the scatter without the parts of the noise
-    that were asked for last (it is large).
+    the scatter of the readings, from the generator in ``state``, and ``slopes`` (s, m) from a
+    temperature that is not known better. ``drawn``: the scatter of all parts of the noise, once it
+    is asked for, and that without the parts that were asked for last (both are large).
     """
 
     result: PositioningResult
     targets: FloatArray
     draws: Draws
-    scatter: Scatter
     slopes: FloatArray
     state: Any
-    less: dict[frozenset[NoisePart], Scatter] = field(default_factory=dict)
+    drawn: dict[frozenset[NoisePart], Scatter] = field(default_factory=dict)
 
     def quantiles(
         self,
@@ -89,7 +88,7 @@ class FreshTests:
         found = predict_test(
             deviations[0],
             deviations[1],
-            self._scatter_without(cured) if cured else self.scatter,
+            self._scatter_without(frozenset(cured)),
             change_positive=still,
             change_negative=still,
             coverage=self.result.coverage,
@@ -111,17 +110,16 @@ class FreshTests:
             for each in fields(noise)
         )
 
-    def _scatter_without(self, parts: Sequence[NoisePart]) -> Scatter:
-        if not self.has(parts):
-            return self.scatter
-        asked = frozenset(parts)
-        if asked not in self.less:
+    def _scatter_without(self, parts: frozenset[NoisePart]) -> Scatter:
+        asked = parts if parts and self.has(tuple(parts)) else frozenset()
+        if asked not in self.drawn:
+            for other in [key for key in self.drawn if key and asked]:
+                del self.drawn[other]
             rng = np.random.default_rng()
             rng.bit_generator.state = self.state
-            bare = without(self.draws.noise, *parts)
-            self.less.clear()
-            self.less[asked] = _scatter(self.result, bare, self.targets, rng)
-        return self.less[asked]
+            bare = without(self.draws.noise, *asked)
+            self.drawn[asked] = _scatter(self.result, bare, self.targets, rng)
+        return self.drawn[asked]
 
 
 def fresh_tests(
@@ -140,14 +138,16 @@ def fresh_tests(
     rng = generator(axis.name, name, "draws")
     draws = posterior.draw(targets, DRAWS, rng, like.place)
     state = rng.bit_generator.state
-    scatter = _scatter(result, draws.noise, targets, rng)
+    drawn: dict[frozenset[NoisePart], Scatter] = {}
+    if like.slope_std > 0.0:  # the slopes come after the scatter
+        drawn[frozenset()] = _scatter(result, draws.noise, targets, rng)
     return FreshTests(
         result=result,
         targets=targets,
         draws=draws,
-        scatter=scatter,
         slopes=fresh_slopes(targets, DRAWS, like.slope_std, rng),
         state=state,
+        drawn=drawn,
     )
 
 
