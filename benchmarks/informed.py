@@ -50,7 +50,7 @@ def inform(machine: Machine, readings: Floats) -> Informed:
     y = y - y.mean()
     rows, sizes = _columns(machine, x, u)
     rows = rows[:, made].T
-    scale = np.broadcast_to(machine.scales(u), made.shape)[made]
+    scale = np.broadcast_to(machine.scales(u), made.shape)[made] * np.hypot(1, noise.states)
     step = noise.resolution**2 / 12
     weights = np.ones(y.size)
     for _ in range(12 if noise.student or noise.outlier_share else 1):

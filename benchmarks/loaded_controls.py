@@ -7,6 +7,7 @@ Positions in mm (deg), corrections (2, m) in µm (arcsec) for arrival in + and i
 
 from __future__ import annotations
 
+import importlib
 import io
 import json
 import re
@@ -140,6 +141,7 @@ def said(*words: str) -> tuple[int, bytes, str]:
 
 def without_reports() -> None:
     """Let no command draw a report: nobody reads it here."""
+    importlib.import_module("osqp")  # which wants it, too
     sys.modules["jinja2"] = None  # type: ignore[assignment]
 
 

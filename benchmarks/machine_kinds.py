@@ -200,6 +200,16 @@ def _outliers(rng: Generator) -> Machine:
     return loud(plain(rng), outlier_share=0.02, outlier_size=8.0)
 
 
+@kind("two states of rest")
+def _states(rng: Generator) -> Machine:
+    return loud(plain(rng), states=float(rng.uniform(1, 3)))
+
+
+@kind("evenly spread scatter")
+def _even(rng: Generator) -> Machine:
+    return loud(plain(rng), even=True)
+
+
 def _moving(part: str, least: float, most: float) -> Kind:
     """Return the kind whose traverses move so many times the scatter of a reading."""
 

@@ -32,7 +32,9 @@ class Noise:
 
     ``sigma``: standard deviation of a reading at the low end in + (scale of Student's t where
     ``student`` gives its degrees of freedom); ``negative``: its factor in -; ``growth``: it is
-    1 + growth times as large at the high end. ``outlier_size`` in sigma, either sign. ``shift``
+    1 + growth times as large at the high end. ``outlier_size`` in sigma, either sign. ``states``:
+    half their distance in sigma, where an axis comes to rest on one of two sides; ``even``: scatter
+    of the same standard deviation, evenly spread. ``shift``
     and ``tilt`` (over the travel): drawn per traverse; ``walk``: step from a traverse to the next;
     ``run_shift``: drawn per run; ``off_share`` of the traverses lie ``off_size`` off, either side.
     ``wave``: in time, ``waves`` of them in a test, amplitude and phase drawn per test. ``memory``:
@@ -51,6 +53,8 @@ class Noise:
     student: float = 0.0
     outlier_share: float = 0.0
     outlier_size: float = 0.0
+    states: float = 0.0
+    even: bool = False
     shift: float = 0.0
     tilt: float = 0.0
     walk: float = 0.0
@@ -139,8 +143,12 @@ class Machine:
         shape = (2, x.size, self.runs)
         if noise.student:
             random = rng.standard_t(noise.student, shape)
+        elif noise.even:
+            random = rng.uniform(-np.sqrt(3), np.sqrt(3), shape)
         else:
             random = rng.standard_normal(shape)
+        if noise.states:
+            random = random + noise.states * rng.choice([-1.0, 1.0], shape)
         hit = rng.uniform(size=shape) < noise.outlier_share
         random = random + hit * noise.outlier_size * rng.choice([-1.0, 1.0], shape)
         beside = self._traverses(u[:, None], rng) + self._in_time(u, rng) + warm * u[:, None]

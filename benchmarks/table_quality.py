@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import importlib
 import io
 import json
 import sys
@@ -231,6 +232,7 @@ def main() -> None:
     tasks = [(kind, number) for number in range(words.count) for kind in kinds]
     todo = [task for task in tasks if task not in done]
     end = time.monotonic() + words.seconds
+    importlib.import_module("osqp")  # which wants it, too
     sys.modules["jinja2"] = None  # type: ignore[assignment] # no report: nobody reads it here
     for record in _worked(todo, words.jobs, end):
         records.append(record)

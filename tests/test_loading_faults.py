@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -441,11 +442,25 @@ def test_what_a_test_tells_little_of_is_near() -> None:
         assert ("shifted" in found.near, "not_active" in found.near) == (near, False)
 
 
-@pytest.mark.parametrize(("dof", "variance"), [(np.inf, 1.0), (5.0, 5.0 / 3.0)])
-def test_single_readings_have_the_noise_of_the_first_test(dof: float, variance: float) -> None:
-    """Student's law has the variance dof / (dof - 2) (Johnson, Kotz, Balakrishnan, 1995, ch. 28)."""
+@pytest.mark.parametrize(
+    ("parts", "variance"),
+    [
+        ({}, 1.0),
+        ({"dof": 5.0}, 5.0 / 3.0),
+        ({"outlier_share": 0.1, "outlier_size": 4.0}, 0.9 + 0.1 * 16.0),
+        ({"outlier_share": 0.1, "outlier_size": 4.0, "outlier_fixed": True}, 1.0 + 0.1 * 16.0),
+        ({"outlier_share": 1.0, "outlier_size": 2.0, "outlier_fixed": True}, 5.0),
+    ],
+)
+def test_single_readings_have_the_noise_of_the_first_test(
+    parts: dict[str, float], variance: float
+) -> None:
+    """Student's law has the variance dof / (dof - 2) (Johnson, Kotz, Balakrishnan, 1995, ch. 28); a
+    mixture that of its parts, weighted, and that of their places.
+    """
     sigma = np.full(8, NOISE)
-    noise = replace(normal_noise(sigma, centre=200.0, half=200.0), dof=np.full(8, dof))
+    arrays: dict[str, Any] = {name: np.full(8, value) for name, value in parts.items()}
+    noise = replace(normal_noise(sigma, centre=200.0, half=200.0), **arrays)
     readings = np.zeros((TARGETS.size, 1))
     test = PositioningTest(
         name="x",
