@@ -6,7 +6,7 @@ Circles are looked at in the tests of the reporting room, of the examples and of
 `evaluate` writes. Most of the time of a run is sampling. Where a measured axis or circle is only the
 way to a control's files, the same stages run with fewer sweeps and fewer fresh tests; what the
 estimate and the prediction say is tested where nothing is brief. There, and in modules that say
-`pytest.mark.remembered`, the same readings are estimated once.
+`pytest.mark.remembered`, the same readings are estimated once, but in tests that ask for it afresh.
 Fixed seeds: a test fails every time or never; new cases are tried in ``benchmarks/``.
 
 No power fails while tests run: nothing waits until it is on the disk. Processes that tests start
@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from inspect import unwrap
 
 import pytest
 from hypothesis import settings
@@ -86,4 +87,13 @@ def sampled(request: pytest.FixtureRequest) -> Iterator[None]:
         if brief or request.node.get_closest_marker("remembered"):
             for room, name, function in _BRIEF if brief else _WHOLE:
                 patch.setattr(room, name, function)
+        yield
+
+
+@pytest.fixture
+def afresh() -> Iterator[None]:
+    """Let estimates be worked out although the same readings were estimated before."""
+    with pytest.MonkeyPatch.context() as patch:
+        for room, name, function in _WHOLE:
+            patch.setattr(room, name, unwrap(function))
         yield

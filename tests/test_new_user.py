@@ -121,6 +121,7 @@ def test_the_table_holds_the_error_that_was_put_in(first_day: tuple[Path, str, s
     assert slope == pytest.approx(20.0, abs=1.0)
 
 
+@pytest.mark.usefixtures("afresh")
 def test_the_assumed_job_gives_the_same_bytes_with_the_profile(
     first_day: tuple[Path, str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -204,6 +204,7 @@ def test_the_next_plan_starts_from_what_was_read_back(rounds: Rounds) -> None:
     assert sorted(plan.states) == ["as_found", "round_1"]
 
 
+@pytest.mark.usefixtures("afresh")
 def test_the_job_of_the_round_gives_the_same_bytes_again(rounds: Rounds) -> None:
     def content() -> dict[Path, bytes]:
         return {path: path.read_bytes() for path in rounds.second.rglob("*") if path.is_file()}

@@ -24,6 +24,8 @@ from compwright.records.correction import ControlFile
 from compwright.workflow.stages import control as control_module
 from loop import Floats, Machine, csv_of
 
+pytestmark = pytest.mark.remembered
+
 MACHINE = Machine()
 UM = 1e-3
 
@@ -101,6 +103,7 @@ def test_the_prediction_has_the_keys_of_the_contract(folder: Path) -> None:
         np.testing.assert_allclose(axis["table"][key], table(nodes, sign) / UM, atol=1e-9)  # µm
 
 
+@pytest.mark.usefixtures("afresh")
 def test_the_same_input_gives_the_same_bytes(folder: Path) -> None:
     path = str(job(folder))
     for name in ("one", "two"):

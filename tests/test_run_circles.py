@@ -504,6 +504,7 @@ def test_decode_shows_what_one_axis_does_to_the_other(done: Path) -> None:
         )  # µm: 40 µm/m
 
 
+@pytest.mark.usefixtures("afresh")
 def test_the_same_job_gives_the_same_bytes(folder: Path) -> None:
     path = str(job(folder))
     for name in ("one", "two"):

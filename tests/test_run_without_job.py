@@ -72,6 +72,7 @@ def test_the_job_names_the_measurement_from_where_it_lies(made: Path) -> None:
     assert (data["controller"]["format"], data["axes"]["X"]["address"]) == (WORDS[1], "AX1")
 
 
+@pytest.mark.usefixtures("afresh")
 def test_the_job_gives_the_same_bytes_again(hall: Path, capsys: pytest.CaptureFixture[str]) -> None:
     before = tree(hall)
     job = f"{OUT}/job.yaml"
