@@ -2,7 +2,7 @@
 
 Many tests of a module run a command on one measurement with other files of the control: the same
 readings give the same estimate, from whichever file they were read. That they do so when they are
-worked out anew is tested where nothing is remembered (test_run.py, test_same_bytes.py).
+worked out anew is tested where nothing is remembered (the fixture ``afresh``; test_same_bytes.py).
 """
 
 from __future__ import annotations
