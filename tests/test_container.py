@@ -7,6 +7,7 @@ import time
 import pytest
 
 from compwright.formats.control_format import control_format
+from compwright.formats.text import container as text_container
 from compwright.formats.text.container import opened, unknown_container
 from compwright.foundations.errors import InputError
 from compwright.foundations.input_sizes import MOST_CONTROL_TEXT
@@ -102,6 +103,17 @@ def test_a_member_larger_than_any_control_has_is_refused() -> None:
     content = b"$MA_BACKLASH[0,AX1]=0\n" * (MOST_CONTROL_TEXT // 22 + 1)
     assert "INITIAL.INI" in refused(container([(ACTIVE, "INITIAL.INI", content)]))
     assert not members(container([("\\MPF.DIR\\", "LONG.MPF", content)]))
+
+
+def test_texts_that_are_more_than_any_control_has_together_are_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    opened.cache_clear()
+    monkeypatch.setattr(text_container, "MOST_CONTROL_TEXTS", 1000)
+    texts = [(ACTIVE, f"A{number}.INI", b"$MA_X=0\n" * 50) for number in range(3)]
+    assert "holds 3 texts of 1.2 kB together" in refused(container(texts))
+    assert len(members(container(texts[:2]))) == 2
+    opened.cache_clear()
 
 
 @pytest.mark.parametrize(

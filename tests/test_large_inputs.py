@@ -28,6 +28,7 @@ from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.circular import CircularRun
 from compwright.records.correction import ControlFile
 from compwright.records.positioning import PositioningTest
+from compwright.workflow.stages import control
 from compwright.workflow.stages.control import read_files
 from format_samples import DEFINITIONS
 from one_test import read_positioning
@@ -179,6 +180,17 @@ def test_a_text_longer_than_any_of_a_control_is_refused(tmp_path: Path) -> None:
     )
     file.write_bytes(b"@@MMCIBN." + b"0 0 0\n" * 1_400_000)
     assert len(read_files([file])) == 1  # an archive; what is in it is told where it is opened
+
+
+def test_texts_longer_together_than_those_of_a_control_are_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(control, "MOST_CONTROL_TEXTS", 1000)
+    for number in range(3):
+        (tmp_path / f"{number}.cfg").write_bytes(b"0 0 0\n" * 60)
+    with pytest.raises(InputError, match=r"too large together; .* found 3 files of 1\.1 kB"):
+        read_files([tmp_path])
+    assert len(read_files([tmp_path / "0.cfg", tmp_path / "1.cfg"])) == 2
 
 
 def test_a_job_full_of_keys_is_refused_before_it_is_understood(

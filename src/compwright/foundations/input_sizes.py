@@ -57,6 +57,9 @@ MOST_SAMPLES_OF_A_RUN: Final = 1_000_000
 #: Bytes of one text of a control, alone or in an archive: the largest of a five-axis machine has
 #: one million.
 MOST_CONTROL_TEXT: Final = 8_000_000
+#: Bytes of all texts of a control together: a whole backup of it has some 20 MB, most of them
+#: programs, which are not read.
+MOST_CONTROL_TEXTS: Final = 32_000_000
 
 
 def in_words(size: int) -> str:

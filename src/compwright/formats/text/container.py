@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from compwright.foundations.errors import Fault
-from compwright.foundations.input_sizes import MOST_CONTROL_TEXT, in_words
+from compwright.foundations.input_sizes import MOST_CONTROL_TEXT, MOST_CONTROL_TEXTS, in_words
 from compwright.records.correction import ControlFile
 
 MAGIC = b"@@MMCIBN."
@@ -150,6 +150,10 @@ def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
                     expected="an archive made anew by the control",
                 )
             )
+    together = sum(len(one.content) for one in state.values())
+    if together > MOST_CONTROL_TEXTS:
+        what = f"holds {len(state)} texts of {in_words(together)} together, more than any control's"
+        faults.append(_fault(file, 0, what, expected=f"at most {in_words(MOST_CONTROL_TEXTS)}"))
     if faults:
         return None, tuple(faults)
     return Container(tuple(state.values()), tuple(programs)), ()

@@ -7,7 +7,7 @@ Where the two do not agree nothing is done with the files.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -23,7 +23,13 @@ from compwright.formats.text.container import is_container
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
-from compwright.foundations.input_sizes import CONTROL, MOST_CONTROL_TEXT, MOST_DIGITS, in_words
+from compwright.foundations.input_sizes import (
+    CONTROL,
+    MOST_CONTROL_TEXT,
+    MOST_CONTROL_TEXTS,
+    MOST_DIGITS,
+    in_words,
+)
 from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, ControlFile, ControlState
 from compwright.records.job import Job
@@ -273,6 +279,17 @@ def _long_text(file: ControlFile) -> Fault | None:
     )
 
 
+def _long_together(files: Sequence[ControlFile]) -> Iterator[Fault]:
+    """Yield the fault of texts that are more than any control's together."""
+    sizes = [len(file.content) for file in files if not is_container(file)]
+    if sum(sizes) > MOST_CONTROL_TEXTS:
+        yield Fault(
+            message="the texts are too large together",
+            expected=f"texts of a control of at most {in_words(MOST_CONTROL_TEXTS)}",
+            found=f"{len(sizes)} files of {in_words(sum(sizes))}",
+        )
+
+
 def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     """Read control files; a folder stands for all files in it. Raises InputError with every file
     that cannot be read.
@@ -304,6 +321,7 @@ def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
         if times > 1
     )
     faults.extend(filter(None, map(_long_text, files)))
+    faults.extend(_long_together(files))
     faults.extend(filter(None, map(_endless_number, files)))
     raise_all(InputError, faults)
     return tuple(files)
