@@ -10,8 +10,10 @@ import pytest
 import yaml
 
 from compwright.cli import run as compwright
-from compwright.formats.text.other_files import says_nothing
+from compwright.formats.text.other_files import says_nothing, without_others
+from compwright.foundations.errors import InputError
 from compwright.records.correction import ControlFile
+from compwright.workflow.stages.control import decode, open_control, read_files
 from compwright.workflow.stages.definitions import definition_named
 from fanuc_backup import parameters, pitch_data
 
@@ -59,6 +61,30 @@ def test_what_looks_like_data_is_refused_by_name(
     assert code == 3
     assert "MORE.TXT" in capsys.readouterr().err
     assert not job.exists()
+
+
+def test_the_folder_of_a_memory_card_is_a_state_as_it_is(tmp_path: Path) -> None:
+    """The second reader refuses the list of the hardware by its first line that looks like a
+    block; only files that were named themselves stay whatever they hold.
+    """
+    card = backup(tmp_path / "card", **{"SYS-CONF.TXT": HARDWARE})
+    control = open_control("fanuc-30i", {"detection_unit": 0.001})
+    read = decode(control, read_files([card]), address="1")
+    assert [file.name for file in read.files] == ["CNC-PARA.TXT", "PITCH.TXT"]
+    told = [one.message for one in read.state.findings if one.code == "CW-S084"]
+    assert len(told) == 1
+    assert told[0].startswith("SYS-CONF.TXT: in the folder that was given")
+    with pytest.raises(InputError, match="SYS-CONF"):
+        decode(control, read_files(sorted(card.iterdir())), address="1")
+
+
+def test_no_command_is_left_out_of_a_folder(tmp_path: Path) -> None:
+    """A line without a number is nothing to a FANUC, and deletes a table of a PMAC."""
+    (tmp_path / "a.pmc").write_text("#1 DEFINE COMP 1,1000\n0\nI186=0\n")
+    (tmp_path / "b.pmc").write_text("#2 DELETE COMP\n")
+    files = read_files([tmp_path])
+    for format_id, left in (("pmac", 2), ("fanuc-30i", 1)):
+        assert len(without_others(definition_named(format_id, Path()), files)[0]) == left
 
 
 @pytest.mark.parametrize(

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.text.texts import BINARY, text_reader
 from compwright.foundations.errors import Fault
+from compwright.foundations.findings import Finding
 from compwright.records.correction import ControlFile
 
 #: An assignment, a numbered block or a row of numbers: whatever the maker, a control could take it.
@@ -27,3 +29,26 @@ def says_nothing(definition: Definition, file: ControlFile) -> bool:
     faults: list[Fault] = []
     read = text_reader(definition).read(file, faults)
     return read is not None and not faults and not read.occurrences
+
+
+def _numbered(definition: Definition) -> bool:
+    """Return whether every statement of a control begins with its number."""
+    return all(each.form.startswith("N") for each in definition.statements.values())
+
+
+def without_others(
+    definition: Definition, files: Sequence[ControlFile]
+) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
+    """Return ``files`` without those of a folder that say nothing of the control, and the finding
+    that names them (CW-S084). A file that was named itself stays, and all do where nothing is left,
+    and of a control that does not number its blocks: there any line may be a command.
+    """
+    if not _numbered(definition):
+        return tuple(files), ()
+    others = [file for file in files if file.folder and says_nothing(definition, file)]
+    kept = tuple(file for file in files if file not in others)
+    if not others or not kept:
+        return tuple(files), ()
+    named = ", ".join(file.name for file in others)
+    message = f"{named}: in the folder that was given, no line is a statement of {definition.id}"
+    return kept, (Finding("CW-S084", "info", f"{message}; left out"),)

@@ -20,6 +20,7 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
 from compwright.formats.text.container import is_container
+from compwright.formats.text.other_files import without_others
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
@@ -361,14 +362,16 @@ def decode(
         )
     activity = Activity(said=active, asking=asking)
     reading = control.format if axes else control.format.for_a_view()
+    files, beside = without_others(control.definition, files)
     state = reading.read(files, axes, address=address, activity=activity)
+    state = replace(state, findings=(*state.findings, *beside))
     if asking or not axes:
         _check_meaning(control, state, axes)
     named = [
         (each, axis) for axis in axes for each in (axis.address, axis.gantry) if each is not None
     ]
     if control.definition.judged == "read_back":
-        return DecodedState(tuple(files), state, ReadOnce(state))
+        return DecodedState(files, state, ReadOnce(state))
     alone = address or (axes[0].address if len(axes) == 1 else None)
     judge = virtual_control(
         control.id,
@@ -392,7 +395,7 @@ def decode(
         },
     )
     raise_all(CompwrightError if written else InputError, disagreements(state, judge))
-    return DecodedState(files=tuple(files), state=state, judge=judge)
+    return DecodedState(files=files, state=state, judge=judge)
 
 
 def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) -> None:
