@@ -127,6 +127,18 @@ def test_the_same_files_are_the_same(done: Path, tmp_path: Path) -> None:
     assert answer["axes"]["X"]["verdict"] == "loaded"
 
 
+def test_what_run_wrote_is_not_what_was_read_back(done: Path, tmp_path: Path) -> None:
+    """A tired hand takes the folder that lies beside the plan: nothing was read from the control."""
+    answer = tmp_path / "own.json"
+    plan, own = str(done / "out" / "plan.json"), str(done / "out" / "tables" / "fanuc-30i")
+    assert compwright(["compare", plan, "--loaded", own, "--json", str(answer)]) == 0
+    told = [one for one in json.loads(answer.read_text())["findings"] if one["code"] == "CW-S085"]
+    assert [one["severity"] for one in told] == ["warning"]
+    assert "save it from the control and compare that" in told[0]["message"]
+    _, read_back = compare(done, tmp_path, tables(done))
+    assert "CW-S085" not in {one["code"] for one in read_back["findings"]}
+
+
 def test_another_order_and_another_line_end_are_the_same(done: Path, tmp_path: Path) -> None:
     turned = {name: text.replace("\n", "\n\r\r") for name, text in reversed(tables(done).items())}
     assert compare(done, tmp_path, turned)[0] == 0
