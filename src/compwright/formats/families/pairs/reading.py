@@ -315,8 +315,9 @@ class _TableReader(TableLines):
     def _unknown_keys(self) -> None:
         for found in self.places.get("cross_other", ()):
             key = found.occurrence.tokens["key"].text
-            message = f"$AN_CEC_{key} cannot be read: no such key is known"
-            self._wrong(message, found, expected="a key that is known")
+            message = f"$AN_CEC_{key} cannot be read: the key is not known, or has no such value"
+            expected = "a key and a value as the control writes them (yes and no: 1 and 0)"
+            self._wrong(message, found, expected=expected)
 
     def _odd_settings(self) -> None:
         """Refuse what changes a table in another way than a curve, a weight and a switch do."""
