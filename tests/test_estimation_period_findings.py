@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from compwright.estimation.period_findings import meaning, period_findings
-from compwright.estimation.periods import PeriodCurve, PeriodModel, PeriodSearch
+from compwright.estimation.period_models import PeriodCurve, PeriodModel, PeriodSearch
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.estimate import AxisPeriod

@@ -23,8 +23,9 @@ from compwright.estimation.period_likelihood import (
     PeriodLikelihood,
 )
 from compwright.estimation.period_middles import FITTED, fitted_periods, middles_of, unseen_periods
+from compwright.estimation.period_models import PeriodSearch
 from compwright.estimation.period_window import Window, alikeness
-from compwright.estimation.periods import PeriodSearch, search_periods
+from compwright.estimation.periods import search_periods
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.positioning import PositioningTest
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from compwright.estimation.cells import Cells
 from compwright.estimation.model import Fitted, Part, Periods, Travel, fitted, moved
-from compwright.estimation.periods import PeriodModel
+from compwright.estimation.period_models import PeriodModel
 
 _SEED: Final = 231  # by it draws of the noise go with models
 

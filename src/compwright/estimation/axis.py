@@ -40,7 +40,8 @@ from compwright.estimation.observed import ObservedTest
 from compwright.estimation.own_slopes import slope_findings
 from compwright.estimation.period_findings import period_findings, unseen_findings
 from compwright.estimation.period_middles import fitted_periods, middles_of, unseen_periods
-from compwright.estimation.periods import PeriodSearch, search_periods
+from compwright.estimation.period_models import PeriodSearch
+from compwright.estimation.periods import search_periods
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray

@@ -6,7 +6,7 @@ Analysis and Parameter Estimation, 1988, chapter 3).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -22,7 +22,7 @@ from compwright.records.axis import FloatArray
 #: between, an inclined scale): standard deviation.
 _NEAR: Final = 0.004
 #: Frequencies this near, in units of 1 / length, are one peak.
-_PEAK: Final = 0.7
+PEAK: Final = 0.7
 #: Peaks that are looked at closely, and those whose share is worth it (natural logarithm).
 _PEAKS: Final = 8
 _WORTH: Final = 4.0
@@ -131,7 +131,7 @@ def candidates_of(
     prior = _prior(frequencies, expected, before)
     everywhere = np.concatenate([frequencies, prior.usual])
     window = Window(targets, 2.0 * float(np.max(everywhere)) + float(frequencies[0]))
-    shown = _Shown(likelihood, window, float(frequencies[0]), before.taken, _PEAK * resolution)
+    shown = _Shown(likelihood, window, float(frequencies[0]), before.taken, PEAK * resolution)
     odds = shown.either(everywhere, likelihood.coarse())
     cell = np.log(frequencies[1] - frequencies[0])
     logs = odds + np.concatenate([prior.even(frequencies) + cell, prior.log_usual])
@@ -143,14 +143,42 @@ def candidates_of(
     found = []
     if close:
         choice = likelihood.telling(centres)
-        for near, (_, members) in zip(
-            _close_looks(shown, choice, centres, resolution, prior), close, strict=True
-        ):
+        nearest = _close_looks(shown, choice, centres, resolution, prior)
+        # What the few nodes of the first look overstate of the best they overstate of all.
+        best = logs[np.abs(everywhere - centres[0]) <= PEAK * resolution]
+        logs = logs + min(nearest[0].log - _log_sum(best), 0.0)
+        for near, (_, members) in zip(nearest, close, strict=True):
             aliases = _aliases(1.0 / near.period, everywhere[members], targets, resolution)
             found.append(_shared(near, aliases, shown, choice, _log_sum(logs[members])))
         found.sort(key=lambda each: -round(each.log, 6))
-    rest = _log_sum(logs[~taken]) if np.any(np.isfinite(logs[~taken])) else -np.inf
+    rest = _log_sum(np.append(logs[~taken], -np.inf))
     return Look(tuple(found), rest, odds[: frequencies.size])
+
+
+def looked_at_closely(
+    likelihood: PeriodLikelihood,
+    candidate: Candidate,
+    frequencies: FloatArray,
+    expected: Sequence[UsualPeriod],
+    before: Odds,
+) -> Candidate:
+    """Return a candidate as it looks under another ``likelihood``, beside other periods; its own
+    logarithm and aliases stay, and all of it where it counts as a harmonic of one of these.
+    Arguments as those of `candidates_of`.
+    """
+    resolution = 1.0 / float(np.ptp(likelihood.targets))
+    prior = _prior(frequencies, expected, before)
+    highest = 2.0 * float(np.max(np.append(frequencies, prior.usual))) + float(frequencies[0])
+    window = Window(likelihood.targets, highest)
+    shown = _Shown(likelihood, window, float(frequencies[0]), before.taken, PEAK * resolution)
+    centres = np.array([1.0 / candidate.period])
+    choice = likelihood.telling(centres)
+    if np.isinf(shown.either(centres, choice)[0]):
+        return candidate
+    near = _close_looks(shown, choice, centres, resolution, prior)[0]
+    return replace(
+        near, log=candidate.log, aliases=candidate.aliases, alias_shares=candidate.alias_shares
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -202,7 +230,7 @@ def _peaks(
         if not left[index] or rounded[index] < floor:
             break
         centre = float(where[index])
-        near = np.abs(where - centre) <= _PEAK * resolution
+        near = np.abs(where - centre) <= PEAK * resolution
         members = np.flatnonzero(left & (near | (window.alike(where, centre) >= ALIASED)))
         left[members] = False
         found.append((centre, members))
@@ -214,12 +242,12 @@ def _aliases(
 ) -> FloatArray:
     """Return the frequencies among the ``members`` other than the ``centre`` that look like it,
     each where it does so most."""
-    far = np.sort(members[np.abs(members - centre) > 2.0 * _PEAK * resolution])
+    far = np.sort(members[np.abs(members - centre) > 2.0 * PEAK * resolution])
     if not far.size:
         return far
     found = []
-    for run in np.split(far, np.flatnonzero(np.diff(far) > _PEAK * resolution) + 1):
-        low, high = run[0] - _PEAK * resolution, run[-1] + _PEAK * resolution
+    for run in np.split(far, np.flatnonzero(np.diff(far) > PEAK * resolution) + 1):
+        low, high = run[0] - PEAK * resolution, run[-1] + PEAK * resolution
         for _ in range(3):  # to a hundred-thousandth of the resolution
             fine = np.linspace(low, high, 101)
             best = float(fine[int(np.argmax(alikeness(targets, fine, centre)))])
@@ -242,7 +270,7 @@ def _close_looks(
         usual = usual + shown.either(prior.usual, choice)
     found = []
     for here, mine, centre in zip(fine, logs, centres, strict=True):
-        named = np.flatnonzero(np.abs(prior.usual - centre) <= _PEAK * resolution)
+        named = np.flatnonzero(np.abs(prior.usual - centre) <= PEAK * resolution)
         together = np.concatenate([mine, usual[named]])
         log, exact = _log_sum(together), None
         if named.size and _log_sum(usual[named]) > _log_sum(mine):
@@ -263,7 +291,7 @@ def _resolved(
     """Return frequencies (k, p) about each of the ``centres`` (k,), ever closer until several of
     them count, and the logarithm (k, p) of the probability of each over that of none.
     """
-    best, half = centres.copy(), np.full(centres.size, _PEAK * resolution)
+    best, half = centres.copy(), np.full(centres.size, PEAK * resolution)
     grid = np.linspace(-1.0, 1.0, _POINTS)
     fine, logs = np.empty((2, centres.size, _POINTS))
     open_ = np.arange(centres.size)
@@ -307,4 +335,4 @@ def _shared(
 
 def _log_sum(logs: FloatArray) -> float:
     top = float(np.max(logs))
-    return top + float(np.log(np.sum(np.exp(logs - top))))
+    return top + float(np.log(np.sum(np.exp(logs - top)))) if np.isfinite(top) else top

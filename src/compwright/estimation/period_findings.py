@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from compwright.estimation.periods import PeriodSearch
+from compwright.estimation.period_models import PeriodSearch
 from compwright.estimation.usual_periods import USUAL_PERIODS
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant

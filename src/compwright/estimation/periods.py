@@ -21,11 +21,25 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.basis import HARMONICS, Basis
-from compwright.estimation.period_candidates import Candidate, Look, Odds, candidates_of
+from compwright.estimation.period_candidates import (
+    PEAK,
+    Candidate,
+    Look,
+    Odds,
+    candidates_of,
+    looked_at_closely,
+)
 from compwright.estimation.period_likelihood import Middles, PeriodLikelihood
-from compwright.estimation.usual_periods import usual_periods
+from compwright.estimation.period_models import (
+    NOTHING,
+    PeriodCurve,
+    PeriodSearch,
+    PeriodSet,
+    gathered,
+    probable,
+)
+from compwright.estimation.usual_periods import UsualPeriod, usual_periods
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.estimate import AxisPeriod, PeriodEvidence
 
 #: What is expected before the data: the first period, and one beside those that are known.
 FIRST: Final = Odds(none=0.5, usual=0.38)
@@ -39,74 +53,12 @@ _MOST_FREQUENCIES: Final = 16000
 _PER_RESOLUTION: Final = 3
 #: Periods one after another at most.
 _MOST_PERIODS: Final = 4
-#: Probability from which on a period is told.
-TOLD: Final = 0.05
-#: Odds against none (natural logarithm) from which on one more is looked for beside it.
-_FOLLOWED: Final = 0.0
-#: Models of less probability are not kept; those of one period at most.
-_LEAST_MODEL: Final = 0.01
-_NEIGHBOURS: Final = 5
-#: Periods are told to a picometre, or 4e-6 arcsec: what lies below hangs on the processor.
-_DECIMALS: Final = 9
-#: The curve that is shown: its steps, and the log odds below which it is cut off.
-_LOWEST: Final = -10.0
-_SHOWN: Final = 300
+#: Beside so many sets of as many periods one more is looked for, and those that are so much less
+#: probable (natural logarithm) than the best of all: two waves of one size hide each other.
+_BEAM: Final = 3
+_FOLLOWED: Final = 4.0
 #: Targets that have to be left beside what is free.
 LEFT: Final = 4
-#: Periods that differ by less than this part are one.
-_SAME: Final = 2e-3
-
-
-@dataclass(frozen=True, slots=True)
-class PeriodModel:
-    """What may be: the ``periods`` (mm or deg) beside those known, with their ``harmonics``, and
-    how probable it is."""
-
-    periods: tuple[float, ...]
-    harmonics: tuple[tuple[int, ...], ...]
-    probability: float
-
-
-@dataclass(frozen=True, slots=True)
-class PeriodCurve:
-    """Evidence over the period, for a picture: ``periods`` (f,) descending, mm or deg, and natural
-    logarithm (f,) of the likelihood of a wave of that period over that of none."""
-
-    periods: FloatArray
-    log_odds: FloatArray
-
-
-@dataclass(frozen=True, slots=True)
-class PeriodSearch:
-    """What a search found: ``models``, the most probable first, probabilities sum to 1;
-    ``found``: periods with the probability that they are there; ``alike``: groups of periods that
-    these targets cannot tell apart, each with the probability that it is one of them.
-    """
-
-    models: tuple[PeriodModel, ...]
-    found: tuple[AxisPeriod, ...]
-    alike: tuple[tuple[tuple[float, ...], float], ...]
-    curve: PeriodCurve | None
-
-    @property
-    def sure(self) -> tuple[tuple[float, ...], ...]:
-        """The groups of which one is there rather than not."""
-        return tuple(group for group, probability in self.alike if probability > 0.5)
-
-    def evidence(self) -> PeriodEvidence | None:
-        """Return the curve for a picture: the highest value in each of `_SHOWN` steps that are even
-        in the logarithm of the period; None where nothing was searched.
-        """
-        if self.curve is None:
-            return None
-        logs = np.log(self.curve.periods)
-        edges = np.linspace(logs[-1], logs[0], _SHOWN + 1)
-        step = np.clip(np.searchsorted(edges, logs, side="right") - 1, 0, _SHOWN - 1)
-        order = np.lexsort((-np.round(self.curve.log_odds, 6), step))
-        _, first = np.unique(step[order], return_index=True)
-        best = order[first]
-        odds: FloatArray = np.maximum(self.curve.log_odds[best], _LOWEST).round(6)
-        return PeriodEvidence(self.curve.periods[best].round(_DECIMALS), odds, self.sure)
 
 
 def search_periods(
@@ -125,27 +77,28 @@ def search_periods(
     """
     frequencies = searched(middles.targets, kind)
     if not frequencies.size:
-        return PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
-    looks: list[Look] = []
-    taken: list[float] = []
-    usual = usual_periods(kind, suggested)
-    beside = [wave for period in known for wave in wave_columns(middles.targets, 1.0 / period)]
-    while len(looks) < _MOST_PERIODS:
-        columns = np.column_stack([middles.free, *beside])
-        if columns.shape[1] > middles.targets.size - LEFT:
+        return NOTHING
+    search = _Search(middles, basis, frequencies, usual_periods(kind, suggested), tuple(known))
+    done: list[PeriodSet] = []
+    level = [PeriodSet((), 0.0)]
+    curve: PeriodCurve | None = None
+    for depth in range(_MOST_PERIODS + 1):
+        best = max(each.log for each in (*done, *level))
+        deeper: list[PeriodSet] = []
+        for place, each in enumerate(level):
+            worth = place < _BEAM and each.log >= best - _FOLLOWED and depth < _MOST_PERIODS
+            look = search.beside(each) if worth else None
+            done.append(each if look is None else each.less_certain(look.rest))
+            if look is not None:
+                deeper += [each.with_(one) for one in look.candidates]
+                curve = curve or PeriodCurve(1.0 / frequencies, look.log_odds)
+        level = search.different(deeper)
+        if not level:
             break
-        likelihood = PeriodLikelihood(replace(middles, free=columns), basis)
-        before = replace(FURTHER if beside else FIRST, taken=tuple(taken))
-        looks.append(candidates_of(likelihood, frequencies, usual, before))
-        best = next(iter(looks[-1].candidates), None)
-        if best is None or best.log < _FOLLOWED or best.aliases.size:
-            break
-        beside += wave_columns(middles.targets, 1.0 / best.period)
-        taken.append(1.0 / best.period)
-    if not looks:
-        return PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
-    curve = PeriodCurve(1.0 / frequencies, looks[0].log_odds)
-    return _gathered(looks, curve, suggested)
+    if curve is None:
+        return NOTHING
+    likely = [(search.refined(each), chance) for each, chance in probable(done)]
+    return gathered(likely, curve, suggested)
 
 
 def searched(targets: FloatArray, kind: AxisKind) -> FloatArray:
@@ -176,97 +129,65 @@ def wave_columns(targets: FloatArray, frequency: float) -> list[FloatArray]:
     ]
 
 
-def _gathered(looks: list[Look], curve: PeriodCurve, suggested: Sequence[float]) -> PeriodSearch:
-    """Return the probabilities of what the looks found, each beside the best of those before."""
-    models: list[tuple[tuple[Candidate, ...], float]] = [((), 0.0)]
-    place = 0
-    for look in looks:
-        members, log = models[place]
-        # What is no candidate counts with the model beside which it was looked for.
-        models[place] = (members, log + float(np.logaddexp(0.0, look.rest)))
-        place = len(models)
-        models += [((*members, each), log + each.log) for each in look.candidates]
-    total = _log_sum(np.array([each for _, each in models]))
-    likely = [
-        (members, probability)
-        for members, probability in ((each, float(np.exp(log - total))) for each, log in models)
-        if probability >= _LEAST_MODEL
-    ]
-    kept = [model for each in likely for model in _neighbours(*each)]
-    scale = sum(model.probability for model in kept)
-    return PeriodSearch(
-        tuple(
-            PeriodModel(model.periods, model.harmonics, model.probability / scale)
-            for model in sorted(kept, key=lambda model: -round(model.probability, 9))
-        ),
-        _found(likely, suggested),
-        _alike(likely),
-        curve,
-    )
+@dataclass(frozen=True, slots=True)
+class _Search:
+    """What is looked at: the ``middles``, at ``frequencies`` (f,) and the ``usual`` periods, beside
+    the ``known`` ones (mm or deg).
+    """
 
+    middles: Middles
+    basis: Basis
+    frequencies: FloatArray
+    usual: tuple[UsualPeriod, ...]
+    known: tuple[float, ...]
 
-def _alike(
-    likely: list[tuple[tuple[Candidate, ...], float]],
-) -> tuple[tuple[tuple[float, ...], float], ...]:
-    groups: dict[tuple[float, ...], float] = {}
-    for members, probability in likely:
-        for member in members:
-            if member.aliases.size:
-                group = (member.period, *(1.0 / member.aliases).tolist())
-                groups[group] = min(groups.get(group, 0.0) + probability, 1.0)
-    return tuple(groups.items())
+    def beside(self, periods: PeriodSet) -> Look | None:
+        """Return what may be there beside a set of periods; None where its targets are too few, or
+        it is not known which periods these are.
+        """
+        members = self.refined(periods).members
+        if members and members[-1].aliases.size:
+            return None
+        likelihood = self._likelihood(members)
+        if likelihood is None:
+            return None
+        return candidates_of(likelihood, self.frequencies, self.usual, self._before(members))
 
+    def refined(self, periods: PeriodSet) -> PeriodSet:
+        """Return a set with each member found anew beside all others: what was found first was
+        found with the others in the way.
+        """
+        members = list(periods.members)
+        for place, member in enumerate(members[:-1]):
+            others = [other for other in members if other is not member]
+            likelihood = self._likelihood(others)
+            if likelihood is not None:
+                before = self._before(others)
+                members[place] = looked_at_closely(
+                    likelihood, member, self.frequencies, self.usual, before
+                )
+        return PeriodSet(tuple(members), periods.log)
 
-def _found(
-    likely: list[tuple[tuple[Candidate, ...], float]], suggested: Sequence[float]
-) -> tuple[AxisPeriod, ...]:
-    """Return each period with the probability of all that it is part of."""
-    found: dict[float, float] = {}
-    for members, probability in likely:
-        for member in members:
-            own = 1.0 - float(np.sum(member.alias_shares))
-            parts = [(member.period, own)]
-            parts += list(zip(1.0 / member.aliases, member.alias_shares, strict=True))
-            for period, part in parts:
-                same = next((p for p in found if abs(p - period) < _SAME * p), float(period))
-                found[same] = min(found.get(same, 0.0) + float(part) * probability, 1.0)
-    return tuple(
-        AxisPeriod(
-            round(period, _DECIMALS),
-            round(probability, 6),
-            "files" if any(abs(one - period) < _SAME * one for one in suggested) else "found",
-        )
-        for period, probability in sorted(found.items(), key=lambda pair: -round(pair[1], 9))
-        if probability >= TOLD
-    )
+    def different(self, sets: Sequence[PeriodSet]) -> list[PeriodSet]:
+        """Return the sets, the most probable first, without those that were found a second time in
+        another order: what was looked for beside a wave at a wrong place is less probable.
+        """
+        near = PEAK / float(np.ptp(self.middles.targets))
+        kept: list[PeriodSet] = []
+        for each in sorted(sets, key=lambda one: -round(one.log, 6)):
+            if not any(each.same(other, near) for other in kept):
+                kept.append(each)
+        return kept
 
+    def _likelihood(self, members: Sequence[Candidate]) -> PeriodLikelihood | None:
+        targets = self.middles.targets
+        periods = [*self.known, *(member.period for member in members)]
+        waves = [wave for period in periods for wave in wave_columns(targets, 1.0 / period)]
+        columns = np.column_stack([self.middles.free, *waves])
+        if columns.shape[1] > targets.size - LEFT:
+            return None
+        return PeriodLikelihood(replace(self.middles, free=columns), self.basis)
 
-def _neighbours(members: tuple[Candidate, ...], probability: float) -> list[PeriodModel]:
-    """Return the models of one set of periods: several where the last one is not sharply known."""
-    if not members:
-        return [PeriodModel((), (), probability)]
-    last = members[-1]
-    if last.aliases.size:
-        picked = np.append(last.aliases[:: max(1, last.aliases.size // 7)], 1.0 / last.period)
-        shares = np.full(picked.size, 1.0 / picked.size)
-    else:
-        order = np.argsort(last.frequencies)
-        cumulative = np.cumsum(last.shares[order])
-        ladder = (np.arange(_NEIGHBOURS) + 0.5) / _NEIGHBOURS * cumulative[-1]
-        picked, counts = np.unique(
-            last.frequencies[order][np.searchsorted(cumulative, ladder)], return_counts=True
-        )
-        shares = counts / _NEIGHBOURS
-    rest = tuple(round(member.period, _DECIMALS) for member in members[:-1])
-    harmonics = tuple(HARMONICS for _ in members)
-    return [
-        PeriodModel(
-            (*rest, round(float(1.0 / frequency), _DECIMALS)), harmonics, probability * float(share)
-        )
-        for frequency, share in zip(picked, shares, strict=True)
-    ]
-
-
-def _log_sum(logs: FloatArray) -> float:
-    top = float(np.max(logs))
-    return top + float(np.log(np.sum(np.exp(logs - top))))
+    def _before(self, members: Sequence[Candidate]) -> Odds:
+        taken = tuple(1.0 / member.period for member in members)
+        return replace(FURTHER if self.known or members else FIRST, taken=taken)

@@ -1,0 +1,217 @@
+"""What a search for periods found, as models with their probabilities (Bayesian model averaging:
+Hoeting et al., Statistical Science 14, 1999).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.basis import HARMONICS
+from compwright.estimation.period_candidates import Candidate
+from compwright.records.axis import FloatArray
+from compwright.records.estimate import AxisPeriod, PeriodEvidence
+
+#: Probability from which on a period is told.
+TOLD: Final = 0.05
+#: Models of less probability are not kept; those of one set of periods at most.
+LEAST_MODEL: Final = 0.01
+_NEIGHBOURS: Final = 5
+#: Periods are told to a picometre, or 4e-6 arcsec: what lies below hangs on the processor.
+_DECIMALS: Final = 9
+#: The curve that is shown: its steps, and the log odds below which it is cut off.
+_LOWEST: Final = -10.0
+_SHOWN: Final = 300
+#: Periods that differ by less than this part are one.
+_SAME: Final = 2e-3
+
+
+@dataclass(frozen=True, slots=True)
+class PeriodModel:
+    """What may be: the ``periods`` (mm or deg) beside those known, with their ``harmonics``, and
+    how probable it is."""
+
+    periods: tuple[float, ...]
+    harmonics: tuple[tuple[int, ...], ...]
+    probability: float
+
+
+@dataclass(frozen=True, slots=True)
+class PeriodCurve:
+    """Evidence over the period, for a picture: ``periods`` (f,) descending, mm or deg, and natural
+    logarithm (f,) of the likelihood of a wave of that period over that of none."""
+
+    periods: FloatArray
+    log_odds: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class PeriodSearch:
+    """What a search found: ``models``, the most probable first, probabilities sum to 1;
+    ``found``: periods with the probability that they are there; ``alike``: groups of periods that
+    these targets cannot tell apart, each with the probability that it is one of them.
+    """
+
+    models: tuple[PeriodModel, ...]
+    found: tuple[AxisPeriod, ...]
+    alike: tuple[tuple[tuple[float, ...], float], ...]
+    curve: PeriodCurve | None
+
+    @property
+    def sure(self) -> tuple[tuple[float, ...], ...]:
+        """The groups of which one is there rather than not."""
+        return tuple(group for group, probability in self.alike if probability > 0.5)
+
+    def evidence(self) -> PeriodEvidence | None:
+        """Return the curve for a picture: the highest value in each of `_SHOWN` steps that are even
+        in the logarithm of the period; None where nothing was searched.
+        """
+        if self.curve is None:
+            return None
+        logs = np.log(self.curve.periods)
+        edges = np.linspace(logs[-1], logs[0], _SHOWN + 1)
+        step = np.clip(np.searchsorted(edges, logs, side="right") - 1, 0, _SHOWN - 1)
+        order = np.lexsort((-np.round(self.curve.log_odds, 6), step))
+        _, first = np.unique(step[order], return_index=True)
+        best = order[first]
+        odds: FloatArray = np.maximum(self.curve.log_odds[best], _LOWEST).round(6)
+        return PeriodEvidence(self.curve.periods[best].round(_DECIMALS), odds, self.sure)
+
+
+#: A search that found nothing, for want of targets.
+NOTHING: Final = PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PeriodSet:
+    """Periods that may be there together, in the order in which they were found, and the logarithm
+    ``log`` of their probability over that of none at all.
+    """
+
+    members: tuple[Candidate, ...]
+    log: float
+
+    def with_(self, member: Candidate) -> PeriodSet:
+        """Return the set with one more, which was found beside these."""
+        return PeriodSet((*self.members, member), self.log + member.log)
+
+    def less_certain(self, rest: float) -> PeriodSet:
+        """Return the set with all that is no candidate beside it (``rest``: logarithm of its
+        probability over that of nothing beside it)."""
+        return PeriodSet(self.members, self.log + float(np.logaddexp(0.0, rest)))
+
+    def same(self, other: PeriodSet, near: float) -> bool:
+        """Return whether the other one holds the same periods, frequencies to ``near`` (1 / mm or 1
+        / deg), in whatever order.
+        """
+        mine, theirs = (np.sort([1.0 / m.period for m in s.members]) for s in (self, other))
+        return mine.size == theirs.size and bool(np.all(np.abs(mine - theirs) <= near))
+
+
+def probable(sets: Sequence[PeriodSet]) -> list[tuple[PeriodSet, float]]:
+    """Return those of the ``sets`` that are worth keeping, with their probabilities."""
+    total = log_sum(np.array([each.log for each in sets]))
+    weighed = ((each, float(np.exp(each.log - total))) for each in sets)
+    return [(each, probability) for each, probability in weighed if probability >= LEAST_MODEL]
+
+
+def gathered(
+    likely: Sequence[tuple[PeriodSet, float]], curve: PeriodCurve, suggested: Sequence[float]
+) -> PeriodSearch:
+    """Return what a search found from the ``likely`` sets with their probabilities."""
+    kept = [model for each in likely for model in _neighbours(*each)]
+    scale = sum(model.probability for model in kept)
+    return PeriodSearch(
+        tuple(
+            PeriodModel(model.periods, model.harmonics, model.probability / scale)
+            for model in sorted(kept, key=lambda model: -round(model.probability, 9))
+        ),
+        _found(likely, suggested),
+        _alike(likely),
+        curve,
+    )
+
+
+def _alike(
+    likely: Sequence[tuple[PeriodSet, float]],
+) -> tuple[tuple[tuple[float, ...], float], ...]:
+    groups: dict[tuple[float, ...], float] = {}
+    for each, probability in likely:
+        for member in each.members:
+            if member.aliases.size:
+                group = (member.period, *(1.0 / member.aliases).tolist())
+                groups[group] = min(groups.get(group, 0.0) + probability, 1.0)
+    return tuple(groups.items())
+
+
+def _found(
+    likely: Sequence[tuple[PeriodSet, float]], suggested: Sequence[float]
+) -> tuple[AxisPeriod, ...]:
+    """Return each period with the probability of all that it is part of."""
+    found: dict[float, float] = {}
+    for each, probability in likely:
+        for member in each.members:
+            own = 1.0 - float(np.sum(member.alias_shares))
+            parts = [(member.period, own)]
+            parts += list(zip(1.0 / member.aliases, member.alias_shares, strict=True))
+            for period, part in parts:
+                same = next((p for p in found if abs(p - period) < _SAME * p), float(period))
+                found[same] = min(found.get(same, 0.0) + float(part) * probability, 1.0)
+    return tuple(
+        AxisPeriod(
+            round(period, _DECIMALS),
+            round(probability, 6),
+            "files" if any(abs(one - period) < _SAME * one for one in suggested) else "found",
+        )
+        for period, probability in sorted(found.items(), key=lambda pair: -round(pair[1], 9))
+        if probability >= TOLD
+    )
+
+
+def _neighbours(periods: PeriodSet, probability: float) -> list[PeriodModel]:
+    """Return the models of one set of periods: several where they are not sharply known, each
+    member by its own quantiles, in an order of its own (Latin hypercube: McKay, Beckman and
+    Conover, Technometrics 21, 1979).
+    """
+    if not periods.members:
+        return [PeriodModel((), (), probability)]
+    # One with aliases comes last: nothing is looked for beside it.
+    last = periods.members[-1]
+    count = _picked(last).size if last.aliases.size else _NEIGHBOURS
+    harmonics = tuple(HARMONICS for _ in periods.members)
+    ladders = [
+        _ladder(member, count)[np.arange(count) * (1 + place) % count]
+        for place, member in enumerate(reversed(periods.members))
+    ]
+    rows = [
+        tuple(round(float(period), _DECIMALS) for period in reversed(row))
+        for row in zip(*ladders, strict=True)
+    ]
+    return [
+        PeriodModel(row, harmonics, probability * rows.count(row) / count)
+        for row in dict.fromkeys(rows)
+    ]
+
+
+def _ladder(member: Candidate, count: int) -> FloatArray:
+    """Return ``count`` equally likely periods (count,) that a member may be, mm or deg."""
+    if member.aliases.size:
+        return np.asarray(1.0 / _picked(member))
+    order = np.argsort(member.frequencies)
+    cumulative = np.cumsum(member.shares[order])
+    quantiles = (np.arange(count) + 0.5) / count * cumulative[-1]
+    return np.asarray(1.0 / member.frequencies[order][np.searchsorted(cumulative, quantiles)])
+
+
+def _picked(member: Candidate) -> FloatArray:
+    """Return the frequencies that stand for a member with aliases: some of them, and its own."""
+    return np.append(member.aliases[:: max(1, member.aliases.size // 7)], 1.0 / member.period)
+
+
+def log_sum(logs: FloatArray) -> float:
+    """Return the logarithm of the sum of exponentials of ``logs`` (n,)."""
+    top = float(np.max(logs))
+    return top + float(np.log(np.sum(np.exp(logs - top))))
