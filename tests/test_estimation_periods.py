@@ -206,6 +206,62 @@ def test_two_periods_are_found_one_after_another() -> None:
     assert sorted(named(search)) == pytest.approx([12.0, 20.0], abs=0.1)
 
 
+@pytest.mark.parametrize(("count", "seed"), [(22, 2), (26, 2)])
+def test_two_waves_of_one_size_are_found_together(count: int, seed: int) -> None:
+    """Beside either of them alone the other is scatter, as large: none of the two is likely, both
+    together are."""
+
+    def error(x: FloatArray) -> FloatArray:
+        first, second = np.sin(2 * np.pi * x / 15.0 + seed), np.cos(2 * np.pi * x / 24.0 + 2 * seed)
+        return np.asarray(bow(x) + 0.002 * first + 0.002 * second)
+
+    search = searched(error, count, seed)
+    assert sorted(named(search)) == pytest.approx([15.0, 24.0], rel=1e-3)
+    assert sum(model.probability for model in search.models) == pytest.approx(1.0)
+
+
+def test_a_period_is_measured_beside_those_found_later() -> None:
+    """Found first, with the second wave in the way, 24 mm looks like 23.96 mm."""
+    search = searched(
+        lambda x: (
+            bow(x) + 0.002 * np.sin(2 * np.pi * x / 15.0) + 0.002 * np.cos(2 * np.pi * x / 24.0)
+        ),
+        22,
+        0,
+    )
+    assert sorted(named(search)) == [15.0, 24.0]
+
+
+def test_a_quick_look_does_not_overrule_a_close_one() -> None:
+    """A lead of 20 mm under scatter, which a wave of 2 mm leaves at targets 55 mm apart: few nodes
+    of the likelihood make ten times too much of all waves, 40 mm among them."""
+
+    def error(x: FloatArray) -> FloatArray:
+        waves = 0.002 * np.sin(2 * np.pi * x / 20.0 + 8) + 0.0015 * np.sin(np.pi * x + 16)
+        return np.asarray(0.008 * np.sin(x / 120.0) + 0.004 * np.cos(x / 70.0) + waves)
+
+    rng = np.random.default_rng(8)
+    targets = dithered(rng, 1200.0, 22)
+    middles = made(targets, error, rng, noise=0.0003)
+    search = search_periods(middles, smooth_basis(1200.0), AxisKind.LINEAR)
+    assert sorted(named(search)) == [2.0, 20.0]
+
+
+def test_of_two_periods_neither_is_taken_for_exactly_known() -> None:
+    search = searched(
+        lambda x: (
+            bow(x) + 0.002 * np.sin(2 * np.pi * x / 13.7) + 0.002 * np.cos(2 * np.pi * x / 21.9)
+        ),
+        26,
+        4,
+    )
+    both = [sorted(model.periods) for model in search.models if len(model.periods) == 2]
+    for place, true in enumerate((13.7, 21.9)):
+        different = [periods[place] for periods in both]
+        assert len(set(different)) >= 3
+        assert different == pytest.approx([true] * len(both), rel=5e-3)
+
+
 def test_a_known_period_is_not_found_again_and_another_beside_it_is() -> None:
     rng = np.random.default_rng(4)
     targets = dithered(rng, 800.0, 30)
