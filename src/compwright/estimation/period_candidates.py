@@ -161,10 +161,10 @@ def looked_at_closely(
     frequencies: FloatArray,
     expected: Sequence[UsualPeriod],
     before: Odds,
-) -> Candidate:
-    """Return a candidate as it looks under another ``likelihood``, beside other periods; its own
-    logarithm and aliases stay, and all of it where it counts as a harmonic of one of these.
-    Arguments as those of `candidates_of`.
+) -> Candidate | None:
+    """Return a candidate as it looks under another ``likelihood``, beside other periods; its
+    aliases stay. None where it is a harmonic of one of these, or the other way round. Arguments as
+    those of `candidates_of`.
     """
     resolution = 1.0 / float(np.ptp(likelihood.targets))
     prior = _prior(frequencies, expected, before)
@@ -173,12 +173,10 @@ def looked_at_closely(
     shown = _Shown(likelihood, window, float(frequencies[0]), before.taken, PEAK * resolution)
     centres = np.array([1.0 / candidate.period])
     choice = likelihood.telling(centres)
-    if np.isinf(shown.either(centres, choice)[0]):
-        return candidate
+    if np.isinf(shown.either(np.append(centres, 2.0 * centres), choice)).any():
+        return None
     near = _close_looks(shown, choice, centres, resolution, prior)[0]
-    return replace(
-        near, log=candidate.log, aliases=candidate.aliases, alias_shares=candidate.alias_shares
-    )
+    return replace(near, aliases=candidate.aliases, alias_shares=candidate.alias_shares)
 
 
 @dataclass(frozen=True, slots=True)

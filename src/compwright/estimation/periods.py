@@ -14,7 +14,7 @@ them only the data decide, not what is usual: equal ones share their probability
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -97,8 +97,11 @@ def search_periods(
             break
     if curve is None:
         return NOTHING
-    likely = [(search.refined(each), chance) for each, chance in probable(done)]
-    return gathered(likely, curve, suggested)
+    return gathered(probable(done), curve, suggested)
+
+
+def _descending(sets: Iterable[PeriodSet]) -> list[PeriodSet]:
+    return sorted(sets, key=lambda one: -round(one.log, 6))
 
 
 def searched(targets: FloatArray, kind: AxisKind) -> FloatArray:
@@ -145,7 +148,7 @@ class _Search:
         """Return what may be there beside a set of periods; None where its targets are too few, or
         it is not known which periods these are.
         """
-        members = self.refined(periods).members
+        members = periods.members
         if members and members[-1].aliases.size:
             return None
         likelihood = self._likelihood(members)
@@ -154,19 +157,31 @@ class _Search:
         return candidates_of(likelihood, self.frequencies, self.usual, self._before(members))
 
     def refined(self, periods: PeriodSet) -> PeriodSet:
-        """Return a set with each member found anew beside all others: what was found first was
-        found with the others in the way.
+        """Return a set of two or more with each member found anew beside all others: what was found
+        first was found with the others in the way.
+
+        How probable the set is becomes the likelihood of the waves one after another where they now
+        are, times for each what its prior and the width of its peak, with all others there, leave
+        of its likelihood.
         """
-        members = list(periods.members)
-        for place, member in enumerate(members[:-1]):
-            others = [other for other in members if other is not member]
+        members, log = list(periods.members), 0.0
+        for place in range(len(members)):
+            others = members[:place] + members[place + 1 :]
             likelihood = self._likelihood(others)
-            if likelihood is not None:
-                before = self._before(others)
-                members[place] = looked_at_closely(
-                    likelihood, member, self.frequencies, self.usual, before
-                )
-        return PeriodSet(tuple(members), periods.log)
+            if likelihood is None or not others:
+                return periods
+            before = replace(self._before(members[:place]), taken=_frequencies(others))
+            found = looked_at_closely(
+                likelihood, members[place], self.frequencies, self.usual, before
+            )
+            if found is None:
+                return periods
+            members[place] = found
+            log += found.log - _there(likelihood, found)
+        for place, member in enumerate(members):
+            beside = self._likelihood(members[:place])
+            log += 0.0 if beside is None else _there(beside, member)
+        return PeriodSet(tuple(members), log)
 
     def different(self, sets: Sequence[PeriodSet]) -> list[PeriodSet]:
         """Return the sets, the most probable first, without those that were found a second time in
@@ -174,10 +189,10 @@ class _Search:
         """
         near = PEAK / float(np.ptp(self.middles.targets))
         kept: list[PeriodSet] = []
-        for each in sorted(sets, key=lambda one: -round(one.log, 6)):
+        for each in _descending(sets):
             if not any(each.same(other, near) for other in kept):
                 kept.append(each)
-        return kept
+        return _descending([*map(self.refined, kept[:_BEAM]), *kept[_BEAM:]])
 
     def _likelihood(self, members: Sequence[Candidate]) -> PeriodLikelihood | None:
         targets = self.middles.targets
@@ -189,5 +204,15 @@ class _Search:
         return PeriodLikelihood(replace(self.middles, free=columns), self.basis)
 
     def _before(self, members: Sequence[Candidate]) -> Odds:
-        taken = tuple(1.0 / member.period for member in members)
-        return replace(FURTHER if self.known or members else FIRST, taken=taken)
+        return replace(FURTHER if self.known or members else FIRST, taken=_frequencies(members))
+
+
+def _frequencies(members: Sequence[Candidate]) -> tuple[float, ...]:
+    return tuple(1.0 / member.period for member in members)
+
+
+def _there(likelihood: PeriodLikelihood, member: Candidate) -> float:
+    """Return the logarithm of the likelihood of a wave just there over that of none."""
+    frequency = np.array(_frequencies([member]))
+    odds = likelihood.log_odds(frequency, likelihood.telling(frequency))
+    return float(np.logaddexp(*odds)[0] - np.log(2.0))
