@@ -347,10 +347,12 @@ def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArra
     """
     width = float(np.sqrt(2.0 / dof)) if dof else 2.0
     steps = np.linspace(-2.5, 2.5, 21)
+    # As far as the roughest axis goes: what has no node is taken for waves.
+    wide = np.linspace(-5.0, 5.0, 41)
     noise = np.exp(width * steps)
-    local = np.exp(2.0 * (np.log(0.1 * spread) + 1.5 * steps))
+    local = np.exp(2.0 * (np.log(0.1 * spread) + 1.5 * wide))
     together = np.log(noise[:, np.newaxis] + local).ravel()
-    mass = np.exp(-0.5 * (steps[:, np.newaxis] ** 2 + steps**2)).ravel()
+    mass = np.exp(-0.5 * (steps[:, np.newaxis] ** 2 + wide**2)).ravel()
     low = float(np.log(noise[3]))
     high = max(np.log(max(roughness**2, 1.0)) + 0.5, 1.0)
     count = int(np.ceil((high - low) / _WHITE_STEP)) + 1

@@ -6,7 +6,10 @@ is closed over a scale along it shows none of it, and every second one is taken 
 judgement, from no document); a second period is rare. One or two harmonics have equal odds. The
 likelihood (`period_likelihood`) is that over all amplitudes and phases, whatever the smooth and the
 local part are. Periods are found one after another, each beside those found before (Bretthorst,
-Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapters 3 and 6).
+Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapters 3 and 6). Of two waves of one
+size each hides the other: one more is therefore looked for beside all sets that may be, not beside
+the best alone (beam search: Reddy, Speech Understanding Systems, Carnegie-Mellon University, 1977),
+and each member is found anew beside the others, which is where its set is weighed.
 
 Waves that have all but the same values at the targets (`basis.ALIASED`) cannot be told apart. Among
 them only the data decide, not what is usual: equal ones share their probability evenly.
