@@ -250,7 +250,7 @@ def test_a_quick_look_does_not_overrule_a_close_one() -> None:
 def test_of_two_periods_neither_is_taken_for_exactly_known() -> None:
     search = searched(
         lambda x: (
-            bow(x) + 0.002 * np.sin(2 * np.pi * x / 13.7) + 0.002 * np.cos(2 * np.pi * x / 21.9)
+            bow(x) + 0.004 * np.sin(2 * np.pi * x / 13.7) + 0.002 * np.cos(2 * np.pi * x / 21.9)
         ),
         26,
         4,
