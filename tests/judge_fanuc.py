@@ -19,6 +19,7 @@ import numpy as np
 from backup_files_fanuc import Rng
 from backup_jobs_fanuc import AxisJob, Job, csv, dithered, state_files
 from compwright.cli import run
+from compwright.fitting.solve import load_solver
 from virtual_fanuc import (
     Floats,
     Grid,
@@ -77,6 +78,7 @@ def quietly(arguments: list[str]) -> tuple[int, str, str]:
     standard output.
     """
     said, shown = io.StringIO(), io.StringIO()
+    load_solver()  # which wants the same library, too
     pages = {name: module for name, module in sys.modules.items() if name.split(".")[0] == "jinja2"}
     sys.modules |= dict.fromkeys(["jinja2", *pages], None)  # type: ignore[arg-type]
     try:

@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from compwright.cli import run as compwright
+from compwright.fitting.solve import load_solver
 from loop import Machine, csv_of
 from places import PROJECT
 
@@ -408,6 +409,7 @@ def test_without_the_state_of_the_control_there_are_no_tables(
 def test_without_the_report_extra_the_rest_is_written(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    load_solver()  # which wants one of them, too
     for module in [
         name for name in sys.modules if name.partition(".")[0] in {"matplotlib", "jinja2"}
     ]:
