@@ -166,6 +166,30 @@ def test_a_shifted_traverse_is_found_and_named() -> None:
     assert share(found) >= 0.95
 
 
+def test_a_run_off_in_both_directions_is_one_finding_shown_without_both() -> None:
+    """One run of five off by eight standard deviations of a reading scatters every target: it is
+    held against the other runs, and what is compared is the test without it.
+    """
+    compared: list[PositioningTest] = []
+
+    def kept(test: PositioningTest) -> str:
+        compared.append(test)
+        return ""
+
+    found = []
+    for seed in range(50):
+        test = noisy(np.random.default_rng(seed))
+        up, down = test.positive.copy(), test.negative.copy()
+        up[:, 2] += 8.0 * UM
+        down[:, 2] += 8.0 * UM
+        told = suspect_traverses(replace(test, positive=up, negative=down), kept)
+        found.append(len(told) == 1 and told[0].message.startswith("Run 3 lies +"))
+    assert share(found) >= 0.95
+    for left in compared:
+        for block in (left.positive, left.negative):
+            assert np.isnan(block).any(axis=0).tolist() == [False, False, True, False, False]
+
+
 def test_a_three_s_rule_could_not_see_it() -> None:
     """One of five readings 1 000 s off lies 4/sqrt(5) = 1.789 s from the mean of the five; the
     pooled rule sees it.
