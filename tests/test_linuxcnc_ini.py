@@ -332,3 +332,25 @@ def test_a_table_that_the_machine_names_is_refused_where_it_is_damaged() -> None
             machine(**{"haas.ini": HAAS.replace("xaxis.comp", "haas.hal_old")}),
             address="0",
         )
+
+
+def test_a_hal_file_that_changes_backlash_while_the_control_runs_is_refused() -> None:
+    """Pin ini.N.backlash (milltask(1)); a remark and other pins of the same joint do nothing."""
+    control, remark = (
+        open_control("linuxcnc", {}),
+        "# setp ini.0.backlash 0.02\nsetp ini.0.ferror 1\n",
+    )
+    assert "0" in decode(control, machine(**{"post.hal": remark}), address="0").state.axes
+    with pytest.raises(
+        InputError, match=r"post\.hal: line 3: .* found setp ini\.0\.backlash 0\.02"
+    ):
+        decode(control, machine(**{"post.hal": remark + "setp ini.0.backlash 0.02"}), address="0")
+
+
+@pytest.mark.parametrize("damaged", [HAAS + "\x00", "\ufeff" + HAAS])
+def test_a_damaged_ini_is_not_left_out_beside_another_one(damaged: str) -> None:
+    content = damaged.encode("latin-1" if damaged.startswith("[") else "utf-16")
+    other = "[TRAJ]\nLINEAR_UNITS = mm\n[JOINT_0]\nTYPE = LINEAR\nBACKLASH = 0.0\n"
+    files = [ControlFile("haas.ini", content), ControlFile("other.ini", other.encode())]
+    with pytest.raises(InputError, match=r"haas\.ini: is not a text file"):
+        decode(open_control("linuxcnc", {}), files, address="0")

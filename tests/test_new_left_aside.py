@@ -97,6 +97,8 @@ def test_no_command_is_left_out_of_a_folder(tmp_path: Path) -> None:
         ("siemens-840d-sl", "$MA_ENC_COMP_ENABLE[0,AX1]=1\n", False),
         ("siemens-840d-sl", "anything = 1", False),
         ("linuxcnc", "0.0 0.01 0.02\n", False),
+        ("pmac", "#1\nDELETE COMP\n", False),  # every line of a script is a command
+        ("pmac", "$$$***\n", False),
         ("heidenhain-itnc530", "notes\n", True),
         ("heidenhain-itnc530", "  1  -12,5\t0.003 \n", False),
         ("fanuc-30i", "", False),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.schema import Definition, TextKind
 from compwright.formats.text.texts import BINARY, text_reader
 from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding
@@ -22,13 +22,21 @@ def says_nothing(definition: Definition, file: ControlFile) -> bool:
     """Return whether a file is a text of which no line is a statement of the control, or looks like
     data of any.
 
-    A file that was damaged in part, or that stands in other characters, is none of these.
+    A file that was damaged in part, or that stands in other characters, is none of these; nor is
+    any of a control to which every line is a command, known or not.
     """
+    if any(_of_commands(kind) for kind in definition.texts.values()):
+        return False
     if not file.content.strip() or BINARY.search(file.content) or _DATA.search(file.content):
         return False
     faults: list[Fault] = []
     read = text_reader(definition).read(file, faults)
     return read is not None and not faults and not read.occurrences
+
+
+def _of_commands(kind: TextKind) -> bool:
+    """Return whether every line of a text may act: no word tells which ones are read."""
+    return not (kind.other_lines_refused or kind.claims_at_start or kind.claims_anywhere)
 
 
 def _numbered(definition: Definition) -> bool:

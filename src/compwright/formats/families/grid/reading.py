@@ -21,7 +21,11 @@ from compwright.formats.families.gantry import find_partners, partner_of
 from compwright.formats.families.grid.axis_reading import AskedAxis, AxisReader, AxisReading
 from compwright.formats.families.grid.basic_system import basic_system
 from compwright.formats.families.grid.beside import Beside
-from compwright.formats.families.grid.table_files import TableFiles, never_loaded
+from compwright.formats.families.grid.table_files import (
+    TableFiles,
+    changed_at_run_time,
+    never_loaded,
+)
 from compwright.formats.families.grid.turn_checks import check_turn
 from compwright.formats.families.travel_limits import check_limits
 from compwright.formats.text.addresses import normal_text
@@ -250,6 +254,8 @@ class GridReader:
     def _loaded(self, files: Sequence[ControlFile]) -> list[ControlFile]:
         """Return the files without those that the control never opens, which are named."""
         aside = never_loaded(self.definition, files)
+        left = [file for file in files if file.name in aside]
+        self.notes.faults.extend(changed_at_run_time(left))
         if aside:
             more = f" and {len(aside) - 3} more" if len(aside) > 3 else ""
             self.notes.idle_file(

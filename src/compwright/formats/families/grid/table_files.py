@@ -5,7 +5,8 @@ does.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 
 from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.schema import Definition
@@ -13,9 +14,13 @@ from compwright.formats.definition.statements import field_matches
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.gathering import Found, Gathered
 from compwright.formats.text.notes import Notes
-from compwright.formats.text.texts import ReadText, text_reader
+from compwright.formats.text.texts import BINARY, ReadText, text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
+
+#: A line of a HAL file with the pin that takes the place of a joint's BACKLASH (milltask(1): these
+#: pins change at run time what is typically said in the INI); behind # stands a remark.
+_PIN = re.compile(rb"^(?P<line>[^#\n]*\bini\.[0-9]+\.backlash\b[^\n]*)", re.MULTILINE)
 
 
 class TableFiles:
@@ -110,6 +115,7 @@ class TableFiles:
 def never_loaded(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
     """Return the names of files that are no tables and that the control never opens: others tell
     what it loads, and name none of these. A machine's folder holds many (its HAL files, its tools).
+    One that would tell what is loaded, were it not damaged, is not among them.
     """
     binding = definition.bindings.get("table_file")
     if binding is None:
@@ -119,7 +125,7 @@ def never_loaded(definition: Definition, files: Sequence[ControlFile]) -> list[s
     reader, odd, named, told = text_reader(definition), [], set[str](), False
     for file in files:
         faults: list[Fault] = []
-        text = reader.read(file, faults)
+        text = reader.read(file, faults) or reader.read(_letters_of(file), [])
         if text is not None and text.kind != row.text:
             told = told or bool(text.sections)
             named |= {
@@ -130,6 +136,27 @@ def never_loaded(definition: Definition, files: Sequence[ControlFile]) -> list[s
         elif faults and _address_between(definition, before, after, file.name) is None:
             odd.append(file.name)
     return [name for name in odd if told and name not in named]
+
+
+def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
+    """Yield the lines of HAL files that change what corrects a joint while the control runs: the
+    value of the INI does not act then.
+    """
+    for file in files:
+        for match in _PIN.finditer(file.content):
+            line = file.content.count(b"\n", 0, match.start()) + 1
+            yield Fault(
+                message="a HAL file changes the backlash of a joint while the control runs",
+                file=file.name,
+                place=f"line {line}",
+                expected="BACKLASH of the INI alone, and tests taken with it",
+                found=match["line"].decode("latin-1").strip(),
+            )
+
+
+def _letters_of(file: ControlFile) -> ControlFile:
+    """Return a file without the bytes that no text holds."""
+    return replace(file, content=BINARY.sub(b"", file.content))
 
 
 def _template(definition: Definition) -> str:
