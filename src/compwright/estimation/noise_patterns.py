@@ -28,11 +28,13 @@ OFFSET, TILT, DRIFT, DRIFT_TILT = range(4)
 #: Correlation times of waves, in parts of the test: one that is shorter than a traverse is scatter,
 #: one as long as the test is a drift.
 PACES: Final = np.array([0.1, 0.2, 0.4])
-#: Prior of the forms of offsets: the patterns `INDEPENDENT`, which is the most usual, `RUNS`,
-#: `WALK`, and `WAVE` by pace.
+#: Prior of the forms of offsets: the patterns `INDEPENDENT`, `RUNS`, `WALK`, and `WAVE` by pace. A
+#: judgement, no count: what clamps, sticks or reverses differently moves each traverse on its own,
+#: the plainest form, nearly as often as all others together.
 FORM_SHARES: Final = np.array([0.45, 0.15, 0.2, 0.2 / 3, 0.2 / 3, 0.2 / 3])
 #: Time constants of warming up, in parts of the test: none (even drift), a half, a fifth.
 RATES: Final = np.array([0.0, 2.0, 5.0])
+#: Prior of these: even drift, the plainest, in more than half of the cases; a judgement.
 PACE_SHARES: Final = np.array([0.6, 0.2, 0.2])
 
 

@@ -30,7 +30,8 @@ from compwright.estimation.noise_patterns import (
 from compwright.estimation.noise_readings import Reduced
 from compwright.records.axis import FloatArray
 
-#: Prior probability that there is none of it.
+#: Prior probability that there is none of it, of each by itself: a judgement. Together they leave a
+#: plain test three chances in five.
 _NOTHING: Final = (0.85, 0.9, 0.85, 0.93)
 #: Scale of the half-Cauchy prior, in standard deviations of a reading.
 _USUAL: Final = (0.7, 0.7, 2.0, 2.0)

@@ -94,7 +94,7 @@ class PeriodSet:
     members: tuple[Candidate, ...]
     log: float
 
-    def with_(self, member: Candidate) -> PeriodSet:
+    def extended(self, member: Candidate) -> PeriodSet:
         """Return the set with one more, which was found beside these."""
         return PeriodSet((*self.members, member), self.log + member.log)
 

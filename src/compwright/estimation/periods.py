@@ -93,7 +93,7 @@ def search_periods(
             look = search.beside(each) if worth else None
             done.append(each if look is None else each.less_certain(look.rest))
             if look is not None:
-                deeper += [each.with_(one) for one in look.candidates]
+                deeper += [each.extended(one) for one in look.candidates]
                 curve = curve or PeriodCurve(1.0 / frequencies, look.log_odds)
         level = search.different(deeper)
         if not level:

@@ -46,9 +46,9 @@ _MOST_ORDERED: Final = 100
 #: Runs that are told one by one, the farthest ones.
 _MOST_TRAVERSES: Final = 20
 #: A traverse is suspect when its median shift exceeds so many robust standard deviations of a
-#: reading. Simulated with five runs at 11 targets this calls no test of 400 suspect where readings
-#: scatter on their own, 4 % where whole runs shift at random by three times that (standard
-#: deviations), all where one run lies off by 8 in both directions.
+#: reading. The medians of sound traverses seldom reach one of them; shifts of whole runs that are
+#: themselves random must not be called suspect one by one (tests/test_evaluation_readings.py holds
+#: both rates).
 TRAVERSE_LIMIT: Final = 5.0
 #: Ends of the travel, in root mean squares of evenly spaced places about its middle.
 _STEEPEST: Final = math.sqrt(3.0)
