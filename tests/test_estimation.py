@@ -332,6 +332,29 @@ def test_draws_agree_with_the_summary() -> None:
     assert np.mean(summary.std_positive) == pytest.approx(np.sqrt(2) * UM, rel=0.35)
 
 
+def test_the_direction_with_fewer_readings_is_known_less() -> None:
+    """Mean and reversal hang together where one direction was measured four times as often: the
+    summary says of each direction what 6000 draws between the targets say (standard error of a
+    standard deviation 0.9 %, the weights of a sweep counted).
+    """
+    rng = np.random.default_rng(31)
+    targets = spread_targets(rng, 13)
+    test = a_test(
+        smooth(targets)[:, np.newaxis] + 2 * UM * rng.standard_normal((13, 8)),
+        smooth(targets)[:, np.newaxis] + 2 * UM * rng.standard_normal((13, 2)),
+        targets,
+    )
+    posterior = estimated(test, travel=TRAVEL)
+    between = (targets[2:10] + targets[3:11]) / 2
+    summary, draws = posterior.summary(between), posterior.draw(between, 6000, rng)
+    for std, drawn in (
+        (summary.std_positive, draws.positive),
+        (summary.std_negative, draws.negative),
+    ):
+        assert drawn.std(axis=0) == pytest.approx(std, rel=0.05)
+    assert np.mean(summary.std_negative / summary.std_positive) > 1.2
+
+
 def test_spread_of_the_readings_by_hand() -> None:
     positive = np.array([[0.0, 2.0], [10.0, 10.0], [20.0, np.nan]])
     negative = np.array([[1.0, 3.0], [11.0, 15.0], [20.0, 20.0]])

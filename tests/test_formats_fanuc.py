@@ -784,6 +784,17 @@ def test_an_axis_keeps_its_reference_number_where_the_table_still_fits() -> None
     ) == Place(0, 0, 5)
 
 
+def test_an_axis_that_has_to_move_stays_in_its_own_numbers() -> None:
+    """Nodes -1 .. 6 need seven numbers and no longer fit around 56 in 50 .. 60; numbers from 0 on
+    are free for every axis.
+    """
+    own = [range(50, 61)]
+    found = find_place(-1, 6, highest=60, used=[], two=False, reference=56, claimed=own, start=0)
+    assert found == Place(50, 50, 56)
+    none = find_place(-1, 6, highest=60, used=[], two=False, reference=56, start=0)
+    assert none == Place(0, 0, 6)
+
+
 def test_no_room_is_refused_with_the_longest_gap() -> None:
     own = backup(highest=1535)
     # The longest row between and behind Y (100 .. 104), B (200 .. 208) and Z (300 .. 310): 311 ..
