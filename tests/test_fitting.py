@@ -654,7 +654,7 @@ def test_what_no_test_would_show_is_no_warning(bend: float, noise: float, *, sai
     assert ("CW-F004" in codes(result)) == said
 
 
-def test_a_period_is_held_where_three_points_per_period_fit_and_else_left_out() -> None:
+def test_a_period_is_held_where_three_points_per_period_fit_and_left_out_below_two() -> None:
     x = np.linspace(-800.0, 0.0, 2001)
     wave = 3 * UM * np.sin(2 * np.pi * x / 20.0)
     wanted = wish(wavy(x) + wave, wavy(x) + wave, positions=x, periods=(20.0,))
@@ -674,6 +674,46 @@ def test_a_period_is_held_where_three_points_per_period_fit_and_else_left_out() 
     explicit = fit(wanted, fine, spacing=8.0)
     assert "CW-F002" in codes(explicit)
     assert "CW-F002" not in codes(fit(wanted, fine, spacing=5.0))
+
+
+@pytest.mark.parametrize("spacing", [3.2, "auto"])
+@pytest.mark.parametrize("phase", [0.0, 1.0, 2.3])
+def test_of_a_period_between_two_and_three_points_the_nodes_hold_their_part(
+    spacing: Any, phase: float
+) -> None:
+    """A sine of ±2 µm over 8 mm beside a smooth curve, a control with 256 points over 800 mm: what
+    is left between positions is what least squares leave on these nodes, 42 % of the wave's rms.
+    """
+    x = np.linspace(-800.0, 0.0, 3201)
+    wave, size = np.sin(2 * np.pi * x / 8.0 + phase), 2 * UM / np.sqrt(2)
+    wanted = wish(*2 * [wavy(x) + 2 * UM * wave], positions=x, periods=(8.0,), noise=0.3 * UM)
+    result = fit(wanted, replace(FINE, max_points=256), spacing=spacing)
+    nodes, table = result.compensation.positions, result.compensation.positive
+    assert np.diff(nodes) == pytest.approx(3.2)
+    where = np.linspace(-800.0, 0.0, 40001)
+    true = wavy(where) + 2 * UM * np.sin(2 * np.pi * where / 8.0 + phase)
+    hats = np.array([np.interp(where, nodes, one) for one in np.eye(nodes.size)])
+    least = true - np.linalg.solve(hats @ hats.T, hats @ true) @ hats
+    left = np.std(true - np.interp(where, nodes, table))
+    assert left == pytest.approx(np.std(least), rel=0.005)
+    assert left == pytest.approx(0.416 * size, rel=0.01)
+    assert causes(result)["spacing too wide for the period"] == pytest.approx(left, rel=0.02)
+    (said,) = (each.message for each in result.findings if each.code == "CW-F002")
+    assert "(41%)" in said or "(42%)" in said
+    assert "2.66 mm, 302 points" in said
+    assert "has 256" in said
+
+
+def test_a_period_below_two_points_is_left_out_and_the_finest_spacing_named() -> None:
+    """Nodes trace a longer wave there, which widens what is left (Shannon 1949)."""
+    x = np.linspace(-800.0, 0.0, 3201)
+    wave = 3 * UM * np.sin(2 * np.pi * x / 5.0)
+    wanted = wish(wave, wave, positions=x, periods=(5.0,))
+    result = fit(wanted, replace(FINE, max_points=256))
+    assert np.max(np.abs(result.compensation.positive)) < 0.05 * UM
+    (said,) = (each.message for each in result.findings if each.code == "CW-F002")
+    assert "finest spacing that this control allows here, 3.2 mm (251 points)" in said
+    assert "1.66 mm, 483 points" in said
 
 
 # --- what the control cannot do

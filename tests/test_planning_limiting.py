@@ -150,10 +150,30 @@ def test_without_a_table_the_known_error_is_the_limit() -> None:
     assert max(found, key=lambda cause: found[cause]) == NO_TABLE
 
 
+def test_a_period_that_no_table_of_the_control_holds_is_the_cause() -> None:
+    """Where none is written because of it, the period is what limits the axis, no missing table."""
+    wave = both(lambda x: 3.0 * UM * np.sin(2 * np.pi * x / 5.0), noise=0.3 * UM)
+    work = fitted(wave, axis=axis_of(screw_pitch=(5.0,)), max_points=256)
+    bare = replace(work, refused="it gains nothing", planned=replace(work.planned, fitted=None))
+    found = limits_of(bare)
+    values = {cause.cause: cause.value / UM for cause in found.causes}
+    assert values[PERIOD] > 4.0
+    assert abs(values.get(NO_TABLE, 0.0)) < 0.1
+    (told,) = verdict(work.planned.axis, found, tabled=False, refused=True)
+    assert told.code == "CW-P150"
+    assert PERIOD in told.message
+    assert "CW-F002" in told.message
+    inclined = both(lambda x: 30e-6 * x + wave.plus(x), noise=0.3 * UM)
+    work = fitted(inclined, axis=axis_of(screw_pitch=(5.0,)), max_points=256)
+    bare = replace(work, refused="as asked", planned=replace(work.planned, fitted=None))
+    assert causes_of(bare)[NO_TABLE] > 20.0
+
+
 @pytest.mark.parametrize(
     "limits",
     [
         {},
+        {"spacing": 8.0, "max_points": 200},  # two to three points per period: in part
         {"quantum": 2.0 * UM},
         {"curves": 1, "backlash_quantum": UM, "backlash_range": (0.0, 3 * UM)},
         {"curves": 1},

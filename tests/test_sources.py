@@ -33,7 +33,6 @@ EXEMPT = {
     "fitting.beyond": "compares a loss with the noise and words a fault",
     "fitting.endless": "a plain mean of the turns",
     "fitting.grid": "takes one of the grids that are made elsewhere, and says why not",
-    "fitting.held_grid": "leaves out the periods that the spacing cannot hold; how: `periodic`",
     "fitting.named_spacing": "counts quanta of the position between the ends of the table",
     "fitting.remarks": "words what was computed elsewhere",
     "fitting.standing": "holds the nodes that are there against the control's limits",

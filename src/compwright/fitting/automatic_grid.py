@@ -9,10 +9,9 @@ from typing import Final
 
 import numpy as np
 
-from compwright.fitting.held_grid import POINTS_PER_PERIOD, Grid, grid_of, leaving_out
+from compwright.fitting.held_grid import Grid, grid_of, held_part, unfollowed
 from compwright.fitting.losses import good_enough, grid_loss, magnification_needed
 from compwright.fitting.named_spacing import Span
-from compwright.fitting.periodic import without_periods
 from compwright.fitting.steps import Candidate, own_steps, round_steps, taken_steps, whole
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import FloatArray
@@ -57,23 +56,16 @@ def grid_chosen(
         return Grid(nodes=chosen, wanted=wanted)
     if capacity.lattice is not None:
         compromise = _least_left([*pool, *others], wanted, capacity, capacity.lattice)
-        return grid_of(
-            compromise, wanted, loss=grid_loss(compromise, wanted, capacity.interpolation)
-        )
+        loss = grid_loss(compromise, wanted, capacity.interpolation)
+        return grid_of(compromise, wanted, capacity, loss=loss)
     finest = _with_most_points(pool, others).nodes(quantum)
-    step = float(np.max(np.diff(finest)))
-    lost = [period for period in wanted.periods if step * POINTS_PER_PERIOD > period * (1 + 1e-9)]
-    kept = without_periods(wanted, lost)[0] if lost else wanted
-    if lost and len(lost) == len(wanted.periods):
+    kept = held_part(finest, wanted, capacity)
+    if wanted.periods and unfollowed(finest, wanted.periods) == list(wanted.periods):
         enough = _coarsest(pool, others, kept, capacity)
         if enough is not None:
-            return leaving_out(enough, wanted, lost)
-    return leaving_out(
-        finest,
-        wanted,
-        lost,
-        0.0 if capacity.max_points is None else grid_loss(finest, kept, capacity.interpolation),
-    )
+            return grid_of(enough, wanted, capacity, finest=finest)
+    loss = 0.0 if capacity.max_points is None else grid_loss(finest, kept, capacity.interpolation)
+    return grid_of(finest, wanted, capacity, loss=loss, finest=finest)
 
 
 def _others(capacity: Capacity) -> str:

@@ -37,7 +37,9 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
             Fault(message="the spacing must be positive", place="table.spacing", found=found)
         )
     if capacity.nodes is not None:
-        return grid_of(_given_nodes(np.array(capacity.nodes), request, wanted.kind.unit), wanted)
+        return grid_of(
+            _given_nodes(np.array(capacity.nodes), request, wanted.kind.unit), wanted, capacity
+        )
     _check_order(wanted, request)
     standing = standing_nodes(wanted, capacity, request)
     if standing is not None:
@@ -45,13 +47,13 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
     if capacity.anchored or capacity.period is not None:
         grids = anchored_grids(wanted, capacity, request, most_points(capacity))
         if spacing is not None:
-            return grid_of(grids[0].nodes(capacity.position_quantum), wanted)
+            return grid_of(grids[0].nodes(capacity.position_quantum), wanted, capacity)
         ends = (float(wanted.positions[0]), float(wanted.positions[-1]))
         return grid_chosen(grids, [], ends, capacity, wanted)
     span = _span(wanted, capacity, request)
     if spacing is not None:
         nodes = spaced_as_named(span, spacing, capacity, wanted)
-        return grid_of(nodes, wanted)
+        return grid_of(nodes, wanted, capacity)
     pool, others = candidates_over(span, capacity, wanted, most_points(capacity))
     ends = (span.low * capacity.position_quantum, span.high * capacity.position_quantum)
     return _covering(grid_chosen(pool, others, ends, capacity, wanted), span, capacity)
@@ -105,7 +107,7 @@ def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatAr
 
 
 def _kept(nodes: FloatArray, capacity: Capacity, wanted: WantedCorrection) -> Grid:
-    grid = grid_of(nodes, wanted)
+    grid = grid_of(nodes, wanted, capacity)
     findings = (*grid.findings, *too_close(nodes, capacity, wanted.kind.unit))
     return replace(grid, findings=findings, kept=True)
 

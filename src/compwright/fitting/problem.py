@@ -28,7 +28,7 @@ Shape = Literal["single", "bidirectional"]
 BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 #: Weight of the differences of neighbouring values against the fit: decides only nodes that no part
 #: of the travel sees.
-_TIE: Final = 1e-10
+TIE: Final = 1e-10
 
 
 @dataclass(frozen=True, slots=True)
@@ -266,7 +266,7 @@ def state_problem(
 def _objective(data: Sampled, layout: Layout) -> tuple[SparseMatrix, FloatArray, float]:
     k = layout.nodes.size
     square = (layout.size, layout.size)
-    tie = differences(k).gram(np.full(k - 1, _TIE / k))
+    tie = differences(k).gram(np.full(k - 1, TIE / k))
     parts = [tie.placed(square)]
     if layout.shape == "bidirectional":
         parts.append(tie.placed(square, k, k))

@@ -13,10 +13,11 @@ from typing import Any, Final
 import numpy as np
 
 from compwright.fitting.certify import certificate
-from compwright.fitting.problem import QuadraticProblem
+from compwright.fitting.problem import TIE, QuadraticProblem
 from compwright.fitting.sparse import (
     BoolArray,
     SparseMatrix,
+    differences,
     identity,
     sum_of,
 )
@@ -218,6 +219,20 @@ def _factored(matrix: SparseMatrix) -> Callable[[FloatArray], FloatArray]:
         return solution
 
     return solve
+
+
+def least_squares(matrix: SparseMatrix, weights: FloatArray, values: FloatArray) -> FloatArray:
+    """Return the unknowns (n,) of least sum of ``weights`` times (``matrix`` x - ``values``)^2, by
+    the normal equations (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 5.3);
+    neighbours alike where nothing else decides.
+    """
+    from scipy.sparse.linalg import splu
+
+    unknowns = matrix.shape[1]
+    tie = differences(unknowns).gram(np.full(unknowns - 1, TIE / unknowns))
+    normal = sum_of([matrix.gram(weights), tie])
+    solution: FloatArray = splu(by_columns(normal)).solve(matrix.transposed @ (weights * values))
+    return solution
 
 
 def by_columns(matrix: SparseMatrix) -> Any:

@@ -12,6 +12,7 @@ from compwright.planning.axes import AxisWork, fresh_like_first, no_gain, predic
 from compwright.planning.drifting import drift_or_reversal
 from compwright.planning.goals import goal_told
 from compwright.planning.limiting import what_limits
+from compwright.planning.shortfalls import unheld_period
 from compwright.planning.verdict import stopped, verdict
 from compwright.planning.worth import worth_of_points
 from compwright.prediction.acting import Correction, nothing
@@ -52,7 +53,11 @@ def predicted(
     limits = what_limits(work, new, fresh)
     if limits is None:
         return replace(prediction, findings=findings)
-    tabled = work.planned.fitted is not None
+    planned, capacity = work.planned, work.capacity
+    tabled = planned.fitted is not None
+    if not tabled and planned.wanted is not None and capacity is not None:
+        short = unheld_period(planned.wanted, capacity, planned.request)
+        findings = (*findings, *((short[1],) if short else ()))
     # Of a table that was fitted, not of an axis whose tests contradict its files.
     refused = bool(work.refused) and work.capacity is not None
     said = (

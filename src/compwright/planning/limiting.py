@@ -13,7 +13,7 @@ import numpy as np
 from compwright.planning.axes import AxisWork
 from compwright.planning.fresh import FreshTests
 from compwright.planning.outlook import spread_of, yardstick
-from compwright.planning.shortfalls import shortfalls
+from compwright.planning.shortfalls import as_curve, shortfalls, unheld_period
 from compwright.prediction.acting import Correction, difference
 from compwright.records.limits import Cause, Limiting
 from compwright.records.noise import NoisePart
@@ -101,8 +101,18 @@ def _without(
         yield WARM, shown(change, warm=False), None
     yield UNKNOWN, shown(change, unknown=False), None
     wanted, fitted, capacity = work.planned.wanted, work.planned.fitted, work.capacity
-    if wanted is None or fitted is None or capacity is None:
+    if wanted is None or capacity is None:
         yield NO_TABLE, shown(change, known=False), None
+        return
+    if fitted is None:
+        short = unheld_period(wanted, capacity, work.planned.request)
+        if short is None:
+            yield NO_TABLE, shown(change, known=False), None
+            return
+        # A table could take away all but the period.
+        lack, known = short[0], difference(work.as_found, as_curve(wanted))
+        yield lack.cause, shown(difference(change, lack.curve)), lack.rms
+        yield NO_TABLE, shown(difference(change, difference(known, lack.curve))), None
         return
     for lack in shortfalls(wanted, fitted, capacity):
         yield lack.cause, shown(difference(change, lack.curve)), lack.rms

@@ -13,9 +13,12 @@ from typing import Final
 
 import numpy as np
 
+from compwright.fitting.endless import over_one_period
 from compwright.fitting.fit import fit_table
-from compwright.fitting.held_grid import POINTS_PER_PERIOD
-from compwright.fitting.periodic import without_periods
+from compwright.fitting.grid import choose_grid
+from compwright.fitting.held_grid import held_part
+from compwright.foundations.errors import CapacityError
+from compwright.foundations.findings import Finding
 from compwright.planning.wanted import beside
 from compwright.prediction.acting import Correction, difference
 from compwright.records.axis import Direction, FloatArray
@@ -61,6 +64,28 @@ def shortfalls(
     )
 
 
+def unheld_period(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest
+) -> tuple[Shortfall, Finding] | None:
+    """Return what no table on the grid of the ``request`` would hold of short periods, and what is
+    to be said about it; None where there is no such period, or no grid.
+    """
+    if capacity.line is not None or not wanted.periods:
+        return None
+    own = beside(wanted, capacity.stays)
+    turn = capacity.period
+    over = own if turn is None else over_one_period(own, turn)
+    try:
+        grid = choose_grid(over, capacity, request)
+    except CapacityError:
+        return None
+    said = next((one for one in grid.findings if one.code == "CW-F002"), None)
+    if said is None:
+        return None
+    held = held_part(grid.nodes, own, capacity)
+    return Shortfall(PERIOD, difference(as_curve(held), as_curve(own)), grid.left_out), said
+
+
 def _parts(
     wanted: WantedCorrection,
     fitted: FittedTable,
@@ -68,14 +93,15 @@ def _parts(
     rms: Mapping[str, float],
 ) -> Iterator[tuple[str, Correction]]:
     table, own = _alone(fitted.compensation, wanted)
-    held = _without_lost(own, table)
-    yield PERIOD, difference(_curve(held), _curve(own))
-    rest = difference(table.at, _curve(held))
+    nodes = table.positions
+    held = held_part(nodes, own, capacity) if nodes.size > 1 else own
+    yield PERIOD, difference(as_curve(held), as_curve(own))
+    rest = difference(table.at, as_curve(held))
     if table.positions.size:
         best = _best(held, table, capacity).at
         yield (
             next((name for name in _NODES if name in rms), _NODES[-1]),
-            difference(best, _curve(held)),
+            difference(best, as_curve(held)),
         )
         rest = difference(table.at, best)
     if fitted.mode == "single":
@@ -100,17 +126,6 @@ def _alone(
     return replace(held, others=()), beside(wanted, held.others)
 
 
-def _without_lost(wanted: WantedCorrection, table: AxisCompensation) -> WantedCorrection:
-    """Return ``wanted`` without the periods that the nodes are too far apart for, as the fit leaves
-    them out.
-    """
-    if table.positions.size < 2:
-        return wanted
-    step = float(np.max(np.diff(table.positions)))
-    lost = [one for one in wanted.periods if step * POINTS_PER_PERIOD > one * (1.0 + 1e-9)]
-    return without_periods(wanted, lost)[0] if lost else wanted
-
-
 def _best(
     wanted: WantedCorrection, table: AxisCompensation, capacity: Capacity
 ) -> AxisCompensation:
@@ -132,7 +147,8 @@ def _best(
     return fit_table(plain, free, request, address=table.address, costs=False).compensation
 
 
-def _curve(wanted: WantedCorrection) -> Correction:
+def as_curve(wanted: WantedCorrection) -> Correction:
+    """Return what is ``wanted`` (totals, mm or deg) as what acts."""
     return lambda x, way: np.interp(x, wanted.positions, wanted.total(way))
 
 

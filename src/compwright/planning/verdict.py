@@ -8,7 +8,7 @@ from typing import Final
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.limiting import DRIFT, NOISE, OUTLIERS, TRAVERSES, UNKNOWN
-from compwright.planning.shortfalls import REVERSAL
+from compwright.planning.shortfalls import PERIOD, REVERSAL
 from compwright.records.axis import Axis
 from compwright.records.limits import Cause, Limiting
 
@@ -37,6 +37,11 @@ _ADVICE: Final = {
     REVERSAL: (
         "the reversal changes along the travel, and one table with one reversal value cannot hold"
         " that: a mechanic (nut, screw, guides), or a control with a table for each direction"
+    ),
+    PERIOD: (
+        "points so far apart follow no period so short; CW-F002 names the points that it takes."
+        " Where the control does not have them: a mechanic (screw, its bearings and coupling, gear,"
+        " encoder)"
     ),
     UNKNOWN: (
         "the test leaves the error itself open: more targets or more runs tell more of it than a"

@@ -7,11 +7,13 @@ folded over the period, is their aim.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
 import numpy as np
 
+from compwright.fitting.periodic import without_periods
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
@@ -47,7 +49,7 @@ def with_wave(
         for period in wanted.periods
         if period < HELD * spacing and abs(turn / period - round(turn / period)) < 1e-9
     ]
-    rest = _left(wanted, plain.compensation)
+    rest = _left(wanted, plain.compensation, whole)
     wave = next(
         (found for p in whole if (found := _wave(wanted, rest, plain, p, capacity.wave))), None
     )
@@ -60,7 +62,7 @@ def with_wave(
         waved = fit(beside, request if plain.keeps_grid else kept)
     except CapacityError:
         return plain
-    left, with_it = (float(np.std(_left(wanted, each.compensation))) for each in (plain, waved))
+    left, with_it = (float(np.std(_left(wanted, each.compensation, ()))) for each in (plain, waved))
     factor, unit = outside_factor(wanted.kind.unit), shown_unit(wanted.kind.unit)
     told = (
         f"the period of {wave.period:g} {wanted.kind.unit}, too short for sections of {spacing:g}:"
@@ -74,12 +76,19 @@ def with_wave(
     return replace(waved, findings=(*waved.findings, said))
 
 
-def _left(wanted: WantedCorrection, table: AxisCompensation) -> FloatArray:
+def _left(
+    wanted: WantedCorrection, table: AxisCompensation, periods: Sequence[float]
+) -> FloatArray:
     """Return what is left (g,) at the positions of ``wanted``, the mean of both directions, as if
-    the main table were straight between its nodes: its steps are no wave.
+    the main table were straight between its nodes: its steps are no wave. What it holds of
+    ``periods`` (mm or deg) counts as left: a table of their own takes all of them.
     """
     straight = replace(table, interpolation="linear", backlash=0.0)
-    both = [wanted.total(side) - straight.at(wanted.positions, side) for side in Direction]
+    plus, minus = (straight.at(wanted.positions, side) for side in Direction)
+    held = replace(wanted, positive=plus, negative=minus)
+    if periods:
+        held, _ = without_periods(held, periods)
+    both = [wanted.total(side) - held.total(side) for side in Direction]
     return np.asarray(np.mean(both, axis=0))
 
 
