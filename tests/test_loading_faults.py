@@ -14,7 +14,7 @@ from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.correction import AxisCompensation, no_compensation
 from compwright.records.noise import normal_noise
 from compwright.records.positioning import PositioningTest
-from compwright.records.verification import LoadingVerdict
+from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.hypotheses import loading_hypotheses
 from compwright.verification.hypothesis import Loading
 from compwright.verification.likelihood import (
@@ -26,6 +26,7 @@ from compwright.verification.likelihood import (
 )
 from compwright.verification.loading import judge_loading
 from compwright.verification.views import View, measurement_views, of_other_axis, unit_views
+from compwright.workflow.stages.verified_axis import _looks
 from loadings import known, means_of
 
 UM = 1e-3  # mm
@@ -84,6 +85,7 @@ def judge(
     read: float = 1.0,
     declared: float | None = 0.0,
     noise: float = NOISE,
+    read_back: bool = False,
 ) -> LoadingVerdict:
     """The axis has an error that ``new`` takes away but for 0.4 µm; ``acting`` (2, m) acts in the
     test after loading, whose readings scatter by ``noise`` and are multiplied by ``read``. ``old``
@@ -110,7 +112,9 @@ def judge(
     units = unit_views(view, after.sigma / NOISE)
     if read != 1.0:
         views += units
-    return judge_loading(after, views, declared_slope=declared, further=lambda: units)
+    return judge_loading(
+        after, views, declared_slope=declared, further=lambda: units, read_back=read_back
+    )
 
 
 def view_of(
@@ -256,6 +260,9 @@ def test_a_straight_line_shifted_is_the_same_line_and_mirrored_the_inverted_one(
     assert "shifted" in loaded.equivalent
     assert "inverted" not in loaded.equivalent
     assert "No measurement of this axis tells them" in loaded.message
+    assert "the values that are read back from the control do (--loaded)" in loaded.message
+    told = judge(straight, line, read_back=True).message
+    assert "the values that were read back from the control are the plan's (--loaded)." in told
     back = judge(-straight, line)
     assert {back.verdict, *back.equivalent} >= {"inverted", "mirrored"}
     warm = judge(1.5 * straight, line)
@@ -475,3 +482,16 @@ def test_single_readings_have_the_noise_of_the_first_test(
     )
     after = after_means(test, noise)
     assert after.precision == pytest.approx(1.0 / (NOISE**2 * variance))
+
+
+def test_what_was_read_back_needs_no_second_look() -> None:
+    """Values that are the plan's tell a loaded table from one whose values are at fault, not from
+    one that does not act."""
+    sentences: dict[LoadingName, tuple[str, ...]] = {"loaded": ("save it again",)}
+    part = LoadingVerdict(verdict="loaded", margin=9.0, message="", equivalent=("partial",))
+    assert _looks(part, sentences, read_back=False) == ["save it again"]
+    assert _looks(part, sentences, read_back=True) == []
+    off = LoadingVerdict(
+        verdict="loaded", margin=9.0, message="", equivalent=("partial", "not_active")
+    )
+    assert _looks(off, sentences, read_back=True) == ["save it again"]

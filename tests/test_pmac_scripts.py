@@ -8,6 +8,7 @@ script of a Clipper (github DiamondLightSource/pmac, etc/bootstrap).
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -87,7 +88,8 @@ def test_a_table_that_repeats_beyond_its_travel_is_the_plan_when_read_back(folde
 
     targets = MACHINE.targets(8)
     (folder / "after.csv").write_text(csv_of(targets, MACHINE.measure(targets, 2, acts, runs=2)))
-    loaded = [word for path in scripts for word in ("--loaded", str(path))]
+    back = shutil.copytree(tables, folder / "back")
+    loaded = [word for path in scripts for word in ("--loaded", str(back / path.name))]
     after = ["--after", str(folder / "after.csv"), "--out", str(folder / "verified")]
     assert compwright(["verify", str(folder / "job.yaml"), *after, *loaded]) == 0
     said = json.loads((folder / "verified" / "verification.json").read_text())

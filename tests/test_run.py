@@ -5,6 +5,7 @@ refusals, and what is written.
 from __future__ import annotations
 
 import json
+import shutil
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -364,6 +365,14 @@ def test_what_was_read_back_from_the_control_is_compared(folder: Path) -> None:
     write_test(folder / "after.csv", seed=3, correction=sinumerik(tables))
     words = ["verify", str(path), "--after", str(folder / "after.csv")]
     assert compwright([*words, "--loaded", str(tables), "--out", str(folder / "v1")]) == 0
+    own = document(folder / "v1" / "verification.json")
+    assert "CW-V010" not in [finding["code"] for finding in own["axes"]["X"]["findings"]]
+    assert "CW-S085" in [finding["code"] for finding in own["findings"]]  # nothing was read back
+    saved = shutil.copytree(tables, folder / "saved")
+    assert compwright([*words, "--loaded", str(saved), "--out", str(folder / "v3")]) == 0
+    back = document(folder / "v3" / "verification.json")
+    assert "CW-V010" in [finding["code"] for finding in back["axes"]["X"]["findings"]]
+    assert "CW-S085" not in [finding["code"] for finding in back["findings"]]
     wrong = folder / "control"
     wrong.mkdir()
     for file in tables.iterdir():

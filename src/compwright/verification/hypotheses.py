@@ -17,7 +17,7 @@ from compwright.verification.loaded_ways import Ways
 #: values is this much less likely. ``inverted`` is none of these: a control whose sign is another
 #: than was taken (error for correction) turns the effect of values that are those of the plan.
 _READ_BACK: Final = 0.01
-_OF_VALUES: Final = frozenset[LoadingName](
+OF_VALUES: Final = frozenset[LoadingName](
     ("scaled", "shifted", "mirrored", "wrong_axis", "one_direction", "backlash", "partial")
 )
 _FAULTS: Final = (
@@ -42,6 +42,6 @@ def loading_hypotheses(loading: Loading, targets: FloatArray) -> tuple[Hypothesi
     if not loading.read_back:
         return tuple(found)
     return tuple(
-        replace(way, weight=_READ_BACK * way.weight) if way.name in _OF_VALUES else way
+        replace(way, weight=_READ_BACK * way.weight) if way.name in OF_VALUES else way
         for way in found
     )

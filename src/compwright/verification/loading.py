@@ -47,6 +47,7 @@ def judge_loading(
     *,
     declared_slope: float | None,
     further: Callable[[], Sequence[View]] = tuple,
+    read_back: bool = False,
 ) -> LoadingVerdict:
     """Return what the test ``after`` shows of the loading, by the hypotheses of all ``views``, and
     of those that ``further`` makes where the test fits neither the loaded table nor the control as
@@ -55,7 +56,8 @@ def judge_loading(
     The first view is the test as it stands; its first hypothesis of the name ``loaded`` and of the
     name ``not_active`` are what the message measures by. ``declared_slope``: standard deviation,
     mm/mm, of a slope between the tests by what is declared of temperature; None where no
-    temperature makes a slope (angles).
+    temperature makes a slope (angles). ``read_back``: the values that were read back from the
+    control are the plan's.
 
     A name is given where its variants, with those within one standard error of it (norm of the
     difference of the noise-free tests, each less its mean, over s √(2/n)), have `CLEAR` of the
@@ -74,7 +76,8 @@ def judge_loading(
         more = further()
         if more:
             found, effect = rate(after, [*views, *more], slope)
-    shown = Shown.of(after, views[0].belief, views[0].hypotheses, effect)
+    first = views[0]
+    shown = Shown.of(after, first.belief, first.hypotheses, effect, read_back=read_back)
     return _verdict(shown, named(after, found, declared_slope), found, declared_slope)
 
 
@@ -158,7 +161,9 @@ def _message(
     if best.name == "thermal":
         if "scaled" in names.equivalent:
             free = [each for each in ways if each.hypothesis.free is not None]
-            return straight_line_message(slope, factor_of(max(free, key=lambda each: each.log)))
+            return straight_line_message(
+                shown, slope, factor_of(max(free, key=lambda each: each.log))
+            )
         return thermal_message(shown, best.expected, slope)
     if best.name == "loaded":
         slope = declared_slope_text(*best.slope, declared_slope or 0.0)

@@ -28,13 +28,15 @@ _LEAST_TOLD: Final = 0.1 * _STEEL / _PPM
 #: Effect in its own standard errors from which 95 % of the tests tell all of it from half of it at
 #: odds of 100:1: D^2 / 8 - 1.645 D / 2 = ln 100.
 VISIBLE: Final = 10.2
+_BACK: Final = "the values that were read back from the control are the plan's (--loaded)"
 
 
 @dataclass(frozen=True, slots=True)
 class Shown:
     """What a test shows: its ``means`` (2, m) in + and -, NaN where there is none, at ``targets``;
     ``noise`` of a reading; the means expected with the new table and without it; ``effect``: which
-    part of their difference it shows, with its standard error. mm or deg by ``unit``.
+    part of their difference it shows, with its standard error; ``read_back``: the values that were
+    read back from the control are the plan's. mm or deg by ``unit``.
     """
 
     means: FloatArray
@@ -44,6 +46,7 @@ class Shown:
     loaded: FloatArray | None
     inactive: FloatArray | None
     effect: tuple[float, float]
+    read_back: bool = False
 
     @classmethod
     def of(
@@ -52,6 +55,8 @@ class Shown:
         belief: ErrorBelief,
         hypotheses: Sequence[Hypothesis],
         effect: tuple[float, float],
+        *,
+        read_back: bool = False,
     ) -> Shown:
         """Return what ``after`` shows beside the expectations of its first hypotheses."""
         expected = {
@@ -66,6 +71,7 @@ class Shown:
             loaded=expected["loaded"],
             inactive=expected["not_active"],
             effect=effect,
+            read_back=read_back,
         )
 
     def left(self, expected: FloatArray) -> FloatArray:
@@ -136,9 +142,10 @@ def named_message(
     text = f"{_sentence(shown, name, way, factor)} {_evidence(shown, name, expected)}"
     if equivalent:
         others = ", ".join(words_of(other) for other in equivalent)
+        back = "the values that are read back from the control do (--loaded)"
         text += (
             f" The same test would come from: {others}. No measurement of this axis tells them"
-            " apart; the values that are read back from the control do (--loaded)."
+            f" apart; {_BACK if shown.read_back else back}."
         )
     return text
 
@@ -310,10 +317,10 @@ def thermal_message(shown: Shown, expected: FloatArray, text: str) -> str:
     )
 
 
-def straight_line_message(text: str, acts_by: float) -> str:
+def straight_line_message(shown: Shown, text: str, acts_by: float) -> str:
     """Return what is said where the correction is a straight line too."""
     return (
         f"The after test is that of the loaded table and a slope. {text} The correction is a"
         f" straight line itself: a table that acts by {acts_by:.2f} of itself would show the same;"
-        " read the values back from the control (--loaded)."
+        f" {_BACK if shown.read_back else 'read the values back from the control (--loaded)'}."
     )

@@ -15,7 +15,6 @@ from compwright.formats.families.between import in_place
 from compwright.formats.look_at import look_at
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import JSON
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Axis, Direction, FloatArray
@@ -34,7 +33,7 @@ from compwright.workflow.stages.control import (
 from compwright.workflow.stages.cross_tables import write_planned
 from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.differences import Side, side
-from compwright.workflow.stages.read_back import read_back_differences
+from compwright.workflow.stages.read_back import not_read_back, read_back_differences
 from compwright.workflow.stages.two_readers import probe_positions
 from compwright.workflow.stages.written import deliver, write_fitted
 
@@ -87,23 +86,11 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     }
     states = [one.state for one in found.values() if isinstance(one, DecodedState)]
     said = (finding for state in states for finding in state.findings)
-    own = _not_read_back(plan_file, loaded)
+    own = not_read_back(plan_file, loaded)
     findings = tuple(dict.fromkeys((*control.findings, *own, *said, *read_back.findings)))
     assumed = tuple(dict.fromkeys(one for state in states for one in state.assumed))
     document = compare_document(plan.format, compared, read_back.others, assumed, findings)
     return CompareOutcome(0 if document["verdict"] == "same" else 1, document)
-
-
-def _not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
-    """Yield what lies where `run` wrote the tables of this plan: it says nothing of the control."""
-    own = storage.resolved(plan_file.parent / "tables")
-    for path in loaded:
-        if own in (there := storage.resolved(path), *there.parents):
-            message = (
-                f"{path} is what run wrote, not what was read back: nothing here says what is in"
-                " the control; save it from the control and compare that"
-            )
-            yield Finding("CW-S085", "warning", message)
 
 
 def _found(

@@ -55,6 +55,7 @@ from compwright.workflow.stages.next_round import (
     next_round,
     refuse_later_rounds,
 )
+from compwright.workflow.stages.read_back import not_read_back
 from compwright.workflow.stages.settled import named_axes, settled_by_files
 from compwright.workflow.stages.single_files import refuse_other_kinds
 from compwright.workflow.stages.verified_axis import verified_axis
@@ -155,6 +156,7 @@ def _verified(
     tests = after_tests(job, plan, others) if others or not circle_files else []
     as_found = states.get(AS_FOUND) or decode(control, (), known)
     read_back = decode(control, read_files(loaded), known) if loaded else None
+    ours = tuple(not_read_back(plan_file, loaded))
     twice = copies(tests)
     axes = {
         test.axis: verified_axis(
@@ -166,6 +168,7 @@ def _verified(
             read_back,
             twice.get(test.axis),
             {name: axis for name, axis in plan.axes.items() if name != test.axis},
+            ours=bool(ours),
         )
         for test in tests
     }
@@ -187,7 +190,7 @@ def _verified(
         axes=axes,
         circles=circles,
         circle_files=circle_files,
-        findings=(*control.findings, *general),
+        findings=(*control.findings, *ours, *general),
         read_back=() if read_back is None else read_back.files,
     )
     return found, _verdict(axes, circles, general)

@@ -82,7 +82,7 @@ def judged_loading(
             ),
         ]
 
-    return judge_loading(after, views, declared_slope=slope, further=further)
+    return judge_loading(after, views, declared_slope=slope, further=further, read_back=read_back)
 
 
 def _view(

@@ -4,12 +4,14 @@ patched, with the plan's files in their place.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 from compwright.documents.compare import Difference, Others
 from compwright.documents.diff import EntryDifference
 from compwright.formats.text.entered import same_text
+from compwright.foundations import storage
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.workflow.stages.control import Control
@@ -29,6 +31,18 @@ class ReadBackDifferences:
     own: Mapping[str, tuple[Difference, ...]]
     others: Others
     findings: tuple[Finding, ...] = ()
+
+
+def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
+    """Yield what lies where `run` wrote the tables of this plan: it says nothing of the control."""
+    own = storage.resolved(plan_file.parent / "tables")
+    for path in loaded:
+        if own in (there := storage.resolved(path), *there.parents):
+            message = (
+                f"{path} is what run wrote, not what was read back: nothing here says what is in"
+                " the control; save it from the control and give that"
+            )
+            yield Finding("CW-S085", "warning", message)
 
 
 def read_back_differences(

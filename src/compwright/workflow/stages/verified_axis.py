@@ -28,6 +28,7 @@ from compwright.records.prediction import AcceptDecision
 from compwright.records.result import PositioningResult
 from compwright.records.settled import LOGARITHM, settled_number
 from compwright.records.verification import LoadingName, LoadingVerdict
+from compwright.verification.hypotheses import OF_VALUES
 from compwright.verification.measurement import NamedFault, measurement_fault, proof_lacking
 from compwright.verification.proof import AfterTest, doubted
 from compwright.workflow.stages.acting import correction_of
@@ -46,12 +47,14 @@ def verified_axis(
     read_back: DecodedState | None,
     twice: NamedFault | None,
     others: Mapping[str, PlannedAxis],
+    *,
+    ours: bool,
 ) -> VerifiedAxis:
     """Return what the test after loading shows of an axis, beside what was expected.
 
     ``as_found``: what was in the control before; ``read_back``: what was read back from it since,
     if anything; ``twice``: that the test is a copy of another one; ``others``: the other axes of
-    the plan.
+    the plan; ``ours``: ``read_back`` is what `run` wrote, and says nothing of the control.
     """
     axis = planned.axis
     names = [entry.test.name for entry in planned.tests]
@@ -63,6 +66,9 @@ def verified_axis(
     change = _change(planned, as_found, repeated)
     fault = twice or measurement_fault(after.test, repeated.test, axis.travel)
     compared = _compare_loaded(planned, read_back)
+    if ours:
+        compared = tuple(finding for finding in compared if finding.code != "CW-V010")
+    as_planned = any(finding.code == "CW-V010" for finding in compared)
     loading = (
         judged_loading(
             job,
@@ -73,7 +79,7 @@ def verified_axis(
             posterior,
             as_found.state,
             others,
-            read_back=any(finding.code == "CW-V010" for finding in compared),
+            read_back=as_planned,
         )
         if fault is None
         else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
@@ -86,7 +92,7 @@ def verified_axis(
         predicted=predict_same_targets(result, posterior, change, axis, like),
         expected=_expected(result, posterior, change),
         after=result,
-        loading=_told(loading, _sentences(control, planned)),
+        loading=_told(loading, _sentences(control, planned), read_back=as_planned),
         accept=accept,
         guard=guard_bands(job, planned, place, before, posterior, change) if guarded else None,
         findings=(*loading.findings, *_named(loading), *findings, *compared),
@@ -140,20 +146,24 @@ def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, t
     return look_at(control.format, planned.axis, planned.fitted.compensation)
 
 
-def _looks(loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]]) -> list[str]:
+def _looks(
+    loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
+) -> list[str]:
     """Return what to look at for a verdict: for one that is open, of every candidate, the likeliest
-    first; for a loaded table, only what tells it from its equivalents.
+    first; for a loaded table, only what tells it from its equivalents, and nothing where the values
+    that were ``read_back`` (the plan's) have told it.
     """
     names: list[LoadingName] = [loading.verdict]
     if loading.verdict == "undecided":
         names = [each.verdict for each in loading.candidates if each.verdict != "loaded"]
-    elif loading.verdict == "loaded" and not loading.equivalent:
-        names = []
+    elif loading.verdict == "loaded":
+        told = OF_VALUES if read_back else frozenset[LoadingName]()
+        names = names if set(loading.equivalent) - told else []
     return list(dict.fromkeys(text for name in names for text in sentences.get(name, ())))
 
 
 def _told(
-    loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]]
+    loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
 ) -> dict[str, Any]:
     """Return the verdict about the loading as the document holds it."""
     return {
@@ -175,7 +185,7 @@ def _told(
         ],
         **({"slope": _slope_told(*loading.slope)} if loading.slope is not None else {}),
         "message": loading.message,
-        "look_at": _looks(loading, sentences),
+        "look_at": _looks(loading, sentences, read_back=read_back),
     }
 
 
