@@ -8,6 +8,7 @@ first number is the reference point, those behind it own the sections of one per
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -16,7 +17,10 @@ import pytest
 
 import test_fanuc_backup_honoured as plain
 from compwright.cli import run as compwright
-from compwright.records.axis import FloatArray
+from compwright.planning import waves
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.correction import no_compensation
+from compwright.records.estimate import WantedCorrection
 from test_fanuc_backup_honoured import UNIT, Bench, Edits, said
 
 pytestmark = pytest.mark.brief
@@ -66,6 +70,34 @@ def left(bench: Bench) -> FloatArray:
     rest = worm(4, x, 1) + plain.added(parameters, points, 4, x, 1) + second(parameters, points, x)
     straight = np.polyval(np.polyfit(x, rest, 1), x)
     return np.asarray(rest - straight)
+
+
+def test_what_the_main_table_holds_of_the_period_is_left_to_the_second() -> None:
+    """Sections of 1.875 of a period of 4 hold some of it: the second table takes the whole wave,
+    not what its sections leave.
+    """
+    x = np.linspace(0.0, 360.0, 7201)
+    wave = AMPLITUDE * np.sin(2 * np.pi * x / PERIOD + 0.7)
+    wanted = WantedCorrection(
+        kind=AxisKind.ROTARY,
+        positions=x,
+        positive=wave,
+        negative=wave,
+        reference=0.0,
+        reference_return=Direction.POSITIVE,
+        noise=1e-4,
+        periods=(PERIOD,),
+    )
+    nodes = np.linspace(0.0, 360.0, 193)
+    hats = np.array([np.interp(x, nodes, one) for one in np.eye(nodes.size)])
+    values = np.linalg.solve(hats @ hats.T, hats @ wave)
+    table = replace(
+        no_compensation("4", AxisKind.ROTARY), positions=nodes, positive=values, negative=values
+    )
+    bare, held = waves._left(wanted, table, ()), waves._left(wanted, table, (PERIOD,))
+    folded = [one.reshape(-1)[:7200].reshape(90, 80).mean(axis=0) for one in (bare, held, wave)]
+    assert np.std(folded[0]) < 0.7 * np.std(wave)
+    assert folded[1] == pytest.approx(folded[2], abs=0.02 * AMPLITUDE)
 
 
 AXIS = {"B": "screw_pitch: 4"}
