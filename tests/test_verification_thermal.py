@@ -112,7 +112,7 @@ def test_what_the_job_declares_is_told_with_its_size_where_the_table_is_loaded(
     assert told is not None
     assert float(told[1]) == pytest.approx(times * 20.0, abs=4.0 * float(told[2]))
     assert 0.05 < float(told[2]) < 1.0
-    within = "within" if abs(times) <= 2.0 else "at the edge of"
+    within = "within" if abs(times) <= 2.0 else "beyond"
     assert f"{within} what the job declares for two tests (± 40.0 µm/m, k = 2)" in verdict.message
     still = judge(table_of(3), table_of(3), 3, declared=20 * PPM)
     assert "rise by" not in still.message

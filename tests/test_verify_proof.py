@@ -18,6 +18,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.documents.plan import read_plan
+from compwright.documents.verification import _within
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.verification.measurement import noise_odds
@@ -590,3 +591,11 @@ def test_what_was_edited_is_said_in_the_words_of_the_job(
     )
     assert told.format(message) in said
     assert not any(mark in said for mark in ("Encoder", "(", "Direction", "None", "{"))
+
+
+@pytest.mark.parametrize(
+    ("value", "inside"), [(0.4, False), (0.6, True), (5.4, True), (5.6, False)]
+)
+def test_the_guard_widens_a_prediction_at_both_ends(value: float, inside: bool) -> None:
+    assert _within(value, {"p05": 2.0, "p95": 4.0}, 1.5) is inside
+    assert _within(value, {"p05": 2.0, "p95": 4.0}) is False

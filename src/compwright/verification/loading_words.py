@@ -300,7 +300,7 @@ def declared_slope_text(slope: float, error: float, declared: float) -> str:
     """
     if declared <= 0.0 or abs(slope) < max(_CLEAR_SLOPE * error, _LEAST_TOLD):
         return ""
-    within = "within" if abs(slope) <= 2.0 * declared else "at the edge of"
+    within = "within" if abs(slope) <= 2.0 * declared else "beyond"
     return (
         f"Over the travel its deviations rise by {slope * _PPM:+.2f} ± {error * _PPM:.2f} µm/m more"
         f" than expected: steel does that over {significant(slope * _PPM / _STEEL, signed=True)} K,"

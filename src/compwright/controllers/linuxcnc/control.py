@@ -24,6 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.controllers.linuxcnc.ini import IniFile, Value, bare_name, read_inis
+from compwright.controllers.linuxcnc.kinematics import MIXING, joint_number, letters_of_joints
 from compwright.controllers.linuxcnc.table import CompTable, leading_number, load_table
 from compwright.controllers.request import Request, by_address, unknown_axis
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -46,22 +47,6 @@ _ANGULAR_UNITS = {
     "rad": math.degrees(1.0),
     "radian": math.degrees(1.0),
 }
-_LETTERS = "XYZABCUVW"
-#: Kinematics in which a motion of one axis moves several joints (LinuxCNC's own modules).
-_MIXING = frozenset(
-    {
-        *(
-            "corexykins",
-            "rotatekins",
-            "scarakins",
-            "scorbot-kins",
-            "pumakins",
-            "rosekins",
-            "lineardeltakins",
-        ),
-        *("rotarydeltakins", "genhexkins", "genserkins", "genser", "pentakins", "tripodkins"),
-    }
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,36 +114,6 @@ class LinuxCncControl:
         if joint is None:
             raise unknown_axis(address, self.addresses())
         return joint
-
-
-def joint_number(address: str) -> str:
-    """Return the joint number of an address; an axis letter stands for its place among XYZABCUVW (X
-    is joint 0).
-    """
-    letter = address.strip().upper()
-    return (
-        str(_LETTERS.index(letter)) if len(letter) == 1 and letter in _LETTERS else address.strip()
-    )
-
-
-def _letters_of_joints(ini: IniFile) -> str:
-    """Return the letter of each joint: those given to the kinematics, for another kinematics than
-    trivkins the machine's axes where each has one joint, else the row of all letters.
-    """
-    said = {
-        key: "" if (value := ini.find(section, key)) is None else value.text
-        for section, key in (("KINS", "KINEMATICS"), ("KINS", "JOINTS"), ("TRAJ", "COORDINATES"))
-    }
-    given = re.search("coordinates=([A-Za-z]+)", said["KINEMATICS"])
-    if given is not None:
-        return given.group(1).upper()
-    axes = said["COORDINATES"].upper().replace(" ", "").replace("\t", "")
-    module = said["KINEMATICS"].lower().split()[:1]
-    return (
-        axes
-        if module not in ([], ["trivkins"]) and said["JOINTS"].strip() == str(len(axes))
-        else _LETTERS
-    )
 
 
 def _looked_up(table: CompTable, x: FloatArray, direction: Direction) -> FloatArray:
@@ -245,7 +200,7 @@ class _Loader:
         """
         for ini in self.inis if self.request.reference else ():
             value = ini.find("KINS", "KINEMATICS")
-            if value is not None and value.text.split()[0].lower() in _MIXING:
+            if value is not None and value.text.split()[0].lower() in MIXING:
                 message = (
                     "[KINS] KINEMATICS: an axis moves several joints here, and a table acts on one"
                     " joint"
@@ -259,7 +214,7 @@ class _Loader:
         can serve it.
         """
         for ini in self.inis if self.request.reference else ():
-            letters = _letters_of_joints(ini)
+            letters = letters_of_joints(ini)
             for number in sorted(numbers):
                 if number >= len(letters) or not self.request.asks_for(str(number)):
                     continue

@@ -1,0 +1,57 @@
+"""LinuxCNC: which joint is which axis, and kinematics in which no joint is one.
+
+From the control's own kinematics modules and example configurations.
+"""
+
+from __future__ import annotations
+
+import re
+
+from compwright.controllers.linuxcnc.ini import IniFile
+
+_LETTERS = "XYZABCUVW"
+#: Kinematics in which a motion of one axis moves several joints (LinuxCNC's own modules).
+MIXING = frozenset(
+    {
+        *(
+            "corexykins",
+            "rotatekins",
+            "scarakins",
+            "scorbot-kins",
+            "pumakins",
+            "rosekins",
+            "lineardeltakins",
+        ),
+        *("rotarydeltakins", "genhexkins", "genserkins", "genser", "pentakins", "tripodkins"),
+    }
+)
+
+
+def joint_number(address: str) -> str:
+    """Return the joint number of an address; an axis letter stands for its place among XYZABCUVW (X
+    is joint 0).
+    """
+    letter = address.strip().upper()
+    return (
+        str(_LETTERS.index(letter)) if len(letter) == 1 and letter in _LETTERS else address.strip()
+    )
+
+
+def letters_of_joints(ini: IniFile) -> str:
+    """Return the letter of each joint: those given to the kinematics, for another kinematics than
+    trivkins the machine's axes where each has one joint, else the row of all letters.
+    """
+    said = {
+        key: "" if (value := ini.find(section, key)) is None else value.text
+        for section, key in (("KINS", "KINEMATICS"), ("KINS", "JOINTS"), ("TRAJ", "COORDINATES"))
+    }
+    given = re.search("coordinates=([A-Za-z]+)", said["KINEMATICS"])
+    if given is not None:
+        return given.group(1).upper()
+    axes = said["COORDINATES"].upper().replace(" ", "").replace("\t", "")
+    module = said["KINEMATICS"].lower().split()[:1]
+    return (
+        axes
+        if module not in ([], ["trivkins"]) and said["JOINTS"].strip() == str(len(axes))
+        else _LETTERS
+    )
