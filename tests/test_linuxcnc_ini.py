@@ -354,3 +354,17 @@ def test_a_damaged_ini_is_not_left_out_beside_another_one(damaged: str) -> None:
     files = [ControlFile("haas.ini", content), ControlFile("other.ini", other.encode())]
     with pytest.raises(InputError, match=r"haas\.ini: is not a text file"):
         decode(open_control("linuxcnc", {}), files, address="0")
+
+
+@pytest.mark.parametrize("format_id", ["linuxcnc", "fanuc-30i", "siemens-840d-sl"])
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
+def test_a_text_of_two_bytes_a_character_is_told_with_what_helps(
+    format_id: str, encoding: str
+) -> None:
+    options = {"detection_unit": 0.001} if format_id.startswith("fanuc") else {}
+    file = ControlFile("unicode.txt", INI.encode(encoding))
+    with pytest.raises(InputError, match=r"saved as UTF-16 .* save it as ANSI"):
+        open_control(format_id, options).format.read([file])
+    binary = ControlFile("binary.txt", b"\x00" * 600 + b"\x01\x02" * 9)
+    with pytest.raises(InputError, match="binary archive"):
+        open_control(format_id, options).format.read([binary])

@@ -7,6 +7,7 @@ the definition says so, every line has to be read.
 
 from __future__ import annotations
 
+import codecs
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -27,6 +28,7 @@ from compwright.records.correction import ControlFile
 
 #: Bytes that no text holds.
 BINARY = re.compile(rb"[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]")
+_HEAD = 512  # bytes that show in which encoding a file was saved
 _OPEN = "("
 _ENCLOSED = re.compile(r"\([^()]*\)")
 #: Stands behind a comment mark, before a statement that compwright leaves to somebody at the
@@ -66,6 +68,23 @@ class ReadText:
     findings: tuple[Finding, ...]
 
 
+def no_text(content: bytes) -> str:
+    """Return what a file is that is no text of a control: one of two bytes a character (by its byte
+    order mark, or where every second byte of its beginning is 0), or binary.
+    """
+    head = content[:_HEAD]
+    halves = head[::2], head[1::2]
+    plain = any(
+        not any(high) and low and not BINARY.search(low) for high, low in (halves, halves[::-1])
+    )
+    if plain or head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return (
+            "is not a text file of one byte a character, but saved as UTF-16 (Unicode): give it as"
+            " the control wrote it, or save it as ANSI (Notepad: Save As, Encoding)"
+        )
+    return "is not a text file (a binary archive?)"
+
+
 @lru_cache(maxsize=KEPT_READERS)
 def text_reader(definition: Definition) -> TextReader:
     """Return the reader of a definition: its forms are compiled once."""
@@ -100,7 +119,7 @@ class TextReader:
         if BINARY.search(file.content):
             faults.append(
                 Fault(
-                    message="is not a text file (a binary archive?)",
+                    message=no_text(file.content),
                     file=file.name,
                     expected=(
                         "text as the control exports it, in ASCII or another 8-bit character set"

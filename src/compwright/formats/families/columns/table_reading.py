@@ -36,7 +36,7 @@ from compwright.formats.families.columns.table import (
     Row,
     UserTable,
 )
-from compwright.formats.text.texts import BINARY, Line, TextReader, text_reader
+from compwright.formats.text.texts import BINARY, Line, TextReader, no_text, text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -102,7 +102,8 @@ class _TableReader:
 
     def read(self) -> UserTable | None:
         if BINARY.search(self.file.content):
-            self._fault("is not a text file", None, expected="a table as the control exports it")
+            message = no_text(self.file.content)
+            self._fault(message, None, expected="a table as the control exports it")
             return None
         text = self.file.content.decode("latin-1")
         lines = [line for line in self.reader.lines(text) if line.text.strip()]

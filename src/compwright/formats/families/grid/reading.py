@@ -36,7 +36,7 @@ from compwright.formats.text.container import (
 )
 from compwright.formats.text.gathering import Found, Gathered, gather
 from compwright.formats.text.notes import Notes
-from compwright.formats.text.texts import BINARY, ReadText, text_reader
+from compwright.formats.text.texts import BINARY, ReadText, no_text, text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis
 from compwright.records.correction import (
@@ -273,7 +273,7 @@ class GridReader:
             message = f"is {what} which cannot be read" if what else ""
             opened = is_container(file) and "files" in self.definition.options
             if not (message or opened) and BINARY.search(file.content):
-                message = "is not a text file (a binary archive?)"
+                message = no_text(file.content)
             if message:
                 expected = self.control.export_instead
                 self.notes.faults.append(Fault(message=message, file=file.name, expected=expected))
