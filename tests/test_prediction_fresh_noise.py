@@ -37,16 +37,16 @@ def test_white_noise_has_its_size_in_both_directions() -> None:
     assert np.std(minus[:, 4]) == pytest.approx(3.0, rel=0.026)
 
 
-def test_drift_goes_from_the_first_run_to_the_last_and_comes_again_but_for_a_twentieth() -> None:
+def test_drift_goes_from_the_first_run_to_the_last_and_comes_again_to_about_a_tenth() -> None:
     """Rate 0: -1/2, 0, 1/2 of it; at the ends of the travel more and less of the expansion. As
-    large as in the first test, its standard deviation a twentieth (by `_DIFFERS`). 4000 tests:
-    mean to 0.0008, standard deviation to 1.1 %; four of these.
+    large as in the first test, its standard deviation 7 % of it (`_DIFFERS`): nine in ten lie
+    within 11.5 %. 4000 tests: mean to 0.0011, standard deviation to 1.1 %; four of these.
     """
     plus, minus = drawn(noise_of_size(0.0, drift=4.0, drift_tilt=2.0))
     expected = np.outer([2.0, 3.0, 4.0, 5.0, 6.0], [-0.5, 0.0, 0.5])
     share = (plus[:, 2, 2] - plus[:, 2, 0]) / 4.0
-    assert np.mean(share) == pytest.approx(1.0, abs=0.0032)
-    assert np.std(share) == pytest.approx(0.05, rel=0.045)
+    assert np.mean(share) == pytest.approx(1.0, abs=0.0044)
+    assert np.std(share) == pytest.approx(0.07, rel=0.045)
     for block in (plus, minus):
         drift = block - block.mean(axis=2, keepdims=True)
         # an even pace as the limit of a slow one
