@@ -123,3 +123,14 @@ def test_only_what_the_order_decides_is_refused(first: str, second: str, refused
         return
     with pytest.raises(InputError, match="a folder has no order"):
         read("card")
+
+
+def test_a_script_that_takes_in_another_file_is_refused_with_what_helps() -> None:
+    form = control_format(DEFINITIONS["pmac"], {"counts_per_unit": 1000.0})
+    script = b'I51=1\n#include "axes.h"\n#1 DEFINE COMP 1,1000\n0\n'
+    with pytest.raises(InputError) as refused:
+        form.read([ControlFile("a.pmc", script)], address="1")
+    told = [str(fault) for fault in refused.value.faults]
+    assert len(told) == 1
+    assert "line 2" in told[0]
+    assert "the content of that file in the place of this line" in told[0]

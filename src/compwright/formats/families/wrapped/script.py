@@ -57,6 +57,8 @@ _ARGUMENTS = re.compile(
 )
 _PLAIN = re.compile(r"(?P<entries>[0-9]{1,9})[ \t]*,[ \t]*(?P<length>[0-9]{1,12})")
 _PLANE = re.compile(r"(?P<rows>[0-9]{1,6})\.(?P<columns>[0-9]{1,6})[ \t]*,(?P<rest>.*)")
+#: For the program that sends scripts, not for the card.
+_INCLUDE = re.compile(r"#[ \t]*INCLUDE(?![A-Z])", re.IGNORECASE)
 _END = re.compile(r"(?<![A-Z])CLOSE(?![A-Z])", re.IGNORECASE)
 _SET = re.compile(rf"(?<![A-Z(0-9]){_RANGE}", re.IGNORECASE)
 _TABLE = re.compile(r"(?:DEF(?:INE)?|DEL(?:ETE)?)[ \t]*(?:BL)?COMP(?![A-Z])", re.IGNORECASE)
@@ -245,7 +247,11 @@ class _Reader:
         message = "this is no command that compwright knows, and it may act"
         if self.open is not None and len(self.open.values) < self.open.needed:
             message = f"{self.open.says}: this is no whole number"
-        self._fault(word, message, "DEFINE, DELETE, I..=.. and the like; docs/controllers/pmac.md")
+        expected = "DEFINE, DELETE, I..=.. and the like; docs/controllers/pmac.md"
+        if _INCLUDE.match(word.text):
+            message = "the script of another file belongs here, and is not in this one"
+            expected = "the content of that file in the place of this line"
+        self._fault(word, message, expected)
         return word.end
 
     def _command(self, match: re.Match[str]) -> None:
