@@ -30,8 +30,8 @@ CASES = {
 }
 #: What the files of a control do not say, for reading them without a job.
 OPTIONS = {"fanuc-30i": ["--option", "detection_unit=0.001"]}
-#: A row of a table in a page: the parameter and its numbers.
-ROW = re.compile(r"^    ([A-Z][+−]? +−?[0-9].*)$", re.MULTILINE)
+#: A row of a table in a page: the parameter and its numbers; and what is said of the table.
+ROW = re.compile(r"^    ([A-Z][+−]? +−?[0-9].*|Table: .*)$", re.MULTILINE)
 
 
 def quoted_rows(page: str) -> list[str]:
