@@ -75,6 +75,15 @@ def test_the_sample_setting_of_the_control_s_own_report() -> None:
     assert beside == pytest.approx(-0.004 + 0.003)
 
 
+def test_the_numbers_that_an_axis_has_are_none_of_those_that_all_share() -> None:
+    """A set of eight numbers has nine nodes; of all other numbers each seventh alone holds nothing
+    (17, 24, 31 ..).
+    """
+    form = open_control("fanuc-30i", {"detection_unit": 0.001}).format
+    capacity = form.in_state(read(backup()).state).capacity(axis("1", "X"))
+    assert (capacity.own_points, capacity.shared_points) == (9, 1)
+
+
 @pytest.mark.parametrize(
     "second",
     [
