@@ -91,8 +91,8 @@ def written_job(folder: Path, format_id: str, axes: str, more: str = "") -> Path
 def _all_loaded(judge: Callable[..., VerifiedAxis]) -> Callable[..., VerifiedAxis]:
     """As if the measurement had shown of every axis that its table acts as it should."""
 
-    def give(*arguments: Any) -> VerifiedAxis:
-        found = judge(*arguments)
+    def give(*arguments: Any, **words: Any) -> VerifiedAxis:
+        found = judge(*arguments, **words)
         loading = {key: value for key, value in found.loading.items() if key != "of"}
         kept = tuple(one for one in found.findings if one.severity == "error")
         return replace(found, loading={**loading, "verdict": "loaded"}, findings=kept)
