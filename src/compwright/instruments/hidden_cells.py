@@ -11,11 +11,13 @@ import re
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from compwright.foundations.errors import InputError
 from compwright.foundations.findings import Finding
-from compwright.instruments.safe_xml import Element, read_xml
+
+if TYPE_CHECKING:
+    from compwright.instruments.safe_xml import Element
 
 _BOOK: Final = "xl/workbook.xml"
 _LINKS: Final = "xl/_rels/workbook.xml.rels"
@@ -42,6 +44,9 @@ NOTHING_HIDDEN: Final = Hidden()
 
 def hidden_of(archive: zipfile.ZipFile) -> dict[str, Hidden]:
     """Return what each sheet hides, by its name; nothing of what cannot be told."""
+    # What is not a workbook needs no reader of XML.
+    from compwright.instruments.safe_xml import read_xml
+
     try:
         book = read_xml(archive.read(_BOOK), _BOOK)
         links = read_xml(archive.read(_LINKS), _LINKS)

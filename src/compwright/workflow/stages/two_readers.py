@@ -141,8 +141,7 @@ def table_positions(nodes: FloatArray, travel: tuple[float, float]) -> FloatArra
     """Return positions at which a table of a plan says what acts: those of `probe_positions` over
     its nodes and the travel.
 
-    Beyond both a plan's table only holds its ends, whatever the control does there (a PMAC's
-    repeats).
+    Beyond both a plan's table only holds its ends, whatever the control does there (it may repeat).
     """
     ends = np.concatenate([nodes, travel])
     where = probe_positions(nodes)
