@@ -159,6 +159,20 @@ def test_where_it_cannot_be_or_is_not_needed_it_is_left(
     assert not {number for number, _ in bench.changed()} & {14985, 14986, 14987}
 
 
+@pytest.mark.usefixtures("on_a_worm")
+@pytest.mark.parametrize("spacing", [1.8, 2.0])
+def test_points_of_the_main_table_may_lie_in_the_middle_of_sections_of_the_second(
+    spacing: float, tmp_path: Path
+) -> None:
+    """127.8 deg is point 71 of a grid of 1.8 deg, and the step between sections 319 and 320 of 0.4
+    deg of the second table: whoever reads it takes the same side.
+    """
+    bench = Bench(tmp_path, AT_REST)
+    options = ", options: {cyclic: available}"
+    words = {"B": f"screw_pitch: 4, table: {{spacing: {spacing}}}"}
+    assert bench.run("B", options=options, axes=words, targets=TARGETS) == 0
+
+
 def test_a_period_that_does_not_divide_the_turn_is_left(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -95,7 +95,9 @@ class Cycle:
             return np.asarray(
                 np.interp(sections, np.arange(self.totals.size), self.totals), dtype=np.float64
             )
-        return np.asarray(self.totals[np.floor(sections + 0.5).astype(np.intp)], dtype=np.float64)
+        # A position in the very middle of a section may lie on either side of it by its last bits.
+        steps = np.floor(np.round(sections, 9) + 0.5).astype(np.intp)
+        return np.asarray(self.totals[steps], dtype=np.float64)
 
 
 @dataclass(frozen=True, slots=True)
