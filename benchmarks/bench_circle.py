@@ -43,11 +43,14 @@ def mixed(rng: np.random.Generator) -> Setup:
 
 
 def bound(machine: Machine, setup: Setup) -> dict[str, float]:
-    """Return the least standard deviation of each cause under white noise, in its own unit."""
+    """Return the least standard deviation of each cause under white noise, in its own unit; of a
+    cause that the arc does not show a very large one.
+    """
     names = [f.name for f in fields(machine) if f.name != "centre"]
     blocks = []
     for sense in (1.0, -1.0):
-        theta = np.radians((np.arange(setup.samples) + 0.5) * 360.0 / setup.samples)
+        steps = (np.arange(setup.samples) + 0.5) * setup.extent / setup.samples
+        theta = np.radians(setup.start + steps)
         here = distance(machine, setup, theta, sense)
         columns = []
         for name in names:
@@ -59,8 +62,9 @@ def bound(machine: Machine, setup: Setup) -> dict[str, float]:
         columns += [um * sense * np.abs(sin) * cos, um * sense * np.abs(cos) * sin]
         blocks.append(np.column_stack(columns))
     rows = np.vstack(blocks) / (1e-3 * setup.noise)
-    unit = np.linalg.norm(rows, axis=0)
-    covariance = np.linalg.inv((rows / unit).T @ (rows / unit)) / np.outer(unit, unit)
+    unit = np.maximum(np.linalg.norm(rows, axis=0), 1e-12)
+    shown = (rows / unit).T @ (rows / unit) + 1e-13 * np.eye(unit.size)
+    covariance = np.linalg.inv(shown) / np.outer(unit, unit)
     found = dict(zip(names, np.sqrt(np.diag(covariance)), strict=False))
     combined = {
         f"backlash_{axis}": {f"backlash_{axis}_at_{end}": 0.5 for end in ("positive", "negative")}

@@ -256,7 +256,8 @@ def reference_elsewhere(rng: Rng, whole: bool) -> Job:
     """
     axis = axis_job(rng)
     backup = filled_backup(rng, whole, axis.address).set(1240, f"A{axis.address}", "-100.0")
-    return job_on("warn", replace(axis, words={**axis.words, "reference": "-100"}), backup, "1240")
+    axis = replace(axis, words={**axis.words, "reference": "-100"})
+    return job_on("answerable", axis, backup, "1240", "points_from")
 
 
 @family

@@ -24,7 +24,7 @@ from hypothesis import settings
 
 from compwright.estimation import axis, likelihood, noise
 from compwright.foundations.processors import look_for_garbage_seldom
-from compwright.planning import circles, fresh, misread, outlook, wanted, worth
+from compwright.planning import circles, fresh, misread, wanted, worth
 from frames import unpaint
 from remembered import remembered
 
@@ -79,8 +79,8 @@ def sampled(request: pytest.FixtureRequest) -> Iterator[None]:
             patch.setattr(noise, "_SETTLING", 8)
             for module in (noise, axis):
                 patch.setattr(module, "_DRAWS", 12)
-            for module in (fresh, outlook):
-                patch.setattr(module, "DRAWS", 240)
+            for name in ("_DRAWS", "_FEWEST_DRAWS"):
+                patch.setattr(fresh, name, 240)
             patch.setattr(circles, "DRAWS", 20)
             patch.setattr(worth, "_SIZES", 2)
             patch.setattr(likelihood, "_DRAWS", 4)

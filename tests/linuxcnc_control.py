@@ -86,7 +86,8 @@ class Stop:
 
     ``direction`` is that of the last motion that arrived here, None for a joint that has not moved
     yet. ``motor`` is the commanded motor position less the motor offset; ``correction`` what the
-    control applies: motor - position.
+    control applies: motor - position. ``place``: the commanded motor position itself, which is 0
+    where the control was started, whatever homing made of it.
     """
 
     number: int
@@ -95,6 +96,7 @@ class Stop:
     direction: Direction | None
     position: float
     motor: float
+    place: float
 
     @property
     def correction(self) -> float:
@@ -152,8 +154,11 @@ def run_session(
     stops: Sequence[Sequence[float]],
     *,
     inch: bool = False,
+    hal: Sequence[str] = (),
 ) -> Session:
     """As `applied_corrections`, but error messages of the control are returned, not raised.
+
+    ``hal``: further lines of its wiring, such as a home switch; `switch_at` gives them.
 
     Raises `ControlNotUpError` when it did not come up in any of `ATTEMPTS`, `ControlStoppedError`
     when it did not reach a stop.
@@ -161,7 +166,8 @@ def run_session(
     failures = []
     with one_at_a_time():
         for attempt in range(1, ATTEMPTS + 1):
-            ended = _session(files, joints, stops, inch=inch, patience=patience() * attempt)
+            wait = patience() * attempt
+            ended = _session(files, joints, stops, inch=inch, hal=hal, patience=wait)
             if ended.came_up:
                 break
             failures.append(
@@ -229,6 +235,7 @@ def _session(
     stops: Sequence[Sequence[float]],
     *,
     inch: bool,
+    hal: Sequence[str],
     patience: float,
 ) -> _Ended:
     letters = _letters(joints)
@@ -240,7 +247,8 @@ def _session(
         (folder / "machine.ini").write_text(
             _machine_ini(files, joints, letters, inch=inch), encoding="utf-8"
         )
-        (folder / "machine.hal").write_text(_machine_hal(len(letters)), encoding="utf-8")
+        wiring = _machine_hal(len(letters)) + "".join(f"{line}\n" for line in hal)
+        (folder / "machine.hal").write_text(wiring, encoding="utf-8")
         wanted = {
             "letters": letters,
             "stops": [[float(x) for x in row] for row in stops],
@@ -280,10 +288,10 @@ def _stops(
     before = [0.0] * len(joints)
     arriving: list[Direction | None] = [None] * len(joints)
     for number, (targets, row) in enumerate(zip(stops, readings, strict=True)):
-        for j, (joint, (position, motor, _)) in enumerate(zip(joints, row, strict=True)):
+        for j, (joint, (position, motor, _, raw)) in enumerate(zip(joints, row, strict=True)):
             if targets[j] != before[j]:
                 arriving[j] = Direction.POSITIVE if targets[j] > before[j] else Direction.NEGATIVE
-            found.append(Stop(number, joint, float(targets[j]), arriving[j], position, motor))
+            found.append(Stop(number, joint, float(targets[j]), arriving[j], position, motor, raw))
         before = [float(x) for x in targets]
     return found
 
@@ -364,6 +372,19 @@ def _machine_hal(joints: int) -> str:
         f"net motor{j} joint.{j}.motor-pos-cmd => joint.{j}.motor-pos-fb" for j in range(joints)
     ]
     return "\n".join(lines) + "\n"
+
+
+def switch_at(joint: int, place: float) -> list[str]:
+    """Return the wiring of a home switch that is closed below ``place`` (machine units) of the
+    motor, which starts at 0.
+    """
+    return [
+        f"loadrt comp names=switch{joint}",
+        f"addf switch{joint} servo-thread",
+        f"setp switch{joint}.in1 {place}",
+        f"net motor{joint} => switch{joint}.in0",
+        f"net closed{joint} switch{joint}.out => joint.{joint}.home-sw-in",
+    ]
 
 
 def measure(

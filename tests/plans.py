@@ -77,7 +77,8 @@ def random_plan(format_id: str, seed: int) -> Plan:
 def random_options(format_id: str, rng: np.random.Generator) -> dict[str, object]:
     if format_id.startswith("fanuc"):
         chosen: dict[str, object] = {
-            "detection_unit": float(rng.choice([0.001, 0.0001, 0.0005, 0.01]))
+            "detection_unit": float(rng.choice([0.001, 0.0001, 0.0005, 0.01])),
+            "points_from": "reference",
         }
         for name, values in (
             ("output", ("step", "ramp")),

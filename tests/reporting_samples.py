@@ -388,6 +388,7 @@ def verify_view() -> dict[str, Any]:
             },
             "circles": {},
             "verdict": "undecided",
+            "headline": "Undecided: the tests do not tell",
         },
         "evaluation_before": {"results": [run["evaluation"]["results"][0]], "errors": []},
         "evaluation_after": {

@@ -16,6 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from backup_cases_sinumerik import ANSWERABLE, MUST_REFUSE, PLAIN, Case
+from card_files import wrong_files
+from harm_following import for_each_axis
 from virtual_sinumerik import Register, VirtualSinumerik, assignments
 
 Floats = NDArray[np.float64]
@@ -249,6 +251,7 @@ def try_case(case: Case, folder: Path, run: Run) -> Outcome:
     if outcome.written:
         outcome.files = {path.name: path.read_bytes() for path in sorted(tables.iterdir())}
         outcome.card = (folder / "out" / "card" / "card.md").read_text(encoding="utf-8")
+        outcome.harms += wrong_files(folder / "out")
         document = json.loads((folder / "out" / "prediction.json").read_text(encoding="utf-8"))
         outcome.predicted = document["axes"][case.letter]["predicted_new_targets"]["A"]["median"]
         outcome.band = (
@@ -462,7 +465,7 @@ def steps(card: str) -> list[tuple[str, str]]:
     found = []
     for block in re.split(r"^- \[ \] ", section[1], flags=re.MULTILINE)[1:]:
         head, _, rest = block.partition("\n")
-        found.append((head.strip("* "), re.sub(r"\\(.)", r"\1", rest)))
+        found.append((head.strip("* "), for_each_axis(re.sub(r"\\(.)", r"\1", rest))))
     return found
 
 

@@ -474,7 +474,8 @@ WORDS = {
         ["decode", "x.csv", "--format", "linuxcnc", "--option", "units"],
         ["--option", "K=V"],
     ),
-    "format": (["formats", "show", "fanuc"], ["fanuc", "linuxcnc"]),
+    "format": (["formats", "show", "fanux"], ["fanux", "nearest", "fanuc-30i", "linuxcnc"]),
+    "maker": (["formats", "show", "fanuc"], ["several", "fanuc-30i", "fanuc-0i-f"]),
     "command": (["frobnicate"], ["frobnicate"]),
 }
 

@@ -143,11 +143,11 @@ def test_a_second_visit_with_small_files_over_the_archive(tmp_path: Path) -> Non
     (tmp_path / "first").mkdir()
     first = planned(tmp_path / "first", SIEMENS, [ARCHIVE], "AX2", (-700, 0)) / "tables" / SIEMENS
     (tmp_path / "second").mkdir()
-    for path in first.glob("*_EEC.INI"):  # half of what the machine needs: a gain is left
+    for path in first.glob("*_EEC.INI"):  # three quarters of what the machine needs: a gain is left
         path.write_text(
             re.sub(
                 r"(COMP\[\d,\d+,\w+\]=)(\S+)",
-                lambda row: f"{row[1]}{float(row[2]) / 2:.6f}",
+                lambda row: f"{row[1]}{0.75 * float(row[2]):.6f}",
                 path.read_text(),
             )
         )

@@ -931,7 +931,8 @@ def seconds(text: str) -> float:
 def ask_everything(content: bytes, *more: bytes) -> None:
     files = [ControlFile(f"{number}.ini", text) for number, text in enumerate((content, *more))]
     try:
-        control = sinumerik_control(files, Request(options={"cec_sign": "correction"}))
+        request = Request(options={"cec_sign": "correction"}, carried_out=True)
+        control = sinumerik_control(files, request)
     except InputError:
         return
     x = np.linspace(-1e3, 1e3, 7)

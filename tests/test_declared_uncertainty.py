@@ -49,6 +49,17 @@ def test_what_a_fresh_test_has_of_its_own() -> None:
     )
 
 
+def test_the_temperature_of_an_instrument_counts_where_it_expands() -> None:
+    """Coefficient known to 1.2 µm/(m K), instrument 3 K warmer than at the first test."""
+    alpha, warmer = UncertaintyBudget(U_alpha=1.2), replace(STEEL, T_d=23.0)
+    air, glass = (
+        slope_between_tests(replace(FLAT, thermal=replace(warmer, alpha_d=expands)), alpha, STEEL)
+        for expands in (0.0, 8.0)
+    )
+    assert air == 0.0
+    assert glass == pytest.approx(3.0 * 1.2 / 2 * PPM)
+
+
 def test_what_two_tests_have_in_common_makes_no_slope_between_them() -> None:
     """The same instrument, the same coefficient: an error of it counts over 3 K of difference."""
     assert slope_between_tests(FLAT, UncertaintyBudget(device=3.0, device_per_m=2.0), STEEL) == 0.0

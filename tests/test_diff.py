@@ -329,7 +329,10 @@ def test_the_scale_of_a_joint_is_no_other_line(tmp_path: Path) -> None:
     old["joint_0.ini"] = more
     faster = more.replace(b"= 10\n", b"= 12\n").replace(b"300", b"310")
     code, answer = diff(tmp_path / "a", old, {**old, "joint_0.ini": faster}, "linuxcnc")
-    assert (code, answer["axes"], answer["machine"], len(answer["other"])) == (1, {}, [], 2)
+    assert (code, answer["machine"], list(answer["axes"])) == (1, [], ["0"])
+    (entry,) = answer["axes"]["0"]["entries"]  # the speed decides how steep a correction may be
+    assert (entry["quantity"], entry["old"], entry["new"]) == ("MAX_VELOCITY", "10", "12")
+    assert [one["quantity"] for one in answer["other"]] == ["max_limit"]
     scaled = more.replace(b"= 1000", b"= 1001")
     _, answer = diff(tmp_path / "b", old, {**old, "joint_0.ini": scaled}, "linuxcnc")
     assert [one["quantity"] for one in answer["machine"]] == ["joint_0.ini: [JOINT_0] SCALE"]

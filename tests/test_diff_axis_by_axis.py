@@ -9,6 +9,7 @@ axis 4 that is set over the numbers of X makes X unreadable, and axis 4 as its i
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -112,7 +113,8 @@ def planned(tmp_path_factory: pytest.TempPathFactory) -> Path:
     targets = MACHINE.targets()
     axes = []
     for number, name in enumerate("XYZ", start=1):
-        text = csv_of(targets, MACHINE.measure(targets, number), name)
+        machine = replace(MACHINE, slope=number * MACHINE.slope, bow=(2 - number) * MACHINE.bow)
+        text = csv_of(targets, machine.measure(targets, number), name)
         (folder / f"{name}.csv").write_text(text)
         axes.append(
             f"  {name}: {{address: {number}, travel: [-200, 200], table: {{spacing: 50}},"

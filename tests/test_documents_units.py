@@ -205,7 +205,24 @@ def test_no_document_of_a_circle_holds_a_minus_zero() -> None:
     [(10.0, "accept"), (12.5, "accept"), (7.5, "accept"), (12.6, "reject"), (7.4, "reject")],
 )
 def test_squareness_is_kept_within_its_uncertainty(value: float, decision: str) -> None:
-    assert SquarenessCheck(value=value, expected=10.0, U=2.5).decision == decision
+    check = SquarenessCheck(value=value, expected=10.0, U=2.5, corrected=-40.0)
+    assert check.decision == decision
+
+
+@pytest.mark.parametrize(
+    ("value", "U", "decision"),
+    [
+        (None, 1.0, "undecided"),  # the test after loading does not determine it
+        (1.0, 29.0, "accept"),
+        (1.0, 31.0, "undecided"),  # would not show that the correction is missing
+        (90.0, 31.0, "reject"),
+    ],
+)
+def test_a_test_that_cannot_miss_a_correction_proves_nothing(
+    value: float | None, U: float, decision: str
+) -> None:
+    check = SquarenessCheck(value=value, expected=0.0, U=U, corrected=-60.0)
+    assert check.decision == decision
 
 
 CIRCLE = measured(Machine(), Setup(samples=30))

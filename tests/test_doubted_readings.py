@@ -115,6 +115,18 @@ def test_an_honest_test_under_an_old_table_is_not_doubted(seed: int) -> None:
     assert doubts(MACHINE.measure(TARGETS, seed, corrected)) == []
 
 
+@pytest.mark.parametrize("seed", [2, 3])
+def test_flat_readings_say_nothing_against_the_table_that_made_them_flat(seed: int) -> None:
+    """What the table takes away changes from target to target, as periods and wear do."""
+    rng = np.random.default_rng(seed)
+    values = rng.normal(0.0, 0.002, TARGETS.size) + 0.006 * (TARGETS / 400.0) ** 2
+    made = AxisCompensation(
+        address="1", kind=AxisKind.LINEAR, positions=TARGETS, positive=values, negative=values
+    )
+    flat = {sign: rng.normal(0.0, 0.3e-3, (TARGETS.size, 5)) for sign in (1, -1)}
+    assert doubts(flat, table=made) == []
+
+
 def test_readings_in_the_opposite_order_show_without_a_table() -> None:
     """Targets with random parts: 5 mm beside the place make 0.1 µm of 25 µm/m."""
     assert doubts(BEFORE, table=None) == []

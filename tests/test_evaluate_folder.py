@@ -183,7 +183,8 @@ def at_a_terminal(document: Mapping[str, Any]) -> str:
     [
         ([("CW-R001", "info")], ""),
         ([("CW-R001", "info"), ("CW-R053", "warning"), ("CW-R006", "warning")], "CW-R053"),
-        ([("CW-R053", "warning"), ("CW-T030", "warning")], "CW-T030"),  # the unit is in doubt
+        ([("CW-R006", "warning"), ("CW-T030", "warning")], "CW-T030"),  # the unit is in doubt
+        ([("CW-R053", "warning"), ("CW-T030", "warning")], "CW-R053"),  # two doubts
         ([("CW-T030", "warning"), ("CW-T099", "error")], "CW-T099"),
     ],
 )

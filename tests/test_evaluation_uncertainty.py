@@ -176,6 +176,9 @@ def test_hand_worked_terms() -> None:
     glass = replace(HOT, alpha_d=8.0, T_d=23.0)
     both = length_uncertainty(axis, UncertaintyBudget(U_theta=0.5, U_alpha=1.0), glass)
     assert both == pytest.approx(hypot(11.5 * 0.5, 4.0, 8.0 * 0.5, 3.0))
+    # An instrument that does not expand has no term of temperature, however warm it is.
+    laser = length_uncertainty(axis, UncertaintyBudget(U_alpha=1.0), replace(HOT, T_d=40.0))
+    assert laser == pytest.approx(4.0)
     v = 2.0 / sqrt(3.0)  # range 2 µm, expanded
     U = stated(UncertaintyBudget(E_VE=2.0, setup=0.4))
     # 4 000 draws give the width to 1.5 %

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from card_files import wrong_files
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.formats.control_format import control_format
@@ -194,6 +195,7 @@ def one_round(
     (folder / "x.csv").write_text(csv_of(targets, readings))
     code = compwright(run_arguments(folder, format_id, machine, *states))
     assert code == 0
+    assert wrong_files(folder / "out") == []
     return tables_in(folder, format_id)
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from card_files import wrong_files
 from compwright.cli import compwright as group
 from compwright.cli import run as compwright
 from compwright.jobs.reading import read_job
@@ -55,6 +56,7 @@ def test_an_example_shows_what_its_page_says(
     assert compwright(["run", str(folder / "job.yaml")]) == code
     lines = printed(capsys)
     tables = folder / "job" / "tables" / format_id
+    assert wrong_files(folder / "job") == []
     assert (
         compwright(
             [

@@ -508,14 +508,26 @@ def test_other_line_ends_are_read_and_kept(newline: str, tmp_path: Path) -> None
     assert written.count(newline.encode()) == bench.parameters.count("\n") == written.count(b"\n")
 
 
-def test_a_reference_beside_machine_zero_is_said_first(tmp_path: Path) -> None:
-    """No page says whether the grid hangs on machine zero or on the reference position: the table
-    hangs on it.
+def test_a_reference_beside_machine_zero_is_asked_for(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """No page says whether the points are counted from machine zero or from the reference position:
+    a table is made only for the latter, and only where the job says so.
     """
-    bench = Bench(tmp_path, {(1240, "1"): "-500.0"})
-    assert bench.run("X", axes={"X": "reference: -500"}) == 0
-    doubts = json.loads((tmp_path / "job" / "prediction.json").read_text())["doubts"]
-    assert any(doubt["code"] == "CW-S018" and "1240" in doubt["message"] for doubt in doubts)
+    bench = Bench(tmp_path, {(1240, "1"): "-480.0"})
+    assert bench.run("X", axes={"X": "reference: -480"}) == 2
+    assert bench.run("X", axes={"X": "reference: -480"}, options=FROM_ZERO) == 2
+    said = capsys.readouterr().err
+    assert said.count("points_from") >= 2
+    assert said.count("1240") == 2
+    assert not (tmp_path / "job").exists()
+    assert bench.run("X", axes={"X": "reference: -480"}, options=FROM_REFERENCE) == 0
+    prediction = json.loads((tmp_path / "job" / "prediction.json").read_text())
+    assert not any(doubt["code"] == "CW-S018" for doubt in prediction["doubts"])
+
+
+FROM_ZERO = ", options: {points_from: machine_zero}"
+FROM_REFERENCE = ", options: {points_from: reference}"
 
 
 def test_a_reference_that_cannot_be_read_is_refused(
@@ -668,7 +680,7 @@ def test_a_travel_where_the_axis_cannot_go_is_refused(
     there = {"X": "travel: [0, 1000]"}
     assert Bench(tmp_path).run("X", axes=there, targets=np.linspace(10, 990, 12)) == 3
     assert "1320, 1321" in capsys.readouterr().err
-    assert Bench(tmp_path).run("X", axes={"X": "travel: [-1100, 0]"}) == 0
+    assert Bench(tmp_path).run("X", axes={"X": "travel: [-1100, 0]"}) == 1  # a doubt
     said_first = capsys.readouterr().out
     assert "CW-S045" in said_first
     (tmp_path / "off").mkdir()
@@ -725,7 +737,12 @@ def test_the_synchronised_axis_gets_its_sheet_its_program_and_its_row_on_the_car
     bridge.
     """
     bench = Bench(tmp_path)
-    assert bench.run("X", options=", options: {program: g10}", axes={"X": "gantry: 3"}) == 0
+    assert (
+        bench.run(
+            "X", options=", options: {program: g10}", axes={"X": "gantry: {axis: 3, table: same}"}
+        )
+        == 0
+    )
     parameters, points = bench.written()
     first, last = (int(said(parameters, number, 3)) for number in (3621, 3622))
     card = tmp_path / "job" / "card"

@@ -143,7 +143,7 @@ def facts(definition: Definition) -> None:
     assert said == {
         "1": ("X", linear, (-160.0, 250.0), None, 0.0, False),
         "2": ("Y", linear, (-10.0, 310.0), None, 0.0, False),
-        "3": ("Z", linear, (-500.0, 25.4), None, 12.5, True),
+        "3": ("Z", linear, (-250.0, 12.7), None, 12.5, True),  # 1320 and 1321 in diameter
         "4": ("B", rotary, (0.0, 0.0), 360.0, 0.0, False),
         "5": ("C", rotary, (-95.0, 95.0), None, 0.0, False),
     }
@@ -573,6 +573,7 @@ DECIDES_NOTHING = {
     r"bindings\.\w+\.writes": "only 3605#0 is written, as the table asks",
     r"bindings\.(rotary|diameter)\.repeated": "1006 as a whole is held against each other",
     r"diameter\.tables": "decides a question of the job: tests/test_fanuc_backup_honoured.py",
+    r"options\.points_from": "decides a question of the job: tests/test_fanuc_backup_honoured.py",
     r"limits\[0\]: removed": "fewer than two points are no table anywhere",
 }
 SHARES = 10

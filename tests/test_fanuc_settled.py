@@ -305,7 +305,7 @@ def test_an_axis_is_found_by_the_letter_that_the_files_give_it(
     code, words, shown = quietly(["run", str(tmp_path / "job.yaml")])
     if said is None:
         assert code == 2
-        assert "give the address of axis" in words
+        assert "--option address" in words
     else:
         assert code in (0, 1), words  # axis 2 has no table of its own, and may get one
         assert f"address of axis {name}" in shown

@@ -469,7 +469,7 @@ def test_written_for_any_reference_the_judge_does_what_was_meant(
         interpolation="step" if output == "step" else "linear",
     )
     where = axis(reference=reference, reference_return=home)
-    new = write(meant, axes=[where], output=output)
+    new = write(meant, axes=[where], output=output, points_from="reference")
     judge = virtual_control(
         "fanuc-30i",
         new,

@@ -549,12 +549,17 @@ def test_damaged_lists_are_refused_or_read_as_the_judge_reads_them(data: st.Data
 
 def test_a_run_patches_the_lists_that_were_given(tmp_path: Path) -> None:
     machine = Machine(low=-200, high=300)
-    (tmp_path / "x.csv").write_text(
-        csv_of(machine.targets(), machine.measure(machine.targets(), 1))
-    )
     (tmp_path / "control").mkdir()
-    for file in files(kw=SAMPLE, mds=PLAY.replace("lose 50", "lose 0")):
+    given = files(kw=SAMPLE, mds=PLAY.replace("lose 50", "lose 0"))
+    for file in given:
         (tmp_path / "control" / file.name).write_bytes(file.content)
+    judge = virtual_control(ISG, given)
+    readings = machine.measure(
+        machine.targets(),
+        1,
+        lambda x, sign: judge.correction("1", x, Direction("+" if sign > 0 else "-")),
+    )
+    (tmp_path / "x.csv").write_text(csv_of(machine.targets(), readings))
     words = ["run", str(tmp_path / "x.csv"), "--format", ISG, "--axis", "X", "--travel", "-200:300"]
     words += ["--state", str(tmp_path / "control"), "--option", "address=1"]
     assert compwright([*words, "--out", str(tmp_path / "out")]) == 0
@@ -579,8 +584,9 @@ def bent(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def squareness(
-    folder: Path, bent: Path, states: str, control: str = ISG, options: str = "", second: str = "2"
-) -> int:
+    folder: Path, bent: Path, states: str, control: str = ISG, options: str = "", second: str = "2",
+    more: str = "",
+) -> int:  # fmt: skip
     for file in bent.iterdir():
         (folder / file.name).write_bytes(file.read_bytes())
     (folder / "job.yaml").write_text(
@@ -589,7 +595,7 @@ def squareness(
         f'  X: {{travel: [0, 800], address: "{second[:-1]}1", before: [x.csv]}}\n'
         f'  Y: {{travel: [-500, 0], address: "{second}", before: []}}\n'
         "circles: [{file: xy.csv, name: xy-150, centre: [400, -250]}]\n"
-        "apply: {squareness: {XY: Y}}\n"
+        f"apply: {{squareness: {{XY: Y}}}}\n{more}"
     )
     return compwright(["run", str(folder / "job.yaml"), "--force"])
 
@@ -637,7 +643,11 @@ def test_squareness_is_added_to_what_the_slaves_list_does(bent: Path, tmp_path: 
     (tmp_path / "y.lis").write_text(SLAVE + "other.key 5\n")
     (tmp_path / "x.lis").write_text(SAMPLE)
     options = "cross_values: correction"
-    assert squareness(tmp_path, bent, "[x.lis, y.lis]", options=options) == 0
+    # The readings of X do not know the table of the sample, and Y has none.
+    doubts = "acknowledged: {CW-P160: readings of another machine, CW-S008: Y has no table}\n"
+    given = "[x.lis, y.lis]"
+    assert squareness(tmp_path, bent, given, options=options) == 1
+    assert squareness(tmp_path, bent, given, options=options, more=doubts) == 0
     made = tmp_path / "job" / "tables" / ISG
     assert (made / "y.lis").read_text().endswith("other.key 5\n")
     # before: 0 at -100, 2 at 0, -4 from 200 on (µm); added: 40 µm/m from 0 on

@@ -56,7 +56,7 @@ def test_what_the_files_do_not_say_is_listed() -> None:
 
 
 def test_backlash_acts_against_the_direction_of_the_reference_return() -> None:
-    text = SAMPLE + "$MA_BACKLASH[0,AX1]=0.004\nM17\n"
+    text = SAMPLE.replace("M17", "$MA_BACKLASH[0,AX1]=0.004\nM17")
     plus = siemens(text, axis_of("AX1"))
     assert correction(plus, "AX1", 0.0, POSITIVE) == 0.0
     assert correction(plus, "AX1", 0.0, NEGATIVE) == pytest.approx(-0.004)
@@ -88,8 +88,8 @@ def test_backlash_acts_against_the_direction_of_the_reference_return() -> None:
         ("blank lines and tabs", lambda t: t.replace("\n", "\t\n\n")),
         ("lower case", str.lower),
         ("comments in another character set", lambda t: t.replace("M17", "; Zähler µm\nM17")),
-        ("values after the parameters", lambda t: "\n".join(sorted(t.split("\n"),
-        key=lambda line: "COMP[" in line)) + "\nM17\n"),
+        ("values after the parameters", lambda t: "\n".join(sorted(t.replace("M17\n",
+        "").split("\n"), key=lambda line: "COMP[" in line)) + "\nM17\n"),
         ("a value given twice, the same", lambda t: t.replace("CHANDATA(1)",
         "CHANDATA(1)\n$AA_ENC_COMP[0,0,AX1]=0.0030")),
         ("unused memory behind the end", lambda t: t.replace("M17",
@@ -139,7 +139,7 @@ def test_several_axes_and_tables_in_one_file() -> None:
 def test_the_measuring_system_of_the_job_counts() -> None:
     both = (
         SAMPLE.replace("M17", "")
-        + SAMPLE.replace("[0,", "[1,").replace("0.003", "0.009")
+        + SAMPLE.replace("[0,", "[1,").replace("0.003", "0.009").replace("M17\n", "")
         + "$MA_BACKLASH[1,AX1]=0.002\nM17\n"
     )
     second = siemens(both, axis_of("AX1", system=2))

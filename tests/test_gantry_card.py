@@ -88,6 +88,7 @@ def test_the_card_asks_only_what_the_files_leave_open(
         "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {points: 500}}\n"
         "states: {as_found: MD.INI}\n"
         "axes: {X: {travel: [0, 800], address: AX1, before: [x.csv]}}\n"
+        "acknowledged: {CW-S008: no table was ever loaded}\n"
     )
     assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
     card = (tmp_path / "job" / "card" / "card.md").read_text(encoding="utf-8")

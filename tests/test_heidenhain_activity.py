@@ -27,6 +27,10 @@ LINE = "BEGIN CONFIG .CMA MM\nNR   1         2\n0    X\nEND   CONFIG .CMA\n"
 
 
 PLAY = "# axis: X\n# value: error\npoint,position,value,unit\n{},,0.0000,mm\n"
+PLAY_AND_SLOPE = {
+    ITNC: PLAY.format("MP710") + "MP720,,0.0,mm/m\n",
+    NCK: PLAY.format("backLash") + "linearCompValue,,0.0,mm/m\n",
+}
 
 
 def table(control: str, values: Floats) -> str:
@@ -72,10 +76,10 @@ def run(
     values: Floats = OLD,
     files: dict[str, str] | None = None,
 ) -> int:
-    """The same with a backlash of 0 in the files, where no other is."""
+    """The same with a backlash and a slope of 0 in the files, where no other backlash is."""
     files = dict(files or {})
     if "MP710" not in files.get("mp", ""):
-        files["play.csv"] = PLAY.format("backLash" if control == NCK else "MP710")
+        files["play.csv"] = PLAY_AND_SLOPE[control]
     return run_without_backlash(folder, control, answer, values, files)
 
 
@@ -144,7 +148,8 @@ def test_a_table_of_zeros_asks_nothing(tmp_path: Path, control: str) -> None:
 def test_a_slope_that_no_file_says_is_named_where_it_would_act(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert run(tmp_path, ITNC, files={"mp": "MP710.0 : 0.0\nMP730 : %00000\n"}) == 0
+    """It counts as 0, which is a doubt: nothing is decided."""
+    assert run(tmp_path, ITNC, files={"mp": "MP710.0 : 0.0\nMP730 : %00000\n"}) == 1
     assert "MP720 is not in the files" in capsys.readouterr().out
 
 

@@ -190,9 +190,11 @@ PLAY = "# axis: {}\n# value: error\npoint,position,value,unit\nbackLash,,0.0000,
 
 
 def states(place: Path, text: str) -> str:
+    """Files that leave no value open; without a backlash of X the result would be in doubt."""
     (place / "X.COM").write_text(text)
     (place / "CONFIG.CMA").write_text(CMA)
-    return "[X.COM, CONFIG.CMA]"
+    (place / "play.csv").write_text(PLAY.format("X"))
+    return "[X.COM, CONFIG.CMA, play.csv]"
 
 
 def test_squareness_goes_into_the_column_of_the_bent_axis(
@@ -207,7 +209,9 @@ def test_squareness_goes_into_the_column_of_the_bent_axis(
     said = " ".join(capsys.readouterr().out.split())
     assert "is in X.COM, column Y (values are errors)" in said
     loaded = folder / "job" / "tables" / NCK.id
-    assert sorted(path.name for path in loaded.iterdir()) == ["CONFIG.CMA", "X.COM"]
+    assert sorted(path.name for path in loaded.iterdir()) == ["CONFIG.CMA", "X.COM", "play.csv"]
+    for name in ("CONFIG.CMA", "play.csv"):
+        assert (loaded / name).read_text() == (folder / name).read_text()
     new = (loaded / "X.COM").read_text()
     rows = [line.split() for line in new.splitlines()[2:-1]]
     x = np.array([float(row[1]) for row in rows])
@@ -242,7 +246,7 @@ def test_where_the_table_has_no_place_the_sheet_comes_as_before(
     why: str,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    (folder / "Y.csv").write_text(PLAY.format("Y"))
+    (folder / "Y.csv").write_text(PLAY.format("Y") + "linearCompValue,,0.0,mm/m\n")
     assert run(folder, NCK.id, states=states(folder, text).replace("]", ", Y.csv]")) == 0
     said = " ".join(capsys.readouterr().out.split())
     assert f"is in no file ({why}): type it into" in said
@@ -261,7 +265,7 @@ def test_a_column_of_an_axis_whose_bit_is_0_is_not_filled(
         f"BEGIN X .COM MM DATUM:0 DIST:200\nNR   1=F()     2=F()\n{rows}END X .COM\n"
     )
     (folder / "MP.TXT").write_text(
-        f"MP710.0 : 0.0000\nMP720.0 : 0.0\nMP720.1 : 0.0\nMP730 : %000{bit}1\n"
+        f"MP710.0 : 0.0\nMP710.1 : 0.0\nMP720.0 : 0.0\nMP720.1 : 0.0\nMP730 : %000{bit}1\n"
     )
     assert run(folder, ITNC.id, states="[X.COM, MP.TXT]") == 0
     said = " ".join(capsys.readouterr().out.split())
@@ -275,8 +279,7 @@ def test_a_column_of_an_axis_whose_bit_is_0_is_not_filled(
 
 def test_beside_a_table_of_the_moving_axis_and_an_old_sheet(folder: Path) -> None:  # noqa: F811
     """X gets a table of its own in the same file; its backlash was said by a sheet."""
-    (folder / "play.csv").write_text(PLAY.format("X"))
-    given = states(folder, com(19, 50)).replace("]", ", play.csv]")
+    given = states(folder, com(19, 50))
     x = "before: [x.csv], table: {start: -50, end: 850, spacing: 50}"
     assert run(folder, NCK.id, states=given, x=x) == 0
     loaded = folder / "job" / "tables" / NCK.id

@@ -293,13 +293,13 @@ def test_estimation_uses_of_scipy_only_linear_algebra_and_minimisers() -> None:
     assert parts <= {"scipy.linalg", "scipy.optimize"}
 
 
-def test_modules_by_name_are_imported_only_for_the_report_extra() -> None:
+def test_modules_by_name_are_imported_only_for_the_extras() -> None:
     users = {
         found.by
         for found in all_imports()
         if found.target.partition(".")[0] in ("importlib", "pkgutil", "runpy")
     }
-    assert users <= {"reporting.extra"}
+    assert users <= {"foundations.extras"}
 
 
 def test_no_import_cycles() -> None:

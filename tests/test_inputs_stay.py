@@ -14,8 +14,11 @@ from typing import Any
 import pytest
 
 from compwright.cli import run as compwright
+from compwright.controllers.virtual import virtual_control
 from compwright.foundations import storage
 from compwright.foundations.errors import StorageError
+from compwright.records.axis import Direction
+from compwright.records.correction import ControlFile
 from dying import Process, running
 from loop import Machine, csv_of
 
@@ -47,16 +50,24 @@ def tree(folder: Path) -> dict[str, bytes]:
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A measurement, a job, its results, and the control's own files."""
+    """A measurement, a job, its results, the control's own files, and a test taken with them after
+    the machine has changed.
+    """
     folder = tmp_path_factory.mktemp("made")
     machine = Machine()
     targets = machine.targets()
     (folder / "x.csv").write_text(csv_of(targets, machine.measure(targets, 1)))
-    (folder / "after.csv").write_text(csv_of(targets, machine.measure(targets, 2)))
     (folder / "job.yaml").write_text(JOB)
     (folder / "machine.yaml").write_text(MACHINE)
     assert compwright(["run", str(folder / "job.yaml")]) == 0
-    shutil.copytree(folder / "job" / "tables" / CONTROL, folder / "control")
+    control = folder / "control"
+    shutil.copytree(folder / "job" / "tables" / CONTROL, control)
+    files = [ControlFile(path.name, path.read_bytes()) for path in sorted(control.iterdir())]
+    judge = virtual_control(CONTROL, files, reference_return={"AX1": Direction.POSITIVE})
+    readings = Machine(bow=0.02).measure(
+        targets, 2, lambda x, sign: judge.correction("AX1", x, Direction("+" if sign > 0 else "-"))
+    )
+    (folder / "after.csv").write_text(csv_of(targets, readings))
     return folder
 
 

@@ -102,7 +102,10 @@ ROWS = [["1", "-250", "0", "-0.0002"], ["2", "-225", "0.0013", "0.0008"]]
 ROWS += [["3", "-200", "0.0021", "0.0017"]]
 
 
-@pytest.mark.parametrize(("sign", "factor"), [("As errors", 1.0), ("As corrections", -1.0)])
+@pytest.mark.parametrize(
+    ("sign", "factor"),
+    [("As errors", 1.0), ("Errors", 1.0), ("As corrections", -1.0), ("Corrections", -1.0)],
+)
 def test_a_compensation_text_by_its_field(sign: str, factor: float) -> None:
     test = read(compensation_file(ROWS, sign=sign))
     assert test.targets.tolist() == [-250.0, -225.0, -200.0]

@@ -193,6 +193,18 @@ def test_example_of_the_contract_is_read() -> None:
     assert read.axes["X"].axis.gantry == "AX5"
     assert read.axes["X"].before[0].position_map == PositionMap(1, -850.0)
     assert read.apply.squareness == {"XY": "Y"}
+    assert [(one.code, one.axis) for one in read.acknowledged] == [("CW-T032", None)]
+    # Limits that nothing decides must not end with exit 0: an error does not.
+    pending = [(one.severity, one.message) for one in read.findings if one.code == "CW-J001"]
+    assert [(severity, words.split(": ")[1].split(". ")[0]) for severity, words in pending] == [
+        ("warning", "report.number"),
+        ("warning", "report.customer"),
+        ("warning", "report.operator"),
+        ("warning", "report.place"),
+        ("warning", "report.logo"),
+        ("warning", "environment"),
+        ("error", "circles[0].accept"),
+    ]
 
 
 def test_an_axis_without_a_positioning_test_needs_a_circle() -> None:

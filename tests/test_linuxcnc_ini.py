@@ -4,6 +4,7 @@ taken, or refused by name.
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -99,7 +100,6 @@ def test_a_new_job_takes_kind_limits_and_letters_and_names_what_it_leaves_out(
             INI,
             "joint 2 is Y",
         ),  # the place of Z among XYZ, but the second joint of Y here
-        ("Z: {", INI, "joint 2 is Y"),
         ('Y: {address: "1", ', INI, 'gantry: "2"'),
         (
             'X: {address: "0", ',
@@ -161,7 +161,7 @@ def test_a_table_in_inches_is_not_read_as_mm_because_nobody_repeats_the_unit(
     assert "controller.options.units" in said
     assert "nobody says the machine's unit" in said
     assert "mm or inch, or the whole INI file with LINEAR_UNITS among the files" in said
-    assert write_job(tmp_path, X, states="[loaded]", options="{units: inch}") == 0
+    assert write_job(tmp_path, X, states="[loaded]", options="{units: inch}") == 1  # CW-P160
 
 
 def test_a_unit_that_the_ini_contradicts_is_refused_even_where_it_is_the_default(
@@ -237,7 +237,7 @@ def test_a_travel_outside_the_limits_of_the_joint_is_refused(
     """
     assert joint("MIN_LIMIT = -20\nMAX_LIMIT = 0\n", tmp_path) == 3
     assert "(MIN_LIMIT, MAX_LIMIT)" in capsys.readouterr().err
-    assert joint("MIN_LIMIT = 0\nMAX_LIMIT = 7\n", tmp_path) == 0
+    assert joint("MIN_LIMIT = 0\nMAX_LIMIT = 7\n", tmp_path) == 1  # a doubt
     assert "CW-S045  axis 0: 22.2 mm of the travel lie outside" in capsys.readouterr().out
     assert joint("MIN_LIMIT = 0\nMAX_LIMIT = 8\n", tmp_path) == 0
     assert "CW-S045" not in capsys.readouterr().out
@@ -270,7 +270,10 @@ def test_an_axis_is_not_the_joint_of_another_axis(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """B has the place of joint 4 in the row of all letters, and is joint 3 here."""
-    assert run(tmp_path, "B: {kind: rotary, ", TABLE_OF_TWO, "deg") == 3
+    assert run(tmp_path, "B: {kind: rotary, ", TABLE_OF_TWO, "deg") == 0
+    assert (tmp_path / "job" / "tables" / "linuxcnc" / "joint_3.comp").exists()
+    shutil.rmtree(tmp_path / "job")
+    assert run(tmp_path, 'B: {address: "4", kind: rotary, ', TABLE_OF_TWO, "deg") == 3
     said = capsys.readouterr().err
     assert "call this joint by another letter" in said
     assert "XYZBC: joint 4 is C" in said
@@ -368,3 +371,144 @@ def test_a_text_of_two_bytes_a_character_is_told_with_what_helps(
     binary = ControlFile("binary.txt", b"\x00" * 600 + b"\x01\x02" * 9)
     with pytest.raises(InputError, match="binary archive"):
         open_control(format_id, options).format.read([binary])
+
+
+# --- letters come from the line of the kinematics (trivkins.c, kins_util.c), units from what the
+# control takes (emcIniFile.cc, inifile.cc)
+
+
+LATHE = "[KINS]\nKINEMATICS = {kins}\nJOINTS = {joints}\n[TRAJ]\nCOORDINATES = {axes}\n{unit}\n"
+TWO = "[JOINT_0]\nTYPE = Linear\nBACKLASH = 0.001\n[JOINT_1]\nTYPE = 1\nBACKLASH = 0.002\n"
+
+
+@pytest.mark.parametrize(
+    ("kins", "joints", "axes", "joint"),
+    [
+        ("trivkins coordinates=XZ", 2, "X Z", 1),
+        ("trivkins coordinates=XYYZ", 4, "XYZ", 3),
+        ("trivkins coordinates=xz kinstype=BOTH", 2, "xz", 1),
+        ("trivkins coordinates=zx", 2, "X Z", 0),
+        ("TRIVKINS COORDINATES=XZ", 2, "XZ", None),  # the module's parameter is coordinates
+        ("trivkins", 3, "X Z", 2),
+        ("trivkins", 2, "X Z", None),  # the third joint that Z would have is not there
+        ("xyzbc-trt-kins", 2, "X Z", 1),
+    ],
+)
+def test_the_letter_of_a_lathe_names_the_joint_of_its_kinematics(
+    tmp_path: Path, kins: str, joints: int, axes: str, joint: int | None
+) -> None:
+    lathe = LATHE.format(kins=kins, joints=joints, axes=axes, unit="LINEAR_UNITS = mm")
+    more = "".join(f"[JOINT_{number}]\nBACKLASH = 0\n" for number in range(2, joints))
+    code = run(tmp_path, "Z: {", lathe + TWO + more)
+    assert code == (2 if joint is None else 0)
+    if joint is not None:
+        written = tmp_path / "job" / "tables" / "linuxcnc"
+        assert [path.name for path in sorted(written.iterdir())] == [
+            f"joint_{joint}.comp",
+            f"joint_{joint}.ini",
+        ]
+
+
+@pytest.mark.parametrize(("axis", "code"), [("X: {", 0), ("Z: {", 2), ("A: {", 2)])
+def test_a_letter_alone_says_the_joint_of_the_first_axis_only(
+    tmp_path: Path, axis: str, code: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    run(tmp_path, 'X: {address: "0", ')
+    name = axis[0]
+    (tmp_path / "x.csv").write_text(
+        (tmp_path / "x.csv").read_text().replace("# axis: X", f"# axis: {name}")
+    )
+    (tmp_path / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: linuxcnc}\nstates: {as_found: none}\n"
+        f"axes:\n  {axis}travel: [0, 200], before: [x.csv]}}\n"
+    )
+    capsys.readouterr()
+    assert compwright(["run", str(tmp_path / "job.yaml"), "--force"]) == code
+    assert (f"axes.{name}.address" in capsys.readouterr().err) == (code == 2)
+
+
+@pytest.mark.parametrize(
+    ("unit", "size"),
+    [
+        ("Inch", 25.4),
+        ("IMPERIAL", 25.4),
+        ("0.03937007874015748", 25.4),
+        ("0.0393701", 25.4),
+        ("1.0", 1.0),
+        ("1", 1.0),
+        ("Metric", 1.0),
+        ("0.1", None),  # centimetres
+        ("inches", None),  # the control does not start
+    ],
+)
+def test_units_that_the_control_takes_are_taken(unit: str, size: float | None) -> None:
+    text = f"[TRAJ]\nLINEAR_UNITS = {unit}\n[JOINT_0]\nBACKLASH = 0.02\n"
+    files = [ControlFile("machine.ini", text.encode())]
+    control = open_control("linuxcnc", {})
+    if size is None:
+        with pytest.raises(InputError, match="LINEAR_UNITS"):
+            decode(control, files)
+        return
+    state = decode(control, files).state.axes["0"]
+    assert state.positive[0] == pytest.approx(0.01 * size, rel=1e-5)
+
+
+@pytest.mark.parametrize(("unit", "known"), [("Degree", True), ("1.0", True), ("rad", False)])
+def test_angles_in_degrees_are_taken_in_any_form(unit: str, known: bool) -> None:
+    text = f"[TRAJ]\nANGULAR_UNITS = {unit}\n[JOINT_0]\nTYPE = angular\nBACKLASH = 0.02\n"
+    files, control = [ControlFile("machine.ini", text.encode())], open_control("linuxcnc", {})
+    if known:
+        assert decode(control, files).state.axes["0"].positive[0] == pytest.approx(0.01)
+    else:
+        with pytest.raises(InputError, match="ANGULAR_UNITS"):
+            decode(control, files)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "refused"),
+    [
+        ("a.hal", "setp ini.0.backlash 0.02\n", True),
+        ("a.hal", "net play <= mux.out => ini.0.backlash\n", True),
+        ("a.tcl", "if {$::X} {\n  setp ini.$j.backlash 0.02\n}\n", True),
+        ("a.hal", "setp [HAL]PLAY 0.02\n", True),
+        ("a.tcl", "setp $pin 0.02\n", True),
+        ("a.hal", "net play mux.out => [HAL](PLAY)\n", True),
+        ("a.hal", "# setp ini.0.backlash 0.02\n", False),
+        # as in configurations of Mesa cards, which come with LinuxCNC
+        ("a.hal", "setp hm2_[HOSTMOT2](BOARD).0.stepgen.00.dirsetup [JOINT_0]DIRSETUP\n", False),
+        (
+            "a.hal",
+            "setp [HMOT](CARD0).watchdog.timeout_ns 5000000\nloadusr -W hal_manualtoolchange\n",
+            False,
+        ),
+        ("a.hal", "net x-pos joint.0.motor-pos-cmd\nsource b.hal\n", False),
+    ],
+)
+def test_what_may_change_backlash_at_run_time_is_refused_by_file_and_line(
+    name: str, text: str, refused: bool
+) -> None:
+    files = [
+        ControlFile("machine.ini", b"[HAL]\nHALFILE = a.hal\n[JOINT_0]\nBACKLASH = 0.02\n"),
+        ControlFile(name, b"loadrt trivkins\n" + text.encode()),
+    ]
+    if not refused:
+        assert decode(open_control("linuxcnc", {}), files).state.axes["0"].positions.size == 1
+        return
+    with pytest.raises(InputError) as stopped:
+        decode(open_control("linuxcnc", {}), files)
+    fault = stopped.value.faults[0]
+    line = next(at for at, one in enumerate(text.splitlines()) if "p" in one and "if" not in one)
+    assert (fault.file, fault.place) == (name, f"line {line + 2}")
+
+
+def test_backlash_by_a_command_of_the_ini_is_refused() -> None:
+    text = b"[HAL]\nHALCMD = setp ini.0.backlash 0.05\n[JOINT_0]\nBACKLASH = 0.02\n"
+    with pytest.raises(InputError, match="line 2"):
+        decode(open_control("linuxcnc", {}), [ControlFile("machine.ini", text)])
+
+
+def test_an_ini_of_an_older_release_is_named_with_what_helps() -> None:
+    """Before 2.8 joints stood in [AXIS_0] (github shulter/cnc-configs, hector-7i92.ini)."""
+    text = b"[TRAJ]\nLINEAR_UNITS = mm\n[AXIS_0]\nTYPE = LINEAR\nBACKLASH = 0.020\n"
+    with pytest.raises(InputError, match="update_ini"):
+        decode(open_control("linuxcnc", {}), [ControlFile("hector.ini", text)])

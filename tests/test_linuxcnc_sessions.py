@@ -27,7 +27,7 @@ from linuxcnc_control import (
 
 pytestmark = pytest.mark.brief
 
-UP = {"came_up": True, "trouble": "", "messages": [], "stops": [[[1.0, 1.25, 0.25]]]}
+UP = {"came_up": True, "trouble": "", "messages": [], "stops": [[[1.0, 1.25, 0.0, 0.25]]]}
 DOWN = {"came_up": False, "trouble": "the control did not come up", "messages": [], "stops": []}
 STUCK = {
     "came_up": True,

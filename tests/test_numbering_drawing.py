@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
 from compwright.formats.control_format import control_format
-from compwright.records.axis import Axis, AxisKind
+from compwright.records.axis import Axis, AxisKind, Direction
+from compwright.records.correction import AxisCompensation
 from compwright.records.facts import AxisFacts, IncrementFacts
 from compwright.reporting.numbering import numbering_svg, numbering_text
 from format_samples import DEFINITIONS
@@ -29,22 +32,39 @@ def numbered(
     zero: float = 0.0,
     modulo: float | None = None,
     second: int | None = None,
+    held: Mapping[int, int] | None = None,
     format_id: str = "fanuc-30i",
 ) -> tuple[dict[str, Any], list[str]]:
-    """The document of the drawing and its sentences, by the numbers of an axis."""
+    """The document of the drawing and its sentences, by the numbers of an axis; ``held``: what the
+    points hold that are not 0.
+    """
     facts = AxisFacts(
         increments=IncrementFacts(
             reference_number=reference,
             first_number=first,
             last_number=last,
             interval=interval,
+            magnification=2,
             negative_first=second,
             two_sets=second is not None,
         )
     )
     kind = AxisKind.LINEAR if modulo is None else AxisKind.ROTARY
     axis = Axis(name="X", kind=kind, travel=travel, address="1", modulo=modulo, reference=zero)
-    found = control_format(DEFINITIONS[format_id], {}).numbered(axis, facts)
+    steps = [(held or {}).get(number, 0) for number in range(first, last + 1)]
+    sums = 2 * 0.001 * np.concatenate([[0.0], np.cumsum(steps)])
+    nodes = zero + interval * (np.arange(first - 1, last + 1, dtype=np.float64) - reference)
+    table = AxisCompensation(
+        address="1",
+        kind=kind,
+        positions=nodes,
+        positive=sums,
+        negative=sums,
+        backlash=0.0,
+        reference_return=Direction.POSITIVE,
+    )
+    options = {"detection_unit": 0.001}
+    found = control_format(DEFINITIONS[format_id], options).numbered(axis, facts, table)
     assert found is not None
     document = {
         "unit": found.unit,
@@ -82,7 +102,9 @@ def test_a_turn_in_the_manuals_form_and_in_that_of_a_real_control() -> None:
     """
     document, words = numbered(60, 60, 68, 45.0, modulo=360.0, travel=(0.0, 360.0))
     assert [each["number"] for each in document["sections"]] == list(range(61, 69))
-    assert any("the same section as point 68 and holds the same value" in each for each in words)
+    assert any(
+        "the same section as point 68 and must hold the same value" in each for each in words
+    )
     document, words = numbered(300, 301, 312, 30.0, modulo=360.0, travel=(0.0, 360.0))
     assert [each["number"] for each in document["sections"]] == list(range(301, 313))
     assert any(
@@ -93,11 +115,21 @@ def test_a_turn_in_the_manuals_form_and_in_that_of_a_real_control() -> None:
 
 def test_travel_that_begins_or_ends_at_the_reference() -> None:
     _, words = numbered(10, 10, 14, 25.0, travel=(0.0, 100.0))
-    assert "Point 10 holds 0: the travel begins at the reference." in words
+    assert "Point 10 holds 0: its section lies beyond the travel." in words
     _, words = numbered(13, 10, 14, 25.0, travel=(-100.0, 0.0))
-    assert "Point 14 holds 0: the travel ends at the reference." in words
+    assert "Point 14 holds 0: its section lies beyond the travel." in words
     _, words = numbered(12, 10, 14, 25.0)
     assert not any("holds 0" in each for each in words)
+
+
+def test_what_a_point_holds_is_what_was_read_back() -> None:
+    """3620 = 3622: the last point is the reference's own and holds -26; nothing of it is beyond the
+    travel. Beyond the travel the value of the table counts, whatever it is.
+    """
+    _, words = numbered(300, 281, 300, 50.0, travel=(-1000.0, 0.0), held={300: -26})
+    assert not any("300 holds" in each for each in words)
+    _, words = numbered(13, 10, 14, 25.0, travel=(-100.0, 0.0), held={13: 4, 14: -3})
+    assert "Point 14 holds -3: its section lies beyond the travel." in words
 
 
 def test_a_second_set_and_numbers_of_another_series() -> None:
@@ -140,13 +172,25 @@ def test_of_many_sections_the_ends_and_those_about_the_reference(
     assert all(place in texts for place in places)
 
 
+#: The table of an axis in which nothing acts.
+NOTHING = AxisCompensation(
+    address="1",
+    kind=AxisKind.LINEAR,
+    positions=np.empty(0),
+    positive=np.empty(0),
+    negative=np.empty(0),
+    backlash=0.0,
+    reference_return=Direction.POSITIVE,
+)
+
+
 def test_a_control_without_such_numbers_has_no_drawing() -> None:
     axis = Axis(name="X", kind=AxisKind.LINEAR, travel=(0.0, 1.0), address="AX1")
     for name, definition in DEFINITIONS.items():
         if not name.startswith("fanuc"):
-            assert control_format(definition, {}).numbered(axis, AxisFacts()) is None
+            assert control_format(definition, {}).numbered(axis, AxisFacts(), NOTHING) is None
     fanuc = control_format(DEFINITIONS["fanuc-30i"], {})
-    assert fanuc.numbered(axis, AxisFacts()) is None
+    assert fanuc.numbered(axis, AxisFacts(), NOTHING) is None
 
 
 def test_it_stands_on_the_card_with_the_numbers_that_were_written(tmp_path: Path) -> None:

@@ -113,7 +113,7 @@ def test_a_definition_of_ones_own_runs_and_everything_says_that_nobody_judged_it
     assert JUDGED in card[: card.index("## Steps")]
     for page in ("job/card/card.html", "job/report.html"):
         text = (tmp_path / page).read_text(encoding="utf-8")
-        first = text.index(">Settle first")
+        first = text.index(">Check first")
         assert 0 < first < text.index(JUDGED) < text.index("<table")
     assert JUDGED in " ".join(capsys.readouterr().out.split())
     assert (tmp_path / "job/tables/nc7/NC7_X.PIT").is_file()

@@ -123,11 +123,34 @@ def test_circles_that_agree_are_better_than_each() -> None:
     assert "CW-P110" not in codes(found)
 
 
-@pytest.mark.parametrize(("error", "bent"), [(14.9, True), (15.1, False)])
-def test_an_angle_within_two_standard_errors_is_left(error: float, *, bent: bool) -> None:
-    found = plan(square(-30.0, error), apply=BEND_Y)
-    assert bool(found.planned) is bent
-    assert ("CW-P107" in codes(found)) is not bent
+@pytest.mark.parametrize(
+    ("value", "error", "code"),
+    [
+        (-30.0, 7.4, "CW-P109"),
+        (-30.0, 7.6, "CW-P106"),  # two standard errors above half of the value
+        (116.0, 14.9, "CW-P109"),
+        (116.0, 15.1, "CW-P106"),  # two standard errors above 30 µm/m
+        (1.0, 6.9, "CW-P107"),  # at most 15 µm/m: needs no correction
+        (1.0, 7.1, "CW-P106"),
+        (4.0, 2.0, "CW-P107"),
+    ],
+)
+def test_an_angle_is_corrected_where_it_is_known_well_enough(
+    value: float, error: float, code: str
+) -> None:
+    found = plan(square(value, error), apply=BEND_Y)
+    assert bool(found.planned) is (code == "CW-P109")
+    assert [finding.code for finding in found.findings if finding.code != "CW-P111"] == [code]
+    assert all(
+        finding.severity == "error" for finding in found.findings if finding.code == "CW-P106"
+    )
+
+
+def test_circles_that_are_too_poor_alone_count_together() -> None:
+    """Four times ± 16 µm/m (k = 2) are ± 8 together, below half of 30."""
+    four = [square(30.0, 8.0, name=name) for name in "abcd"]
+    assert plan(four[0], apply=BEND_Y).planned == ()
+    assert only(plan(*four, apply=BEND_Y)).squareness == pytest.approx(30.0 * PPM)
 
 
 def test_an_angle_that_nobody_asks_to_correct_is_said() -> None:

@@ -60,10 +60,8 @@ def predicted(p05: float, p95: float, name: str = "x", U: float | None = None) -
     )
 
 
-def decided(
-    entry: AxisJob, *tests: TestPrediction, rule: Rule = "simple", folded: bool = False
-) -> AcceptDecision:
-    return accept_decisions(entry, tests, rule, folded=folded)["A"]
+def decided(entry: AxisJob, *tests: TestPrediction, rule: Rule = "simple") -> AcceptDecision:
+    return accept_decisions(entry, tests, rule)["A"]
 
 
 @pytest.mark.parametrize(
@@ -105,10 +103,13 @@ def test_a_guard_of_nothing_decides_nothing() -> None:
         assert (found.decision, found.U) == ("undecided", None)
 
 
-def test_targets_that_fold_a_known_period_accept_nothing() -> None:
-    entry = entry_of({"A": 8.0})
-    assert decided(entry, predicted(1.0, 2.0), folded=True).decision == "undecided"
-    assert decided(entry, predicted(9.0, 12.0), folded=True).decision == "reject"
+def test_the_guard_counts_at_new_targets_too() -> None:
+    """Limit 8, U 1 µm: at the same targets 6 keeps it; at new ones 7.5 does not, 6.5 does."""
+    for p95, decision in ((7.5, "undecided"), (6.5, "accept")):
+        new = {"A": Quantiles(median=6.0 * UM, p05=5.0 * UM, p95=p95 * UM)}
+        test = predicted(4.0, 6.0, U=1.0)
+        found = accept_decisions(entry_of({"A": 8.0}), (test,), "guarded", new)["A"]
+        assert found.decision == decision
 
 
 def test_limits_speak_of_the_first_test_or_the_one_that_is_named() -> None:
@@ -194,11 +195,11 @@ def after(
     rule: Rule = "simple",
     *,
     believed: bool = True,
-    folded: bool = False,
+    proven: bool = True,
 ) -> AcceptDecision:
     result = result_of(U=U, A=value)
     entry = entry_of({"A": 8.0})
-    return measured_decisions(entry, result, rule, believed=believed, folded=folded)["A"]
+    return measured_decisions(entry, result, rule, believed=believed, proven=proven)["A"]
 
 
 @pytest.mark.parametrize(
@@ -224,17 +225,17 @@ def test_the_value_after_loading_decides(
     assert found.value == (None if value is None else pytest.approx(value))
 
 
-def test_readings_that_are_not_believed_decide_nothing_and_folded_ones_accept_nothing() -> None:
+def test_readings_that_are_not_believed_decide_nothing_and_thin_ones_accept_nothing() -> None:
     assert after(1.0, believed=False).decision == "undecided"
     assert after(99.0, believed=False).decision == "undecided"
-    assert after(1.0, folded=True).decision == "undecided"
-    assert after(99.0, folded=True).decision == "reject"
+    assert after(1.0, proven=False).decision == "undecided"
+    assert after(99.0, proven=False).decision == "reject"
 
 
 def test_another_test_than_the_limits_speak_of_decides_nothing() -> None:
     for test, told in ((None, True), ("x", True), ("y", False)):
         entry = entry_of({"A": 8.0}, test)
-        found = measured_decisions(entry, result_of(A=1.0), "simple", believed=True, folded=False)
+        found = measured_decisions(entry, result_of(A=1.0), "simple", believed=True, proven=True)
         assert bool(found) is told
     none = replace(entry_of({}), accept=None)
-    assert measured_decisions(none, result_of(A=1.0), "simple", believed=True, folded=False) == {}
+    assert measured_decisions(none, result_of(A=1.0), "simple", believed=True, proven=True) == {}

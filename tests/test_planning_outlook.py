@@ -10,7 +10,7 @@ import pytest
 from compwright.evaluation.standards import evaluate
 from compwright.planning import fresh
 from compwright.planning.axes import AxisWork, no_gain
-from compwright.planning.outlook import predict, why_not_better
+from compwright.planning.outlook import predict, spread_of, why_not_better, why_not_seen
 from compwright.prediction.acting import difference, nothing
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
@@ -68,7 +68,7 @@ def test_new_targets_stay_away_from_the_ends_and_see_what_lies_between(
             return super().draw(positions, count, rng, test)
 
     work = work_of(Watching(np.zeros_like, np.zeros_like))
-    monkeypatch.setattr(fresh, "DRAWS", 5)
+    monkeypatch.setattr(fresh, "draws_like", lambda _: 5)
     found = fresh.fresh_tests(work.results[0], work.posterior, work.planned.axis).quantiles(nothing)
     assert set(found) >= {"A", "E", "R"}
     assert seen[0].size == work.results[0].test.targets.size
@@ -138,6 +138,21 @@ def test_the_first_parameter_that_the_test_has_judges() -> None:
     assert why_not_better(result_of(A=None), result_of(A=None), {}, {}) == ""
 
 
+def test_the_spread_from_test_to_test_is_that_of_a_normal_law() -> None:
+    """5 % of a normal law lie 1.645 standard deviations below its middle; a long upper end does not
+    count.
+    """
+    assert spread_of(Quantiles(median=10.0, p05=10.0 - 1.645 * 2.0, p95=40.0)) == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize(("gain", "seen"), [(1.5, False), (2.5, True)])
+def test_a_gain_is_seen_from_one_standard_deviation_on(gain: float, seen: bool) -> None:
+    was = {"A": Quantiles(median=20.0 * UM, p05=15.0 * UM, p95=25.0 * UM)}
+    middle = (20.0 - gain) * UM
+    becomes = {"A": Quantiles(median=middle, p05=middle - 1.645 * 2.0 * UM, p95=middle + 4.0 * UM)}
+    assert (why_not_seen(work_of(SLOPED).results[0], was, becomes) == "") is seen
+
+
 def test_a_table_that_does_not_help_is_refused() -> None:
     work = work_of(SLOPED)
     assert no_gain(work, by_slope(-28e-6)) == ""
@@ -161,7 +176,7 @@ def test_one_reading_far_off_does_not_stop_a_table(
     """One reading ``off`` makes A with the table and without it, alike but for rounding: 4 s of its
     cell, which no table moves. The others show that 30 µm/m become 2.
     """
-    monkeypatch.setattr(fresh, "DRAWS", 5)
+    monkeypatch.setattr(fresh, "draws_like", lambda _: 5)
     work = work_of(SLOPED)
     result = work.results[0]
     rng = np.random.default_rng(4)

@@ -165,14 +165,22 @@ def test_a_bar_of_unknown_length_beside_an_axis_without_a_laser_tells_nothing() 
     assert "no circle lies on it" in scaled().finding.message
 
 
-@pytest.mark.parametrize(("error", "taken"), [(24.0, True), (26.0, False)])
-@pytest.mark.parametrize("value", [50.0, -50.0])
-def test_a_scale_within_two_standard_errors_is_left(
-    value: float, error: float, *, taken: bool
+@pytest.mark.parametrize(
+    ("value", "error", "code", "severity"),
+    [
+        (50.0, 12.4, "CW-P120", "warning"),
+        (-50.0, 12.4, "CW-P120", "warning"),
+        (50.0, 12.6, "CW-P119", "error"),  # two standard errors above half of the value
+        (-90.0, 15.1, "CW-P119", "error"),  # two standard errors above 30 µm/m
+        (2.0, 6.0, "CW-P119", "info"),  # needs no correction
+    ],
+)
+def test_a_scale_is_corrected_where_it_is_known_well_enough(
+    value: float, error: float, code: str, severity: str
 ) -> None:
     found = scaled(circle_of({"scale_error_second": (value, error)}, feed=150.0))
-    assert (found.planned is not None) is taken
-    assert found.finding.code == ("CW-P120" if taken else "CW-P119")
+    assert (found.planned is not None) is (code == "CW-P120")
+    assert (found.finding.code, found.finding.severity) == (code, severity)
 
 
 def test_circles_at_low_feeds_are_weighted() -> None:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from compwright.foundations.errors import CapacityError
+from compwright.planning import tables
 from compwright.planning.tables import fit_within, freely_chosen, grid_words, offer
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity, Lattice
@@ -58,6 +59,19 @@ def test_the_same_distance_insisted_on_is_refused() -> None:
 def test_what_no_grid_holds_is_refused() -> None:
     with pytest.raises(CapacityError, match="largest increment"):
         fit_within(wish(0.02 * X, 0.02 * X, positions=X), stepping(COARSE_GRID), KEEP, AXIS)
+
+
+@pytest.mark.parametrize("millimetres", [11.0, 100.0, 19000.0])
+def test_what_exceeds_the_range_by_far_is_refused_before_anything_is_fitted(
+    millimetres: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whole steps over metres would be searched for hours."""
+    monkeypatch.setattr(tables, "fit_beside", None)
+    far = wish(millimetres * X / 500.0, millimetres * X / 500.0, positions=X)
+    range_of_10_mm = replace(stepping(()), value_range=(-10.0, 10.0))
+    with pytest.raises(CapacityError, match="value range") as refused:
+        fit_within(far, range_of_10_mm, KEEP, AXIS)
+    assert refused.value.faults[0].expected == "values from -10000 to 10000 µm"
 
 
 def test_nodes_that_serve_other_axes_are_never_given_up() -> None:

@@ -325,6 +325,15 @@ def test_targets_of_short_and_rotary_axes() -> None:
     assert crowded.min() >= 4.0
 
 
+def test_short_travels_keep_a_quarter_at_each_end() -> None:
+    """8 mm: 2 mm at each end, where 4 mm would leave one place for all targets."""
+    rng = np.random.default_rng(5)
+    placed = np.array([dithered_targets((10.0, 18.0), 3, rng) for _ in range(200)])
+    assert float(np.min(placed)) == pytest.approx(12.0, abs=0.05)
+    assert float(np.max(placed)) == pytest.approx(16.0, abs=0.05)
+    assert np.all(np.diff(placed, axis=1) > 0.0)
+
+
 @pytest.mark.parametrize(
     ("travel", "count"),
     [((10.0, 10.0), 5), ((10.0, 0.0), 5), ((0.0, 10.0), 0), ((float("nan"), 1.0), 3)],

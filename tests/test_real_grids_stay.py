@@ -1,5 +1,6 @@
-"""The grids of two real controls stay: every axis of the real FANUC backup that has a table, every
-axis of the real SINUMERIK archive, with every byte outside the values.
+"""The grids of two real controls stay: every axis of the real FANUC backup that has a table, with
+every byte outside the values; every axis of the real SINUMERIK archive, in small files that assign
+nothing of its neighbours, whose tables are switched on.
 
 What acts while the test is taken comes from the shipped virtual controls; the error on top of it is
 made here.
@@ -26,11 +27,12 @@ pytestmark = pytest.mark.brief
 needs_backup = pytest.mark.skipif(
     not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"
 )
-#: Travel and kind by axis; addresses as the control names them.
+#: Travel (inside the limits 1320 and 1321 of the backup) and kind by axis; addresses as the control
+#: names them.
 FANUC = {
-    "X": ("1", -1560.0, 0.0, ""),
+    "X": ("1", -1000.0, 0.0, ""),
     "Y": ("2", -1072.5, 0.0, ""),
-    "Z": ("3", -1072.5, 0.0, ""),
+    "Z": ("3", -781.0, 0.0, ""),
     "B": ("4", 0.0, 360.0, "kind: rotary, modulo: 360, "),
 }
 SINUMERIK = {
@@ -40,16 +42,20 @@ SINUMERIK = {
     "AX4": (0.0, 360.0, "kind: rotary, modulo: 360, "),
     "AX5": (-120.0, 120.0, "kind: rotary, "),
 }
+#: The names that the archive's machine data give its axes.
+SINUMERIK_NAMES = {"AX1": "X1", "AX2": "Y1", "AX3": "Z1", "AX4": "C1", "AX5": "A1"}
 
 
 def measured(low: float, high: float, unit: str, acting: dict[int, object]) -> str:
-    """A test of 17 targets, three runs each way, of an error that the old table does not know."""
+    """A test of 17 targets, three runs each way, of an error that the old table does not know, with
+    lost motion above every backlash value of the two controls.
+    """
     rng = np.random.default_rng(7)
     inner = np.linspace(low, high, 17)[1:-1] + rng.uniform(-0.01, 0.01, 15) * (high - low)
     x: Floats = np.round(np.concatenate([[low], inner, [high]]), 2)
     rows = [f"target_{unit},direction,run,deviation_{unit}"]
     for sign, mark in ((1, "+"), (-1, "-")):
-        error = 0.007 * np.sin(2 * np.pi * (x - low) / (high - low)) - (0.002 if sign < 0 else 0)
+        error = 0.007 * np.sin(2 * np.pi * (x - low) / (high - low)) + (0.006 if sign < 0 else 0)
         mean = error + acting[sign](x)  # type: ignore[operator]
         for run in (1, 2, 3):
             noisy = mean + rng.normal(0, 0.0004, x.size)
@@ -119,9 +125,19 @@ def test_the_tables_of_the_real_sinumerik_archive(axis: str, tmp_path: Path) -> 
         f" {words}before: x.csv}}\n"
     )
     assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
-    new = (tmp_path / "job" / "tables" / "siemens-840d-sl" / "AX_EEC.INI").read_bytes()
-    lines = texts["AX_EEC.INI"].encode("latin-1").splitlines(keepends=True)
-    pairs = list(zip(lines, new.splitlines(keepends=True), strict=True))
-    changed = [before for before, after in pairs if before != after]
+    folder = tmp_path / "job" / "tables" / "siemens-840d-sl"
+    assert sorted(path.name for path in folder.iterdir()) == sorted(
+        f"{SINUMERIK_NAMES[axis]}_{kind}.INI" for kind in ("EEC", "MD")
+    )
+    entry = re.compile(rf"^(\$AA_ENC_COMP\w*\[1,(?:\d+,)?{axis}\])=([^\s;]+)", re.MULTILINE)
+    small = (folder / f"{SINUMERIK_NAMES[axis]}_EEC.INI").read_text(encoding="latin-1")
+    old, new = (dict(entry.findall(text)) for text in (texts["AX_EEC.INI"], small))
+    assert old.keys() == new.keys()
+    changed = [name for name in old if float(old[name]) != float(new[name])]
     assert changed
-    assert all(re.match(rb"\$AA_ENC_COMP\[1,\d+,%s\]=" % axis.encode(), one) for one in changed)
+    assert all(name.startswith("$AA_ENC_COMP[") for name in changed)
+    for path in folder.iterdir():
+        text = path.read_text(encoding="latin-1")
+        assigned = re.findall(r"^\$\w+\[([^\]]*)\]", text, re.MULTILINE)
+        assert assigned
+        assert {place.rsplit(",", 1)[-1] for place in assigned} == {axis}

@@ -655,7 +655,7 @@ def test_the_verification_shows_before_predicted_and_after() -> None:
 def test_a_loading_fault_is_named(loading: dict[str, Any], shown: str) -> None:
     view = verify_view()
     view["verification"]["axes"]["X"]["loading"] = loading
-    view["verification"]["verdict"] = "bad"
+    view["verification"] |= {"verdict": "bad", "headline": "Bad: see the axes below"}
     page = verify_report(view)
     assert shown in text(tree(page))
     assert verdict_of(page).startswith("bad: Bad")
@@ -767,7 +767,7 @@ def test_without_the_extra_the_tool_says_what_to_install(monkeypatch: pytest.Mon
         lambda: card_html(sample_card()),
     ]
     for call in calls:
-        with pytest.raises(UsageError, match=r"pip install compwright\[report\]") as caught:
+        with pytest.raises(UsageError, match=r"pip install jinja2 matplotlib$") as caught:
             call()
         assert caught.value.exit_code == 2
     assert card_markdown(sample_card())  # needs no extra

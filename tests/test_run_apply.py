@@ -298,7 +298,12 @@ def test_a_column_beside_the_linear_error_of_its_axis_is_refused(
     [
         ("linuxcnc", "{}", "{squareness: {XY: Y}}", "CW-P113"),
         (SIEMENS, "{}", "{squareness: {XY: Y}}", "CW-P113"),
-        ("fanuc-30i", "{detection_unit: 0.001}", "{squareness: {XY: X}}", "CW-P113"),
+        (
+            "fanuc-30i",
+            "{detection_unit: 0.001, first_point: 1}",
+            "{squareness: {XY: X}}",
+            "CW-P113",
+        ),
         ("linuxcnc", "{}", "{squareness: {ZX: X}}", "CW-J004"),
         ("linuxcnc", "{}", "{scale: [Z]}", "CW-J004"),
         ("linuxcnc", "{}", "{scale: [Y]}", "CW-P119"),
@@ -426,7 +431,8 @@ def test_a_circle_taken_with_other_tables_between_the_axes_is_no_word_on_what_is
         values = "".join(f"$AN_CEC[3,{n}]={value if n in bent else 0}\n" for n in range(5))
         grid = f"$AN_CEC_STEP[3]={step}\n$AN_CEC_MIN[3]=0\n$AN_CEC_MAX[3]=1000\n"
         pair = "$AN_CEC_INPUT_AXIS[3]=(AX1)\n$AN_CEC_OUTPUT_AXIS[3]=(AX2)\n$AN_CEC_DIRECTION[3]=0\n$SN_CEC_TABLE_ENABLE[3]=1\n"
-        return f"$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\n$MA_CEC_ENABLE[AX2]=1\n{values}{pair}{grid}M17\n"
+        points = "".join(f"$MA_MM_ENC_COMP_MAX_POINTS[0,AX{n}]=0\n" for n in (1, 2))
+        return f"{points}$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\n$MA_CEC_ENABLE[AX2]=1\n{values}{pair}{grid}M17\n"
 
     (folder / "NOW.INI").write_text(written("0.1"))
     (folder / "THEN.INI").write_text(written("0"))

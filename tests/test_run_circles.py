@@ -331,6 +331,27 @@ def test_a_control_that_cannot_hold_squareness_says_so(
     ).read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize(
+    ("control", "options", "third"),
+    [(SIEMENS, CEC, "AX3"), ("isg-kernel", "{cross_values: correction}", "3")],
+)
+def test_an_axis_without_a_test_stops_no_squareness(
+    folder: Path, control: str, options: str, third: str
+) -> None:
+    """State none, and a third axis that no test, circle or table speaks of."""
+    more = f'}}\n  Z: {{travel: [-300, 0], address: "{third}", before: []'
+    path = job(folder, control=control, options=options, y=more)
+    if control != SIEMENS:
+        text = path.read_text().replace('"X"', '"1"').replace('"Y"', '"2"')
+        path.write_text(text)
+    assert compwright(["run", str(path)]) == 0
+    (cross,) = document(folder / "job" / "prediction.json")["cross"]
+    assert (cross["input"], cross["output"]) == ("X", "Y")
+    loaded = str(folder / "job" / "tables" / control)
+    plan = str(folder / "job" / "plan.json")
+    assert compwright(["compare", plan, "--loaded", loaded]) == 0
+
+
 def test_too_few_free_tables_leave_the_axes_as_they_are(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

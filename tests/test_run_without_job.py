@@ -126,6 +126,11 @@ def test_without_a_state_the_job_is_left_too(
     before = tree(hall)
     assert compwright(["run", "open/job.yaml", "--force"]) == 2
     assert tree(hall) == before
+    again = ["run", FILE, *words, "--out", "open"]
+    assert compwright(again) == 2, "an evaluation alone is replaced without --force"
+    assert compwright([*again, "--state", "none"]) in (0, 1)
+    assert (hall / "open" / "plan.json").is_file()
+    assert compwright(again) == 5, "tables are replaced with --force only"
 
 
 def stated(**words: object) -> StatedJob:
@@ -162,7 +167,7 @@ LEFT = (
 def test_the_job_says_what_its_command_line_said(words: dict[str, object]) -> None:
     """Read back it is the same job, also where every line that is held back is taken in."""
     said = stated(**words)
-    text = assumed_job(said.data, SETTLED, LEFT)
+    text = assumed_job(said.data, SETTLED, LEFT, {})
     assert read_job(text.encode(), "") == said.job
     held_back = ("#   options:", *(f"#     {name}:" for name in SETTLED))
     whole = [
@@ -174,14 +179,14 @@ def test_the_job_says_what_its_command_line_said(words: dict[str, object]) -> No
 
 def test_every_value_says_where_it_comes_from() -> None:
     said = stated(options=["reference=5"])
-    lines = assumed_job(said.data, SETTLED, LEFT).splitlines()
+    lines = assumed_job(said.data, SETTLED, LEFT, {}).splitlines()
     values = [line for line in lines if line.split("#")[0].partition(":")[2].strip()]
     sources = {line.split(":")[0].strip(" -"): line.rpartition("  # ")[2] for line in values}
     del sources["compwright"]
     assert all(sources.values())
     assert sources["reference"] == "--option reference"
     assert sources["kind"].startswith("assumed: ")
-    listed = {entry.fact for entry in assumed_of(said.data)}
+    listed = {entry.fact for entry in assumed_of(said.data, {})}
     assert {"axis Y: kind", "axis Y: reference_return", "test: motion", "standard"} <= listed
     assert "axis Y: reference" not in listed
 
@@ -214,5 +219,5 @@ def test_an_axis_that_no_file_names_is_asked_for_by_its_number(
     words = ["run", FILE, "--format", "fanuc-30i", "--axis", "X", "--travel", "0:800"]
     assert compwright([*words, "--state", "none", "--out", "elsewhere"]) == 2
     said = capsys.readouterr().err
-    assert "give the address of axis X; expected a number, found 'X'" in said
+    assert "fanuc-30i needs the number of axis X" in said
     assert "no file of the control" not in said

@@ -67,7 +67,7 @@ def test_the_measuring_system_in_use_is_no_edit_of_the_job(
     (tmp_path / "EEC.INI").write_text(
         f"{values}$AA_ENC_COMP_STEP[1,AX1]=40\n$AA_ENC_COMP_MIN[1,AX1]=0\n$AA_ENC_COMP_MAX[1,AX1]=800\n$AA_ENC_COMP_IS_MODULO[1,AX1]=0\nM17\n"
     )
-    switched_on = "$MN_SCALING_SYSTEM_IS_METRIC=1\n$MA_ENC_COMP_ENABLE[0,AX1]=0\n$MA_ENC_COMP_ENABLE[1,AX1]=1\nM17\n"
+    switched_on = "$MN_SCALING_SYSTEM_IS_METRIC=1\n$MA_BACKLASH[1,AX1]=0\n$MA_ENC_COMP_ENABLE[0,AX1]=0\n$MA_ENC_COMP_ENABLE[1,AX1]=1\nM17\n"
     (tmp_path / "MD.INI").write_text(switched_on)
     (tmp_path / "job.yaml").write_text(
         "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found: [EEC.INI,"
@@ -101,7 +101,7 @@ def test_a_backlash_that_no_file_says_stands_first(tmp_path: Path) -> None:
         "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found: [EEC.INI]}\n"
         "axes:\n  X: {travel: [0, 800], address: AX1, before: [x.csv]}\n"
     )
-    assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
+    assert compwright(["run", str(tmp_path / "job.yaml")]) == 1  # until it is acknowledged
     doubts = json.loads((tmp_path / "job" / "prediction.json").read_text())["doubts"]
     assert any(
         doubt["code"] == "CW-S005"

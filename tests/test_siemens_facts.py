@@ -291,10 +291,21 @@ def kinds(definition: Definition) -> None:
         both[0].content.decode().split("(1)\n")[1].replace("M17\n", ""), "$MA_NUM_ENCS[AX2]=1\n"
     )
     assert read(definition, one, Y).facts["AX2"].encoder_system == 1
+    turn = EEC + MD.replace("$MA_MODULO_RANGE[AX5]=360", "$MA_MODULO_RANGE[AX5]=300")
+    assert refused(read, definition, text_of(turn), C)
     named = text_of(EEC, '$MN_AXCONF_MACHAX_NAME_TAB[1]="Y1"\n')
     assert list(read(definition, named, replace(Y, address="Y1")).axes) == ["Y1"]
     for line in ("$MA_NUM_ENCS[AX2]=1 G1", '$MN_AXCONF_MACHAX_NAME_TAB[1]="Y1" G1'):
         assert refused(read, definition, text_of(both[0].content.decode()[18:-4], line + "\n"), replace(Y, address="Y1" if "NAME" in line else "AX2"))  # fmt: skip
+
+
+def added(definition: Definition) -> None:
+    """SD41320 and SD41321: what is added to points 0 and 1 of a table; zero changes nothing."""
+    base = EEC + FOREIGN + "$MA_CEC_ENABLE[AX1]=1\n"
+    for name in ("$SN_CEC_0", "$SN_CEC_1"):
+        for value, shows in (("0", [0, -0.005, -0.001]), ("0.001", None)):
+            state = read(definition, text_of(base, f"{name}[5]={value}\n"), X)
+            assert from_y(state, "AX1") == shows, name
 
 
 def names(definition: Definition) -> None:
@@ -649,7 +660,7 @@ PROBES: dict[str, Check] = {f"{entry[0]} last": last(entry) for entry in LAST} |
 CHECKS: dict[str, Check] = {
     each.__name__: each
     for each in (
-        fresh, acts, absent, names, inches, claims, limits, kinds, tables, ranges, options, patched, forms,
+        fresh, acts, absent, added, names, inches, claims, limits, kinds, tables, ranges, options, patched, forms,
         gate,
     )
 }  # fmt: skip

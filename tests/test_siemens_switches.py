@@ -15,6 +15,7 @@ from compwright.cli import run as compwright
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError
+from compwright.foundations.findings import DOUBTS_FIRST
 from compwright.records.correction import ControlFile
 from compwright.records.facts import AxisFacts
 from compwright.workflow.stages.control import decode, open_control
@@ -147,10 +148,9 @@ def test_the_card_of_a_table_between_axes_names_our_table_alone_and_checks_its_s
     (tmp_path / "job.yaml").write_text(CROSS_JOB, encoding="utf-8")
     with redirect_stdout(io.StringIO()):
         assert compwright(["run", str(tmp_path / "job.yaml"), "--out", str(tmp_path / "out")]) == 0
-    steps = re.findall(
-        r"\*\*X over Z: (.+?)\*\*\n(.+)",
-        (tmp_path / "out" / "card" / "card.md").read_text(encoding="utf-8"),
-    )
+    card = (tmp_path / "out" / "card" / "card.md").read_text(encoding="utf-8")
+    assert DOUBTS_FIRST not in card  # neither axis gets a table of its own: what acts there stays
+    steps = re.findall(r"\*\*X over Z: (.+?)\*\*\n(.+)", card)
     assert [title for title, _ in steps] == [
         "reserve and switch off",
         "check the sign",
@@ -165,3 +165,13 @@ def test_the_card_of_a_table_between_axes_names_our_table_alone_and_checks_its_s
     assert "load nothing" in text["check the sign"]
     assert "AX1_CROSS.INI" in text["load"]
     assert not re.search(r"\. [a-z]", " ".join(text.values()))
+
+
+def test_that_no_file_holds_a_table_is_said_of_its_axis_alone() -> None:
+    """Of the axis, not of its measuring system: a doubt about one axis leaves others decided."""
+    given = [ControlFile("MD.INI", b"$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX3]=0\nM17\n")]
+    axes = [AXIS, axis_of("AX3")]
+    found = decode(
+        open_control("siemens-840d-sl", OPTIONS), given, axes, asking=True
+    ).state.findings
+    assert [one.axes for one in found if one.code == "CW-S008"] == [("AX1",), ("AX3",)]

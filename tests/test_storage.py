@@ -13,7 +13,7 @@ import pytest
 
 from compwright.foundations import storage
 from compwright.foundations.errors import InputError, StorageError
-from compwright.foundations.input_sizes import ANY, CONTROL, JSON, MEASUREMENT, YAML, InputKind
+from compwright.foundations.input_sizes import ANY, CONTROL, JSON, MEASUREMENT, PROFILE, InputKind
 
 
 def tree(folder: Path) -> dict[str, bytes | None]:
@@ -255,7 +255,9 @@ def test_endless_file_is_refused() -> None:
         storage.read_bytes(Path("/dev/zero"))
 
 
-@pytest.mark.parametrize("kind", [MEASUREMENT, CONTROL, YAML, JSON, ANY], ids=lambda one: one.name)
+@pytest.mark.parametrize(
+    "kind", [MEASUREMENT, CONTROL, PROFILE, JSON, ANY], ids=lambda one: one.name
+)
 def test_a_file_larger_than_its_kind_is_refused_before_it_is_read(
     kind: InputKind, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

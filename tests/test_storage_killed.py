@@ -350,6 +350,29 @@ def test_a_copy_of_the_folder_beside_alone_is_put_right_by_itself(
     assert files(top) == course.old
 
 
+@pytest.mark.parametrize("reader", ["out/notes.txt", JSON])
+def test_what_another_write_left_is_not_taken_back_with_it(
+    tmp_path: Path, course: Course, reader: str
+) -> None:
+    """As folders that come from backups of two days: beside, a write is done and only not cleared
+    away; the folder that decided over it holds what a later one had begun, with the same names.
+    """
+    begun = stopped(tmp_path / "begun", course.last_move)
+    for at in range(course.last_move + 1, len(course.calls) + 1):
+        top = stopped(tmp_path / str(at), at)
+        if not is_begun(top):
+            break
+    left = {path.name for path in (top / "beside" / UNFINISHED).iterdir()}
+    assert {"journal.json", "0.old"} <= left
+    shutil.rmtree(top / "out")
+    shutil.copytree(begun / "out", top / "out")
+    storage.read_bytes(top / reader)
+    assert put_right() == ((str(top / "out"),) if reader.startswith("out") else ())
+    assert storage.read_bytes(top / JSON) == b"new answer"
+    assert storage.read_bytes(top / "out" / "set" / "x") == b"old x"
+    assert files(top) == {**course.old, JSON: b"new answer"}
+
+
 def test_a_process_that_is_stopped_while_one_waits_for_it(
     tmp_path: Path, course: Course, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -131,7 +131,7 @@ def test_a_squareness_that_was_corrected_asks_for_a_circle_of_its_plane() -> Non
         ("CW-T016", "warning", False, False, True),
         ("CW-T016", "warning", True, False, True),  # about the readings: again is no excuse
         ("CW-T007", "warning", False, False, True),
-        ("CW-T007", "warning", True, False, False),  # planned like the first test
+        ("CW-T007", "warning", True, False, True),  # a doubt, until it is acknowledged
         ("CW-T012", "warning", False, False, False),  # only makes the values larger
         ("CW-T030", "warning", False, False, False),  # judged beside the first test
         ("CW-T023", "warning", False, False, False),
@@ -146,7 +146,8 @@ def test_which_findings_leave_it_undecided(
     finding = Finding(code, severity, "Something.")
     first = replace(WORK.results[0], findings=(finding,) if first_had_it else ())
     after = replace(WORK.results[0], findings=(finding,))
-    found = list(doubted(after, first, guarded=guarded))
+    found = list(doubted(after, first, (), guarded=guarded))
+    assert list(doubted(after, first, (finding,), guarded=guarded)) == []
     assert [entry.code for entry in found] == (["CW-V024"] if told else [])
     if told:
         assert found[0].message.startswith(f"The test after loading, {code}: Something.")

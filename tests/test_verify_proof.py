@@ -52,6 +52,7 @@ axes:
   X: {travel: [0, 800], address: AX1, before: [x.csv], accept: {A: 8}}
 """
 SECOND = "  Y: {travel: [0, 800], address: AX2, before: [y.csv], accept: {A: 8}}\n"
+ALIKE = "acknowledged: {CW-T037: both axes of this machine have one error}\n"
 
 
 @pytest.fixture(scope="module")
@@ -60,7 +61,8 @@ def done(tmp_path_factory: pytest.TempPathFactory) -> Path:
     axes.
     """
     folder = tmp_path_factory.mktemp("done")
-    for name, text in (("one", JOB), ("two", JOB + SECOND)):
+    no_limits = JOB.replace(", accept: {A: 8}", "")
+    for name, text in (("one", JOB), ("two", JOB + SECOND + ALIKE), ("no_limits", no_limits)):
         place = folder / name
         place.mkdir()
         (place / "x.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 1)))
@@ -113,6 +115,36 @@ def codes(document: Any) -> list[str]:
 def test_an_honest_test_is_good_without_doubts(folder: Path) -> None:
     code, document = after(folder, honest(folder))
     assert (code, document["verdict"], document["doubts"]) == (0, "good", [])
+
+
+def test_without_a_limit_no_limit_is_met(
+    done: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = tmp_path / "no_limits"
+    shutil.copytree(done / "no_limits", folder)
+    code, document = after(folder, honest(folder))
+    assert (code, document["verdict"], document["axes"]["X"]["accept"]) == (0, "good", {})
+    assert document["headline"] == "Table active. No limits given."
+    page = (folder / "job" / "verification.html").read_text()
+    assert document["headline"] in page
+    assert document["headline"] in " ".join(capsys.readouterr().out.split())
+    assert "limits are met" not in page
+
+
+def test_a_doubt_about_the_readings_after_loading_decides_nothing_until_acknowledged(
+    folder: Path,
+) -> None:
+    """A reading stands behind a #, and was not read (CW-R063)."""
+    text = csv_of(TARGETS, honest(folder)) + "#400,+,6,0.0123\n"
+    (folder / "after.csv").write_text(text)
+    code, document = verify(folder, "after.csv")
+    decisions = [entry["decision"] for entry in document["axes"]["X"]["accept"].values()]
+    assert (code, document["verdict"], decisions) == (1, "undecided", ["undecided"])
+    job = folder / "job.yaml"
+    job.write_text(job.read_text() + "acknowledged: {CW-R063: a remark of ours}\n")
+    code, document = verify(folder, "after.csv")
+    assert (code, document["verdict"], document["doubts"]) == (0, "good", [])
+    assert [one["reason"] for one in document["acknowledged"]] == ["a remark of ours"]
 
 
 @pytest.mark.parametrize("other", ["off", "datum"])

@@ -76,6 +76,21 @@ def test_a_folder_is_read_whole_and_what_is_unreadable_is_listed(tmp_path: Path)
     json.loads(document_text(run.document))
 
 
+def test_a_file_that_cannot_be_read_goes_before_a_test_that_the_method_does_not_fit(
+    tmp_path: Path,
+) -> None:
+    """Exit 3 before 2: the range method of 1988 has no factor for 20 readings at a target."""
+    many = tmp_path / "many.csv"
+    rows = [
+        f"{x},{d},{run},{run % 3 + x}\n" for x in (0, 50, 100) for d in "+-" for run in range(1, 21)
+    ]
+    many.write_text(GOOD + "".join(rows), encoding="utf-8")
+    good = csv_file(tmp_path, "good.csv")
+    (broken := tmp_path / "broken.csv").write_text("shopping list\n", encoding="utf-8")
+    for paths, code in (([good], 0), ([many, good], 2), ([many, good, broken], 3)):
+        assert evaluate_files(paths, ["iso230-2:1988"], "range").exit_code == code
+
+
 def test_an_empty_folder_is_an_error(tmp_path: Path) -> None:
     run = evaluate_files([tmp_path])
     assert run.exit_code == 3

@@ -7,7 +7,8 @@ only one that has the modules ``linuxcnc`` and ``hal``). STOPS is JSON: ``{"lett
 [[x, a], ...], "patience": 1.0}``, one position per joint, in machine units; every time limit is
 multiplied by the patience. RESULT is JSON: ``{"came_up": bool, "trouble": text, "messages": [text,
 ...], "stops": [[joint values], ...]}``, each joint value a list of commanded position, motor
-position less motor offset, and applied correction; a stop that was not reached is missing.
+position less motor offset, applied correction, and motor position; a stop that was not reached is
+missing.
 ``came_up``: homed and ready to be driven.
 """
 
@@ -24,7 +25,6 @@ import hal  # type: ignore[import-not-found]  # modules of LinuxCNC, for the sys
 import linuxcnc  # type: ignore[import-not-found]
 
 POSITION_REACHED = 1e-6  # machine units; the planner itself ends within 1e-9
-RAMP_ENDED = 1e-12  # of the applied correction towards its target
 QUIET_READINGS = 4  # the command counts as complete one servo tick before standstill
 SERVO_PERIOD = 0.001  # s
 
@@ -97,8 +97,8 @@ class Machine:
         return all(
             self.pin(joint, "vel-cmd") == 0.0
             and abs(self.pin(joint, "pos-cmd") - targets[joint]) < POSITION_REACHED
-            and abs(self.pin(joint, "backlash-filt") - self.pin(joint, "backlash-corr"))
-            < RAMP_ENDED
+            # a step that the control never applies keeps the correction from its target for ever
+            and self.pin(joint, "backlash-vel") == 0.0
             for joint in self.joints
         )
 
@@ -120,8 +120,9 @@ class Machine:
 
     def reading(self, joint: int) -> list[float]:
         position = self.pin(joint, "pos-cmd")
-        motor = self.pin(joint, "motor-pos-cmd") - self.offsets[joint]
-        return [position, motor, self.pin(joint, "backlash-filt")]
+        place = self.pin(joint, "motor-pos-cmd")
+        applied = self.pin(joint, "backlash-filt")
+        return [position, place - self.offsets[joint], applied, place]
 
 
 def main(stops_file: str, result_file: str) -> None:

@@ -156,6 +156,7 @@ def new(
     is_flag=True,
     help="Write the next round into next/ below the results; needs --loaded.",
 )
+@profile_option
 @json_option
 @force_option
 @exiting
@@ -168,6 +169,7 @@ def verify(
     plan: Path | None,
     loaded: tuple[Path, ...],
     out: Path | None,
+    profile: Path | None,
     json_path: Path | None,
     **words: bool,
 ) -> int:
@@ -190,6 +192,7 @@ def verify(
             force=words["force"],
             json_path=json_file(json_path),
             update=words["update"],
+            profile=profile,
             each=each,
         )
     answer(outcome.document, json_path, lambda: verify_summary(outcome))

@@ -22,7 +22,8 @@ class Request:
     ``reference_return``: direction in which the reference is approached; ``encoder``: active
     measuring system, 1 or 2; ``kinds``: linear or rotary; ``modulo``: the turn of an endless axis,
     deg; ``reference``: machine coordinate of the reference position, mm or deg; ``active``: whether
-    tables acted that the files switch off or say nothing of (None: not said); ``options``: the
+    tables acted that the files switch off or say nothing of (None: not said); ``carried_out``:
+    whether every assignment of a program counts; ``options``: the
     controller's options by name, as the job gives them; ``axis_options`` go over them. ``asked``:
     the axes under work, empty for all; what is odd about others stops nothing. ``axis_number``: how
     the control counts an axis, from 1, where the job says it.
@@ -34,6 +35,7 @@ class Request:
     modulo: Mapping[str, float] = field(default_factory=dict)
     reference: Mapping[str, float] = field(default_factory=dict)
     active: bool | None = None
+    carried_out: bool = False
     options: Mapping[str, object] = field(default_factory=dict)
     axis_options: Mapping[str, Mapping[str, object]] = field(default_factory=dict)
     asked: tuple[str, ...] = ()

@@ -111,6 +111,7 @@ def virtual_control(
     modulo: Mapping[str, float] | None = None,
     reference: Mapping[str, float] | None = None,
     active: bool | None = None,
+    carried_out: bool = False,
     axis_options: Mapping[str, Mapping[str, object]] | None = None,
     asked: Sequence[str] = (),
     axis_number: Mapping[str, int] | None = None,
@@ -121,10 +122,11 @@ def virtual_control(
     ``encoder`` the active measuring system (1 or 2), ``kinds`` linear or rotary where no file says
     it, ``modulo`` the turn of an endless axis (deg), ``reference`` the machine coordinate of the
     reference position (mm or deg). ``active``: whether tables acted that the files switch off or
-    say nothing of (None: off where they are switched off, else on). ``options`` are the
-    controller's options, ``axis_options`` those of single axes, which go over them. ``asked``: the
-    axes that matter, empty for all: what is odd about others refuses nothing where the control
-    lives with it. ``axis_number``: how the control counts an axis, from 1. Whatever had to be taken
+    say nothing of (None: off where they are switched off, else on). ``carried_out``: every
+    assignment of the programs among the files was carried out. ``options`` are the controller's
+    options, ``axis_options`` those of single axes, which go over them. ``asked``: the axes
+    that matter, empty for all: what is odd about others refuses nothing where the control lives
+    with it. ``axis_number``: how the control counts an axis, from 1. Whatever had to be taken
     without being told is in ``assumed``.
 
     Raises UsageError for an unknown format, InputError for files that the control would refuse or
@@ -150,6 +152,7 @@ def virtual_control(
         modulo=dict(modulo or {}),
         reference=dict(reference or {}),
         active=active,
+        carried_out=carried_out,
         options=dict(options or {}),
         axis_options=dict(axis_options or {}),
         asked=tuple(asked),

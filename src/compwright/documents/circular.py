@@ -59,7 +59,10 @@ def circular_document(result: CircularResult) -> dict[str, Any]:
         "minimum_zone": _zones(result),
         **_diagnosis(result.diagnosis),
         "vendor": _plain(test.vendor),
-        "not_applicable": dict(result.not_applicable),
+        "not_applicable": {
+            **result.not_applicable,
+            **(result.diagnosis.not_given if result.diagnosis else {}),
+        },
         "header": dict(test.header),
         "runs": [_run(run) for run in test.runs],
         "findings": _findings(findings),
@@ -97,9 +100,16 @@ def _zones(result: CircularResult) -> dict[str, Any]:
 def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
     if diagnosis is None:
         return {"diagnosis": None, "plain": None, "correlation": None}
+    not_given = diagnosis.not_given
     return {
-        "diagnosis": {name: _effect(effect) for name, effect in diagnosis.effects.items()},
-        "plain": {name: _number(value) for name, value in diagnosis.plain.items()},
+        "diagnosis": {
+            name: _effect(effect, given=name not in not_given)
+            for name, effect in diagnosis.effects.items()
+        },
+        "plain": {
+            name: None if name in not_given else _number(value)
+            for name, value in diagnosis.plain.items()
+        },
         "correlation": [[_number(value) for value in row] for row in diagnosis.correlation],
         "correlation_names": list(diagnosis.names),
         "residual": _micrometres(diagnosis.residual),
@@ -107,16 +117,18 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
     }
 
 
-def _effect(effect: CircularEffect) -> dict[str, Any]:
-    """Return one cause, in its own unit; ``low`` only where the value cannot be negative."""
+def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
+    """Return one cause, in its own unit; ``low`` only where the value cannot be negative. A cause
+    that is not ``given`` keeps its standard error.
+    """
     entry = {
-        "value": _number(effect.value),
+        "value": _number(effect.value) if given else None,
         "std_error": _number(effect.std_error),
         "unit": effect.unit,
-        "effect": _number(effect.effect),
-        "share": _number(effect.share),
+        "effect": _number(effect.effect) if given else None,
+        "share": _number(effect.share) if given else None,
     }
-    return entry if effect.low is None else {**entry, "low": _number(effect.low)}
+    return entry if effect.low is None or not given else {**entry, "low": _number(effect.low)}
 
 
 def _plain(value: object) -> Any:

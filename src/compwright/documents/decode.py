@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Container, Iterable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 from compwright.documents.prediction import cross_outside, findings_outside, table_outside
@@ -18,10 +18,10 @@ SCHEMA = "compwright/decode/1"
 @dataclass(frozen=True, slots=True)
 class DecodedAxis:
     """What a control does on one axis: corrections (k,) by approach direction at ``positions``
-    (k,), mm or deg.
+    (k,), mm or deg. ``kind`` None: unknown.
     """
 
-    kind: AxisKind
+    kind: AxisKind | None
     positions: FloatArray
     positive: FloatArray
     negative: FloatArray
@@ -32,14 +32,16 @@ def decode_document(
     assumed: Iterable[Assumption],
     findings: Iterable[Finding],
     cross: Iterable[CrossCompensation] = (),
+    unknown: Container[str] = (),
 ) -> dict[str, Any]:
     """Return what the control does, by address; positions keep their order. ``cross``: what one
-    axis' position adds to another.
+    axis' position adds to another. ``unknown``: addresses of axes of unknown kind; their
+    corrections are thousandths of the unit of their positions, and ``unit`` is null.
     """
     return {
         "schema": SCHEMA,
         "axes": {address: _axis(axis) for address, axis in axes.items()},
-        "cross": [cross_outside(entry) for entry in cross],
+        "cross": [_cross(entry, known=entry.output not in unknown) for entry in cross],
         "assumed": assumed_documents(assumed),
         "findings": finding_documents(findings),
     }
@@ -59,6 +61,14 @@ def finding_documents(findings: Iterable[Finding]) -> list[dict[str, str]]:
     return findings_outside(dict.fromkeys(findings))
 
 
+def _cross(entry: CrossCompensation, *, known: bool) -> dict[str, Any]:
+    if known:
+        return cross_outside(entry)
+    return {**cross_outside(replace(entry, output_kind=AxisKind.LINEAR)), "unit": None}
+
+
 def _axis(axis: DecodedAxis) -> dict[str, Any]:
-    factor = outside_factor(axis.kind.unit)
-    return table_outside(axis.positions, axis.positive * factor, axis.negative * factor, axis.kind)
+    kind = axis.kind or AxisKind.LINEAR
+    factor = outside_factor(kind.unit)
+    table = table_outside(axis.positions, axis.positive * factor, axis.negative * factor, kind)
+    return table if axis.kind is not None else {**table, "unit": None}

@@ -44,7 +44,8 @@ def result_document(result: PositioningResult) -> dict[str, Any]:
 
     Beyond the contract: ``name``, ``coverage`` (k), ``spread`` (std or range), ``header`` (what the
     file says about the test) and in each target the readings ``deviations_positive`` and
-    ``deviations_negative`` in the order of the runs, null where missing.
+    ``deviations_negative`` in the order of the runs, null where missing; where they were reduced to
+    20 °C, ``expansion_removed``: what was taken from each.
     """
     test = result.test
     factor = outside_factor(test.kind.unit)
@@ -126,11 +127,20 @@ def _targets(result: PositioningResult, factor: float) -> list[dict[str, Any]]:
             "n_positive": _count(test, i)[0],
             "n_negative": _count(test, i)[1],
             **{name: _outside(column[i], factor) for name, column in values.items()},
+            **_expansion(test, i, factor),
             "deviations_positive": [_outside(value, factor) for value in test.positive[i]],
             "deviations_negative": [_outside(value, factor) for value in test.negative[i]],
         }
         for i in range(test.targets.size)
     ]
+
+
+def _expansion(test: PositioningTest, i: int, factor: float) -> dict[str, float | None]:
+    """Return by how much the readings at a target were more before they were reduced to 20 °C."""
+    if test.thermal is None:
+        return {}
+    removed = (float(test.targets[i]) - test.thermal.x_fix) * test.thermal.slope
+    return {"expansion_removed": _outside(removed, factor)}
 
 
 def _count(test: PositioningTest, i: int) -> tuple[int, int]:

@@ -58,6 +58,11 @@ def _pieces(value: Any, line: str) -> Iterator[str]:
         yield _PLAIN(value)
 
 
+def no_number(word: str) -> float:
+    """Raise ValueError for NaN and the infinities, which are no JSON and no measured value."""
+    raise ValueError(f"{word} in the place of a number")
+
+
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     """Return the mapping of an object. Raises ValueError where a key stands twice."""
     data = dict(pairs)
@@ -73,7 +78,9 @@ def read_json(content: bytes, file: str, schema: str, name: str, expected: str) 
     have been given. Raises InputError for anything else (file, key, expected, found).
     """
     try:
-        data = json.loads(content.decode("utf-8"), object_pairs_hook=_once)
+        data = json.loads(
+            content.decode("utf-8"), object_pairs_hook=_once, parse_constant=no_number
+        )
     except (ValueError, RecursionError) as error:
         raise InputError(
             Fault(message="is not JSON", file=file, expected=expected, found=str(error))

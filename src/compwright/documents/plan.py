@@ -31,6 +31,7 @@ from compwright.records.plan import (
     Texts,
 )
 from compwright.records.positioning import PositioningTest
+from compwright.records.serial_line import from_line
 
 SCHEMA = "compwright/plan/1"
 _T = TypeVar("_T")
@@ -52,7 +53,7 @@ def plan_document(plan: Plan) -> dict[str, Any]:
         "axes": {name: _axis_out(axis) for name, axis in plan.axes.items()},
         "states": {
             name: [
-                {"name": file.name, "base64": base64.b64encode(file.content).decode("ascii")}
+                {"name": file.name, "base64": base64.b64encode(file.raw).decode("ascii")}
                 for file in files
             ]
             for name, files in plan.states.items()
@@ -118,7 +119,11 @@ def read_plan(content: bytes, file: str) -> Plan:
         ) from error
     if plan is None:
         raise InputError(*(fault.in_file(file) for fault in faults))
-    return plan
+    states = {
+        name: tuple(from_line(each.name, each.content) for each in files)
+        for name, files in plan.states.items()
+    }
+    return replace(plan, states=states)
 
 
 def _cross_out(cross: PlannedCross) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from statistics import mode
 from typing import Any, Final, cast
 
 import numpy as np
@@ -77,13 +78,14 @@ def _readings(reader: Reader, rows: Any, place: str) -> Any:
     """Rows of numbers, each as long; null is a reading that is missing."""
     if not isinstance(rows, list) or not all(isinstance(row, list) for row in rows):
         return reader.wrong(place, "a list of rows, one for each target", rows)
+    width = mode(len(row) for row in rows) if rows else 0
     for index, row in enumerate(rows):
         odd = [one for one in row if one is not None and not is_number(one)]
-        if odd or len(row) != len(rows[0]):
-            expected = f"{len(rows[0])} readings, each a number or null"
+        if odd or len(row) != width:
+            expected = f"{width} readings, each a number or null"
             return reader.wrong(f"{place}[{index}]", expected, odd[0] if odd else row)
     filled = [[np.nan if one is None else float(one) for one in row] for row in rows]
-    return np.array(filled, dtype=np.float64).reshape(len(rows), len(rows[0]) if rows else 0)
+    return np.array(filled, dtype=np.float64).reshape(len(rows), width)
 
 
 def _definition(reader: Reader, data: Mapping[str, Any], place: str) -> Any:
@@ -124,12 +126,19 @@ FORMS: Final[Mapping[type, Form]] = {
         absent=frozenset({"thermal"}),
         read={"positive": _positive, "negative": _negative},
     ),
-    ControlFile: Form(keys={"content": "base64"}, constant={"folder": ""}),
+    ControlFile: Form(
+        keys={"content": "base64"}, constant={"folder": "", "leader": b"", "trailer": b""}
+    ),
     CircularTest: Form(constant={"vendor": {}}),
     ErrorEstimate: Form(constant={"periods": ()}),
     WantedCorrection: Form(absent=frozenset({"scenarios"})),
     FittedTable: Form(constant={"keeps_grid": False}),
-    Axis: Form(absent=frozenset({"suggested_period", "motion"})),
+    Axis: Form(
+        absent=frozenset(
+            {"suggested_period", "motion", "gantry_table", "moves_alone"}
+            | {"unapplied_steps", "zero_at_reference", "counts_turns"}
+        )
+    ),
     Encoder: Form(absent=frozenset({"stated"})),
     TableRequest: Form(absent=frozenset({"gain"})),
     Thermal: Form(absent=frozenset({"rise_m", "rise_d"})),

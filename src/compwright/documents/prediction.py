@@ -14,6 +14,7 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.circular import CircularResult
 from compwright.records.correction import AxisCompensation, CrossCompensation, Judged
 from compwright.records.estimate import PeriodEvidence
+from compwright.records.job import Acknowledged
 from compwright.records.limits import Limiting, Worth
 from compwright.records.prediction import (
     AxisPrediction,
@@ -33,19 +34,22 @@ def prediction_document(
     cross: Iterable[CrossCompensation] = (),
     circles: Mapping[str, CirclePrediction] | None = None,
     doubts: Iterable[Finding] = (),
+    acknowledged: Iterable[Acknowledged] = (),
     *,
     judged: Judged,
 ) -> dict[str, Any]:
     """Return the prediction of a run; ``cross`` holds what one axis' position adds to another, by
     the names of the job.
 
-    ``doubts``: what has to be settled before the tables are loaded. ``judged``: by whom the files
+    ``doubts``: what has to be settled before the tables are loaded; ``acknowledged``: what the job
+    acknowledges of it. ``judged``: by whom the files
     of this control were read.
     """
     return {
         "schema": SCHEMA,
         "format": format_id,
         "doubts": findings_outside(doubts),
+        "acknowledged": acknowledged_outside(acknowledged),
         "axes": {name: _axis(axis, judged) for name, axis in axes.items()},
         "cross": [cross_outside(entry) for entry in cross],
         "circles": {name: circle_outside(circle) for name, circle in (circles or {}).items()},
@@ -57,6 +61,13 @@ def findings_outside(findings: Iterable[Finding]) -> list[dict[str, str]]:
     return [
         {"code": finding.code, "severity": finding.severity, "message": finding.message}
         for finding in findings
+    ]
+
+
+def acknowledged_outside(acknowledged: Iterable[Acknowledged]) -> list[dict[str, str]]:
+    """Return the doubts that a job acknowledges, with its reasons."""
+    return [
+        {**findings_outside([each.finding])[0], "reason": each.by.reason} for each in acknowledged
     ]
 
 
@@ -98,8 +109,13 @@ def circle_values(result: CircularResult) -> dict[str, float | None]:
         name: None if value is None else settled_number(value * MICROMETRES_PER_MILLIMETRE, OUTSIDE)
         for name, value in result.parameters.items()
     }
-    effects = {} if result.diagnosis is None else result.diagnosis.effects
-    causes = {name: settled_number(effect.value, OUTSIDE) for name, effect in effects.items()}
+    if result.diagnosis is None:
+        return values
+    not_given = result.diagnosis.not_given
+    causes = {
+        name: None if name in not_given else settled_number(effect.value, OUTSIDE)
+        for name, effect in result.diagnosis.effects.items()
+    }
     return {**values, **causes}
 
 

@@ -74,7 +74,7 @@ def _circle(result: Mapping[str, Any]) -> dict[str, Any]:
         },
         "squareness": (
             None
-            if squareness is None
+            if squareness is None or squareness["value"] is None
             else {key: squareness[key] for key in ("value", "std_error", "unit")}
         ),
     }

@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from compwright.documents.decode import finding_documents
 from compwright.documents.prediction import (
+    acknowledged_outside,
     circle_quantiles,
     circle_values,
     parameters_outside,
@@ -19,6 +20,8 @@ from compwright.foundations.findings import Finding, doubts_of
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularResult
+from compwright.records.correction_need import MOST_UNCERTAIN
+from compwright.records.job import Acknowledged
 from compwright.records.prediction import AcceptDecision, CirclePrediction, Decision, Quantiles
 from compwright.records.result import ExpandedUncertainty, PositioningResult
 
@@ -40,7 +43,8 @@ class ExpectedMeans:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedAxis:
     """What ``verify`` found on one axis. ``loading`` holds the keys of the contract; ``accept`` in
-    µm or arcsec; ``guard``: U of what is predicted, where the job decides guarded and U is known.
+    µm or arcsec; ``acknowledged``: doubts that the job acknowledges; ``guard``: U of what is
+    predicted, where the job decides guarded and U is known.
     """
 
     before: PositioningResult
@@ -49,24 +53,32 @@ class VerifiedAxis:
     after: PositioningResult
     loading: Mapping[str, Any]
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
+    acknowledged: tuple[Acknowledged, ...] = ()
     guard: Mapping[str, ExpandedUncertainty] | None = None
     findings: tuple[Finding, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class SquarenessCheck:
-    """Squareness after loading, µm/m: the value, what the plan expects, and the uncertainty (k = 2)
-    of their difference.
+    """Squareness after loading, µm/m: the value (None where the test does not determine it), what
+    the plan expects, the uncertainty (k = 2) of their difference, and how much was corrected.
     """
 
-    value: float
+    value: float | None
     expected: float
     U: float
+    corrected: float
 
     @property
     def decision(self) -> Decision:
-        """accept where the difference lies within its uncertainty, else reject."""
-        return "accept" if abs(self.value - self.expected) <= self.U else "reject"
+        """reject where the difference exceeds its uncertainty; accept where the test would also
+        show that the correction is missing; else undecided.
+        """
+        if self.value is None:
+            return "undecided"
+        if abs(self.value - self.expected) > self.U:
+            return "reject"
+        return "accept" if min(abs(self.corrected), MOST_UNCERTAIN) > self.U else "undecided"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -98,11 +110,30 @@ def verification_document(
         "schema": SCHEMA,
         "format": format_id,
         "doubts": finding_documents(doubts_of([*general, *of_axes])),
+        "acknowledged": acknowledged_outside(
+            each for axis in axes.values() for each in axis.acknowledged
+        ),
         "axes": {name: _axis(axis) for name, axis in axes.items()},
         "circles": {name: _circle(circle) for name, circle in (circles or {}).items()},
         "findings": finding_documents(general),
         "verdict": verdict,
+        "headline": _headline(axes, verdict),
     }
+
+
+def _headline(
+    axes: Mapping[str, VerifiedAxis], verdict: Literal["good", "bad", "undecided"]
+) -> str:
+    """Return the verdict in words; of limits only where there are any."""
+    if verdict == "bad":
+        return "Bad: see the axes below"
+    if verdict == "undecided":
+        return "Undecided: the tests do not tell"
+    without = [name for name, axis in axes.items() if not axis.accept]
+    if len(without) == len(axes):
+        return f"Table{'s' * (len(axes) > 1)} active. No limits given."
+    none = f" (no limits given for {', '.join(without)})" if without else ""
+    return f"Good: the tables act and the limits are met{none}"
 
 
 def _axis(axis: VerifiedAxis) -> dict[str, Any]:

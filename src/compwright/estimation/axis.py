@@ -5,6 +5,7 @@ Model (units mm or deg, deviation = measured minus target, d = +1 or -1 the appr
     y(x, d) = f(x) + d r(x) / 2 + l(x) + datum and slope of the test + noise
     f = offset + slope x + smooth part (Matérn 5/2) + harmonics 1 and 2 of each known period
     r = constant + slope and smooth part of one common scale (the reversal, mean(+) - mean(-))
+    f also steps between two targets where the means clearly show a jump (`jumps`)
     l = local part: repeats at the same target, independent from target to target (what neither of
     the others describes)
 
@@ -35,6 +36,7 @@ from compwright.estimation.cells import (
     visible_periods,
 )
 from compwright.estimation.evidence import Weights
+from compwright.estimation.hidden_periods import HiddenPeriods, hidden_periods
 from compwright.estimation.model import Part, Periods, Travel, basis_of
 from compwright.estimation.observed import ObservedTest
 from compwright.estimation.own_slopes import slope_findings
@@ -84,6 +86,12 @@ class AxisPosterior:
     periods: tuple[AxisPeriod, ...]
     search: PeriodSearch
 
+    @property
+    def hidden(self) -> HiddenPeriods:
+        """The periods that the targets cannot show."""
+        known = any(each.source == "job" for each in self.periods)
+        return hidden_periods(self.cells.targets, self.kind, self.search, known=known)
+
     def summary(self, positions: FloatArray) -> ErrorEstimate:
         """Return mean and standard deviation of the deviation at ``positions`` (g,) strictly
         ascending, mm or deg.
@@ -98,7 +106,10 @@ class AxisPosterior:
         mean, std = [], []
         for line, mine, variance in zip(self.cells.line_at(where), means, variances, strict=True):
             mean.append(settled(line + scale * mine.mean(axis=0)))
-            std.append(settled(scale * np.sqrt(variance + mine.var(axis=0))))
+            square = scale**2 * (variance + mine.var(axis=0))
+            for jump in self.cells.jumps:
+                square = square + jump.variance(where)
+            std.append(settled(np.sqrt(square)))
         return ErrorEstimate(
             kind=self.kind,
             positions=where,
@@ -166,9 +177,13 @@ class AxisPosterior:
                 for into, rows in zip((positive, negative), design, strict=True):
                     into[mine] = curve @ rows.T + local
         scale = self.cells.data.scale
+        steps = sum(jump.drawn(unique, count, rng) for jump in self.cells.jumps)
+        half: FloatArray | float = 0.0
+        if self.cells.rough_reversal:
+            half = rng.normal(0.0, self.cells.rough_reversal, (count, unique.size))
         return Draws(
-            positive=(line[0] + scale * positive)[:, back],
-            negative=(line[1] + scale * negative)[:, back],
+            positive=(line[0] + scale * positive + steps + half)[:, back],
+            negative=(line[1] + scale * negative + steps - half)[:, back],
             noise=self._noise(noises[owner], owner, test),
         )
 
@@ -252,6 +267,7 @@ def estimate_axis(
         ),
         reversal_log_odds=settled_number(odds, LOGARITHM),
         findings=(
+            *(jump.finding(kind) for jump in cells.jumps if jump.named),
             *findings_of(cells, travel if turn is None else None, periods, shown, kind),
             *period_findings(search, cells.targets, kind, shown, known.periods, nodes),
             *unseen_findings(unseen_periods(middles, smooth, known.periods, told), told, kind),

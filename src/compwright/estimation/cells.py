@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from compwright.estimation.basis import HARMONICS, folded, hidden_share
 from compwright.estimation.evidence import CellData
+from compwright.estimation.jumps import Jump, jumps_of
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed import CellMeans, ObservedTest, cell_means
 from compwright.estimation.own_lines import own_columns
@@ -28,6 +29,12 @@ LEAST_NOISE: Final = {AxisKind.LINEAR: 1e-5, AxisKind.ROTARY: 1e-6}
 #: From this share on a period counts as hidden: less than 30 % of its amplitude shows in the worse
 #: phase.
 HIDDEN: Final = 0.7
+#: So many second differences tell the roughness of the reversal.
+_LEAST_DIFFERENCES: Final = 5
+#: Median of the absolute value of a standard normal number.
+_MEDIAN_SHARE: Final = 0.6745
+#: Roughness up to so many times the variance of the means is taken for noise.
+_BEYOND_NOISE: Final = 10.0
 _SEED: Final = 202  # by it the noise of one test is paired with that of another
 
 
@@ -40,8 +47,10 @@ class Cells:
     scatter about the straight line. ``noises``: by test, the noise of a fresh one like it, as much
     of it for each draw of ``data``, in their order; ``donor``: the draws of the first whose noise
     is known, None for none. ``slopes``: by test, the
-    column of its own slope in ``data.extra``, None for none. ``repeated``: there are readings of
-    one cell in one test.
+    column of its own slope in ``data.extra``, None for none. ``jumps``: steps of the error, taken
+    out with the line. ``repeated``: there are readings of
+    one cell in one test. ``rough_reversal``: standard deviation, mm or deg, by which half the
+    reversal differs from target to target.
     """
 
     targets: FloatArray
@@ -57,12 +66,17 @@ class Cells:
     noises: tuple[NoiseDraws | None, ...]
     donor: NoiseDraws | None
     slopes: tuple[int | None, ...]
+    jumps: tuple[Jump, ...] = ()
+    rough_reversal: float = 0.0
 
     def line_at(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return what was taken out (k,) at ``positions`` for the two directions, mm or deg: line
-        of the first test +- half the mean reversal mean(+) - mean(-) (ISO 230-2:1997, 2.14).
+        of the first test, jumps, +- half the mean reversal mean(+) - mean(-) (ISO 230-2:1997,
+        2.14).
         """
         line = self.offset + self.slope * (positions - self.targets[0])
+        for jump in self.jumps:
+            line = line + jump.ramp(positions)
         return line + 0.5 * self.reversal, line - 0.5 * self.reversal
 
     def seats(self, positions: FloatArray) -> NDArray[np.intp]:
@@ -83,7 +97,9 @@ def _same(positions: FloatArray) -> float:
     return 1e-9 * max(1.0, float(np.max(np.abs(positions), initial=0.0)))
 
 
-def cells_of(tests: Sequence[ObservedTest], *, endless: bool = False) -> Cells:
+def cells_of(
+    tests: Sequence[ObservedTest], *, endless: bool = False, stepped: bool = True
+) -> Cells:
     """Return means, counts and spread of the tests of an axis; an ``endless`` axis has no slope.
 
     Means as in ISO 230-2:1997, 2.10; the spread pools the squares about the means of all targets
@@ -112,6 +128,8 @@ def cells_of(tests: Sequence[ObservedTest], *, endless: bool = False) -> Cells:
             )
         )
     line = _line(parts, targets, endless=endless)
+    if stepped and not endless:
+        line = _with_jumps(parts, targets, line, LEAST_NOISE[tests[0].test.kind])
     return _stacked(tests, parts, targets, line, noises, donor)
 
 
@@ -131,11 +149,14 @@ def _distinct(positions: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, slots=True)
 class _Line:
-    """Straight line of all tests: a datum each, one slope, one mean reversal; mm or deg."""
+    """Straight line of all tests: a datum each, one slope, one mean reversal; mm or deg; and the
+    ``jumps``.
+    """
 
     offsets: FloatArray
     slope: float
     reversal: float
+    jumps: tuple[Jump, ...] = ()
 
     def at(self, part: CellMeans, test: int, first: float) -> FloatArray:
         taken: FloatArray = (
@@ -143,7 +164,41 @@ class _Line:
             + self.slope * (part.positions - first)
             + 0.5 * self.reversal * part.signs
         )
+        for jump in self.jumps:
+            taken = taken + jump.ramp(part.positions)
         return taken
+
+
+def _with_jumps(
+    parts: Sequence[CellMeans], targets: FloatArray, line: _Line, least: float
+) -> _Line:
+    """Return the line with the jumps that the means of the targets show beside it: the line is then
+    that of what the jumps leave.
+    """
+    places = np.concatenate([part.positions for part in parts])
+    seats = np.clip(np.searchsorted(targets, places + _same(targets)) - 1, 0, None)
+    lefts = [part.means - line.at(part, k, float(targets[0])) for k, part in enumerate(parts)]
+    left = np.concatenate(lefts)
+    rough = np.median(np.abs(np.diff(left, 2))) / np.sqrt(6.0) if left.size > 2 else 0.0
+    variances = np.concatenate(
+        [
+            np.full(part.counts.size, rough**2)
+            if part.inferred
+            else np.mean(1.0 / np.maximum(part.precision, 1e-300), axis=0)
+            for part in parts
+        ]
+    )
+    weights = 1.0 / np.maximum(variances, least**2)
+    total = np.bincount(seats, weights)
+    means = np.bincount(seats, weights * left) / total
+    jumps = jumps_of(targets, means, 1.0 / np.sqrt(total))
+    if not jumps:
+        return line
+    bare = [
+        replace(part, means=part.means - sum(jump.ramp(part.positions) for jump in jumps))
+        for part in parts
+    ]
+    return replace(_line(bare, targets, endless=False), jumps=jumps)
 
 
 def _line(parts: Sequence[CellMeans], targets: FloatArray, *, endless: bool) -> _Line:
@@ -176,6 +231,21 @@ def _reversals(part: CellMeans) -> FloatArray:
     )
     difference: FloatArray = part.means[up][mine] - part.means[down][theirs]
     return difference
+
+
+def _rough_reversal(part: CellMeans) -> float:
+    """Return by how much the mean of a cell (variance, mm² or deg²) differs from a smooth reversal.
+
+    Differences from target to target that noise does not explain (median of the second differences;
+    Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986) would make the smooth reversal of the
+    estimate swing between the targets.
+    """
+    second = np.diff(_reversals(part), 2)
+    if part.inferred or second.size < _LEAST_DIFFERENCES:
+        return 0.0
+    # Variance of a second difference of independent values: 1 + 4 + 1. A reversal has two means.
+    each = (float(np.median(np.abs(second))) / _MEDIAN_SHARE) ** 2 / 6.0 / 2.0
+    return max(0.0, each - _BEYOND_NOISE * float(np.median(1.0 / part.precision)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,7 +296,16 @@ def _stacked(
     order = np.lexsort((-signs, seats))
     counts = np.concatenate([part.counts for part in parts])
     known = np.concatenate([np.full(part.counts.size, not part.inferred) for part in parts])
-    precision = np.hstack([part.precision for part in parts]) * scale**2
+    rough = [_rough_reversal(part) for part in parts]
+    precision = (
+        np.hstack(
+            [
+                part.precision / (1.0 + more * part.precision)
+                for part, more in zip(parts, rough, strict=True)
+            ]
+        )
+        * scale**2
+    )
     own = own_columns(tests, parts, targets, scale)
     data = CellData(
         seats=seats[order],
@@ -252,11 +331,13 @@ def _stacked(
         offset=float(line.offsets[0]),
         slope=line.slope,
         reversal=line.reversal,
+        jumps=line.jumps,
         spread=max(sizes.spread / scale, floor),
         roughness=sizes.roughness / scale,
         readings=int(np.sum(counts)),
         bidirectional=bool(np.any(signs > 0) and np.any(signs < 0)),
         repeated=sizes.dof > 0.0,
+        rough_reversal=float(np.sqrt(max(rough) / 2.0)),
         noises=noises,
         donor=donor,
         slopes=own.slopes,

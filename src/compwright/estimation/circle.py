@@ -30,6 +30,7 @@ from compwright.estimation.circle_fit import (
 from compwright.estimation.circle_lag import Lag, common_lag, corrected
 from compwright.estimation.circle_model import AXES, Samples, samples_of
 from compwright.estimation.circle_noise import grid_of
+from compwright.estimation.circle_path import undetermined_causes
 from compwright.estimation.circle_plain import plain_regression
 from compwright.estimation.circle_report import effects_of
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -70,7 +71,8 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
         samples = corrected(samples, lag)
         findings.append(_lag_finding(samples, lag))
     fitted, found = _fitted(problem_of(samples, grid), frequencies)
-    effects, correlation, noticed = effects_of(test, samples, fitted, found)
+    undetermined = undetermined_causes(test, samples)
+    effects, correlation, noticed = effects_of(test, samples, fitted, found, undetermined)
     return Diagnosis(
         effects=effects,
         plain={name: plain[name] for name in effects if name in plain},
@@ -79,6 +81,7 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
         residual=float(np.sqrt(np.mean(fitted.residual**2))),
         correlation_length=float(np.mean([spectrum.length for spectrum in fitted.spectra])),
         findings=(*findings, *noticed),
+        undetermined={name: why for name, why in undetermined.items() if name in effects},
     )
 
 

@@ -5,7 +5,7 @@ said about them. Standard errors follow the law of propagation, gradient' covari
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from dataclasses import dataclass
 from typing import Final
 
@@ -48,12 +48,13 @@ class _Cause:
 
 
 def effects_of(
-    test: CircularTest, samples: Samples, fitted: Fit, found: Search
+    test: CircularTest, samples: Samples, fitted: Fit, found: Search, undetermined: Container[str]
 ) -> tuple[dict[str, CircularEffect], FloatArray, tuple[Finding, ...]]:
     """Return effects by name, their correlation in that order, and findings.
 
     The effects of details (each end of a lost motion, scale errors beside the mismatch) are parts
-    of causes that count already: shares are over the sum of the causes, each counted once. Standard
+    of causes that count already: shares are over the sum of the causes, each counted once; causes
+    that are ``undetermined`` have no share. Standard
     errors and correlation by JCGM 100:2008, eq. 13 and 14; ``low`` is the lower end of a one-sided
     95 % interval.
     """
@@ -69,14 +70,15 @@ def effects_of(
     ranges = (
         _ranges(samples, np.array([cause.curve for cause in causes])) * MICROMETRES_PER_MILLIMETRE
     )
-    total = float(np.sum(ranges[[not cause.detail for cause in causes]]))
+    counted = [not cause.detail and cause.name not in undetermined for cause in causes]
+    total = float(np.sum(ranges[counted]))
     effects = {
         cause.name: CircularEffect(
             value=cause.value,
             std_error=float(error),
             unit=UNITS.get(cause.name, "um"),
             effect=float(size),
-            share=float(size / total) if total > 0.0 else 0.0,
+            share=float(size / total) if total > 0.0 and cause.name not in undetermined else 0.0,
             low=max(0.0, cause.value - _ONE_SIDED * float(error)) if cause.positive else None,
         )
         for cause, error, size in zip(causes, errors, ranges, strict=True)

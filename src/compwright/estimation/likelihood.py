@@ -42,12 +42,16 @@ def log_likelihood(
     constant that depends on its targets and counts alone. Raises InputError for readings at fewer
     than two targets.
     """
-    cells = cells_of([observed], endless=travel.turn is not None)
+    endless = travel.turn is not None
+    stepped = cells_of([observed], endless=endless)
+    # A jump that is only taken out would cost nothing: whatever looks torn would be as likely.
+    cells = cells_of([observed], endless=endless, stepped=False) if stepped.jumps else stepped
+    torn = sum(float(np.log1p(jump.odds)) for jump in stepped.jumps)
     if shape is not None:
         cells = _with(cells, observed, shape)
     drawn = _fitted(cells, travel, periods).drawn
     free = cells.data.signs.size - (_FREE_LINES if cells.bidirectional else _FREE_LINES - 1)
-    return drawn.log_evidence - free * float(np.log(cells.data.scale))
+    return torn + drawn.log_evidence - free * float(np.log(cells.data.scale))
 
 
 def smooth_part(observed: ObservedTest, travel: Travel) -> tuple[FloatArray, FloatArray]:

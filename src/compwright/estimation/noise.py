@@ -11,12 +11,13 @@ Pattern Anal. 6, 1984), with everything normal integrated out where its size is 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
 
-from compwright.estimation.noise_cells import cell_means
+from compwright.estimation.noise_cells import cell_means, means_of_all
 from compwright.estimation.noise_chain import WAYS, Chain, Draw
 from compwright.estimation.noise_findings import noise_findings
 from compwright.estimation.noise_patterns import RATES
@@ -24,12 +25,15 @@ from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.noise_readings import Readings, readings_of
 from compwright.estimation.noise_rounding import rounded_stds
 from compwright.estimation.noise_tails import REACH, TAILS
+from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
-from compwright.records.noise import IndexArray, NoiseDraws
+from compwright.records.noise import WALK, IndexArray, NoiseDraws
 from compwright.records.positioning import PositioningTest
 
 #: Below this many contrasts the noise is left to the estimate of the curve.
 LEAST_DOF: Final = 10
+#: Runs from which the noise is estimated at most.
+_MOST_RUNS: Final = 20
 _SEED: Final = 3
 _SETTLING: Final = 24  # sweeps that are thrown away
 _DRAWS: Final = 48  # kept, of twice as many sweeps
@@ -41,10 +45,12 @@ def noise_of(test: PositioningTest) -> NoisePosterior | None:
 
     The same test gives the same posterior. Model and sources: module docstring.
     """
-    readings = readings_of(test)
-    if readings.dof < LEAST_DOF:
+    every = readings_of(test)
+    if every.dof < LEAST_DOF:
         return None
-    chain = Chain(test, readings, np.random.default_rng(_SEED))
+    chosen = _thinned(test)
+    readings = every if chosen is test else readings_of(chosen)
+    chain = Chain(chosen, readings, np.random.default_rng(_SEED))
     for _ in range(_SETTLING):
         chain.sweep()
     sweeps = [chain.sweep() for _ in range(2 * _DRAWS)]
@@ -53,22 +59,69 @@ def noise_of(test: PositioningTest) -> NoisePosterior | None:
     # Of two beside each other one, in turn the lower and the upper: kept draws reach as far as all.
     kept = pairs[np.arange(_DRAWS), np.arange(_DRAWS) % 2]
     cells = [cell_means(sweeps[k], readings, chain.shapes, chain.step) for k in kept]
+    if chosen is not test:
+        cells = [
+            means_of_all(cell, sweeps[k], chain.shapes, readings, every)
+            for cell, k in zip(cells, kept, strict=True)
+        ]
     sigma = _as_shown(np.array([draw.sigma for draw in sweeps])[kept], chain.step)
     tail = np.array([draw.tail for draw in sweeps])[kept]
     # Fresh tests cost next to nothing: they follow both, and each of the two in several ways.
+    used = [sweeps[k] for k in kept]
     both, way = np.tile(pairs, WAYS).ravel(), np.tile(np.repeat(np.arange(WAYS), 2), _DRAWS)
+    again = [sweeps[k] for k in both]
     reached = _as_shown(np.array([draw.sigmas for draw in sweeps])[both, way], chain.step)
     tails = np.array([draw.tails for draw in sweeps])[both, way]
     return NoisePosterior(
-        draws=_noise(readings, [sweeps[k] for k in kept], tail, sigma),
-        fresh=_noise(readings, [sweeps[k] for k in both], tails, reached),
+        draws=_noise(readings, used, tail, sigma, np.array([draw.size[:2] for draw in used])),
+        fresh=_noise(readings, again, tails, reached, _repeated(again, readings, every)),
         mean=np.array([cell.mean for cell in cells]),
         precision=np.array([cell.precision for cell in cells]),
         columns=np.array([cell.columns for cell in cells]),
         sigma=float(np.exp(np.mean(np.log(sigma)))),
         dof=float(readings.dof),
-        findings=noise_findings(test, readings, sweeps),
+        findings=(
+            *_thinning(test, readings),
+            *noise_findings(chosen, readings, sweeps, chain.step),
+        ),
     )
+
+
+def _thinned(test: PositioningTest) -> PositioningTest:
+    """Return the test with `_MOST_RUNS` of its runs, evenly over it, the first and the last with
+    them; itself where it has no more. The time of a sweep grows with the third power of the runs.
+    """
+    blocks = test.positive, test.negative
+    if max(block.shape[1] for block in blocks) <= _MOST_RUNS:
+        return test
+    kept = [
+        np.unique(np.linspace(0, runs - 1, min(runs, _MOST_RUNS)).round().astype(int))
+        if (runs := block.shape[1])
+        else np.zeros(0, dtype=int)
+        for block in blocks
+    ]
+    numbers = [
+        tuple(told[k] for k in some if k < len(told))
+        for told, some in zip((test.runs_positive, test.runs_negative), kept, strict=True)
+    ]
+    return replace(
+        test,
+        positive=test.positive[:, kept[0]],
+        negative=test.negative[:, kept[1]],
+        runs_positive=numbers[0],
+        runs_negative=numbers[1],
+    )
+
+
+def _thinning(test: PositioningTest, readings: Readings) -> Iterator[Finding]:
+    runs = max(test.positive.shape[1], test.negative.shape[1])
+    if readings.runs < runs:
+        yield Finding(
+            "CW-E031",
+            "info",
+            f"The noise is estimated from {readings.runs} of {runs} runs, evenly spaced over the"
+            " test; the means use all runs",
+        )
 
 
 def _as_shown(sigma: FloatArray, step: float) -> FloatArray:
@@ -76,15 +129,27 @@ def _as_shown(sigma: FloatArray, step: float) -> FloatArray:
     return rounded_stds(sigma, step) if step else sigma
 
 
+def _repeated(draws: Sequence[Draw], readings: Readings, every: Readings) -> FloatArray:
+    """Return offset and tilt (count, 2) of repeated tests; a walk has its steps between ``every``
+    run.
+    """
+    sizes = np.array([draw.again for draw in draws])
+    sizes[[draw.pattern == WALK for draw in draws]] *= np.sqrt(readings.runs / every.runs)
+    return sizes
+
+
 def _noise(
-    readings: Readings, draws: Sequence[Draw], members: IndexArray, sigma: FloatArray
+    readings: Readings,
+    draws: Sequence[Draw],
+    members: IndexArray,
+    sigma: FloatArray,
+    sizes: FloatArray,
 ) -> NoiseDraws:
     """Return the noise of the ``draws`` with errors of the scales ``sigma`` (count,), which follow
-    the ``members`` (count,) of `TAILS`.
+    the ``members`` (count,) of `TAILS`, and traverses moved by ``sizes`` (count, 2).
     """
     tails = [TAILS[member] for member in members]
     spread = np.array([draw.spread for draw in draws])
-    sizes = np.array([draw.size for draw in draws])
     drift = np.array([draw.drift for draw in draws])
     return NoiseDraws(
         centre=readings.centre,

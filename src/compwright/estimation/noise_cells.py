@@ -23,6 +23,8 @@ _PLACES: Final = (0.0, 1.0, 0.5, 0.25)
 #: scales of a reading.
 _ABOUT: Final = 6
 _AWAY: Final = np.linspace(-3.0, 3.0, 13)
+#: Densities that are worked out at once: 4 MB.
+_AT_ONCE: Final = 500_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +68,42 @@ def cell_means(draw: Draw, readings: Readings, shapes: FloatArray, step: float) 
     )
 
 
+def means_of_all(
+    cells: CellMeans, draw: Draw, shapes: FloatArray, readings: Readings, every: Readings
+) -> CellMeans:
+    """Return what ``every`` reading says of the cells under a draw of the noise that comes from
+    some of the runs (``readings``): the means of all, known better by as much as they are more.
+    What moves the other traverses is not known one by one and stays common to the means.
+    """
+    there = np.any(every.there, axis=1)
+    count = np.maximum(np.sum(every.there, axis=1), 1)
+    more = np.maximum(count / np.maximum(np.sum(readings.there, axis=1), 1), 1.0)
+    mean = np.sum(every.values, axis=1) / count
+    if KINDS[draw.tail] != NORMAL:
+        scale = draw.sigma * np.exp(draw.spread @ shapes)
+        mean[there] = located(
+            TAILS[draw.tail], every.values[there], every.there[there], scale[there]
+        )[0]
+    return CellMeans(
+        mean=np.where(there, mean, 0.0),
+        precision=cells.precision * more,
+        columns=cells.columns / np.sqrt(more)[:, np.newaxis],
+    )
+
+
 def located(
+    tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Return mean and variance (c,) as `_located` does, of a few cells at a time."""
+    at_once = max(1, _AT_ONCE // (min(_ABOUT, values.shape[1]) * _AWAY.size * values.shape[1]))
+    parts = [
+        _located(tail, values[part], there[part], scale[part])
+        for part in (slice(k, k + at_once) for k in range(0, scale.size, at_once))
+    ]
+    return np.concatenate([mean for mean, _ in parts]), np.concatenate([one for _, one in parts])
+
+
+def _located(
     tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Return mean and variance (c,) of the place of each cell, given its readings ``values`` (c, n)

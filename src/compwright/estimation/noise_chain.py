@@ -18,8 +18,15 @@ from compwright.estimation.noise_readings import (
     Reduced,
     at_traverses,
     reduced,
+    without_lines,
 )
-from compwright.estimation.noise_rounding import draw_unrounded, spread_out, step_of
+from compwright.estimation.noise_rounding import (
+    COARSEST,
+    blurred,
+    draw_unrounded,
+    spread_out,
+    step_of,
+)
 from compwright.estimation.noise_spread import draw_spread, powers_of, shapes_of
 from compwright.estimation.noise_tails import TAILS, Latent, chances_of, draw_latent
 from compwright.estimation.noise_traverses import Traverses
@@ -43,11 +50,12 @@ class Draw:
 
     ``sigma``: scale of a reading before it is rounded; ``spread``: how its logarithm follows
     direction and waves; ``tail``: place in `TAILS`; ``size`` (4,), ``pattern``, ``pace``, ``moved``
-    (q,), ``rate``: of the traverses (`Sizes`), of whose offsets a ``share`` is there; ``drift``
-    (2,). ``effects`` (k,) of the traverses, drift included, and their ``covariance`` given ``data``
-    of unit weight ``variance``. ``tails``, ``sigmas`` (`WAYS`,): members and scales
-    that were as likely as ``tail`` with its own. ``absent``, ``absent_spread``, ``tail_chances``:
-    how probable each part was nothing, or each tail was the one; ``outlier`` (c, n): taken for one.
+    (q,), ``rate``: of the traverses (`Sizes`), of whose offsets a ``share`` is there; ``again``
+    (2,): offset and tilt of a repeated test, at least what they were in this one; ``drift`` (2,).
+    ``effects`` (k,) of the traverses, drift included, and their ``covariance`` given ``data`` of
+    unit weight ``variance``. ``tails``, ``sigmas`` (`WAYS`,): members and scales that were as
+    likely as ``tail`` with its own. ``absent``, ``absent_spread``, ``tail_chances``: how probable
+    each part was nothing, or each tail was the one; ``outlier`` (c, n): taken for one.
     """
 
     sigma: float
@@ -60,6 +68,7 @@ class Draw:
     moved: BoolArray
     share: float
     size: FloatArray
+    again: FloatArray
     drift: FloatArray
     rate: int
     effects: FloatArray
@@ -79,6 +88,8 @@ class Chain:
         self.readings, self.rng = readings, rng
         self.runs = test.positive.shape[1], test.negative.shape[1]
         self.patterns = patterns_of(readings, test.cycle, self.runs)
+        m = readings.there.shape[0] // 2
+        self.made = np.any(readings.there.reshape(2, m, -1), axis=1)
         self.shapes = shapes_of(readings)
         self.powers = powers_of(self.shapes)
         self.floor = LEAST_NOISE[test.kind]
@@ -92,9 +103,14 @@ class Chain:
         never = np.zeros(readings.there.shape)
         self.latent = Latent(readings.there.astype(np.float64), never, readings.there & False)
         self.sigma, residuals = self._start()
-        self.step = step_of(readings, self.sigma)
-        if self.step:
-            self.values = spread_out(readings, self.step, self.sigma, rng)
+        left = without_lines(readings, residuals)
+        self.step = step_of(readings, left, self.sigma, COARSEST[test.kind])
+        self.values = (
+            spread_out(readings, self.step, self.sigma, rng)
+            if self.step
+            else blurred(readings, left, self.floor, rng)
+        )
+        if self.values is not readings.values:
             self.sigma, residuals = self._start()
         self.tail_chances = np.zeros(len(TAILS))
         self._take_tail(residuals / self.sigma)
@@ -132,6 +148,7 @@ class Chain:
         drift = traverses.draw_drift(self.sizes, variance, rng)
         mean, covariance = traverses.effects(self.sizes, drift)
         drifting = self.patterns.columns(self.sizes.rate) @ drift
+        share = self._share()
         draw = Draw(
             sigma=float(np.sqrt(variance)),
             spread=self.spread.copy(),
@@ -141,8 +158,9 @@ class Chain:
             pattern=self.sizes.pattern,
             pace=self.sizes.pace,
             moved=self.sizes.moved,
-            share=self._share(),
+            share=share,
             size=self.sizes.size * np.sqrt(variance),
+            again=self.patterns.at_least(self.sizes, mean, variance, share, self.made),
             drift=drift,
             rate=self.sizes.rate,
             effects=mean + drifting,
@@ -168,7 +186,7 @@ class Chain:
         """Return ``data`` with the means of the readings as they were read, less the ``shift`` (c,
         n) of outliers: a drawn place between two numbers would stand for the mean of its cell.
         """
-        if not self.step:
+        if self.values is self.readings.values:
             return data
         total = np.maximum(data.weights, 1e-300)
         return replace(data, means=np.sum(weights * (self.readings.values - shift), axis=1) / total)

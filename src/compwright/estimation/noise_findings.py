@@ -21,7 +21,7 @@ from compwright.foundations.numerals import significant
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import FloatArray
 from compwright.records.noise import INDEPENDENT, RUNS, WALK, WAVE, IndexArray
-from compwright.records.positioning import PositioningTest
+from compwright.records.positioning import SAME_READING, PositioningTest
 
 #: Odds from which something is said: "strong" evidence (Kass and Raftery, J. Am. Stat. Assoc. 90,
 #: 1995, section 3.2).
@@ -54,14 +54,34 @@ _AIR: Final = "look at the air of the hall (heating, cooling, drafts, sun)"
 
 
 def noise_findings(
-    test: PositioningTest, readings: Readings, draws: Sequence[Draw]
+    test: PositioningTest, readings: Readings, draws: Sequence[Draw], step: float
 ) -> tuple[Finding, ...]:
-    """Return what ``draws`` of the noise of ``test`` clearly show beside white noise."""
+    """Return what ``draws`` of the noise of ``test`` clearly show beside white noise; ``step``, mm
+    or deg: to which its instrument rounds, 0 where that changes nothing.
+    """
     return (
+        *_coarse(test, readings, step),
         *_drifts(test, draws),
         *_traverses(test, draws),
         *_tails(test, readings, draws),
         *_places(test, readings, draws),
+    )
+
+
+def _coarse(test: PositioningTest, readings: Readings, step: float) -> Iterator[Finding]:
+    if not step:
+        return
+    counts = np.sum(readings.there, axis=1)
+    means = np.sum(readings.values, axis=1) / np.maximum(counts, 1)
+    about = np.abs(readings.values - means[:, np.newaxis])[readings.there]
+    repeated = not np.any(about > SAME_READING)
+    why = "every target repeats one reading, and " if repeated else ""
+    yield Finding(
+        "CW-E029",
+        "warning" if repeated else "info",
+        f"Assumed resolution of the instrument: {_text(step, test)} ({why}all readings lie on this"
+        " step). The true error may differ from each mean by half a step. If the instrument"
+        " resolves more, export its readings with all digits and evaluate again",
     )
 
 

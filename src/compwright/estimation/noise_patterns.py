@@ -85,15 +85,46 @@ class Patterns:
 
     def covariance(self, sizes: Sizes) -> FloatArray:
         """Return that of offsets and tilts (k, k), in variances of a reading."""
-        if sizes.form < WAVE:
-            there = self.moves[sizes.form, sizes.moved]
-            offset = there.T @ there
-        else:
-            offset = self.waves[sizes.form - WAVE]
+        offset = self.offset_of(sizes.form, sizes.moved)
         total: FloatArray = (
             sizes.size[OFFSET] ** 2 * offset + sizes.size[TILT] ** 2 * self.tilt[sizes.form]
         )
         return total
+
+    def offset_of(self, form: int, moved: BoolArray) -> FloatArray:
+        """Return the covariance (k, k) of offsets of unit size, of which ``moved`` (q,) are there
+        where they are no wave.
+        """
+        if form >= WAVE:
+            return np.asarray(self.waves[form - WAVE])
+        there = self.moves[form, moved]
+        return np.asarray(there.T @ there)
+
+    def at_least(
+        self, sizes: Sizes, effects: FloatArray, variance: float, share: float, made: BoolArray
+    ) -> FloatArray:
+        """Return offset and tilt (2,) in the unit of the readings, whose squares of unit weight are
+        worth ``variance``: those of ``sizes``, or what the ``effects`` (k,) of the traverses that
+        were ``made`` (2, n) show about their mean by direction, whichever is larger; 0 where there
+        is none. ``share`` of the offsets are there.
+        """
+        found: FloatArray = sizes.size[:DRIFT] * np.sqrt(variance)
+        forms = self.offset_of(sizes.form, np.ones_like(sizes.moved)), self.tilt[sizes.form]
+        parts = effects.reshape(2, 2, -1)
+        for kind, (unit, part) in enumerate(zip(forms, (share, 1.0), strict=True)):
+            if found[kind] == 0.0:
+                continue
+            shown = expected = 0.0
+            for way, there in enumerate(made):
+                if np.any(there):
+                    own = parts[way, kind, there]
+                    place = (2 * way + kind) * there.size + np.flatnonzero(there)
+                    block = unit[np.ix_(place, place)]
+                    shown += float(np.sum((own - np.mean(own)) ** 2))
+                    expected += float(np.trace(block) - np.mean(block) * own.size)
+            if shown > found[kind] ** 2 * part * expected > 0.0:
+                found[kind] = np.sqrt(shown / (part * expected))
+        return found
 
     def columns(self, rate: int) -> FloatArray:
         """Return what the two drifts do to the effects (k, 2), from the first run to the last."""

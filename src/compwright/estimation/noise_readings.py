@@ -135,3 +135,21 @@ def reduced(readings: Readings, values: FloatArray, weights: FloatArray) -> Redu
         weights=total,
         shares=shares,
     )
+
+
+def without_lines(readings: Readings, residuals: FloatArray) -> FloatArray:
+    """Return ``residuals`` (c, n) less the straight line of each traverse (least squares); 0 where
+    there is no reading.
+    """
+    m = readings.u.size // 2
+    left = np.zeros(residuals.shape)
+    for rows in (slice(0, m), slice(m, 2 * m)):
+        for run in range(readings.runs):
+            there = readings.there[rows, run]
+            if np.count_nonzero(there) < 3:
+                continue
+            columns = np.column_stack([np.ones(there.sum()), readings.u[rows][there]])
+            values = residuals[rows, run][there]
+            line = np.linalg.lstsq(columns, values, rcond=None)[0]
+            left[rows, run][there] = values - columns @ line
+    return left

@@ -10,17 +10,26 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.noise_readings import Readings
-from compwright.records.axis import FloatArray
+from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.positioning import SAME_READING
 
+#: Coarsest step of an instrument that tests an axis, mm and deg: 20 µm, 18 arcsec.
+COARSEST: Final = {AxisKind.LINEAR: 0.02, AxisKind.ROTARY: 0.005}
 #: A step below this part of the scatter changes nothing (variance of rounding: step² / 12).
 _COARSE: Final = 0.4
 #: Differences are whole steps if they are so to this part of a step.
 _WHOLE: Final = 0.02
+#: Scatter that is believed at least: of the differences between traverses, of the largest reading
+#: (the digits that a number has), of the scatter in the other direction.
+_LEAST_SHARE: Final = 0.01
+_LEAST_PART: Final = 1e-9
+_LEAST_SIDE: Final = 0.2
 _PARTS: Final = 16
 #: Values before rounding are drawn from so many scales on either side of their middle.
 _REACH: Final = 4.0
 _PHASES: Final = 12
+#: Readings scatter by this part of a step at least, even where all of a cell are the same number.
+_LEAST_ROUNDED: Final = 0.01
 #: Scatter that is tried, in steps: from hardly any on.
 _QUIET: Final = 0.03
 _TRIED: Final = 16
@@ -30,16 +39,19 @@ _APART: Final = 0.08
 _ORDERS: Final = 100
 
 
-def step_of(readings: Readings, scatter: float) -> float:
+def step_of(readings: Readings, residuals: FloatArray, scatter: float, coarsest: float) -> float:
     """Return the step of the readings, mm or deg, where it is coarse against their ``scatter``; 0
-    where it is not, or where differences within cells (between them, where all within are nothing)
-    are no whole steps.
+    where it is not, where it is above ``coarsest``, or where differences within cells (between
+    them, where all within are nothing) are no whole steps. Traverses that are shifted as a whole,
+    so that ``residuals`` (c, n) without cells and traverses are nothing, show no step.
     """
     there = readings.there
     first = np.argmax(there, axis=1)
     away = readings.values - readings.values[np.arange(first.size), first][:, np.newaxis]
     sizes = np.abs(away[there])
     sizes = sizes[sizes > SAME_READING]
+    if sizes.size and not np.any(np.abs(residuals) > SAME_READING):
+        return 0.0
     if not sizes.size:  # every cell repeats one number: cells beside each other show the step
         sizes = np.abs(readings.values[there] - readings.values[there][0])
         sizes = sizes[sizes > SAME_READING]
@@ -48,7 +60,39 @@ def step_of(readings: Readings, scatter: float) -> float:
     step = float(np.min(sizes))
     counts = sizes / step
     whole = np.abs(counts - np.round(counts)) <= _WHOLE * np.maximum(1.0, 0.02 * counts)
-    return step if step > _COARSE * scatter and bool(np.all(whole)) else 0.0
+    return step if _COARSE * scatter < step <= coarsest and bool(np.all(whole)) else 0.0
+
+
+def blurred(
+    readings: Readings, residuals: FloatArray, least: float, rng: np.random.Generator
+) -> FloatArray:
+    """Return the values (c, n) with normal scatter added in each direction whose ``residuals``
+    (c, n), the readings less cells and traverses, show less than can be believed: ``least`` (mm or
+    deg), `_LEAST_SHARE` of what the traverses differ, `_LEAST_SIDE` of the scatter in the other
+    direction. The values themselves, where both directions show as much.
+
+    All sizes of the noise are in units of this scatter: without any they would have no unit.
+    """
+    there, half = readings.there, readings.there.shape[0] // 2
+    counts = np.maximum(np.sum(there, axis=1, keepdims=True), 1)
+    means = np.sum(readings.values, axis=1, keepdims=True) / counts
+    moved = readings.values - means - residuals
+    most = float(np.max(np.abs(readings.values), initial=0.0))
+    floor = max(least, _LEAST_SHARE * _rms(moved[there]), _LEAST_PART * most)
+    values = readings.values
+    for own, other in ((slice(0, half), slice(half, None)), (slice(half, None), slice(0, half))):
+        beside = np.abs(residuals[other][there[other]])
+        usual = 1.5 * float(np.median(beside)) if beside.size else 0.0  # outliers do not count
+        wanted = max(floor, _LEAST_SIDE * usual)
+        if np.any(there[own]) and _rms(residuals[own][there[own]]) < wanted:
+            added = np.zeros(there.shape)
+            added[own] = wanted * rng.standard_normal(there[own].shape)
+            values = values + np.where(there, added, 0.0)
+    return values
+
+
+def _rms(values: FloatArray) -> float:
+    return float(np.sqrt(np.mean(values**2)))
 
 
 def rounded_std(sigma: float, step: float) -> float:
@@ -66,7 +110,8 @@ def rounded_std(sigma: float, step: float) -> float:
     edges = np.zeros((_PHASES, 1)), np.ones((_PHASES, 1))
     chances = np.diff(np.hstack([edges[0], below, edges[1]]), axis=1)
     means = chances @ numbers
-    return step * float(np.sqrt(np.mean(chances @ numbers**2 - means**2)))
+    square = float(np.mean(chances @ numbers**2 - means**2))
+    return step * float(np.sqrt(max(square, _LEAST_ROUNDED**2)))
 
 
 def rounded_stds(sigmas: FloatArray, step: float) -> FloatArray:

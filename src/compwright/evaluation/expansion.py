@@ -74,9 +74,7 @@ def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> Po
                 message="the thermal expansion was already removed from this test", file=test.name
             )
         )
-    per_mm = 1e-6 * (
-        thermal.alpha_m * (thermal.T_m - 20.0) - thermal.alpha_d * (thermal.T_d - 20.0)
-    )
+    per_mm = thermal.slope
     expansion = ((test.targets - thermal.x_fix) * per_mm)[:, np.newaxis]
     finding = Finding(
         _CODE,

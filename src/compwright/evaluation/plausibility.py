@@ -160,14 +160,22 @@ def _other_unit(test: PositioningTest) -> str:
     )
 
 
-def _turned(test: PositioningTest) -> list[Finding]:
-    """CW-T032: a mean reversal value above zero."""
+def reversal_above_zero(test: PositioningTest) -> float:
+    """Return the mean reversal value in mm or deg where it is above zero by more than is usual,
+    else 0.
+    """
     reversal = mean_deviation(test.positive) - mean_deviation(test.negative)
     known = reversal[np.isfinite(reversal)]
     if known.size < 2:
-        return []
+        return 0.0
     mean, error = float(np.mean(known)), float(np.std(known, ddof=1) / np.sqrt(known.size))
-    if mean <= max(_TURNED[test.kind], _SURE * error):
+    return mean if mean > max(_TURNED[test.kind], _SURE * error) else 0.0
+
+
+def _turned(test: PositioningTest) -> list[Finding]:
+    """CW-T032: a mean reversal value above zero."""
+    mean = reversal_above_zero(test)
+    if not mean:
         return []
     return [
         Finding(

@@ -49,7 +49,7 @@ def same_error_findings(tests: dict[str, list[PositioningTest]]) -> list[Finding
             " was measured for both, or one file given for the other. A table made from the test of"
             " another axis makes its error larger. Which axis moved in each test?"
         )
-        found.append(Finding("CW-T037", "warning", message))
+        found.append(Finding("CW-T037", "warning", message, (one, other)))
     return found
 
 

@@ -32,7 +32,7 @@ def noted_changes(entries: Sequence[HistoryEntry]) -> list[NotedChange]:
     found = []
     for place, entry in enumerate(entries):
         for parameter in JUDGED:
-            earlier = _last_comparable(entries[:place], entry, parameter)
+            earlier = _last_comparable(entries, place, parameter)
             if earlier is None:
                 continue
             change, undeclared = _compared(entries[earlier], entry, parameter)
@@ -55,11 +55,9 @@ def noted_changes(entries: Sequence[HistoryEntry]) -> list[NotedChange]:
     return found
 
 
-def _last_comparable(
-    earlier: Sequence[HistoryEntry], entry: HistoryEntry, parameter: str
-) -> int | None:
-    for place in reversed(range(len(earlier))):
-        if _comparable(earlier[place], entry, parameter):
+def _last_comparable(entries: Sequence[HistoryEntry], of: int, parameter: str) -> int | None:
+    for place in reversed(range(of)):
+        if _comparable(entries[place], entries[of], parameter):
             return place
     return None
 

@@ -5,6 +5,7 @@ or its increments.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Final
 
 import numpy as np
 
@@ -16,6 +17,8 @@ from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable
 
+#: What is cut off, in quanta or noises of a reading (rms), from which on nothing is fitted.
+_FAR: Final = 2.0
 _HELP = {
     "value range": "correct the axis mechanically, or in its gear and scale parameters, first",
     "largest increment": "a smaller spacing would help",
@@ -44,6 +47,28 @@ def beyond_limits(
                 expected=_held(limit.cause, capacity, factor, unit),
                 found=f"a correction that spans {_span(wanted) * factor:.4g} {unit}",
             )
+
+
+def far_beyond(wanted: WantedCorrection, capacity: Capacity) -> Iterator[Fault]:
+    """Yield a fault where so much of what is ``wanted`` lies outside of the value range that no
+    table is worth the time of a search.
+    """
+    if capacity.line is not None:
+        return
+    factor, unit = outside_factor(wanted.kind.unit), shown_unit(wanted.kind.unit)
+    home = wanted.total(wanted.reference_return)
+    zero = float(np.interp(wanted.reference, wanted.positions, home))
+    cut_off = home - zero - np.clip(home - zero, *capacity.value_range)
+    if float(np.sqrt(np.mean(cut_off**2))) > _FAR * max(capacity.quantum, wanted.noise):
+        yield Fault(
+            message=(
+                "the correction is far beyond what the control holds (value range):"
+                f" {_HELP['value range']}"
+            ),
+            place="table",
+            expected=_held("value range", capacity, factor, unit),
+            found=f"a correction that spans {_span(wanted) * factor:.4g} {unit}",
+        )
 
 
 def _held(cause: str, capacity: Capacity, factor: float, unit: str) -> str:

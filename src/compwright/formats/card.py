@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.schema import Definition, Measure
 from compwright.formats.definition.statements import field_names, print_form
 from compwright.formats.families.card_words import CURVES, REFERENCING, UNKNOWN, file_names
 from compwright.formats.text.addresses import normal_address
@@ -46,8 +46,8 @@ def card_steps_of_all(
     """Return the steps for these axes, in the order of the definition.
 
     The values of each axis fill the fields of the text (see `card_values`); a missing one reads
-    "(not known)". What is the same for all axes stands once; where short values differ, they stand
-    in a table with a row per axis.
+    "(not known)"; a step without any text is left out. What is the same for all axes stands once;
+    where short values differ, they stand in a table with a row per axis.
     """
     known = [{**axis_values(definition, axis), **values} for axis, values in axes]
     return tuple(
@@ -58,6 +58,7 @@ def card_steps_of_all(
                 [rule.two_curves if of.get(CURVES) == "2" else rule.text for of in known], known
             ),
         )
+        if text.strip()
     )
 
 
@@ -107,11 +108,24 @@ def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
         "reference_return": axis.reference_return.value,
         "unit": axis.kind.unit,
         "gantry": gantry_words(axis),
+        "archive": "",
         "emptied": "",
+        "others": "",
+        "others_back": "",
         "woken": "",
         "referencing": REFERENCING[axis.encoder.type],
         **files,
     }
+
+
+def typed_backlash(definition: Definition, axis: Axis, values: Mapping[str, str]) -> str:
+    """Return the backlash as the control's parameter with its number and unit; empty where the
+    control has none. ``values``: as of `card_steps`.
+    """
+    rule = definition.bindings.get("backlash")
+    if not isinstance(rule, Measure) or not rule.typed or not values:
+        return ""
+    return print_form(rule.typed, {**axis_values(definition, axis), **values})
 
 
 def gantry_words(axis: Axis) -> str:
@@ -122,7 +136,8 @@ def gantry_words(axis: Axis) -> str:
             " the leading axis alone racks the bridge. Name its synchronised axis in the job"
             " (gantry), so that it gets the same table."
         )
+    own = " It has values of its own." if axis.gantry_table == "change" else ""
     return (
         f"Axis {axis.name} leads a gantry: do every step for the synchronised axis {axis.gantry}"
-        " too, before anything moves. A table on the leading axis alone racks the bridge."
+        f" too, before anything moves.{own} A table on the leading axis alone racks the bridge."
     )

@@ -50,7 +50,7 @@ _TOP = (
 )
 #: Keys that may be missing: of some shapes only, where what needs them says so (`consistency`); and
 #: what `verify` then says only as far as it holds for every control.
-_MAY_LACK = ("parameters", "look_at")
+_MAY_LACK = ("parameters", "look_at", "aliases")
 
 
 def load_definition(

@@ -14,41 +14,85 @@ from typing import Final, Literal
 
 Severity = Literal["info", "warning", "error"]
 
-#: Findings that put the whole result in doubt. Terminal, report and card show them before
-#: everything else (`doubts_of`), because whoever loads the table or signs the verdict has to settle
-#: them first.
-DOUBTS: Final = frozenset(
-    {
-        *("CW-R008", "CW-R009", "CW-R010", "CW-R011", "CW-T007", "CW-T011"),
-        *("CW-R055", "CW-R056", "CW-R058"),
-        *("CW-P131", "CW-P153", "CW-P154", "CW-P160"),
-        *("CW-T030", "CW-T031", "CW-T032", "CW-T033", "CW-T034", "CW-T035", "CW-T036"),
-        *("CW-E003", "CW-E010", "CW-E011", "CW-S005", "CW-S018", "CW-S045"),
-        *("CW-S060", "CW-S061"),
-        *("CW-V020", "CW-V021", "CW-V022", "CW-V023", "CW-V024", "CW-V025", "CW-V026", "CW-V027"),
-        "CW-V028",
-    }
-)
+#: What each code means for a decision, by its number without ``CW-``; ``docs/findings.md`` shows
+#: the same in its column "doubt". A doubt is about a measurement or the state of a control: nothing
+#: is decided about its axis until the job acknowledges it. A result (of a verification, of a circle
+#: that gets worse, of who read the files) stands first as well, and cannot be acknowledged. All
+#: others are remarks.
+_DOUBTS: Final = """
+    R007 R008 R009 R010 R011 R012 R014 R015 R032 R034 R035 R036 R050 R051 R053 R055 R056 R058
+    R063 R064 T007 T011 T030 T031 T032 T033 T034 T035 T036 T037 C006 C013 S001 S002 S005 S006
+    S008 S018 S031 S033 S034 S038 S043 S045 S046 S052 S056 S071 E003 E010 E011 E030 P153 P154
+    P160 P161
+"""
+_RESULTS: Final = "P131 S060 S061 V020 V021 V022 V023 V024 V025 V026 V027 V028"
+_REMARKS: Final = """
+    R001 R002 R003 R004 R005 R006 R013 R030 R031 R033 R037 R038 R039 R052 R054 R057 R059 R060
+    R061 R062 T001 T002 T003 T004 T005 T006 T008 T009 T010 T012 T013 T014 T015 T016 T020 T021
+    T022 T023 T024 T025 T026 T027 C001 C002 C003 C004 C005 C007 C008 C009 C010 C011 C012 J001
+    J002 J003 J004 J020 J021 S003 S004 S007 S009 S010 S011 S012 S013 S014 S015 S016 S017 S019
+    S030 S032 S035 S036 S037 S040 S041 S042 S044 S047 S048 S049 S050 S051 S053 S054 S055 S057
+    S062 S070 S072 S080 S081 S082 S083 S084 S085 S086 E001 E002 E004 E012 E013 E014 E015 E016
+    E020 E021 E022 E023 E024 E025 E026 E027 E028 E029 E031 D001 D002 D003 D004 D005 D006
+    D007 D008 D009 D010 D011 F001 F002 F003 F004 F005 F006 F007 F008 F009 F010 F011 P001 P101
+    P102 P103 P104 P105 P106 P107 P108 P109 P110 P111 P112 P113 P114 P115 P116 P117 P118 P119
+    P120 P130 P132 P133 P140 P141 P142 P143 P144 P150 P151 P152 P155 P156 V001 V010 V011 V030
+    V031
+"""
+
+
+def _codes(numbers: str) -> frozenset[str]:
+    return frozenset(f"CW-{number}" for number in numbers.split())
+
+
+DOUBTS: Final = _codes(_DOUBTS)
+RESULTS: Final = _codes(_RESULTS)
+REMARKS: Final = _codes(_REMARKS)
 #: How the doubts are headed, the same at the terminal, in reports and on the card.
-DOUBTS_FIRST: Final = "Settle first: the result rests on it"
+DOUBTS_FIRST: Final = "Check first: the result depends on it"
+#: What stands before the reason of a doubt that the job acknowledges.
+ACKNOWLEDGED: Final = "Acknowledged in the job"
 
 
 @dataclass(frozen=True, slots=True)
 class Finding:
     """Something that the user should know. ``code`` is stable across versions; ``message`` is one
-    plain sentence.
+    plain sentence. ``axes``: those that it is about, where it is not about all: by name, in the
+    control's files by address.
     """
 
     code: str
     severity: Severity
     message: str
+    axes: tuple[str, ...] = ()
+
+    @property
+    def is_doubt(self) -> bool:
+        """Whether nothing may be decided until this is clear or acknowledged; no info is."""
+        return self.code in DOUBTS and self.severity != "info"
+
+
+def next_step(codes: Iterable[str]) -> str:
+    """Return what to do about the doubts among findings that stand first, by their ``codes``; empty
+    where there is none.
+    """
+    doubts = [code for code in dict.fromkeys(codes) if code in DOUBTS]
+    if not doubts:
+        return ""
+    answers = ", ".join(f"{code}: reason" for code in doubts)
+    return (
+        "Nothing is decided until this is clear. Correct the test or the job and run again, or give"
+        f" the reason why it is right in the job: acknowledged: {{{answers}}}"
+    )
 
 
 def doubts_of(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Return those of ``findings`` that have to be settled before the result is used, each once,
-    the errors first; no infos.
+    """Return those of ``findings`` that stand first, doubts and results, each once, the errors
+    first; no infos.
     """
     told = dict.fromkeys(
-        finding for finding in findings if finding.code in DOUBTS and finding.severity != "info"
+        finding
+        for finding in findings
+        if finding.code in DOUBTS | RESULTS and finding.severity != "info"
     )
     return tuple(sorted(told, key=lambda finding: finding.severity != "error"))

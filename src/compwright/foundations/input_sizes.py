@@ -13,23 +13,47 @@ from typing import Final
 @dataclass(frozen=True, slots=True)
 class InputKind:
     """``name`` stands in messages; ``most_bytes``: so many bytes a file of this kind has at
-    most.
+    most. ``help``: where the right file comes from, for a file that is of another kind.
     """
 
     name: str
     most_bytes: int
+    help: str = ""
 
 
 #: A million readings in the form that writes most beside each (target data) have 40 MB.
-MEASUREMENT: Final = InputKind("a measurement file", 64_000_000)
-CONTROL: Final = InputKind("a file of a control", 64_000_000)
-#: Read by people, written by hand: job, definition, profile, virtual machine.
-YAML: Final = InputKind("a YAML file", 1_000_000)
+MEASUREMENT: Final = InputKind(
+    "a measurement file", 64_000_000, "the file that the instrument wrote"
+)
+CONTROL: Final = InputKind(
+    "a file of a control", 64_000_000, "a file that the control wrote, or loads"
+)
+#: A file of a control in a folder that was named: what is no statement of it is left out.
+IN_FOLDER: Final = InputKind(CONTROL.name, CONTROL.most_bytes)
+#: Read by people, written by hand.
+_YAML: Final = 1_000_000
+JOB: Final = InputKind(
+    "a job file",
+    _YAML,
+    "the JOB.yaml that was run (a copy is in inputs/ of its results), or a new one: compwright new",
+)
+PROFILE: Final = InputKind(
+    "a mapping profile", _YAML, "what compwright profile FILE --out P.yaml writes"
+)
+MACHINE: Final = InputKind(
+    "a virtual machine", _YAML, "a machine.yaml as docs/simulation.md describes it"
+)
+DEFINITION: Final = InputKind(
+    "a definition of a control",
+    _YAML,
+    "an id of compwright formats list, or a file as docs/formats.md describes it",
+)
 #: Keys and values of one: a long job has some thousand.
 MOST_YAML_WORDS: Final = 40_000
 MOST_YAML_LEVELS: Final = 50
 #: Plan, record, prediction: they carry files of controls and every target.
 JSON: Final = InputKind("a JSON file of compwright", 128_000_000)
+PLAN: Final = InputKind("a plan", JSON.most_bytes, "plan.json in the results of compwright run")
 #: What is copied or compared as it is.
 ANY: Final = InputKind("a file", 128_000_000)
 

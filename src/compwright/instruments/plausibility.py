@@ -21,7 +21,8 @@ Codes of this room:
 - ``CW-R050`` warning: targets approached in one direction only were left out
 - ``CW-R051`` warning: the file may have been cut off inside its last number
 - ``CW-R052`` info: what lies beside the measurements in a folder was skipped
-- ``CW-R053`` warning: the file holds less than it promises, or does not end as its form does
+- ``CW-R053`` warning: the file holds less than it promises, or does not end as its form does, or a
+  fifth of its readings is missing
 - ``CW-R054`` warning: runs of exact zeros were left out as a way back that was not made
 - ``CW-R055`` warning: the way back was told by the number of its runs alone
 - ``CW-R056`` warning: angles without a unit were taken as microradian
@@ -41,7 +42,7 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.instruments.assembling import Grid, as_text
-from compwright.instruments.reading_findings import missing_finding
+from compwright.instruments.reading_findings import cut_finding, missing_finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
 
 #: Plausible deviations lie between these, in mm or deg: outside, the unit is probably not the one
@@ -56,6 +57,8 @@ _SLOPE_TOLERANCE = 0.05
 _NEAR_SHARE = 0.1
 #: A run of nothing but zeros is no surprise where one test in twenty or more shows one by chance.
 _CHANCE = 0.05
+#: From this share of missing readings on, rows were lost: a beam that is cut takes single readings.
+_CUT_SHARE = 0.2
 _LISTED = 5
 
 
@@ -64,7 +67,7 @@ def findings_of(grid: Grid, kind: AxisKind) -> tuple[Finding, ...]:
     return tuple(
         finding
         for finding in (
-            _missing(grid, kind),
+            *_missing(grid, kind),
             _one_sided(grid),
             _unequal_traverses(grid),
             _as_measured(grid, kind) or _too_large(grid, kind),
@@ -80,16 +83,20 @@ def _all_deviations(grid: Grid) -> FloatArray:
     return np.hstack([grid.deviations[direction] for direction in Direction])
 
 
-def _missing(grid: Grid, kind: AxisKind) -> Finding | None:
+def _missing(grid: Grid, kind: AxisKind) -> list[Finding]:
     gaps = [
         f"{as_text(grid.targets[row])} {kind.unit} in run {direction}{grid.runs[direction][column]}"
         for direction in Direction
         for row, column in np.argwhere(np.isnan(grid.deviations[direction]))
     ]
     if not gaps:
-        return None
+        return []
     total = _all_deviations(grid).size
-    return missing_finding(f"{len(gaps)} of {total} readings are missing: {_list(gaps)}.")
+    found = [missing_finding(f"{len(gaps)} of {total} readings are missing: {_list(gaps)}.")]
+    if len(gaps) >= _CUT_SHARE * total:
+        share = f"{len(gaps) / total:.0%} of the readings are missing"
+        found.append(cut_finding(f"{share}: the file may have been cut off, or rows were lost."))
+    return found
 
 
 def _one_sided(grid: Grid) -> Finding | None:

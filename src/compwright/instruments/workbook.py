@@ -16,6 +16,7 @@ from itertools import repeat
 from typing import Any, Final
 
 from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.extras import installing
 from compwright.foundations.input_sizes import (
     MOST_SHEET_CELLS,
     MOST_SHEET_PLACES,
@@ -63,10 +64,9 @@ def sheets_of(content: bytes, file: str) -> tuple[Sheet, ...]:
     except ImportError as error:
         raise InputError(
             Fault(
-                message="is an Excel workbook, which needs the excel extra: pip install"
-                " compwright[excel]",
+                message="is an Excel workbook, which needs the package openpyxl: save the sheet as"
+                f" CSV UTF-8, or {installing('excel')}",
                 file=file,
-                expected="openpyxl, or the sheet saved as CSV UTF-8",
             )
         ) from error
     try:

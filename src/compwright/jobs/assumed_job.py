@@ -51,10 +51,13 @@ class _Line:
     source: str = ""
 
 
-def assumed_of(data: Mapping[str, Any]) -> tuple[Assumption, ...]:
-    """Return what the options of ``run`` left to be assumed of axis, test and job."""
+def assumed_of(data: Mapping[str, Any], by_files: Mapping[str, object]) -> tuple[Assumption, ...]:
+    """Return what the options of ``run`` left to be assumed of axis, test and job; ``by_files``:
+    keys of the axis that the control's files answered.
+    """
     ((axis, section),) = data["axes"].items()
-    named = [(f"axis {axis}: {key}", value, what) for key, value, what in _left_out(section)]
+    left = _left_out(section, by_files)
+    named = [(f"axis {axis}: {key}", value, what) for key, value, what in left]
     named += [(f"test: {key}", value, what) for key, value, what in _OF_TEST]
     named += list(_OF_JOB)
     return tuple(
@@ -63,17 +66,28 @@ def assumed_of(data: Mapping[str, Any]) -> tuple[Assumption, ...]:
     )
 
 
-def _left_out(section: Mapping[str, Any]) -> Iterator[tuple[str, object, str]]:
+def _left_out(
+    section: Mapping[str, Any], by_files: Mapping[str, object]
+) -> Iterator[tuple[str, object, str]]:
     for key, value, what in _OF_AXIS:
         if key not in section and not (key == "programmed" and section.get("kind") == "rotary"):
-            yield key, value, what
+            known = key in by_files
+            yield (
+                key,
+                by_files.get(key, value),
+                f"{what}; from the control's files" if known else what,
+            )
 
 
 def assumed_job(
-    data: Mapping[str, Any], options: Mapping[str, object], assumed: Sequence[Assumption]
+    data: Mapping[str, Any],
+    options: Mapping[str, object],
+    assumed: Sequence[Assumption],
+    by_files: Mapping[str, object],
 ) -> str:
     """Return the job file of a run without one. ``data``: what its command line said, in the form
-    of a job; ``options``: every option of the control, settled; ``assumed``: what a run lists.
+    of a job; ``options``: every option of the control, settled; ``assumed``: what a run lists;
+    ``by_files``: as of `assumed_of`.
     """
     ((axis, section),) = data["axes"].items()
     left = [entry for entry in assumed if entry.fact.startswith(_OPTION)]
@@ -88,7 +102,7 @@ def assumed_job(
         *_states(data),
         _Line("axes:"),
         _Line(f"  {word(axis)}:", "--axis"),
-        *_axis(section, axis),
+        *_axis(section, axis, by_files),
         *(_Line(f"{key}: {flow(value)}", f"assumed: {what}") for key, value, what in _OF_JOB),
         *(
             _Line(f"# assumed beside these: {entry.fact} = {entry.value}", entry.evidence)
@@ -148,14 +162,14 @@ def _said(key: str) -> str:
     )
 
 
-def _axis(section: Mapping[str, Any], name: str) -> Iterator[_Line]:
+def _axis(section: Mapping[str, Any], name: str, by_files: Mapping[str, object]) -> Iterator[_Line]:
     yield _Line(f"    travel: {flow(section['travel'])}", "--travel: machine coordinates")
     if "address" not in section:
         yield _Line(f"    address: {flow(name)}", "assumed: the control calls the axis so too")
     for key, value in section.items():
         if key not in ("travel", "before"):
             yield _Line(f"    {key}: {flow(value)}", _said(key))
-    for key, value, what in _left_out(section):
+    for key, value, what in _left_out(section, by_files):
         yield _Line(f"    {key}: {flow(value)}", f"assumed: {what}")
     yield from (_Line(f"#     {line}") for line in _OPEN if line.partition(":")[0] not in section)
     yield _Line("    before:")

@@ -174,3 +174,22 @@ def _option(place: str, axis: str) -> str:
         if re.match(rf"{re.escape(start)}($|[.\[])", place):
             return option
     return "--axis" if place.startswith("axes") else place
+
+
+def stated_activity(options: dict[str, object]) -> bool | None:
+    """Take ``active`` out of options and return what it says. Raises UsageError for anything but
+    yes and no.
+    """
+    text = options.pop(ACTIVE, None)
+    words = {None: None, "yes": True, "true": True, "no": False, "false": False}
+    word = text if text is None else str(text).lower()
+    if word not in words:
+        raise UsageError(
+            Fault(
+                message="is no answer",
+                place=f"--option {ACTIVE}",
+                expected="yes or no",
+                found=repr(text),
+            )
+        )
+    return words[word]

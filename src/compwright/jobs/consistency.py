@@ -8,14 +8,15 @@ the wrong type is the schema's to report and is passed over here.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from compwright.foundations.findings import DOUBTS, REMARKS, RESULTS
 from compwright.foundations.plain_names import PLAIN_NAME, is_plain_name
 from compwright.foundations.yaml_reader import KeyPath
 from compwright.jobs.axis_consistency import axis_contradictions, implausible
 from compwright.jobs.between_axes import applied, circles, cross_measurements
-from compwright.jobs.faults import shown, too_large
+from compwright.jobs.faults import shown, suggestion, too_large
 from compwright.jobs.plain_data import Contradiction, list_of, mapping_of, repeated_files
 from compwright.records.job import AS_FOUND
 
@@ -46,6 +47,7 @@ def contradictions(data: Mapping[str, Any]) -> list[Contradiction]:
         *_untested(data),
         *circles(data.get("circles"), names),
         *cross_measurements(data.get("cross"), data.get("axes"), names),
+        *_acknowledged(data.get("acknowledged"), list(mapping_of(data.get("axes")))),
     ]
     return [*found, *applied(data.get("apply"))]
 
@@ -107,7 +109,8 @@ def _addresses(axes: Any) -> Iterator[Contradiction]:
                 "another address",
                 shown(address),
             )
-        if str(section.get("gantry")) == str(address):
+        gantry = section.get("gantry")
+        if str(mapping_of(gantry).get("axis", gantry)) == str(address):
             yield Contradiction(
                 ("axes", name, "gantry"),
                 "is the axis itself",
@@ -132,3 +135,27 @@ def _untested(data: Mapping[str, Any]) -> Iterator[Contradiction]:
                 "at least 1 in the list, or a test under circles or cross",
                 "an empty list",
             )
+
+
+def _acknowledged(section: Any, axes: Sequence[str]) -> Iterator[Contradiction]:
+    """Only a doubt can be acknowledged, and only of an axis that exists."""
+    for code, value in mapping_of(section).items():
+        path: KeyPath = ("acknowledged", code)
+        if code in REMARKS | RESULTS:
+            yield Contradiction(
+                path,
+                "is no doubt: it keeps no decision open, and needs no acknowledgement",
+                "a code that stands as a doubt in docs/findings.md, or the line left out",
+            )
+        elif code not in DOUBTS:
+            yield Contradiction(path, "is no finding", suggestion(code, DOUBTS))
+        for index, entry in enumerate(value if isinstance(value, list) else [value]):
+            axis = mapping_of(entry).get("axis")
+            if isinstance(axis, str | int) and str(axis) not in axes:
+                within = (*path, index) if isinstance(value, list) else path
+                yield Contradiction(
+                    (*within, "axis"),
+                    "names no axis of this job",
+                    suggestion(str(axis), axes),
+                    shown(axis),
+                )

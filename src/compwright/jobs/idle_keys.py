@@ -1,9 +1,11 @@
-"""What a job says of an axis that its control has no place for."""
+"""What a job says and nothing needs."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from compwright.foundations.findings import Finding
-from compwright.records.job import Job
+from compwright.records.job import Acknowledgement, Job
 
 
 def idle_keys(job: Job, *, systems: bool, numbers: bool, motions: bool) -> list[Finding]:
@@ -27,4 +29,17 @@ def idle_keys(job: Job, *, systems: bool, numbers: bool, motions: bool) -> list[
     return [
         Finding("CW-J020", "warning", f"{key} has no effect on this control ({job.format})")
         for key in keys
+    ]
+
+
+def unused_acknowledgements(unused: Iterable[Acknowledgement]) -> list[Finding]:
+    """Report each acknowledgement of a doubt that was not found."""
+    return [
+        Finding(
+            "CW-J021",
+            "warning",
+            f"acknowledged.{each.code} is not needed: nothing of the kind was found"
+            f"{f' on axis {each.axis}' if each.axis else ''}. Take it out of the job.",
+        )
+        for each in unused
     ]

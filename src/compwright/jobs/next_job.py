@@ -8,7 +8,7 @@ it: axes, options, wishes for the grid, uncertainty, expansion, limits.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -133,6 +133,8 @@ def next_job(data: Mapping[str, Any], then: NextRound) -> dict[str, Any]:
         for name, section in data["axes"].items()
         if name in then.axes
     }
+    if "acknowledged" in job:
+        job["acknowledged"] = dict(_acknowledged(job["acknowledged"], job["axes"]))
     if "uncertainty" in job:
         job["uncertainty"] = _uncertainty(job["uncertainty"], then.paths)
     if then.circles:
@@ -156,6 +158,18 @@ def _axis(section: Mapping[str, Any], then: NextAxis) -> dict[str, Any]:
     if table.get("spacing") == "auto":
         del table["spacing"]
     return {**axis, "table": {**table, "gain": "seen"}}
+
+
+def _acknowledged(section: Mapping[str, Any], axes: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """Yield what is acknowledged, as far as it is of axes that are still there."""
+    for code, given in section.items():
+        kept = [
+            entry
+            for entry in (given if isinstance(given, list) else [given])
+            if not isinstance(entry, dict) or entry.get("axis", "") in {"", *axes}
+        ]
+        if kept:
+            yield code, kept
 
 
 def _uncertainty(section: Mapping[str, Any], paths: Mapping[str, str]) -> dict[str, Any]:

@@ -34,6 +34,7 @@ from compwright.records.job import (
     AS_FOUND,
     NONE_STATE,
     Acceptance,
+    Acknowledgement,
     ApplyRequest,
     AxisJob,
     CircleRequest,
@@ -181,6 +182,11 @@ def job_of(section: JobSection, file: str) -> Job:
             if section.apply
             else ApplyRequest()
         ),
+        acknowledged=tuple(
+            Acknowledgement(code=code, reason=entry.reason, axis=entry.axis)
+            for code, entries in section.acknowledged.items()
+            for entry in entries
+        ),
         findings=findings,
     )
 
@@ -192,6 +198,7 @@ def _state(files: list[str]) -> tuple[str, ...]:
 def _axis_job(name: str, section: AxisSection, of_job: OwnThermalSection | None) -> AxisJob:
     low, high = section.travel
     thermal = (of_job, section.thermal) if section.kind == "linear" else ()
+    alone = section.gantry is not None and section.gantry.axis == NONE_WORD
     axis = Axis(
         name=name,
         kind=AxisKind(section.kind),
@@ -199,9 +206,11 @@ def _axis_job(name: str, section: AxisSection, of_job: OwnThermalSection | None)
         address=section.address or name,
         modulo=section.modulo if section.kind == "rotary" else None,
         axis_number=section.axis_number,
-        gantry=section.gantry,
-        reference=section.reference,
-        reference_return=Direction(section.reference_return),
+        gantry=None if alone or section.gantry is None else section.gantry.axis,
+        gantry_table=None if alone or section.gantry is None else section.gantry.table,
+        moves_alone=alone,
+        reference=section.reference or 0.0,
+        reference_return=Direction(section.reference_return or "+"),
         encoder=Encoder(
             type=section.encoder.type,
             system=int(section.encoder.system or 1),
@@ -218,6 +227,9 @@ def _axis_job(name: str, section: AxisSection, of_job: OwnThermalSection | None)
         table=TableRequest(**section.table.model_dump()),
         accept=_acceptance(section.accept),
         thermal=_thermal(*thermal),
+        stated=frozenset(
+            name for name in ("reference", "reference_return") if getattr(section, name) is not None
+        ),
     )
 
 
@@ -329,11 +341,33 @@ def _drifts(section: JobSection) -> dict[AxisKind, DriftRequest]:
 
 
 def _pending_findings(section: JobSection) -> list[Finding]:
-    """Say of every key on which nothing acts yet that it was read and does nothing."""
-    keys = []
-    if section.report.language != "en":
-        keys.append(f"report.language: {section.report.language}")
-    return [Finding("CW-J001", "warning", f"read, but not used yet: {key}") for key in keys]
+    """Say of every key on which nothing acts yet that it was read and does nothing; a limit that
+    nothing decides is an error.
+    """
+    keys = {
+        f"report.{name}": value
+        for name, value in section.report.model_dump(exclude_defaults=True).items()
+    }
+    if section.environment is not None:
+        keys["environment"] = section.environment
+    limits = [
+        f"circles[{index}].accept"
+        for index, circle in enumerate(section.circles)
+        if circle.accept is not None
+    ]
+    pending = "read, but not used yet"
+    return [
+        *(Finding("CW-J001", "warning", f"{pending}: {key}: {keys[key]}") for key in keys),
+        *(
+            Finding(
+                "CW-J001",
+                "error",
+                f"{pending}: {place}. Compare the circle's values with these limits yourself, and"
+                " take them out of the job",
+            )
+            for place in limits
+        ),
+    ]
 
 
 def _absent_axes(section: JobSection) -> list[Finding]:

@@ -46,6 +46,15 @@ def _named_file(value: Any) -> Any:
     return {"files": [value]} if isinstance(value, str) else value
 
 
+def _named_axis(value: Any) -> Any:
+    return value if isinstance(value, dict) else {"axis": value}
+
+
+def _acknowledgements(value: Any) -> Any:
+    """Accept a reason alone, one mapping, or several, one for each axis."""
+    return [{"reason": one} if isinstance(one, str) else one for one in _listed(value)]
+
+
 def _no_truth_value(value: Any) -> Any:
     """Keep ``true`` from passing for 1, which it equals."""
     if isinstance(value, bool):
@@ -181,6 +190,13 @@ class TableSection(Section):
     gain: Literal["any", "seen"] = "any"
 
 
+class GantrySection(Section):
+    """The synchronised axis, or the word none; what it gets where it has a table of its own."""
+
+    axis: Text
+    table: Literal["same", "change"] | None = None
+
+
 class AxisSection(Section):
     """One axis. ``accept`` (parameter names beside ``test``) and an empty ``before``: see
     `compwright.jobs.consistency`.
@@ -194,10 +210,10 @@ class AxisSection(Section):
     modulo: Positive | None = None
     address: Text | None = None
     axis_number: Annotated[int, Field(ge=1, le=99)] | None = None
-    gantry: Text | None = None
+    gantry: Annotated[GantrySection, BeforeValidator(_named_axis)] | None = None
     position_map: PositionMapSection = PositionMapSection()
-    reference: float = 0.0
-    reference_return: Sign = "+"
+    reference: float | None = None
+    reference_return: Sign | None = None
     encoder: EncoderSection = EncoderSection()
     programmed: Literal["radius", "diameter"] = "radius"
     screw_pitch: Annotated[list[Positive], BeforeValidator(_listed), Field(min_length=1)] | None = (
@@ -211,7 +227,7 @@ class AxisSection(Section):
 
 class CircleSection(Section):
     """One circular test: one file with both runs, or a file per run. ``centre`` in machine
-    coordinates, mm.
+    coordinates, mm; ``accept``: limits in µm by parameter.
     """
 
     file: Text | None = None
@@ -220,6 +236,7 @@ class CircleSection(Section):
     name: Text | None = None
     measured_in: Text = "as_found"
     centre: Annotated[list[float], Field(min_length=2, max_length=3)] | None = None
+    accept: Annotated[dict[str, Positive], Field(min_length=1)] | None = None
 
 
 class CrossSection(Section):
@@ -296,10 +313,22 @@ class ProvenSection(Section):
     how: Text
 
 
+class AcknowledgementSection(Section):
+    """Why a doubt does not count; ``axis``: for one axis only."""
+
+    reason: Text
+    axis: Text | None = None
+
+
 class ReportSection(Section):
-    """How reports are written."""
+    """How reports are written, and what stands at their head; ``logo``: a file."""
 
     language: Literal["en", "de", "fr", "ru"] = "en"
+    number: Text | None = None
+    customer: Text | None = None
+    operator: Text | None = None
+    place: Text | None = None
+    logo: Text | None = None
 
 
 class StateSection(Section):
@@ -324,7 +353,14 @@ class JobSection(Section):
     apply: ApplySection | None = None
     fixed_positions: dict[str, dict[str, float]] = {}
     uncertainty: UncertaintySection | None = None
+    environment: Text | None = None
     thermal: ThermalSection | None = None
+    acknowledged: dict[
+        str,
+        Annotated[
+            list[AcknowledgementSection], BeforeValidator(_acknowledgements), Field(min_length=1)
+        ],
+    ] = {}
     decision_rule: Literal["simple", "guarded"] = "simple"
     proven: list[ProvenSection] = []
     standard: Standard = "iso230-2:2014"

@@ -36,9 +36,12 @@ def job_text(
     options: Mapping[str, Prefilled],
     files: Sequence[str],
     axes: Sequence[AxisDraft],
+    *,
+    active: bool | None = None,
 ) -> str:
-    """Return a job file (schema version 1). Open values stand as empty keys, so that `run` asks for
-    them.
+    """Return a job file (schema version 1); ``active``: what is said of its state.
+
+    Open values stand as empty keys, so that `run` asks for them.
     """
     lines = [
         "compwright: 1",
@@ -49,11 +52,10 @@ def job_text(
     if options:
         lines.append("  options:")
         lines += [_line(4, name, entry) for name, entry in options.items()]
-    lines += [
-        "states:",
-        f"  as_found: {_plain(list(files))}   # what is in the control now",
-        "axes:",
-    ]
+    state = _plain(list(files))
+    if active is not None:
+        state = f"{{files: {state}, active: {'yes' if active else 'no'}}}"
+    lines += ["states:", f"  as_found: {state}   # what is in the control now", "axes:"]
     for axis in axes:
         lines.append(f"  {_plain(axis.name)}:")
         lines += [_line(4, name, entry) for name, entry in axis.values.items()]

@@ -18,14 +18,16 @@ from compwright.planning.declared import fresh_slope, with_slopes
 from compwright.planning.fresh import FreshTests, Like, fresh_tests
 from compwright.planning.guard import guard_bands
 from compwright.planning.limits import (
-    accept_decisions,
     accepted_index,
     check_limits,
     lacking_guard,
 )
-from compwright.planning.misread import misread_tests
+from compwright.planning.misread import misread_tests, with_known_backlash
 from compwright.planning.motions import with_backlash, with_motion
+from compwright.planning.never_applied import never_applied
+from compwright.planning.new_targets import decided
 from compwright.planning.outlook import predict, why_not_better, why_not_seen, yardstick
+from compwright.planning.practical_tables import Shown, practical_table
 from compwright.planning.scenarios import alike, gains, scenarios_of
 from compwright.planning.sharing import shared_fairly
 from compwright.planning.tables import fit_within, freely_chosen, offer
@@ -187,8 +189,12 @@ def start_axis(
     misread = misread_tests(tests, observed, axis, states)
     tests, posterior, contradicting = counted_together(tests, observed, axis, active)
     results = tuple(
-        evaluated(job, axis, result.test, told, beside) if told else result
-        for result, told, beside in zip(results, _told(posterior), others, strict=True)
+        with_known_backlash(
+            evaluated(job, axis, result.test, told, beside) if told else result, bare
+        )
+        for result, told, beside, bare in zip(
+            results, _told(posterior), others, observed, strict=True
+        )
     )
     check_coverage(job.file, axis, [each.test for each in tests if each.acted is not None])
     planned = PlannedAxis(
@@ -228,6 +234,7 @@ class _Fitted:
     table: FittedTable
     chosen: FittedTable | None
     beside: FittedTable | None
+    capacity: Capacity
 
 
 def fit_all(
@@ -265,7 +272,7 @@ def fit_all(
             continue
         fitted[name] = replace(
             works[name],
-            capacity=capacities[name],
+            capacity=found.capacity,
             planned=replace(
                 works[name].planned,
                 wanted=found.wanted,
@@ -296,7 +303,7 @@ def _fit(
     )
     try:
         expected = replace(request, goal="expected")
-        usual = fit_within(wanted, capacity, expected, axis)
+        capacity, usual = practical_table(wanted, capacity, expected, axis, _shown(work, rule))
         beside = None
         if request.goal != "expected":
             scenarios = scenarios_of(work.results[0], work.posterior, planned.estimate, axis)
@@ -304,12 +311,27 @@ def _fit(
             table = fit_within(judged, capacity, request, axis)
             if _pays(work, table, usual, rule):
                 chosen = freely_chosen(judged, capacity, request, table, axis)
-                return _Fitted(judged, request, table, chosen, usual)
+                return _Fitted(judged, request, table, chosen, usual, capacity)
             beside = table
         chosen = freely_chosen(wanted, capacity, expected, usual, axis)
     except CapacityError as error:
         return error
-    return _Fitted(wanted, expected, usual, chosen, beside)
+    return _Fitted(wanted, expected, usual, chosen, beside, capacity)
+
+
+def _shown(work: AxisWork, rule: Literal["simple", "guarded"]) -> Shown:
+    """Return what says what a fresh test like the first one of an axis shows with a table."""
+    drawn: list[FreshTests] = []
+    like = Like(0, fresh_slope(rule, work.planned.tests[0]))
+
+    def shown(table: FittedTable) -> TestPrediction:
+        if not drawn:
+            drawn.append(fresh_like_first(work, rule))
+        change = difference(table.compensation.at, work.active)
+        axis = work.planned.axis
+        return predict(work.results[0], work.posterior, change, axis, like, drawn[0])
+
+    return shown
 
 
 def _pays(
@@ -357,8 +379,10 @@ def predict_axis(
         _predicted_test(work, place, new, job, None if place else first)
         for place in range(len(work.results))
     )
-    folded = any(finding.code == "CW-E010" for finding in work.posterior.findings)
-    accept = accept_decisions(work.entry, tests, rule, folded=folded)
+    change = difference(new, work.active)
+    accept, undecided = decided(
+        work.entry, work.planned, work.results, work.posterior, change, rule, tests, first
+    )
     lacking = [
         name for name, entry in accept.items() if entry.rule == "guarded" and entry.U is None
     ]
@@ -368,7 +392,7 @@ def predict_axis(
         table=table,
         quantum=work.capacity.quantum if work.capacity is not None else None,
         accept=accept,
-        findings=(*work.findings, *guard, *_offered(work, tests, first, rule)),
+        findings=(*work.findings, *undecided, *guard, *_offered(work, tests, first, rule)),
         periods=work.posterior.own.periods,
         evidence=work.posterior.own.search.evidence(),
     )
@@ -445,6 +469,10 @@ def no_gain(work: AxisWork, new: Correction) -> str:
         drawn.quantiles(change, cured=("tails",), only=yardstick(first)) for change in changes
     )
     why = why_not_better(before, after, old, fresh)
+    fitted = work.planned.fitted
+    if why and fitted is not None:
+        stuck = never_applied(work.planned.axis, fitted.compensation)
+        why = "; ".join([why, *(finding.message for finding in stuck)])
     if why or work.planned.request.gain == "any":
         return why
     return why_not_seen(before, old, fresh)

@@ -12,6 +12,7 @@ from compwright.planning.axes import AxisWork, fresh_like_first, no_gain, predic
 from compwright.planning.drifting import drift_or_reversal
 from compwright.planning.goals import goal_told
 from compwright.planning.limiting import what_limits
+from compwright.planning.never_applied import never_applied
 from compwright.planning.shortfalls import unheld_period
 from compwright.planning.verdict import stopped, verdict
 from compwright.planning.worth import worth_of_points
@@ -43,12 +44,14 @@ def predicted(
     helps. Arguments as of `predict_axis`.
     """
     work, new, _, job = task
+    fitted = work.planned.fitted
     fresh = fresh_like_first(work, job.decision_rule)
     axis, prediction = work.planned.axis, predict_axis(*task, fresh)
     findings = (
         *prediction.findings,
         *goal_told(work, new, fresh),
         *drift_or_reversal(work, fresh),
+        *(() if fitted is None else never_applied(work.planned.axis, fitted.compensation)),
     )
     limits = what_limits(work, new, fresh)
     if limits is None:

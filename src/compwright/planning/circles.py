@@ -5,7 +5,7 @@ the tables change.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -46,8 +46,20 @@ class CircleWork:
 
 
 def effect_of(result: CircularResult, name: str) -> CircularEffect | None:
-    """Return one cause of a circle; None where the diagnosis does not have it."""
-    return None if result.diagnosis is None else result.diagnosis.effects.get(name)
+    """Return one cause of a circle; None where the diagnosis does not determine it."""
+    if result.diagnosis is None or name in result.diagnosis.undetermined:
+        return None
+    return result.diagnosis.effects.get(name)
+
+
+def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[str]:
+    """Yield why each of these circles has no value of a cause, with the name of the circle."""
+    for work in works:
+        diagnosis = work.result.diagnosis
+        if diagnosis is None:
+            yield f"{work.name}: {work.result.not_applicable.get('diagnosis', 'no diagnosis')}"
+        elif name in diagnosis.undetermined:
+            yield f"{work.name}: {diagnosis.undetermined[name]}"
 
 
 def start_circle(

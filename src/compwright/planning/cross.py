@@ -16,13 +16,14 @@ import numpy as np
 
 from compwright.foundations.findings import Finding, Severity
 from compwright.foundations.numerals import significant
-from compwright.planning.circles import CircleWork
+from compwright.planning.circles import CircleWork, effect_of, why_undetermined
 from compwright.planning.stated import SIGNIFICANT
 from compwright.prediction.acting import Acting
 from compwright.prediction.circular import path_of
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularRun
 from compwright.records.correction import CrossCompensation
+from compwright.records.correction_need import REPEAT, need_of, shortfall
 from compwright.records.job import CrossRequest, Job, other_axis
 from compwright.records.plan import PlannedCross
 
@@ -93,6 +94,7 @@ class _Planner:
         self.findings: list[Finding] = []
         self.now = now
         self.states = states
+        self.circles = circles
         self.angles = dict(self._angles(circles))
         self.measured_pairs: dict[frozenset[str], PlannedCross] = {}
 
@@ -186,7 +188,7 @@ class _Planner:
                 " measurement is corrected."
             )
             self.find("CW-P104", "warning", text)
-        else:
+        elif need_of(circle.value * _PPM, circle.std_error * _PPM) != "undetermined":
             self.find(
                 "CW-P105",
                 "info",
@@ -209,25 +211,19 @@ class _Planner:
             if bent not in self.axes or other not in self.axes or pair in self.measured_pairs:
                 continue
             angle = self.angles.get(pair)
-            if angle is None:
-                message = (
-                    f"apply.squareness.{plane} is not corrected: no circle of this plane gives its"
-                    " squareness."
-                )
-                self.find("CW-P106", "error", message)
-            elif abs(angle.value) < SIGNIFICANT * angle.std_error:
-                self.find(
-                    "CW-P107",
-                    "info",
-                    f"{plane}: squareness {angle.words} is not significant and is not corrected.",
-                )
+            need = None if angle is None else need_of(angle.value * _PPM, angle.std_error * _PPM)
+            if angle is None or need == "undetermined":
+                self.find("CW-P106", "error", self._not_corrected(plane, pair, angle))
+            elif need == "negligible":
+                message = f"{plane}: squareness {angle.words}: nothing to correct."
+                self.find("CW-P107", "info", message)
             else:
                 yield self._ramp(other, bent, angle)
         for pair, angle in self.angles.items():
             if (
                 pair not in asked
                 and pair not in self.measured_pairs
-                and abs(angle.value) >= SIGNIFICANT * angle.std_error
+                and need_of(angle.value * _PPM, angle.std_error * _PPM) == "correct"
             ):
                 plane = "".join(sorted(pair))
                 message = (
@@ -235,6 +231,18 @@ class _Planner:
                     " for its correction (apply)."
                 )
                 self.find("CW-P108", "info", message)
+
+    def _not_corrected(self, plane: str, pair: frozenset[str], angle: Squareness | None) -> str:
+        """Return why the squareness of a plane is not corrected, and what to measure."""
+        start = f"apply.squareness.{plane} is not corrected"
+        if angle is not None:
+            why = shortfall(angle.value * _PPM, angle.std_error * _PPM)
+            return f"{start}: squareness {why}. To correct it, {REPEAT}."
+        mine = (work for work in self.circles if frozenset(work.planned.test.axes) == pair)
+        reasons = list(why_undetermined(mine, "squareness"))
+        if not reasons:
+            return f"{start}: the job has no circle of this plane. Measure one in both directions."
+        return f"{start}: its squareness is not determined. {'; '.join(reasons)}."
 
     def _ramp(self, given: str, bent: str, angle: Squareness) -> PlannedCross:
         axis = self.axes[given]
@@ -263,7 +271,7 @@ class _Planner:
         """Yield by pair of axes the weighted mean of its circles, each brought to what acts now."""
         by_pair: dict[frozenset[str], list[CircleWork]] = {}
         for work in circles:
-            if work.result.diagnosis is not None and "squareness" in work.result.diagnosis.effects:
+            if effect_of(work.result, "squareness") is not None:
                 by_pair.setdefault(frozenset(work.planned.test.axes), []).append(work)
         for pair, works in by_pair.items():
             yield pair, self._mean("".join(works[0].planned.test.axes), works)

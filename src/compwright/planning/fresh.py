@@ -21,8 +21,10 @@ from compwright.records.noise import NoiseDraws, NoisePart, without
 from compwright.records.prediction import Quantiles
 from compwright.records.result import PositioningResult
 
-#: Fresh tests that are drawn.
-DRAWS: Final = 2000
+#: Fresh tests that are drawn: fewer where a test has more than so many readings, some always.
+_DRAWS: Final = 2000
+_READINGS: Final = 4000
+_FEWEST_DRAWS: Final = 400
 #: Newly dithered targets stay this far from the ends of the travel: mm, and for rotary axes deg.
 END_MARGIN: Final = {AxisKind.LINEAR: 4.0, AxisKind.ROTARY: 0.0}
 #: From 5 to 95 % a normal law is so many standard deviations wide.
@@ -68,12 +70,14 @@ class FreshTests:
         warm: bool = True,
         cured: Sequence[NoisePart] = (),
         only: str | None = None,
+        waves: FloatArray | None = None,
     ) -> Mapping[str, Quantiles]:
         """Return the parameters of the tests after a ``change`` of the correction, by name.
 
         ``known``: whether the estimated error and the change are there, ``unknown`` whether what
         the estimate leaves open is, ``warm`` whether the slopes are; ``cured``: parts of the noise
-        that are not; ``only``: the one parameter that is asked for.
+        that are not; ``only``: the one parameter that is asked for; ``waves`` (s, m): what is added
+        to the deviation.
         """
         deviations = []
         for direction, drawn in (
@@ -83,7 +87,8 @@ class FreshTests:
             mean = drawn.mean(axis=0)
             there = mean + change(self.targets, direction) if known else np.zeros_like(mean)
             left_open = drawn - mean if unknown else np.zeros_like(drawn)
-            deviations.append(there + left_open + (self.slopes if warm else 0.0))
+            added = 0.0 if waves is None else waves
+            deviations.append(there + left_open + (self.slopes if warm else 0.0) + added)
         still = np.zeros_like(self.targets)
         found = predict_test(
             deviations[0],
@@ -122,6 +127,14 @@ class FreshTests:
         return self.drawn[asked]
 
 
+def draws_like(result: PositioningResult) -> int:
+    """Return how many fresh tests like ``result`` are drawn: time and memory of all of them grow no
+    more than its own readings do, and many readings scatter less from test to test.
+    """
+    readings = result.test.positive.size + result.test.negative.size
+    return min(_DRAWS, max(_FEWEST_DRAWS, _DRAWS * _READINGS // max(readings, 1)))
+
+
 def fresh_tests(
     result: PositioningResult, posterior: MeasuredError, axis: Axis, like: Like = FIRST
 ) -> FreshTests:
@@ -136,7 +149,8 @@ def fresh_tests(
         END_MARGIN[axis.kind],
     )
     rng = generator(axis.name, name, "draws")
-    draws = posterior.draw(targets, DRAWS, rng, like.place)
+    count = draws_like(result)
+    draws = posterior.draw(targets, count, rng, like.place)
     state = rng.bit_generator.state
     drawn: dict[frozenset[NoisePart], Scatter] = {}
     if like.slope_std > 0.0:  # the slopes come after the scatter
@@ -145,7 +159,7 @@ def fresh_tests(
         result=result,
         targets=targets,
         draws=draws,
-        slopes=fresh_slopes(targets, DRAWS, like.slope_std, rng),
+        slopes=fresh_slopes(targets, count, like.slope_std, rng),
         state=state,
         drawn=drawn,
     )

@@ -15,6 +15,7 @@ from compwright.planning.fresh import FreshTests
 from compwright.planning.outlook import spread_of, yardstick
 from compwright.planning.shortfalls import as_curve, shortfalls, unheld_period
 from compwright.prediction.acting import Correction, difference
+from compwright.prediction.dead_zone import as_applied
 from compwright.records.limits import Cause, Limiting
 from compwright.records.noise import NoisePart
 from compwright.records.prediction import Quantiles
@@ -33,6 +34,7 @@ _SCATTERING: Final[Mapping[str, tuple[NoisePart, ...]]] = {
 WARM: Final = "temperature within its uncertainty"
 UNKNOWN: Final = "error that the test leaves open"
 NO_TABLE: Final = "no table is written"
+NEVER_APPLIED: Final = "steps that the control never applies"
 #: A cause below this share of the parameter is not worth a word, unless the fit has named it.
 _WORTH_SAYING: Final = 0.005
 
@@ -114,5 +116,9 @@ def _without(
         yield lack.cause, shown(difference(change, lack.curve)), lack.rms
         yield NO_TABLE, shown(difference(change, difference(known, lack.curve))), None
         return
+    applied = as_applied(fitted.compensation, work.planned.axis)
+    if applied is not fitted.compensation:
+        lost = difference(applied.at, fitted.compensation.at)
+        yield NEVER_APPLIED, shown(difference(change, lost)), None
     for lack in shortfalls(wanted, fitted, capacity):
         yield lack.cause, shown(difference(change, lack.curve)), lack.rms

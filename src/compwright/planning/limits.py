@@ -20,15 +20,14 @@ def accept_decisions(
     entry: AxisJob,
     predictions: tuple[TestPrediction, ...],
     rule: Literal["simple", "guarded"],
-    *,
-    folded: bool = False,
+    at_new_targets: Mapping[str, Quantiles] | None = None,
 ) -> Mapping[str, AcceptDecision]:
     """Return the decision about each tolerance of the job from the predicted values (limits in µm
     or arcsec).
 
-    ``guarded``: with the uncertainty of the predicted test as guard band; undecided where it has
-    none. ``folded``: the targets show a known period as a longer wave, which the table follows:
-    nothing is accepted, because no test at these targets shows it.
+    Accepted is what keeps its limit at the same targets and at new ones (``at_new_targets``: with
+    the periods that the test cannot show; None: as predicted). ``guarded``: with the uncertainty of
+    the predicted test as guard band; undecided where it has none.
     """
     accept = entry.accept
     if accept is None:
@@ -45,7 +44,9 @@ def accept_decisions(
             if lacking
             else decide_prediction(quantiles, limit / factor, 0.0 if stated is None else stated.U)
         )
-        if folded and decision == "accept":
+        new = (at_new_targets or prediction.predicted_new_targets).get(name)
+        guard = 0.0 if stated is None else stated.U
+        if decision == "accept" and new and magnitude(new).p95 + guard > limit / factor:
             decision = "undecided"
         U = None if stated is None else stated.U * factor
         decisions[name] = AcceptDecision(
@@ -60,14 +61,14 @@ def measured_decisions(
     rule: Literal["simple", "guarded"],
     *,
     believed: bool,
-    folded: bool,
+    proven: bool,
 ) -> dict[str, AcceptDecision]:
     """Return the decision about each tolerance of the job from the test after loading (limits in µm
     or arcsec); a guarded decision needs the uncertainty of this test, and no more: what the tests
     before have put into the table acts in the machine, and is measured with it.
 
-    Of readings that are not ``believed`` nothing is decided, and nothing is accepted where a known
-    period is ``folded``: these targets show it as a longer wave, which the table follows.
+    Of readings that are not ``believed`` nothing is decided, and nothing is accepted of a test that
+    is not ``proven``: it shows less than the one that it repeats.
     """
     if entry.accept is None:
         return {}
@@ -86,7 +87,7 @@ def measured_decisions(
             if outside is None or not believed or (rule == "guarded" and U is None)
             else decide(abs(outside), limit, U, rule)
         )
-        if folded and decision == "accept":
+        if not proven and decision == "accept":
             decision = "undecided"
         decisions[name] = AcceptDecision(
             limit=limit, value=outside, U=U, decision=decision, rule=rule

@@ -5,8 +5,10 @@ targets, counted against the machine, or measured while the table of the control
 Each way of reading leaves an error of the axis, and is as likely as that error is. Axes err
 smoothly, so what jumps from target to target has to come from the table that acted, where it jumps,
 and targets with random parts (ISO 230-2:1988, 4.3.2) have to lie where the error says. And a table
-was made for its axis: the error is the opposite of its smooth part times a factor, 1 give or take a
-quarter in four cases of five, anything about 0 in the fifth. Without a table sign and directions
+was made for its axis in four cases of five: the error is its opposite times a factor, 1 give or
+take a quarter; half of these tables hold what jumps as well (periods, wear), half the smooth part
+alone. In the fifth case the factor is anything about 0. So flat readings under a table are what a
+good table leaves, and say nothing against it. Without a table sign and directions
 leave an error as smooth as before, and nothing is said of them here (`evaluation.plausibility`
 looks at the reversal).
 """
@@ -15,6 +17,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -22,8 +25,11 @@ import numpy as np
 from compwright.estimation.likelihood import Shape, log_likelihood
 from compwright.estimation.model import Travel
 from compwright.estimation.observed import ObservedTest
+from compwright.evaluation.copies import same_runs_findings
+from compwright.evaluation.plausibility import reversal_above_zero
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
+from compwright.planning.mirrored import mirrored_tests
 from compwright.planning.together import acted_at
 from compwright.planning.ways_of_reading import (
     ActedAt,
@@ -35,6 +41,7 @@ from compwright.planning.ways_of_reading import (
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedTest
+from compwright.records.result import PositioningResult
 from compwright.records.settled import LOGARITHM, settled_number
 
 #: How much less usual than a test as stated each other way of reading is: a weak prior.
@@ -50,10 +57,11 @@ _PRIOR: Final[Mapping[WayOfReading, float]] = {
 _DOUBTED: Final = 0.2
 #: Other ways of reading that are named.
 _NAMED: Final = 0.1
-#: Standard deviation of the factor of a table's smooth part, and share of the cases: about 1 where
-#: the table was made for this error, about 0 where it was not.
-_MADE_FOR_IT: Final = (0.25, 0.8)
-_ANYTHING: Final = (1.0, 0.2)
+#: Standard deviation of the factor of a table, about 1 where it was made for this error, about 0
+#: where it was not; and the share of the cases: made for all of it, for its smooth part, for none.
+_MADE_FOR_IT: Final = 0.25
+_ANYTHING: Final = 1.0
+_SHARES: Final = (0.4, 0.4, 0.2)
 #: With fewer targets nothing is said.
 _FEWEST: Final = 6
 #: Ratios are told up to here: beyond, what the model leaves out decides.
@@ -95,15 +103,40 @@ def misread_tests(
     axis: Axis,
     states: Mapping[str, ControlState],
 ) -> tuple[Finding, ...]:
-    """Return the doubts (CW-P160) of the tests of an axis; ``observed``: the same without what
-    acted in them, as far as ``states`` (by name) say it.
+    """Return the doubts of the tests of an axis (CW-P160, and CW-P161 of `mirrored_tests`);
+    ``observed``: the same without what acted in them, as far as ``states`` (by name) say it. A test
+    that made its table is not doubted for another cause as well.
     """
+    mirrored = dict(mirrored_tests(tests, observed, axis, states))
     known = states if tests[0].measured_in in states else {}
-    return tuple(
+    misread = (
         finding
-        for planned, bare in zip(tests, observed, strict=True)
-        for finding in misread_findings(bare, axis, acted_at(planned, axis, known))
+        for place, (planned, bare) in enumerate(zip(tests, observed, strict=True))
+        if place not in mirrored
+        for finding in misread_findings(
+            # Copied runs tell nothing of the noise: it is inferred with the error.
+            replace(bare, noise=None) if same_runs_findings(planned.test) else bare,
+            axis,
+            acted_at(planned, axis, known),
+        )
     )
+    return (*mirrored.values(), *misread)
+
+
+def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> PositioningResult:
+    """Return a result in which a reversal above zero (CW-T032) is no doubt where the backlash value
+    that acted explains it: in ``bare``, the test without what acted in it, nothing is doubted.
+    """
+    if reversal_above_zero(bare.test):
+        return result
+    said = " The backlash compensation in the control's files is larger than the lost motion."
+    findings = tuple(
+        replace(finding, severity="info", message=f"{finding.message}{said}")
+        if finding.code == "CW-T032"
+        else finding
+        for finding in result.findings
+    )
+    return replace(result, findings=findings)
 
 
 def misread_findings(bare: ObservedTest, axis: Axis, acted: ActedAt | None) -> tuple[Finding, ...]:
@@ -126,15 +159,19 @@ def misread_findings(bare: ObservedTest, axis: Axis, acted: ActedAt | None) -> t
 
 def _log_likelihood(reading: Reading, axis: Axis) -> float:
     travel, periods = Travel(*axis.travel, axis.modulo), axis.screw_pitch
-    if reading.smooth is None:
+    if reading.table is None or reading.smooth is None:
         return log_likelihood(reading.error, travel, periods)
-    positive, negative = reading.smooth
-    parts = []
-    for (std, share), made_for_it in ((_MADE_FOR_IT, True), (_ANYTHING, False)):
-        error = plus(reading.error, reading.smooth) if made_for_it else reading.error
-        shape = Shape(positive, negative, std)
-        parts.append(math.log(share) + log_likelihood(error, travel, periods, shape))
-    return float(np.logaddexp(parts[0], parts[1]))
+    whole, smooth = reading.table, reading.smooth
+    cases = (
+        (plus(reading.error, whole), Shape(*whole, _MADE_FOR_IT)),
+        (plus(reading.error, smooth), Shape(*smooth, _MADE_FOR_IT)),
+        (reading.error, Shape(*smooth, _ANYTHING)),
+    )
+    parts = [
+        math.log(share) + log_likelihood(error, travel, periods, shape)
+        for share, (error, shape) in zip(_SHARES, cases, strict=True)
+    ]
+    return float(np.logaddexp.reduce(parts))
 
 
 def _doubt(logs: Mapping[WayOfReading, float], name: str) -> tuple[Finding, ...]:

@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.fresh import BAND, DRAWS, FIRST, FreshTests, Like, fresh_tests, generator
+from compwright.planning.fresh import (
+    BAND,
+    FIRST,
+    FreshTests,
+    Like,
+    draws_like,
+    fresh_tests,
+    generator,
+)
 from compwright.planning.wanted import MeasuredError
 from compwright.prediction.acting import Correction
 from compwright.prediction.positioning import fresh_slopes, predict_test
@@ -47,10 +55,11 @@ def predict_same_targets(
     """
     targets = result.test.targets
     rng = generator(axis.name, result.test.name, "draws")
-    draws = posterior.draw(targets, DRAWS, rng, like.place)
+    count = draws_like(result)
+    draws = posterior.draw(targets, count, rng, like.place)
     runs = [result.test.readings(direction) for direction in Direction]
     scatter = fresh_scatter(draws.noise, targets, runs[0], runs[1], rng)
-    slopes = fresh_slopes(targets, DRAWS, like.slope_std, rng)
+    slopes = fresh_slopes(targets, count, like.slope_std, rng)
     predicted = predict_test(
         draws.positive + slopes,
         draws.negative + slopes,

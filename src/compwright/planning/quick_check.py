@@ -74,7 +74,9 @@ def quick_check(work: AxisWork, new: Correction) -> Iterator[CheckReading]:
 
 def moved_by(work: AxisWork, new: Correction, position: float) -> float:
     """Return how far a fixed position of an axis, mm or deg, moves when ``new`` acts in place of
-    what acts now.
+    what acts now. Where homing counts the correction at the reference as zero, what changes there
+    moves nothing.
     """
-    change = difference(new, work.as_found)
-    return float(change(np.array([position]), work.planned.axis.reference_return)[0])
+    axis, change = work.planned.axis, difference(new, work.as_found)
+    moved, zero = change(np.array([position, axis.reference]), axis.reference_return)
+    return float(moved - zero if axis.zero_at_reference else moved)

@@ -17,13 +17,14 @@ from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
 from compwright.planning.axes import CapacityOf
 from compwright.planning.checks import Checks, mismatch, scale_error
-from compwright.planning.circles import CircleWork
-from compwright.planning.stated import SIGNIFICANT, Stated
+from compwright.planning.circles import CircleWork, why_undetermined
+from compwright.planning.stated import Stated
 from compwright.planning.tables import NEW_GRID, fit_beside, fit_staying
 from compwright.planning.wanted import dense_positions, held_by, wanted_correction
 from compwright.prediction.acting import IDLE, Acting
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import ControlState
+from compwright.records.correction_need import need_of, shortfall
 from compwright.records.estimate import ErrorEstimate
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import AS_FOUND, AxisJob, Job
@@ -35,6 +36,8 @@ LOW = 2e-6
 #: Two feeds tell the shrinking when their squares differ by this factor or more.
 APART = 2.0
 _PPM = 1e6
+#: What gives a scale for certain.
+MEASURE = "Measure the axis with a laser, or repeat the circle at a low feed."
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,10 +104,13 @@ def _scaled(
     )
     source = "; ".join(how for _, how in values)
     words = f"{name}: scale {scale.words(_PPM, 'µm/m')} by {source}"
-    if abs(scale.value) < SIGNIFICANT * scale.std_error:
-        return Scaled(
-            name, None, Finding("CW-P119", "info", f"{words}; not significant, not corrected.")
-        )
+    need = need_of(scale.value * _PPM, scale.std_error * _PPM)
+    if need == "negligible":
+        return Scaled(name, None, Finding("CW-P119", "info", f"{words}; nothing to correct."))
+    if need == "undetermined":
+        why = shortfall(scale.value * _PPM, scale.std_error * _PPM)
+        message = f"{name}: its scale is not corrected: {why}. It comes from {source}."
+        return Scaled(name, None, Finding("CW-P119", "error", f"{message} {MEASURE}"))
     try:
         planned = _planned(entry, scale, capacity, state)
     except CapacityError as error:
@@ -147,6 +153,9 @@ def _values(
 
 def _by_mismatch(work: CircleWork, name: str, checks: Checks) -> tuple[Stated, str] | str:
     index = _index(work, name)
+    lacking = list(why_undetermined((work,), "scale_mismatch"))
+    if lacking:
+        return lacking[0]
     between, laser = mismatch(work), checks.laser(work, 1 - index)
     if between is None or laser is None:
         if not work.planned.test.calibrated:

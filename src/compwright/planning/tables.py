@@ -11,7 +11,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.fitting.beyond import beyond_limits
+from compwright.fitting.beyond import beyond_limits, far_beyond
 from compwright.fitting.fit import fit_table
 from compwright.fitting.losses import good_enough
 from compwright.foundations.errors import CapacityError, raise_all
@@ -31,6 +31,8 @@ from compwright.records.prediction import TestPrediction
 NEW_GRID: Final = "CW-P140"
 #: From 5 to 95 % a normal law is so many standard deviations wide.
 _BAND: Final = 3.29
+#: What a table may lose against the best one: µm or arcsec of what a test shows.
+NEXT_TO_NOTHING: Final = 0.1
 
 
 def fit_within(
@@ -42,8 +44,9 @@ def fit_within(
     """
 
     def fit(limits: Capacity, asked: TableRequest) -> FittedTable:
-        table = fit_beside(wanted, limits, asked, axis)
         own = beside(wanted, limits.stays)
+        raise_all(CapacityError, list(far_beyond(own, limits)))
+        table = fit_beside(wanted, limits, asked, axis)
         raise_all(CapacityError, list(beyond_limits(table, own, limits)))
         return table
 
@@ -116,6 +119,23 @@ def freely_chosen(
         return fit_within(wanted, capacity, replace(request, spacing="auto"), axis)
     except CapacityError:
         return None
+
+
+def next_to_nothing(kept: TestPrediction, best: TestPrediction) -> bool:
+    """Return whether tests show next to nothing of what one table loses against the ``best`` one:
+    at the same targets and at new ones, by the parameter that judges tables.
+    """
+    name = yardstick(best.before)
+    if name is None:
+        return False
+    factor = outside_factor(best.before.test.kind.unit)
+    return all(
+        abs(mine[name].median) - abs(other[name].median) < NEXT_TO_NOTHING / factor
+        for mine, other in (
+            (kept.predicted, best.predicted),
+            (kept.predicted_new_targets, best.predicted_new_targets),
+        )
+    )
 
 
 def grid_words(nodes: FloatArray, unit: str) -> str:

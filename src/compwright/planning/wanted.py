@@ -14,6 +14,7 @@ from compwright.estimation.observed import ObservedTest
 from compwright.evaluation.believable import not_made, without_traverses
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
+from compwright.prediction.dead_zone import as_applied
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, ControlState, no_compensation
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
@@ -200,11 +201,11 @@ def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> N
     if axis.modulo is not None:
         travel = min(high - low, axis.modulo)
         around = np.unique(np.mod(targets, axis.modulo))
-        covered = axis.modulo - float(np.max(np.diff(np.append(around, around[0] + axis.modulo))))
+        measured = axis.modulo - float(np.max(np.diff(np.append(around, around[0] + axis.modulo))))
     else:
         travel = high - low
-        covered = _covered(tests, low, high)
-    if covered >= LEAST_COVERED * travel - 1e-9 * travel:
+        measured = covered(tests, low, high)
+    if measured >= LEAST_COVERED * travel - 1e-9 * travel:
         return
     unit = axis.kind.unit
     names = " and ".join(test.name for test in tests)
@@ -228,25 +229,24 @@ def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> N
     )
 
 
-def _covered(tests: Sequence[PositioningTest], low: float, high: float) -> float:
+def covered(tests: Sequence[PositioningTest], low: float, high: float) -> float:
     """Return how much of the travel lies between the first and the last target of any test."""
     ranges = sorted(
         (max(float(test.targets[0]), low), min(float(test.targets[-1]), high)) for test in tests
     )
-    covered, reached = 0.0, -np.inf
+    length, reached = 0.0, -np.inf
     for start, end in ranges:
-        covered += max(0.0, end - max(start, reached))
+        length += max(0.0, end - max(start, reached))
         reached = max(reached, end)
-    return covered
+    return length
 
 
 def held_by(state: ControlState, axis: Axis) -> AxisCompensation:
     """Return what a state of the control does on an axis; an axis of which it does not speak has no
     compensation.
     """
-    return state.axes.get(
-        axis.address, no_compensation(axis.address, axis.kind, axis.reference_return)
-    )
+    none = no_compensation(axis.address, axis.kind, axis.reference_return)
+    return as_applied(state.axes.get(axis.address, none), axis)
 
 
 def dense_positions(axis: Axis, periods: Sequence[float]) -> FloatArray:

@@ -27,14 +27,15 @@ _SHAPELESS: Final = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """One way of reading a test: the error of the axis that it leaves, in ``error``; ``smooth``:
-    the smooth part of the table that is known, at its targets, (m,) by direction, mm or deg. None
+    """One way of reading a test: the error of the axis that it leaves, in ``error``; ``table``: the
+    table that is known, at its targets, (m,) by direction, mm or deg, and its ``smooth`` part. None
     where there is none.
     """
 
     way: WayOfReading
     error: ObservedTest
-    smooth: Acted | None
+    table: Acted | None = None
+    smooth: Acted | None = None
 
 
 def ways_of_reading(
@@ -47,10 +48,10 @@ def ways_of_reading(
     """
     table = None if acted_at is None else _at(acted_at, bare.test.targets)
     if acted_at is None or table is None or not _has_shape(bare, table):
-        stated = Reading("stated", bare, None)
+        stated = Reading("stated", bare)
         if _symmetric(bare.test.targets):
             return (stated,)
-        return stated, Reading("order", _in_opposite_order(bare), None)
+        return stated, Reading("order", _in_opposite_order(bare))
     return tuple(_with_table(bare, axis, acted_at, table))
 
 
@@ -58,15 +59,16 @@ def _with_table(
     bare: ObservedTest, axis: Axis, acted_at: ActedAt, table: Acted
 ) -> Iterator[Reading]:
     raw, smooth = plus(bare, table), _smooth(bare.test, axis, table)
-    yield Reading("stated", bare, smooth)
-    yield Reading("off", raw, smooth)
-    yield Reading("sign", _less(_turned(raw), table), smooth)
-    yield Reading("directions", _less(_exchanged(raw), table), smooth)
-    yield Reading("order", _less(_in_opposite_order(raw), table), smooth)
+    yield Reading("stated", bare, table, smooth)
+    yield Reading("off", raw, table, smooth)
+    yield Reading("sign", _less(_turned(raw), table), table, smooth)
+    yield Reading("directions", _less(_exchanged(raw), table), table, smooth)
+    yield Reading("order", _less(_in_opposite_order(raw), table), table, smooth)
     if axis.modulo is None:
         against = _counted_against(raw, sum(axis.travel))
         there = _at(acted_at, against.test.targets)
-        yield Reading("against", _less(against, there), _smooth(against.test, axis, there))
+        error = _less(against, there)
+        yield Reading("against", error, there, _smooth(against.test, axis, there))
 
 
 def _at(acted_at: ActedAt, targets: FloatArray) -> Acted:

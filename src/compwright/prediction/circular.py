@@ -140,6 +140,8 @@ def _quantiles(values: FloatArray) -> Quantiles:
 
 def _causes(diagnosis: Diagnosis) -> Iterator[tuple[str, Quantiles]]:
     for name, effect in diagnosis.effects.items():
+        if name in diagnosis.undetermined:
+            continue
         reach = _NINETY * float(np.sqrt(_BOTH_TESTS)) * effect.std_error
         least = 0.0 if effect.low is not None else -np.inf
         yield name, Quantiles(effect.value, max(effect.value - reach, least), effect.value + reach)
@@ -186,7 +188,9 @@ def _shapes(
     names = [
         name
         for name in diagnosis.names
-        if name in known and f"{name}_at_positive" not in diagnosis.names
+        if name in known
+        and name not in diagnosis.undetermined
+        and f"{name}_at_positive" not in diagnosis.names
     ]
     order = [diagnosis.names.index(name) for name in names]
     errors = np.array([diagnosis.effects[name].std_error for name in names])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Final
 
 import numpy as np
@@ -20,6 +21,8 @@ from compwright.records.noise import (
 )
 
 _PLUS, _MINUS = range(2)
+#: Runs at which a wave is drawn at most: none is shorter than a tenth of the test.
+_MOST_WAVED: Final = 40
 #: Below this many degrees of freedom Student's law has readings without measure.
 _LEAST_DOF: Final = 1.0
 #: Added to the unit variances of what a wave does, so that it has a root.
@@ -99,19 +102,56 @@ def _traverses(
     units = rng.standard_normal(shape) * (rng.random(shape) < draws.moved[:, np.newaxis])
     offsets = _moved(draws, draws.offset, units, positive, negative)
     tilts = _moved(draws, draws.tilt, rng.standard_normal(shape), positive, negative)
-    order = traverse_order(positive, negative)
-    signs = np.repeat([1.0, -1.0], [positive, negative])
     for pace in np.unique(draws.pace[draws.pattern == WAVE]):
         waved = np.flatnonzero((draws.pattern == WAVE) & (draws.pace == pace))
-        unit = wave_effects(np.concatenate(order), signs, positive + negative, float(pace))
-        unit = unit.reshape(2 * signs.size, -1)
-        unit.flat[:: unit.shape[0] + 1] += _LEAST  # a short traverse hardly has a tilt of its own
-        waves = rng.standard_normal((waved.size, unit.shape[0])) @ np.linalg.cholesky(unit).T
-        offset, tilt = np.split(draws.offset[waved, np.newaxis] * waves, 2, axis=1)
+        root = _wave_root(positive, negative, float(pace))
+        waves = rng.standard_normal((waved.size, root.shape[0])) @ root.T
+        offset, tilt = _at_all(draws.offset[waved, np.newaxis] * waves, positive, negative)
         for way, part in ((_PLUS, slice(0, positive)), (_MINUS, slice(positive, None))):
             offsets[way][waved] = offset[:, part]
             tilts[way][waved] += tilt[:, part]
     return offsets, tilts
+
+
+def _few(positive: int, negative: int) -> tuple[int, int]:
+    """Return how many traverses in + and - a wave is drawn at: `_MOST_WAVED` runs at most."""
+    return min(positive, _MOST_WAVED), min(negative, _MOST_WAVED)
+
+
+@functools.lru_cache(maxsize=8)
+def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
+    """Return the root of the covariance of offsets, then tilts, that a wave of unit size gives to
+    the traverses at which it is drawn.
+    """
+    few = _few(positive, negative)
+    signs = np.repeat([1.0, -1.0], few)
+    unit = wave_effects(np.concatenate(traverse_order(*few)), signs, sum(few), pace)
+    unit = unit.reshape(2 * signs.size, -1)
+    unit.flat[:: unit.shape[0] + 1] += _LEAST  # a short traverse hardly has a tilt of its own
+    return np.asarray(np.linalg.cholesky(unit), dtype=np.float64)
+
+
+def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray, FloatArray]:
+    """Return offsets and tilts (count, positive + negative) of all traverses from those at which
+    ``waves`` (count, 2 k) are drawn: in between by straight lines, and a shorter traverse tilts
+    less.
+    """
+    offset, tilt = np.split(waves, 2, axis=1)
+    few = _few(positive, negative)
+    if few == (positive, negative):
+        return offset, tilt
+    blocks: list[FloatArray] = []
+    turned: list[FloatArray] = []
+    for runs, drawn, first in zip((positive, negative), few, (0, few[0]), strict=True):
+        if not runs:
+            continue
+        place = np.linspace(0.0, drawn - 1.0, runs)
+        left = np.minimum(place.astype(int), max(drawn - 2, 0))
+        right, share = np.minimum(left + 1, drawn - 1), place - left
+        for values, into, part in ((offset, blocks, 1.0), (tilt, turned, drawn / runs)):
+            own = values[:, first : first + drawn]
+            into.append(part * (own[:, left] * (1.0 - share) + own[:, right] * share))
+    return np.hstack(blocks), np.hstack(turned)
 
 
 def _moved(

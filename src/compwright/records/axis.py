@@ -32,6 +32,9 @@ class Direction(StrEnum):
         return Direction.NEGATIVE if self is Direction.POSITIVE else Direction.POSITIVE
 
 
+#: What a synchronised axis with a table of its own gets: the total of the leading axis, or its own
+#: total with the change of the leading axis.
+GantryTable = Literal["same", "change"]
 #: How the axis was driven while a test was taken: controls may compensate backlash otherwise in
 #: rapid traverse.
 Motion = Literal["feed", "rapid"]
@@ -78,7 +81,13 @@ class Axis:
     ``"0"``). The correction is zero at ``reference`` approached in ``reference_return``.
     ``screw_pitch`` holds the known periods, empty when unknown; ``suggested_period`` is what the
     control's own files suggest, never taken without the readings. ``motion``: that of the test from
-    which its table is made; everything that is said of its backlash holds for it.
+    which its table is made; everything that is said of its backlash holds for it. ``gantry``: the
+    address of the synchronised axis; ``gantry_table``: whether that gets the same total or the same
+    change, None where the job does not say it. ``moves_alone``: the job says that no other axis
+    moves with it. ``unapplied_steps``: the control never applies a step of the correction above the
+    first number and not above the second, mm or deg. ``zero_at_reference``: its homing counts the
+    correction at the reference as zero, whatever the table holds there. ``counts_turns``: its error
+    repeats after ``modulo``, and its positions count on from turn to turn over the travel.
     """
 
     name: str
@@ -88,6 +97,8 @@ class Axis:
     modulo: float | None = None
     axis_number: int | None = None
     gantry: str | None = None
+    gantry_table: GantryTable | None = None
+    moves_alone: bool = False
     reference: float = 0.0
     reference_return: Direction = Direction.POSITIVE
     encoder: Encoder = Encoder()
@@ -96,3 +107,6 @@ class Axis:
     suggested_period: float | None = field(default=None, compare=False)
     motion: Motion = "feed"
     options: Mapping[str, object] = field(default_factory=dict)
+    unapplied_steps: tuple[float, float] | None = field(default=None, compare=False)
+    zero_at_reference: bool = field(default=False, compare=False)
+    counts_turns: bool = field(default=False, compare=False)

@@ -19,7 +19,8 @@ class Lattice:
     ``unit`` is the detection unit, mm or deg; ``increments`` the least and largest increment, both
     included; ``magnifications`` those that may be chosen, ascending. ``offset_range``: the second
     table's own value at the reference, in units; None: there is none. ``offset_magnified``: that
-    value is multiplied by the magnification too.
+    value is multiplied by the magnification too. ``there``: the magnification that the control has
+    now; None: it has none.
     """
 
     unit: float
@@ -27,6 +28,7 @@ class Lattice:
     magnifications: tuple[int, ...]
     offset_range: tuple[int, int] | None = None
     offset_magnified: bool = False
+    there: int | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,7 +78,7 @@ class Capacity:
     reference then lies in ``backlash_range``. ``stays``: tables that act on the axis and stay
     beside whatever is written. ``slope``: a straight line of its own beside the table can take a
     slope, a multiple of this per section, mm or deg; None: there is none. ``wave``: a second table
-    for a short period; None: there is none.
+    for a short period; None: there is none. ``typed``: somebody types its points by hand.
     """
 
     format: str
@@ -112,6 +114,7 @@ class Capacity:
     stays: tuple[AxisCompensation, ...] = ()
     slope: float | None = None
     wave: Wave | None = None
+    typed: bool = False
     assumed: tuple[Assumption, ...] = ()
 
     @property

@@ -11,6 +11,7 @@ from typing import Literal
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
 from compwright.records.axis import FloatArray
+from compwright.records.correction_need import REPEAT, need_of, shortfall
 
 Sense = Literal["ccw", "cw"]
 
@@ -90,7 +91,8 @@ class Diagnosis:
 
     ``plain``: the same quantities by the plain harmonic-and-reversal regression, for comparison
     with other software. ``residual``: rms of what remains, mm. ``correlation_length``: of the
-    residuals, in samples.
+    residuals, in samples. ``undetermined``: reasons of the causes that the path of the test cannot
+    separate at all; their numbers in ``effects`` belong to the fit and are no result.
     """
 
     effects: Mapping[str, CircularEffect]
@@ -100,6 +102,22 @@ class Diagnosis:
     residual: float
     correlation_length: float
     findings: tuple[Finding, ...] = ()
+    undetermined: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def not_given(self) -> Mapping[str, str]:
+        """Reasons of the causes that have no value for the outside: those that are undetermined,
+        and a squareness that is not known well enough.
+        """
+        effect = self.effects.get("squareness")
+        if (
+            effect is None
+            or "squareness" in self.undetermined
+            or need_of(effect.value, effect.std_error) != "undetermined"
+        ):
+            return self.undetermined
+        reason = f"{shortfall(effect.value, effect.std_error)}: {REPEAT}"
+        return {**self.undetermined, "squareness": reason}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -33,11 +33,19 @@ class ControlFile:
 
     ``folder``: the folder that was named in its place, empty where the file itself was: files of a
     folder come in the order of their names, which says nothing of the order in which they count.
+    ``leader``, ``trailer``: what a serial line put around the text (see `serial_line`).
     """
 
     name: str
     content: bytes
     folder: str = field(default="", compare=False)
+    leader: bytes = b""
+    trailer: bytes = b""
+
+    @property
+    def raw(self) -> bytes:
+        """The bytes of the whole file."""
+        return self.leader + self.content + self.trailer
 
 
 @dataclass(frozen=True, slots=True)

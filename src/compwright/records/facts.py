@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Literal
 
 from compwright.records.axis import AxisKind, Direction
 
@@ -126,16 +127,19 @@ class AxisFacts:
     ``name``: what they call it; ``machine_name``: the machine's own name of it, by which new files
     are called. ``letters``: the axes of all joints, one letter each. ``limits``: the software
     limits or, of an endless axis, its ``turn``, mm or deg. ``encoder_system``: the measuring system
-    whose table was read. ``enabled``: its table acts. ``beside``: what else acts
-    on it, in words. ``endless``: the turn of an axis without ends, deg. ``reference``: machine
-    coordinate of the reference position, mm or deg, approached in ``reference_return``.
-    ``diameter``: positions are programmed in diameter. ``unit_evidence``: what says its detection
-    unit. ``synchronised``, ``leading``: the addresses of the other axes of its gantry, as the files
-    pair them. ``lead``: the travel of one turn of its motor, mm or deg, as the files suggest it
-    (``lead_evidence``). ``rapid_more``: by how much the backlash at rapid traverse is more than
-    that at cutting feed, mm or deg; None: they leave it open. ``grid``: the nodes (ascending, mm or
-    deg) of a table of its own that the files hold but that does not act; that of one that acts
-    stands in its compensation. ``said``: further quantities by neutral name, which settle options.
+    whose table was read. ``enabled``: its table acts. ``beside``: what else acts on it, in words.
+    ``endless``: the turn of an axis without ends, deg. ``reference``: machine coordinate of the
+    reference position, mm or deg, approached in ``reference_return``. ``diameter``: positions are
+    programmed in diameter. ``unit_evidence``: what says its detection unit. ``synchronised``,
+    ``leading``: the addresses of the other axes of its gantry, as the files pair them. ``lead``:
+    the travel of one turn of its motor, mm or deg, as the files suggest it (``lead_evidence``).
+    ``limits_evidence``: why the limits are not those that stand there. ``rapid_more``: by how much
+    the backlash at rapid traverse is more than that at cutting feed, mm or deg; None: they leave it
+    open. ``grid``: the nodes (ascending, mm or deg) of a table of its own that the files hold but
+    that does not act; that of one that acts stands in its compensation. ``homing``: the control,
+    when it homes, counts the correction at ``reference`` as zero ("relative"), or adds the table as
+    it stands ("absolute"); empty: no file says it. ``unapplied_steps``: see `Axis`. ``said``:
+    further quantities by neutral name, which settle options.
     """
 
     name: str | None = None
@@ -157,8 +161,11 @@ class AxisFacts:
     leading: str | None = None
     lead: float | None = None
     lead_evidence: str = ""
+    limits_evidence: str = ""
     rapid_more: float | None = 0.0
     grid: tuple[float, ...] = ()
+    homing: Literal["", "relative", "absolute"] = ""
+    unapplied_steps: tuple[float, float] | None = None
     pairs: PairFacts = PairFacts()
     increments: IncrementFacts = IncrementFacts()
     said: Mapping[str, Fact] = field(default_factory=dict)

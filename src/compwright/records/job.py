@@ -43,6 +43,11 @@ class Thermal:
     x_fix: float = 0.0
     refer_to: Literal["scale", "workpiece"] = "scale"
 
+    @property
+    def slope(self) -> float:
+        """Differential expansion, mm per mm from ``x_fix``."""
+        return 1e-6 * (self.alpha_m * (self.T_m - 20.0) - self.alpha_d * (self.T_d - 20.0))
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestRequest:
@@ -121,6 +126,25 @@ class Acceptance:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Acknowledgement:
+    """A doubt, by the code of its finding, that the job acknowledges, and why; ``axis``: of which
+    axis (None: wherever it is found).
+    """
+
+    code: str
+    reason: str
+    axis: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Acknowledged:
+    """A doubt that was found, and by what the job acknowledges it."""
+
+    finding: Finding
+    by: Acknowledgement
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class UncertaintyBudget:
     """Contributors of ISO 230-2:2006 annex A as expanded uncertainties (k = 2): µm (rotary:
     arcsec), µm/m, K, µm/(m K).
@@ -141,7 +165,8 @@ class UncertaintyBudget:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisJob:
     """What is asked for one axis. ``before`` may be empty where circles or cross measurements are
-    all there is. ``thermal``: the axis' own keys over those of the job.
+    all there is. ``thermal``: the axis' own keys over those of the job. ``stated``: which of
+    ``reference`` and ``reference_return`` the job gives itself.
     """
 
     axis: Axis
@@ -149,6 +174,7 @@ class AxisJob:
     table: TableRequest = TableRequest()
     accept: Acceptance | None = None
     thermal: Thermal | None = None
+    stated: frozenset[str] = field(default=frozenset(), compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -183,6 +209,7 @@ class Job:
     circles: tuple[CircleRequest, ...] = ()
     cross: tuple[CrossRequest, ...] = ()
     apply: ApplyRequest = ApplyRequest()
+    acknowledged: tuple[Acknowledgement, ...] = ()
     findings: tuple[Finding, ...] = ()
 
     def budget(self, kind: AxisKind) -> UncertaintyBudget | None:
@@ -196,6 +223,11 @@ class Job:
         """The contributors by the kind of axis, of the kinds for which any are declared."""
         every = {kind: self.budget(kind) for kind in AxisKind}
         return {kind: budget for kind, budget in every.items() if budget is not None}
+
+    def acknowledgement(self, code: str, axis: str) -> Acknowledgement | None:
+        """Return by what the job acknowledges a doubt about an axis; None where it does not."""
+        given = (each for each in self.acknowledged if each.code == code)
+        return next((each for each in given if each.axis in (None, axis)), None)
 
     def with_variation(self, kind: AxisKind, E_VE: float) -> Job:
         """Return the job with a range (µm or arcsec) of the environmental variation for axes of a

@@ -71,7 +71,7 @@ class ReadBack:
     what it looks like.
 
     ``verdict``: ``loaded``, ``not_active``, ``inverted``, ``scaled``, ``shifted``,
-    ``one_direction``, ``backlash``, ``other``.
+    ``one_direction``, ``backlash``, ``partial`` (some files were not loaded), ``other``.
     """
 
     worst: float

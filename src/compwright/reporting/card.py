@@ -6,11 +6,12 @@ A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title`
 does), ``changes`` (``entries`` of ``entry``, ``old``, ``new``; ``untouched``: lines that stay; None
 where the control's own files were not given), ``unconfirmed`` and ``restore`` (sentences),
 ``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and ``proven`` (a sentence). Each
-axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``,
-``new``), ``numbering`` (see `numbering`; None where points have no numbers), ``quick_check``
-(``position``, ``direction``, ``adds``: the compensation that the control itself shows,
-``expected``, ``stop``), ``points_needed``, ``rapid`` (its test was taken at rapid traverse, for
-which everything here holds) and ``fixed_positions`` (``name``, ``position``, ``moves``).
+axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``, ``new``,
+``typed``: the new value as the control's parameter), ``numbering`` (see `numbering`; None where
+points have no numbers), ``quick_check`` (``position``, ``direction``, ``adds``: the compensation
+that the control itself shows, ``expected``, ``stop``), ``points_needed``, ``rapid`` (its test was
+taken at rapid traverse, for which everything here holds) and ``fixed_positions`` (``name``,
+``position``, ``moves``).
 Values to be typed carry a plain minus sign, so that they can be copied.
 """
 
@@ -33,6 +34,7 @@ from compwright.reporting.numbers import (
 from compwright.reporting.page import render_page
 from compwright.reporting.sections import (
     Document,
+    acknowledged,
     assumed,
     doubts,
     evidence_mark,
@@ -69,11 +71,10 @@ def card_markdown(card: Document) -> str:
     content = _content(card)
     lines = [f"# {_escape(content['title'])}", "", *_machine(content), ""]
     doubts = content["doubts"]
-    lines += (
-        _bullets(f"## {doubts['heading']}", [item["message"] for item in doubts["items"]])
-        if doubts
-        else []
-    )
+    if doubts:
+        lines += _bullets(f"## {doubts['heading']}", [item["message"] for item in doubts["items"]])
+        lines += [_escape(doubts["step"]), ""] if doubts["step"] else []
+    lines += _bullets("## Acknowledged doubts", content["acknowledged"])
     lines += _bullets("## Not confirmed: look before the axis moves fast", content["unconfirmed"])
     lines += _bullets("## Limits, as predicted", content["limits"])
     lines += _steps(content["steps"])
@@ -123,6 +124,7 @@ def _content(card: Document) -> dict[str, Any]:
             "title": plain((card.get("format") or {}).get("title", "")),
         },
         "doubts": doubts(card.get("doubts")),
+        "acknowledged": acknowledged(card.get("acknowledged")),
         "limits": _limits(card.get("limits") or {}),
         "unconfirmed": [plain(text) for text in card.get("unconfirmed") or []],
         "steps": [_step(step) for step in card.get("steps") or []],
@@ -195,7 +197,12 @@ def _axis_content(axis: Document) -> dict[str, Any]:
         "points": axis.get("points_needed"),
         "rapid": RAPID if axis.get("rapid") else "",
         "rows": [
-            [plain(row.get("quantity")), _typed(row.get("old")), _typed(row.get("new"))]
+            [
+                plain(row.get("quantity")),
+                _typed(row.get("old")),
+                _typed(row.get("new")),
+                plain(row.get("typed") or ""),
+            ]
             for row in axis.get("rows") or []
         ],
         "checks": [
@@ -301,7 +308,10 @@ def _axis(axis: Document) -> list[str]:
             "",
         ]
     if axis["rows"]:
-        rows = [[_BOX, *map(_escape, row)] for row in axis["rows"]]
+        rows = [
+            [_BOX, *map(_escape, row[:2]), _escape(f"{row[3]} ({row[2]})" if row[3] else row[2])]
+            for row in axis["rows"]
+        ]
         lines += ["### Values that change", "", *_table(["", "Quantity", "Old", "New"], rows), ""]
     if axis["numbering"] is not None:
         drawing = axis["numbering"]
@@ -338,7 +348,7 @@ def _changes(changes: dict[str, Any] | None) -> list[str]:
     rows = [list(map(_escape, row)) for row in changes["rows"]]
     said = (
         f"{changes['count']} entries change; {changes['untouched']} lines of the control's files"
-        " stay as they are."
+        " stay as they are. The values are those of the files, in the control's own units."
     )
     table = [*_table(["Entry", "Old", "New"], rows), ""] if rows else []
     return ["## Old to new", "", said, "", *table, *more]

@@ -121,13 +121,18 @@ class Cause:
 
 def ranked_causes(result: Mapping[str, Any]) -> list[Cause]:
     """Return the causes of a circular result of the evaluation document, the largest effect first;
-    none without a diagnosis.
+    none without a diagnosis. A cause without a value is left out: ``not_applicable`` says why.
     """
-    entries = result.get("diagnosis") or {}
+    entries = _given(result)
     causes = [_cause(name, result) for name in entries if _whole(name) == name]
     return sorted(
         causes, key=lambda cause: -cause.effect
     )  # stable: equals stay in the order of the document
+
+
+def _given(result: Mapping[str, Any]) -> Mapping[str, Any]:
+    entries = result.get("diagnosis") or {}
+    return {name: entry for name, entry in entries.items() if entry["value"] is not None}
 
 
 def _whole(name: str) -> str:
@@ -143,7 +148,7 @@ def _cause(name: str, result: Mapping[str, Any]) -> Cause:
     printed, doubtful = _printed(name, result.get("vendor") or {})
     return Cause(
         name=name,
-        words=_words(name, result.get("axes") or ("first", "second")),
+        words=cause_words(name, result.get("axes") or ("first", "second")),
         value=_finite(entry.get("value")),
         error=_finite(entry.get("std_error"), math.nan),
         unit=str(entry.get("unit", "um")),
@@ -155,7 +160,7 @@ def _cause(name: str, result: Mapping[str, Any]) -> Cause:
         doubtful=doubtful,
         parts=tuple(
             _cause(other, result)
-            for other in result["diagnosis"]
+            for other in _given(result)
             if other != name and _whole(other) == name
         ),
     )
@@ -175,7 +180,8 @@ def _split(name: str) -> tuple[str, str, str]:
     return rest, "", part
 
 
-def _words(name: str, axes: Any) -> str:
+def cause_words(name: str, axes: Any) -> str:
+    """Return a cause of the contract in words, with the names of its axes."""
     kind, which, part = _split(name)
     axis = axes[("first", "second").index(which)] if which else ""
     form = _PARTS[part] if part else _WORDS.get(kind, name.replace("_", " "))

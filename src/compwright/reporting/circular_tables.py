@@ -7,7 +7,7 @@ function.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from pathlib import PurePath
 from typing import Any, Final
 
@@ -15,7 +15,7 @@ from rich.console import Group, RenderableType
 from rich.rule import Rule
 from rich.table import Table
 
-from compwright.reporting.causes import Cause, ranked_causes
+from compwright.reporting.causes import Cause, cause_words, ranked_causes
 from compwright.reporting.numbers import MISSING, number, plain, standard_text
 from compwright.reporting.shown import Text
 from compwright.reporting.summaries import finding_lines
@@ -160,18 +160,23 @@ def _not_applicable(result: Mapping[str, Any]) -> list[Text]:
         if name != "diagnosis":
             reasons.setdefault(reason, []).append(name)
     return [
-        Text(f"{MISSING} {_listed(names)}: {reason}", style="dim")
+        Text(f"{MISSING} {_listed(names, result)}: {reason}", style="dim")
         for reason, names in reasons.items()
     ]
 
 
-def _listed(names: Sequence[str]) -> str:
-    """Return parameters by their letters, each once: of a long list nobody reads more."""
-    return ", ".join(
-        dict.fromkeys(
-            "G (both)" if "_bi" in name else name.partition("_")[0] + _way(name) for name in names
-        )
-    )
+def _listed(names: Sequence[str], result: Mapping[str, Any]) -> str:
+    """Return causes by their words and parameters by their letters, each once: of a long list
+    nobody reads more.
+    """
+    causes = result["diagnosis"] or {}
+    return ", ".join(dict.fromkeys(_shortened(name, causes, result["axes"]) for name in names))
+
+
+def _shortened(name: str, causes: Container[str], axes: Sequence[str]) -> str:
+    if name in causes:
+        return cause_words(name, axes)
+    return "G (both)" if "_bi" in name else name.partition("_")[0] + _way(name)
 
 
 def _way(name: str) -> str:

@@ -15,6 +15,7 @@ from io import BytesIO, StringIO
 from typing import Any, Final
 
 from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.extras import need
 from compwright.foundations.utf8 import encoded, visible
 from compwright.reporting.numbers import PARAMETERS
 
@@ -198,15 +199,7 @@ def _text(value: object) -> str:
 
 
 def _workbook(document: Mapping[str, Any]) -> bytes:
-    try:
-        import openpyxl
-    except ImportError as error:
-        raise UsageError(
-            Fault(
-                message="a workbook needs the excel extra: pip install compwright[excel]",
-                expected="openpyxl, or a table .csv",
-            )
-        ) from error
+    openpyxl = need("openpyxl", "excel", "workbooks (or give --table FILE.csv)")
     book = openpyxl.Workbook(write_only=True)
     tables = [*_tables(document), *_not_evaluated(document)]
     for name, (heads, rows) in tables or [("positioning", ([*_FIRST], []))]:

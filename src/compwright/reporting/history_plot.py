@@ -8,9 +8,9 @@ from datetime import datetime
 from typing import Any, Final
 
 from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.extras import need
 from compwright.foundations.utf8 import visible
 from compwright.reporting.charts import Document
-from compwright.reporting.extra import need
 from compwright.reporting.numbers import symbol, unit_text
 from compwright.reporting.panels import known_format, new_figure, render, style
 

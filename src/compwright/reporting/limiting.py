@@ -21,6 +21,8 @@ _WORDS: Final = {
     " uncertain",
     "error that the test leaves open": "error that the test did not tell: between targets, and"
     " hidden in the scatter",
+    "steps that the control never applies": "steps of the correction (reversal) that the control"
+    " never applies, because of its acceleration and servo period",
     "no table is written": "error that was measured, and that no table takes away",
     "spacing too wide for the period": "periodic error: the points are too far apart for it",
     "spacing of the points": "what bends between the points of the table",

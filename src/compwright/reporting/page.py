@@ -14,8 +14,8 @@ from collections.abc import Mapping
 from typing import Any, Final
 from urllib.parse import quote
 
+from compwright.foundations.extras import need
 from compwright.foundations.utf8 import encoded, visible_lines
-from compwright.reporting.extra import need
 from compwright.reporting.numbers import MISSING, number, plain, unit_text
 
 # What XML 1.0 does not allow in text; half surrogates cannot be written as UTF-8 either.

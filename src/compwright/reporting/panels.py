@@ -9,8 +9,8 @@ from contextlib import contextmanager
 from typing import Any, Final, Literal, cast
 
 from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.extras import need
 from compwright.reporting.charts import INK, LEGEND_TITLE, Chart, Curve, covered, legend_of
-from compwright.reporting.extra import need
 
 PlotFormat = Literal["svg", "png", "pdf"]
 

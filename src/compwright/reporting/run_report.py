@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from compwright.foundations.findings import DOUBTS
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.reporting import sections
 from compwright.reporting.axis_report import axis_block
@@ -51,6 +52,7 @@ def run_report(view: Document, each: Each = in_turn) -> bytes:
         {
             **common(view, [("", view.get("evaluation"))]),
             "doubts": sections.doubts(prediction.get("doubts")),
+            "acknowledged": sections.acknowledged(prediction.get("acknowledged")),
             "done": _what_was_done(view, axes),
             "verdict": _run_verdict(view, axes, predicted),
             "axes": blocks,
@@ -113,22 +115,23 @@ def _run_verdict(view: Document, axes: Document, predicted: Document) -> dict[st
     ]
     refused = {name: plain(axis["refused"]) for name, axis in axes.items() if axis.get("refused")}
     why = " ".join(f"Axis {name}: {reason.rstrip('.')}." for name, reason in refused.items())
+    first = {doubt["code"] for doubt in (view.get("prediction") or {}).get("doubts") or ()}
     if view.get("no_tables"):
         tone, text, why = "bad", "No table was written", plain(view["no_tables"])
     elif refused:
         tone, text = "bad", f"No table was written for axis {_list_of(refused)}"
+    elif first & DOUBTS:
+        tone, text = "open", "Undecided: check first what is named above"
     elif "reject" in decisions:
         tone, text = "bad", "At least one limit is predicted to be missed"
     elif "undecided" in decisions:
         tone, text = "open", "At least one limit may or may not be met"
-    elif any(
-        doubt["code"] == "CW-P131" for doubt in (view.get("prediction") or {}).get("doubts") or ()
-    ):
+    elif "CW-P131" in first:
         tone, text = "open", "Undecided: a circle is predicted to get worse"
-    elif decisions and (view.get("prediction") or {}).get("doubts"):
+    elif decisions and first:
         tone, text = (
             "open",
-            "All limits are predicted to be met, if what is to be settled first turns out well",
+            "All limits are predicted to be met, as far as what is named above is right",
         )
     elif decisions:
         tone, text = "good", "All limits are predicted to be met"

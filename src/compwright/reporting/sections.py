@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Final
 
-from compwright.foundations.findings import DOUBTS_FIRST
+from compwright.foundations.findings import ACKNOWLEDGED, DOUBTS_FIRST, next_step
 from compwright.reporting.numbers import (
     GUARDED,
     GUARDED_AFTER,
@@ -98,11 +98,20 @@ def findings(*groups: Iterable[Document] | None) -> list[dict[str, Any]]:
 
 
 def doubts(items: Iterable[Document] | None) -> dict[str, Any] | None:
-    """Return what has to be settled before anything else with its heading; None where there is
-    nothing.
+    """Return what has to be clear before anything else, with its heading and what to do then; None
+    where there is nothing.
     """
     told = findings(items)
-    return {"heading": DOUBTS_FIRST, "items": told} if told else None
+    step = next_step(item["code"] for item in told)
+    return {"heading": DOUBTS_FIRST, "items": told, "step": step} if told else None
+
+
+def acknowledged(items: Iterable[Document] | None) -> list[str]:
+    """Return the doubts that the job acknowledges, each with its reason."""
+    return [
+        f"{plain(item['code'])}: {ACKNOWLEDGED}: {plain(item['reason'])}. {plain(item['message'])}"
+        for item in items or ()
+    ]
 
 
 def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> list[str]:
@@ -317,6 +326,7 @@ def result_block(result: Document, label: str = "") -> dict[str, Any]:
         "uncertainty": _uncertainty(result, unit),
         "statistics": _statistics(result, unit, where),
         "readings": _readings(result, unit, where),
+        "reduced": _readings(result, unit, where, reduced=True),
     }
 
 
@@ -364,8 +374,13 @@ def _statistics(result: Document, unit: str, where: str) -> TextTable:
     }
 
 
-def _readings(result: Document, unit: str, where: str) -> TextTable | None:
+def _readings(
+    result: Document, unit: str, where: str, *, reduced: bool = False
+) -> TextTable | None:
+    """Return the readings as they were measured, or ``reduced`` to 20 °C; None without any."""
     targets = result.get("targets", [])
+    if reduced and not any("expansion_removed" in target for target in targets):
+        return None
     widths = {
         key: max((len(target.get(f"deviations_{key}") or []) for target in targets), default=0)
         for key in ("positive", "negative")
@@ -377,7 +392,11 @@ def _readings(result: Document, unit: str, where: str) -> TextTable | None:
     for target in targets:
         row = [number(target.get("position"), digits)]
         for key, width in widths.items():
-            readings = list(target.get(f"deviations_{key}") or [])
+            more = 0.0 if reduced else float(target.get("expansion_removed") or 0.0)
+            readings = [
+                None if value is None else value + more
+                for value in target.get(f"deviations_{key}") or []
+            ]
             row.extend(number(value) for value in readings + [None] * (width - len(readings)))
         rows.append(row)
     runs = [

@@ -13,7 +13,7 @@ from rich.console import RenderableType
 from rich.rule import Rule
 from rich.table import Table
 
-from compwright.foundations.findings import DOUBTS_FIRST
+from compwright.foundations.findings import ACKNOWLEDGED, DOUBTS_FIRST, next_step
 from compwright.reporting.limiting import limits_line
 from compwright.reporting.numbers import MISSING, number, plain, symbol, unit_text
 from compwright.reporting.sections import rule_lines
@@ -37,16 +37,29 @@ _MOST_ROWS: Final = 60
 
 
 def doubt_lines(doubts: Sequence[Mapping[str, str]]) -> list[RenderableType]:
-    """Return what has to be settled before anything else, under a heading of its own; nothing where
-    there is none.
+    """Return what has to be clear before anything else, under a heading of its own, and what to do
+    then; nothing where there is none.
     """
     if not doubts:
         return []
+    step = next_step(doubt["code"] for doubt in doubts)
     return [
         Rule(Text(DOUBTS_FIRST, style="bold yellow"), align="left", characters="━"),
         *finding_lines(doubts),
+        *([Text(step)] if step else []),
         Text(),
     ]
+
+
+def acknowledged_lines(acknowledged: Sequence[Mapping[str, str]]) -> list[RenderableType]:
+    """Return the doubts that the job acknowledges, each with its reason; nothing without any."""
+    if not acknowledged:
+        return []
+    table = finding_table()
+    for entry in acknowledged:
+        words = Text(f"{ACKNOWLEDGED}: {entry['reason']}. {entry['message']}")
+        table.add_row(_word(entry["severity"]), entry["code"], words)
+    return [table, Text()]
 
 
 def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
@@ -195,13 +208,19 @@ def finding_lines(findings: Sequence[Mapping[str, str]]) -> list[RenderableType]
     if not findings:
         return []
     order = {"error": 0, "warning": 1, "info": 2}
+    table = finding_table()
+    for finding in sorted(findings, key=lambda entry: order.get(entry["severity"], 3)):
+        table.add_row(_word(finding["severity"]), finding["code"], Text(finding["message"]))
+    return [table]
+
+
+def finding_table() -> Table:
+    """Return an empty table for findings: gravity, code, words."""
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
     table.add_column(no_wrap=True)
     table.add_column(no_wrap=True, style="dim")
     table.add_column(overflow="fold")
-    for finding in sorted(findings, key=lambda entry: order.get(entry["severity"], 3)):
-        table.add_row(_word(finding["severity"]), finding["code"], Text(finding["message"]))
-    return [table]
+    return table
 
 
 def file_lines(title: str, files: Sequence[str]) -> list[RenderableType]:
@@ -213,8 +232,8 @@ def decode_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     """Return what a control adds to the command, by axis, position and approach direction."""
     shown: list[RenderableType] = []
     for address, axis in document["axes"].items():
-        unit = unit_text(axis["unit"])
-        position = "deg" if axis["unit"] == "arcsec" else "mm"
+        unit = "10⁻³ mm or deg" if axis["unit"] is None else unit_text(axis["unit"])
+        position = {"um": "mm", "arcsec": "deg"}.get(axis["unit"], "mm or deg")
         table = plain_table()
         for heading in (f"position, {position}", f"+ {unit}", f"− {unit}"):
             table.add_column(heading, justify="right", no_wrap=True)
@@ -282,8 +301,14 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     return [
         *shown,
         *circle_tables(document["circles"]),
-        Text.assemble("Verdict: ", _word(document["verdict"])),
+        _verdict(document["verdict"], document["headline"]),
     ]
+
+
+def _verdict(verdict: str, headline: str) -> RenderableType:
+    """Return the verdict, with its headline where that says more."""
+    more = "" if headline.lower().startswith(verdict) else f". {headline}"
+    return Text.assemble("Verdict: ", _word(verdict), more)
 
 
 def next_lines(then: Mapping[str, Any] | None) -> list[RenderableType]:

@@ -25,13 +25,8 @@ def verify_report(view: Document) -> bytes:
     """
     verification = view.get("verification") or {}
     axes = {str(name): axis for name, axis in (verification.get("axes") or {}).items()}
-    tones = {
-        "good": ("good", "Good: the tables act and the limits are met"),
-        "bad": ("bad", "Bad: see the axes below"),
-    }
-    tone, text = tones.get(
-        str(verification.get("verdict")), ("open", "Undecided: the tests do not tell")
-    )
+    tone = {"good": "good", "bad": "bad"}.get(str(verification.get("verdict")), "open")
+    text = plain(verification.get("headline") or "")
     rows = [
         row
         for index, (name, axis) in enumerate(axes.items(), 1)
@@ -46,6 +41,7 @@ def verify_report(view: Document) -> bytes:
         {
             **common(view, list(zip(("before", "after"), evaluations, strict=True))),
             "doubts": sections.doubts(verification.get("doubts")),
+            "acknowledged": sections.acknowledged(verification.get("acknowledged")),
             "verdict": {"tone": tone, "text": text, "rows": rows},
             "next": _next_round(verification.get("next")),
             "axes": blocks,

@@ -9,7 +9,7 @@ the values larger (drift, a traverse or a reading far off) leave it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from itertools import combinations
 from pathlib import Path
@@ -31,26 +31,24 @@ _HARMLESS: Final = frozenset({"CW-T012", "CW-T013", "CW-T014", "CW-T022"})
 #: The size of the readings is judged beside the first test's (`verification.measurement`), which
 #: knows more than the test alone.
 _JUDGED_BESIDE: Final = frozenset({"CW-T030"})
-#: Warnings about the readings: they count whether or not the first test had them too. All others
-#: count where it had not.
-_OF_READINGS: Final = frozenset(
-    {
-        *("CW-R006", "CW-R008", "CW-R009", "CW-R010", "CW-R011", "CW-R012", "CW-R015"),
-        *("CW-T010", "CW-T011", "CW-T015", "CW-T016", "CW-T031", "CW-T032"),
-    }
-)
+#: Doubts, and these warnings about the readings, count whether or not the first test had them too.
+#: All others count where it had not.
+_OF_READINGS: Final = frozenset({"CW-R006", "CW-T010", "CW-T015", "CW-T016"})
 #: Warnings about the uncertainty count only where it decides.
 _OF_UNCERTAINTY: Final = frozenset({"CW-T023"})
 
 
 @dataclass(frozen=True, slots=True)
 class AfterTest:
-    """A test after loading: its axis, the name of the test that it repeats, and its files."""
+    """A test after loading: its axis, the name of the test that it repeats, its files, and the
+    mapping profile that was given for them.
+    """
 
     axis: str
     test: PositioningTest
     repeats: str
     files: tuple[Path, ...] = ()
+    profile: Path | None = None
 
 
 def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
@@ -177,20 +175,36 @@ def _missing(what: str, measure: str) -> Finding:
     )
 
 
+def doubts_after(after: PositioningResult) -> tuple[Finding, ...]:
+    """Return the doubts about the readings of a test after loading."""
+    return tuple(
+        finding
+        for finding in after.findings
+        if finding.is_doubt and finding.code not in _JUDGED_BESIDE
+    )
+
+
 def doubted(
-    after: PositioningResult, before: PositioningResult, *, guarded: bool
+    after: PositioningResult,
+    before: PositioningResult,
+    acknowledged: Collection[Finding],
+    *,
+    guarded: bool,
 ) -> Iterator[Finding]:
-    """Yield the warnings of the evaluation that take the verdict to undecided (CW-V024)."""
+    """Yield the warnings of the evaluation that take the verdict to undecided (CW-V024);
+    ``acknowledged``: doubts that the job acknowledges.
+    """
     had = {finding.code for finding in before.findings}
     for finding in after.findings:
         code = finding.code
         if (
             finding.severity == "info"
+            or finding in acknowledged
             or code in _HARMLESS | _JUDGED_BESIDE
             or (code in _OF_UNCERTAINTY and not guarded)
         ):
             continue
-        if code in _OF_READINGS or code not in had:
+        if finding.is_doubt or code in _OF_READINGS or code not in had:
             message = (
                 f"The test after loading, {code}: {finding.message} Settle this, or measure again."
             )

@@ -49,6 +49,10 @@ _ANGULAR_UNITS = {
 }
 
 
+#: TYPE of a joint, a word or its number: whether it counts angles.
+_TYPES = {"LINEAR": False, "1": False, "ANGULAR": True, "2": True}
+
+
 @dataclass(frozen=True, slots=True)
 class _Joint:
     """``unit``: mm or deg per machine unit."""
@@ -366,14 +370,16 @@ class _Loader:
         """Return mm or deg per machine unit of a joint."""
         value = self._value(number, "TYPE")
         kind = by_address(self.request.kinds, str(number))
-        if value is not None and value.text.upper() not in {"LINEAR", "ANGULAR"}:
+        if value is not None and value.text.upper() not in _TYPES:
             self.faults.append(
                 value.fault(
                     f"TYPE of joint {number}: the control does not start",
                     expected="LINEAR or ANGULAR",
                 )
             )
-        angular = value.text.upper() == "ANGULAR" if value is not None else kind is AxisKind.ROTARY
+        angular = (
+            _TYPES.get(value.text.upper(), False) if value is not None else kind is AxisKind.ROTARY
+        )
         if angular:
             return self._named_unit("ANGULAR_UNITS", _ANGULAR_UNITS) or 1.0
         named = self._named_unit("LINEAR_UNITS", _LINEAR_UNITS)

@@ -115,7 +115,7 @@ def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
     ``counts_per_unit`` of a motor that is corrected is missing or 0.
     """
     card = run_scripts(files)
-    raise_all(InputError, card.faults)
+    raise_all(InputError, [*card.faults, *_not_sent(card, request)])
     assumed: list[Assumption] = []
     judged = Judged(card, request, assumed)
     motors = judged.motors()
@@ -135,6 +135,17 @@ def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
         for a, b in crossing.keys() - tables.keys()
     ]
     return PmacControl(motors, tables, scales, tuple(assumed), tuple(notes))
+
+
+def _not_sent(card: Card, request: Request) -> list[Fault]:
+    """Return what may not have been sent to the card, of motors under work; nothing where all of it
+    was.
+    """
+    return [
+        place.fault("is in a conditional block: say with `active` whether it was sent")
+        for motor, place in ([] if request.carried_out else card.left_out)
+        if not motor or request.asks_for(str(motor))
+    ]
 
 
 def _left(card: Card, judged: Judged, request: Request) -> list[str]:

@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from compwright.controllers.places import OfLine
+from compwright.controllers.pmac.sending import Sending, calculated, expression, without_remarks
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -25,7 +26,7 @@ ENABLE, TAKE_UP, SIZE = 51, 85, 86
 
 _NUMBER = re.compile(r"[+-]?\d+(?![\d.$])")
 _MOTOR = re.compile(r"#\s*(\d+)(\s*->\s*(?:I(?![0-9A-Z])|(?:[-+.\d\s]|[ABCUVWXYZ](?![A-Z]))*))?")
-_LINE = r"(\d{1,9})\s*,\s*(?:#\s*(\d+)\s*(D?)\s*,\s*(?:#\s*(\d+)\s*,\s*)?)?(\d{1,15})"
+_LINE = r"(\d{1,9})\s*(?:,|(?=#))\s*(?:#\s*(\d+)\s*(D?)\s*,\s*(?:#\s*(\d+)\s*,\s*)?)?(\d{1,15})"
 _COMP = re.compile(rf"DEF(?:INE)?\s*COMP\s*{_LINE}(?![\d.,])")
 _PLANE = re.compile(
     r"DEF(?:INE)?\s*COMP\s*(\d{1,9})\.(\d{1,9})((?:\s*,\s*#\s*\d+\s*D?)*)\s*,\s*\d+\s*,\s*\d+"
@@ -38,13 +39,15 @@ _BUFFER = re.compile(
 _DELETE = re.compile(r"DEL(?:ETE)?\s*(COMP|BLCOMP|TCOMP)\b")
 _VARIABLE = re.compile(
     r"I(\d{1,4})(?:\s*\.\.\s*(\d{1,4})|\s*,\s*(\d{1,4})\s*,\s*(\d{1,4}))?\s*="
-    r"\s*(\$[0-9A-F]+|[+-]?\d+(?:\.\d*)?|[^\s;]*)"
+    r"\s*"
 )
 _HARMLESS = re.compile(
-    r"[MPQ]\d+(?:\.\.\d+|\s*,\s*\d+\s*,\s*\d+)?\s*(?:=\s*[^\s=]+|->\s*[^\s=,]+(?:\s*,\s*[^\s=,]+)*)"
+    r"[MPQ]\d+(?:\.\.\d+|\s*,\s*\d+\s*,\s*\d+)?\s*"
+    r"(?:=\s*[^\s=]+(?:\s*[-+*/|^]\s*[^\s=]+)*|->\s*[^\s=,]+(?:\s*,\s*[^\s=,]+)*)"
     r"(?!\S)|&\s*\d+|SAVE\b|CLOSE\b|UNDEFINE(?:\s*ALL)?\b"
     r"|ENDG(?:ATHER)?\b|(?:ENA(?:BLE)?|DIS(?:ABLE)?)\s*PLCC?\s*\d*(?:(?:,|\.\.)\d+)*"
 )
+_CONDITION = re.compile(r"\b(?:IF|WHILE|AND|OR)\s*\((?:[^()]|\([^()]*\))*\)")
 _OPEN = re.compile(r"OPEN\b(.*)")
 _POWER = re.compile(r"(?:COMPTABLE|MOTOR|SYS|COORD)\s*[\[.]")
 #: Buffers that have to be defined after tables of a kind.
@@ -94,12 +97,13 @@ class Setting:
 @dataclass(slots=True)
 class Card:
     """What stands in the card when all scripts have run. ``later``: assignments that programs make
-    when they run.
+    when they run; ``left_out``: what may not have been sent, by motor (0: all of them).
     """
 
     tables: dict[tuple[str, int], Table] = field(default_factory=dict)
     variables: dict[int, Setting] = field(default_factory=dict)
     later: dict[int, Place] = field(default_factory=dict)
+    left_out: list[tuple[int, Place]] = field(default_factory=list)
     buffers: set[str] = field(default_factory=set)
     notes: list[str] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
@@ -111,17 +115,17 @@ class Card:
 
 def run_scripts(files: Sequence[ControlFile]) -> Card:
     """Return the card after all ``files`` in their order; nothing is raised."""
-    card = Card()
+    card, sending = Card(), Sending()
     for file in files:
         text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf").upper()
         text = text.removesuffix("\x1a")  # the end of a file of DOS
         if "\x00" in text:
             card.faults.append(Fault(message="a NUL byte: no script in plain text", file=file.name))
             continue
-        script = _Script(card)
+        script = _Script(card, sending)
         lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
         for number, line in enumerate(lines, start=1):
-            script.line(line.partition(";")[0], Place(file.name, number))
+            script.line(without_remarks(line), Place(file.name, number))
         script.finish()
         if script.inside is not None:
             card.faults.append(script.inside.fault("a program that does not end", expected="CLOSE"))
@@ -131,22 +135,29 @@ def run_scripts(files: Sequence[ControlFile]) -> Card:
 class _Script:
     """Carries out one script: which motor is addressed, which table waits for entries."""
 
-    def __init__(self, card: Card) -> None:
+    def __init__(self, card: Card, sending: Sending) -> None:
         self.card = card
+        self.sending = sending
+        self.done: dict[tuple[str, int], list[tuple[list[tuple[int, int]], Place]]] = {}
         self.motor: int | None = None
         self.waiting: Table | None = None
         self.inside: Place | None = None
 
     def line(self, text: str, place: Place) -> None:
         rest = text.strip()
+        wrong = self.sending.takes(rest, place.line)
+        if wrong is not None:
+            if wrong:
+                self.card.faults.append(place.fault(wrong))
+            return
         if self.inside is not None:
             self._program(rest, place)
             return
         while rest:
-            match = self._command(rest, place)
-            if match is None:
+            end = self._command(rest, place)
+            if end is None:
                 return
-            rest = rest[match.end() :].strip()
+            rest = rest[end:].strip()
 
     def finish(self) -> None:
         """Keep the fault of a table that did not get all its entries."""
@@ -160,14 +171,21 @@ class _Script:
                 )
             )
 
-    def _command(self, rest: str, place: Place) -> re.Match[str] | None:
-        """Carry out the first command of ``rest``; None ends the line."""
+    def _command(self, rest: str, place: Place) -> int | None:
+        """Carry out the first command of ``rest`` and return where it ends; None ends the line."""
         if self.waiting is not None:
             match = _NUMBER.match(rest)
             if match is not None:
                 self._entry(self.waiting, int(match.group()[:20]), place)
-                return match
+                return match.end()
+            if self.waiting.entries and rest.startswith(","):
+                return 1
             self.finish()
+        match = _VARIABLE.match(rest)
+        if match is not None:
+            text = expression(rest[match.end() :]) or rest[match.end() :].partition(" ")[0]
+            self._variable(match, text, place)
+            return match.end() + len(text)
         for form, action in (
             (_MOTOR, self._address),
             (_PLANE, self._plane),
@@ -175,7 +193,6 @@ class _Script:
             (_OWN, self._own),
             (_BUFFER, self._buffer),
             (_DELETE, self._delete),
-            (_VARIABLE, self._variable),
             (_OPEN, self._open),
             (_HARMLESS, None),
         ):
@@ -183,7 +200,14 @@ class _Script:
             if match is not None:
                 if action is not None:
                     action(match, place)
-                return match
+                return match.end()
+        return self._unknown(rest, place)
+
+    def _unknown(self, rest: str, place: Place) -> int | None:
+        """Refuse what is not known; read over what macros make harmless."""
+        said = self.sending.put_in(rest)
+        if said != rest and _HARMLESS.fullmatch(said.strip()):
+            return len(rest)
         message = "not a command that is known here: it may act"
         if _NUMBER.match(rest):
             message = "a number that belongs to no table"
@@ -191,6 +215,22 @@ class _Script:
             message = "a script of a Power PMAC, which is not read"
         self.card.faults.append(place.fault(message, found=repr(rest[:60])))
         return None
+
+    def _sent(self, what: str, motor: int, place: Place) -> bool:
+        """Note what concerns compensation; False, with a fault, where the same stands in another
+        branch of a block: the card did not get both.
+        """
+        here = list(self.sending.blocks)
+        for blocks, earlier in self.done.setdefault((what, motor), []):
+            for (begun, branch), (other, its) in zip(here, blocks, strict=False):
+                if begun == other and branch != its:
+                    message = f"in another branch than the same in line {earlier.line}"
+                    self.card.faults.append(place.fault(f"{what}: {message}"))
+                    return False
+        self.done[what, motor].append((here, place))
+        if here:
+            self.card.left_out.append((motor, place))
+        return True
 
     def _entry(self, table: Table, value: int, place: Place) -> None:
         if abs(value) > LARGEST:
@@ -262,6 +302,9 @@ class _Script:
                 table.place.fault(f"DEFINE {table.kind}", expected=expected, found=found)
             )
             return
+        if not self._sent(f"DEFINE {table.kind}", table.motor, table.place):
+            self.waiting = table
+            return
         self._refuse(table.kind, table.motor, table.place)
         self.card.tables[table.kind, table.motor] = table
         self.waiting = table
@@ -291,7 +334,7 @@ class _Script:
 
     def _delete(self, match: re.Match[str], place: Place) -> None:
         kind, motor = match.group(1), self._addressed(match, place)
-        if motor is None:
+        if motor is None or not self._sent(f"DELETE {kind}", motor, place):
             return
         lower = [one for name, one in self.card.tables if name == kind and one < motor]
         if lower:
@@ -304,16 +347,12 @@ class _Script:
             )
         self.card.tables.pop((kind, motor), None)
 
-    def _variable(self, match: re.Match[str], place: Place) -> None:
-        first, last, count, step, text = match.groups()
-        value = None
-        if re.fullmatch(r"\$[0-9A-F]{1,12}", text):
-            value = float(int(text[1:], 16))
-        elif re.fullmatch(r"[+-]?\d+\.?\d*", text):
-            value = float(text)
+    def _variable(self, match: re.Match[str], text: str, place: Place) -> None:
+        first, last, count, step = match.groups()
+        value = calculated(self.sending.put_in(text))
         end = int(last or first) if count is None else int(first) + (int(count) - 1) * int(step)
         for number in range(int(first), end + 1, max(1, int(step or 1))):
-            if acts(number):
+            if acts(number) and self._sent(f"I{number}", number // 100, place):
                 self.card.variables[number] = Setting(value, text, place)
 
     def _open(self, match: re.Match[str], place: Place) -> None:
@@ -323,9 +362,12 @@ class _Script:
     def _program(self, rest: str, place: Place) -> None:
         """Read over a program: what it does to compensation happens when it runs."""
         program, closed, after = re.match(r"(.*?)(?:\b(CLOSE\b)(.*))?$", rest).groups()  # type: ignore[union-attr]
+        program = _CONDITION.sub("", self.sending.put_in(program))
         for match in re.finditer(r"(?<![A-Z0-9])I(\d{1,4})\s*=(?!=)", program):
             if acts(int(match.group(1))):
                 self.card.later[int(match.group(1))] = place
+        if re.match(r"\s*I\([^=]*\)\s*=(?!=)", program):
+            self.card.later[ENABLE] = place
         if closed:
             self.inside = None
             self.line(after, place)

@@ -25,6 +25,9 @@ _SUM = slice(148, 156)
 _BEGIN = re.compile(rb"@@MMCIBN\.[0-9]{3}\x00")
 _ACTIVE = "\\_NC_ACT.DIR\\"
 _DATA = "7"
+_DATUM = re.compile(
+    rb"\s*(?:N\d+\s+)?\$(?P<name>\w+)\s*(?P<index>\[[^\]]*\])?\s*=(?P<value>[^;]*?)(?:\s+'\w{4})?\s*(?:;.*)?$"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +81,7 @@ def active_files(file: ControlFile) -> Opened:
     except InputError as error:
         opened.faults.extend(error.faults)
         return opened
+    opened.faults += _said_twice(opened.files)
     opened.faults += [
         Fault(
             message=f"the archive is cut short: its list names {name}, which is not in it",
@@ -89,6 +93,40 @@ def active_files(file: ControlFile) -> Opened:
         if name.upper() not in seen
     ]
     return opened
+
+
+def _said_twice(files: list[ControlFile]) -> Iterator[Fault]:
+    """Yield where two members end with two values of one variable. A control writes its machine
+    data into INITIAL.INI and, in parts, into the CFG members; MD11200 alone is a command.
+    """
+    ends: dict[bytes, tuple[bytes, ControlFile, int]] = {}
+    for file in files:
+        own: dict[bytes, tuple[bytes, ControlFile, int]] = {}
+        for number, line in enumerate(file.content.splitlines(), start=1):
+            match = _DATUM.match(line)
+            if match is not None and match["name"].upper() != b"MN_INIT_MD":
+                key = (match["name"] + (match["index"] or b"")).replace(b" ", b"").upper()
+                own[key] = match["value"].strip(), file, number
+        for key, (value, _, number) in own.items():
+            other, where, at = ends.setdefault(key, (value, file, number))
+            if other != value and _as_number(other) != _as_number(value):
+                yield Fault(
+                    message=(
+                        f"${key.decode('latin-1')} is not what {where.name}, line {at} says:"
+                        " one of the two members was changed"
+                    ),
+                    file=file.name,
+                    place=f"line {number}",
+                    expected=f"{other.decode('latin-1')}, or an archive that was exported again",
+                    found=value.decode("latin-1"),
+                )
+
+
+def _as_number(text: bytes) -> float | bytes:
+    try:
+        return float(text)
+    except ValueError:
+        return text.upper()
 
 
 def _listed(content: bytes) -> list[str]:

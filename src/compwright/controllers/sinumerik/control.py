@@ -31,6 +31,7 @@ from compwright.controllers.sinumerik.axes import AxisNames, axis_names
 from compwright.controllers.sinumerik.cec import load_sag
 from compwright.controllers.sinumerik.lengths import encoders_of, lengths_of
 from compwright.controllers.sinumerik.loading import load
+from compwright.controllers.sinumerik.programs import check_programs
 from compwright.controllers.sinumerik.sag import Pair, Sag, union
 from compwright.controllers.sinumerik.tables import (
     Remarks,
@@ -186,7 +187,8 @@ def sinumerik_control(
     of a machine axis (MD10000, MD20080) are one axis. ``room``: sag tables and points of each,
     where the control has a fixed number. Raises InputError for what the control would
     not take or what contradicts itself: every fault with file and line. UsageError for a measuring
-    system other than 1 or 2, or another ``cec_sign``.
+    system other than 1 or 2, another ``cec_sign``, and a program whose assignments may not all
+    have been carried out (``request.carried_out``).
     """
     loaded = load(files)
     contents, faults = loaded.contents, loaded.faults
@@ -206,6 +208,7 @@ def sinumerik_control(
     lengths, strange = lengths_of(contents, names, request)
     faults += strange if assignments else []
     raise_all(InputError, faults)
+    check_programs(contents, names, request, inch=lengths.inch)
     assignments = [lengths.in_mm(entry) for entry in assignments]
     remarks = Remarks(notes=[note for content in contents for note in content.notes])
     by_axis: dict[str, list[Assignment]] = defaultdict(list)

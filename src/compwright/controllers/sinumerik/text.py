@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 
 from compwright.controllers.places import OfLine
+from compwright.controllers.sinumerik.flow import Block, is_given
 from compwright.controllers.sinumerik.units import UnitLines
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -74,6 +75,18 @@ _NAME_LISTS = re.compile(
 #: an archive hold neither.
 _NAMED_LIST = "_AXCONF_"
 _FACT = re.compile("|".join(sorted(FACTS)), re.IGNORECASE)
+#: An assignment of a value as it stands, of which an archive has thousands.
+_PLAIN = re.compile(
+    r"""\s*(?:N\d+\s+)?(?:\$\w+(?:\[[\w,]*\])?|(?:R|[A-Z_]\w+)\[[\d,]+\])\s*=\s*"""
+    r"""(?:[+-]?[\d.]+|'[HB]\w+'|"")\s*""",
+    re.IGNORECASE,
+)
+#: Assignments beside compensation of which the value decides kinds and units.
+_DECIDING = re.compile(
+    rf"\s*(?:N\d+\s*)?\$(?:{'|'.join(sorted(FACTS))}|MN_SCALING_\w+)\s*(?:\[[^\]]*\])?"
+    r"\s*=(?!=)(?P<right>.*)",
+    re.IGNORECASE,
+)
 _QUOTED = re.compile(r'"[^"]*"')
 #: Files whose content is kept: the members of the archives that a job has as states.
 _KEPT = 64
@@ -161,7 +174,8 @@ class FileContent:
     ``machine_names``, ``channel_names``: names by place from 0; ``channel_places``: machine axes
     from 1 by place of the channel; ``facts``: plain assignments of `FACTS`; ``units``: what is
     said of the unit of lengths; ``not_given``: assignments of ``n/a``, whose value is somewhere
-    else; ``unknown_keys``: by table a key of it that is not known.
+    else; ``unknown_keys``: by table a key of it that is not known; ``blocks``: what its programs do
+    besides.
     """
 
     name: str = ""
@@ -174,7 +188,14 @@ class FileContent:
     not_given: list[Assignment] = field(default_factory=list)
     units: UnitLines = field(default_factory=UnitLines)
     unknown_keys: dict[int, str] = field(default_factory=dict)
+    blocks: list[Block] = field(default_factory=lambda: [Block()])
     faults: list[Fault] = field(default_factory=list)
+
+    def said(self) -> tuple[int, ...]:
+        """Return how many statements that count were found so far."""
+        units = self.units
+        of_units = len(units.metric) + len(units.inch) + len(units.own)
+        return len(self.assignments), len(self.facts), len(self.not_given), of_units
 
 
 @dataclass(slots=True)
@@ -197,7 +218,7 @@ def read_file(file: ControlFile) -> FileContent:
     What stands behind the end of a program (M17, M30, M02) and before the next header is a fault,
     because the control does not read it. What was read is kept by content: it is not to be changed.
     """
-    found = FileContent(file.name)
+    found = FileContent(file.name, blocks=[Block.named(file.name, 1)])
     if b"\x00" in file.content:
         found.faults.append(
             Fault(
@@ -207,7 +228,7 @@ def read_file(file: ControlFile) -> FileContent:
             )
         )
         return found
-    program = _Program()
+    program, begun = _Program(), False
     lines = re.split(r"\r\n|\n|\r", file.content.decode("latin-1"))
     for number, raw in enumerate(_with_points(lines), start=1):
         line = raw.lstrip("\xef\xbb\xbf") if number == 1 else raw
@@ -215,18 +236,51 @@ def read_file(file: ControlFile) -> FileContent:
         if _HEADER.match(code):
             _note_end(program, file.name, found, last=False)
             program = _Program(number, len(found.assignments))
+            found.blocks.append(Block.named(code, number, behind=begun))
+            begun = True
             continue
+        begun = begun or code[:1] not in ("", ";")
         if _NAMED_LIST in code.upper():
             _read_names(code, found)
+        before = found.said()
         found.units.read(code.split(";", 1)[0], number)
         code = _QUOTED.sub('""', code).split(";", 1)[0].rstrip()
         if _FACT.search(code):
             _read_fact(code, file.name, number, found)
         if _MENTION.search(code) and not _PATH.match(code):
-            _read_line(code, file.name, number, found, ended=program.ended)
+            _read_line(code, file.name, number, found, ended=found.blocks[-1].over > 0)
+        _note_flow(code, number, found, said=found.said() != before)
         program.ended = program.ended or _END.match(code) is not None
     _note_end(program, file.name, found, last=True)
+    variables = {name for block in found.blocks for name in block.variables}
+    found.faults += [
+        _computed(file.name, entry.line, entry.variable)
+        for entry in found.assignments
+        for name in (entry.axis, entry.names)
+        if name.upper() in variables or re.fullmatch(r"R\d+", name, re.IGNORECASE)
+    ]
     return found
+
+
+def _note_flow(code: str, number: int, found: FileContent, *, said: bool) -> None:
+    """Take down what a line does in its program; ``said``: it is a statement that counts."""
+    if said:
+        found.blocks[-1].assigned(number)
+    elif code and not (_PLAIN.fullmatch(code) or _PATH.match(code)):
+        found.blocks[-1].statement(code, number)
+        match = _DECIDING.match(code)
+        if match is not None and not is_given(match["right"], naming=False):
+            found.faults.append(_computed(found.name, number, code.strip()[:80]))
+
+
+def _computed(file: str, number: int, shown: str) -> Fault:
+    return Fault(
+        message="what is assigned here, or to what, only the running program knows",
+        file=file,
+        place=f"line {number}",
+        expected="numbers and names of axes, as in the data that the control exports",
+        found=shown,
+    )
 
 
 def _read_names(code: str, found: FileContent) -> None:

@@ -74,6 +74,7 @@ def _measure(name: str, node: Node) -> Measure:
         "repeated",
         "when_absent",
         "evidence",
+        besides=("typed",),
     )
     unit = part["unit"].keys("linear", "rotary")
     option = part["sign"].data.get("option") if isinstance(part["sign"].data, dict) else None
@@ -96,6 +97,7 @@ def _measure(name: str, node: Node) -> Measure:
         digits=part["digits"].integer(0, 9),
         range=(bounds[0], bounds[-1]) if bounds else (0.0, 0.0),
         sign_option=None if option is None else part["sign"].keys("option")["option"].text(),
+        typed=part["typed"].text() if "typed" in part else "",
     )
 
 

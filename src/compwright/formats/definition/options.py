@@ -11,12 +11,15 @@ from difflib import get_close_matches
 from compwright.formats.definition.required import Required
 from compwright.formats.definition.schema import Definition, OptionRule
 from compwright.foundations.errors import Fault, UsageError, raise_all
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlState
 
 #: What every control's files are read with where no job says more about the axis: the zero state.
 REFERENCE = "reference"
 REFERENCE_RETURN = "reference_return"
+#: Whether an axis is linear or rotary, for reading files that do not say it: a word for every axis,
+#: or kinds by address.
+KIND = "kind"
 #: The option that says how long a pulse is: asked for, never assumed.
 DETECTION_UNIT = "detection_unit"
 #: What the values of a table mean, where no manual says it; an entry sheet says it of its axis.
@@ -44,7 +47,7 @@ def resolve_options(
     contradicts the control's files.
     """
     faults: list[Fault] = []
-    known = [*definition.options, REFERENCE, REFERENCE_RETURN]
+    known = [*definition.options, REFERENCE, REFERENCE_RETURN, KIND]
     for name in given:
         if name not in known:
             near = get_close_matches(name, known, 1)
@@ -65,10 +68,22 @@ def resolve_options(
     values[REFERENCE_RETURN] = str(given.get(REFERENCE_RETURN, "+"))
     if values[REFERENCE_RETURN] not in ("+", "-"):
         faults.append(_wrong(REFERENCE_RETURN, definition, "+ or -", values[REFERENCE_RETURN]))
+    values[KIND] = given.get(KIND)
+    if values[KIND] is not None and not isinstance(values[KIND], Mapping):
+        values[KIND] = str(values[KIND])
+        if values[KIND] not in tuple(AxisKind):
+            faults.append(_wrong(KIND, definition, "linear or rotary", values[KIND]))
     if state is not None:
         _settle_shared(definition, values, given, state, faults, strict=strict)
     raise_all(UsageError, faults)
     return Required(values, section="options", file=definition.file)
+
+
+def known_kind(options: Mapping[str, object], address: str) -> AxisKind | None:
+    """Return the kind of an axis that the options give for files that do not say it."""
+    given = options[KIND]
+    word = given.get(address) if isinstance(given, Mapping) else given
+    return None if word is None else AxisKind(str(word))
 
 
 def axis_options(
@@ -154,6 +169,10 @@ def describe_options(definition: Definition) -> tuple[str, ...]:
     lines.append(
         f"{REFERENCE_RETURN} (default +): direction in which the reference is approached, for"
         " reading files without a job"
+    )
+    lines.append(
+        f"{KIND} (no default; one of linear, rotary): kind of the axes of which the files do not"
+        " say it, for reading files without a job"
     )
     return tuple(lines)
 

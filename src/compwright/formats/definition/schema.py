@@ -146,6 +146,7 @@ class Measure(Binding):
     or backlash in ``unit``.
 
     ``sign_option``: the option whose value is the sign, where nothing in the files says it.
+    ``typed``: how the card prints it, with the control's parameter, number and unit.
     """
 
     linear_unit: str | OptionValue
@@ -156,6 +157,7 @@ class Measure(Binding):
     digits: int
     range: tuple[float, float]
     sign_option: str | None = None
+    typed: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -330,6 +332,7 @@ class Definition:
 
     Equal only to itself: what is made of it (its compiled forms) is kept by it.
 
+    ``aliases``: further names by which users ask for it; other definitions may have the same.
     ``parameters``: those beside the table, by the names that the family of its shape gives them.
     ``look_at``: by verdict of loading, what to look at; empty where the definition does not say it.
     ``text``: where each key stands, for faults. ``own``: of a definition that a user brought,
@@ -338,6 +341,7 @@ class Definition:
 
     id: str
     title: str
+    aliases: tuple[str, ...]
     file: str
     sources: Mapping[str, str]
     proven: tuple[Mapping[str, str], ...]

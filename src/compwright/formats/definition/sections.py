@@ -58,6 +58,7 @@ def definition_of_sections(
     return Definition(
         id=part["id"].text(),
         title=part["title"].text(),
+        aliases=part["aliases"].texts() if "aliases" in part else (),
         file=file,
         sources={name: node.text() for name, node in part["sources"].entries()},
         proven=tuple(

@@ -18,11 +18,13 @@ from compwright.foundations.errors import Fault
 @dataclass(frozen=True, slots=True)
 class Activity:
     """``said``: what the job answers (None: nothing). ``asking``: the answer is needed, because
-    readings hang on it.
+    readings hang on it. ``carried_out``: all values of programs count, as the answer says or
+    because that was asked before.
     """
 
     said: bool | None = None
     asking: bool = False
+    carried_out: bool = False
 
     def settle(
         self, label: str, switches: str, word: str | None, place: Found | None, notes: Notes

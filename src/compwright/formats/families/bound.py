@@ -95,6 +95,11 @@ class Bound:
         return "enabled" in self.definition.bindings
 
     @property
+    def repeats_turns(self) -> bool:
+        """Whether the table of a rotary axis over several turns holds its turn again and again."""
+        return False
+
+    @property
     def counts_systems(self) -> bool:
         """Whether the control's files count measuring systems."""
         return any("system" in each.fields for each in self.definition.statements.values())

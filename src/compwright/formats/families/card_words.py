@@ -51,6 +51,7 @@ def table_values(
         "points": str(positions.size),
         "unit": scale.unit(node),
         "backlash": typed(compensation.backlash / float(scale.factor(lost))),
+        "backlash_unit": scale.unit(lost),
     }
     if positions.size:
         values["start"] = f"{positions[0] / factor:.10g}"

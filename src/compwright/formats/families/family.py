@@ -8,7 +8,7 @@ tables), never a maker. The single controls differ by their definitions.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Self
 
@@ -24,7 +24,7 @@ from compwright.formats.families.delivery import Delivery
 from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.entered import Entered, Entries, by_statements
-from compwright.foundations.errors import CapacityError, Fault
+from compwright.foundations.errors import CapacityError, Fault, UsageError
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import (
@@ -87,6 +87,18 @@ class Family(Bound, ABC):
         only the user can answer.
         """
 
+    def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
+        """Yield what a job has to say of an axis that is to get a table; the place is the key or
+        the option. ``files``: the control's own files are given, and may say it; ``given``: the
+        options that the job gives to any of its axes.
+        """
+        del given
+        if not files:
+            try:
+                self.address(axis)
+            except UsageError as error:
+                yield from (replace(fault, place="address") for fault in error.faults)
+
     @abstractmethod
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """Return the limits of one axis' table in mm or deg.
@@ -121,11 +133,14 @@ class Family(Bound, ABC):
         which the axis can be measured, mm or deg, ascending.
         """
 
-    def numbered(self, axis: Axis, facts: AxisFacts) -> NumberedSections | None:
+    def numbered(
+        self, axis: Axis, facts: AxisFacts, table: AxisCompensation
+    ) -> NumberedSections | None:
         """Return which section of an axis has which number, for the drawing on the card; None where
-        points have no numbers that an engineer sets. ``facts``: what the written files say of it.
+        points have no numbers that an engineer sets. ``facts``: what the written files say of it;
+        ``table``: as read back from them.
         """
-        del axis, facts
+        del axis, facts, table
         return None
 
     @abstractmethod
@@ -165,28 +180,31 @@ class Family(Bound, ABC):
         """
         written = self.loading_order(files)
         address, _ = self.address(axis)
-        fresh, small = (
-            self._file_names(replace(axis, address=name))
-            for name in (address, self.file_stem(address))
-        )
-        if any(name in written for name in small.values()):
-            partner = (
-                {}
-                if axis.gantry is None
-                else self._file_names(
-                    replace(axis, address=self.file_stem(normal_text(self.definition, axis.gantry)))
-                )
-            )
-            return {
-                key: " and ".join(one for one in (name, partner.get(key, "")) if one in written)
-                or name
-                for key, name in small.items()
-            }
-        own = ", ".join(name for name in written if name not in fresh.values())
+        partner = [] if axis.gantry is None else [normal_text(self.definition, axis.gantry)]
+        named = [
+            self._file_names(replace(axis, address=self.file_stem(one)))
+            for one in (address, *partner)
+        ]
+        fresh = self._file_names(replace(axis, address=address))
+        own = ", ".join(name for name in written if name not in self._new_names(axis))
+        patched = f"your own {own}, as patched" if own else ""
+        if not any(name in written for name in named[0].values()):
+            return {key: patched for key, name in fresh.items() if name not in written and own}
         return {
-            key: f"your own {own}, as patched"
-            for key, name in fresh.items()
-            if name not in written and own
+            key: " and ".join(one for names in named if (one := names[key]) in written)
+            or patched
+            or name
+            for key, name in named[0].items()
+        }
+
+    def _new_names(self, axis: Axis) -> set[str]:
+        """Return what new files of ``axis`` and of all axes of the state are called."""
+        others = self.state.axes if self.state is not None else ()
+        return {
+            name
+            for address in (self.address(axis)[0], *others)
+            for stem in (address, self.file_stem(address))
+            for name in self._file_names(replace(axis, address=stem)).values()
         }
 
     def _file_names(self, axis: Axis) -> dict[str, str]:
@@ -338,7 +356,8 @@ class Family(Bound, ABC):
     ) -> Sequence[Fault]:
         """Return what is wrong with the table of an endless axis."""
         del compensation, capacity
-        if axis.modulo is None or self.definition.limit("no_endless_axis") is None:
+        no_limit = self.definition.limit("no_endless_axis") is None
+        if axis.modulo is None or axis.counts_turns or no_limit:
             return ()
         why = f"{label}: the control's table does not repeat, so an endless axis cannot have one"
         found = f"modulo {axis.modulo:g}"

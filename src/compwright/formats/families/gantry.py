@@ -4,7 +4,7 @@ same one.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from decimal import Decimal
 
@@ -25,7 +25,12 @@ def partner_of(axis: Axis, address: str) -> Axis:
     leading axis has it.
     """
     return replace(
-        axis, name=f"{axis.name} ({address})", address=address, gantry=None, axis_number=None
+        axis,
+        name=f"{axis.name} ({address})",
+        address=address,
+        gantry=None,
+        gantry_table=None,
+        axis_number=None,
     )
 
 
@@ -36,12 +41,13 @@ def find_partners(
     notes: Notes,
     *,
     asked: bool,
+    single: Collection[str] = (),
 ) -> None:
     """Note where the two axes of a gantry differ, and where two axes look like one although the job
     does not say so.
 
     ``partners``: synchronised axis by leading axis; ``read``: what was read, by address; ``asked``:
-    a job names these axes.
+    a job names these axes; ``single``: those that are in no gantry by the files.
     """
     compare_partners(partners, read, notes)
     if not asked:
@@ -51,7 +57,7 @@ def find_partners(
             continue
         for other in gathered.addresses():
             if other not in read and _table(gathered, address) & _table(gathered, other):
-                note_twin(address, other, notes)
+                note_twin(address, other, notes, single=address in single)
 
 
 def compare_partners(
@@ -63,19 +69,30 @@ def compare_partners(
             notes.find(
                 "CW-S030",
                 "warning",
-                f"axis {partner} does not do the same as {leading}, with which it forms a gantry;"
-                " both get the new table",
+                f"axis {partner} does not do the same as {leading}, with which it forms a gantry",
             )
 
 
-def note_twin(address: str, other: str, notes: Notes) -> None:
-    """Note that an axis of the job and another one hold the same table."""
+def note_twin(address: str, other: str, notes: Notes, *, single: bool = False) -> None:
+    """Note that an axis of the job and another one hold the same table; ``single``: the files say
+    that the axis is in no gantry.
+    """
+    if single:
+        notes.find(
+            "CW-S031",
+            "info",
+            f"axes {address} and {other} hold the same table; the control's files say that axis"
+            f" {address} is in no gantry",
+            address,
+        )
+        return
     notes.find(
         "CW-S031",
         "warning",
         f"axes {address} and {other} hold the same table: are they a gantry? Then name"
         f" {other} in the job (gantry), so that both get the new one; a table on one of"
         " them alone racks the bridge",
+        address,
     )
 
 

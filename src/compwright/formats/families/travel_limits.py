@@ -46,6 +46,7 @@ def check_travel(
             "warning",
             f"{label}: {outside:g} {axis.kind.unit} of the travel lie outside its limits of {low:g}"
             f" to {high:g} ({names}): are travel and targets in machine coordinates?",
+            axis.address,
         )
 
 

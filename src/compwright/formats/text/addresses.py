@@ -52,11 +52,15 @@ def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption 
     try:
         return normal_text(definition, axis.address), None
     except UsageError as error:
-        fault = error.faults[0]
+        numbered = definition.addresses.type == "integer"
+        what, example = ("number", "1") if numbered else ("address", "AX1")
         raise UsageError(
             Fault(
-                message=f"{fault.message}: give the address of axis {axis.name}",
-                expected=fault.expected,
-                found=fault.found,
+                message=f"{definition.id} needs the {what} of axis {axis.name}",
+                expected=(
+                    f"the {what} of the control, such as address: {example} in the job, or"
+                    f" --option address={example}"
+                ),
+                found=error.faults[0].found,
             )
         ) from error

@@ -5,8 +5,8 @@ the next multiple of 512, member after member up to the end of the file; the fir
 of all others. Every header of two real archives fits (versions 000 and 002). The texts stand in it
 as the control exports them, uncompressed. What lies in the folder of active data is what the
 control loads; programs, definitions and drive data are no state: nobody knows whether a program
-ran. A checksum over the contents is not understood, and the control refuses an archive that was
-edited, so that none is ever written.
+ran. No byte of a header of version 002 changes with the contents, so that contents that were edited
+are not noticed here; a control may refuse such an archive, so that none is ever written.
 """
 
 from __future__ import annotations

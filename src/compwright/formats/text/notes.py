@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from compwright.formats.text.gathering import Found
 from compwright.foundations.errors import Fault
-from compwright.foundations.findings import Finding
+from compwright.foundations.findings import Finding, Severity
 from compwright.records.correction import Assumption
 
 
@@ -52,9 +52,13 @@ class Notes:
         if note not in self.assumed:
             self.assumed.append(note)
 
-    def find(self, code: str, severity: str, message: str) -> None:
-        """Note a finding."""
-        self.findings.append(Finding(code, "warning" if severity == "warning" else "info", message))
+    def find(self, code: str, severity: str, message: str, axis: str = "") -> None:
+        """Note a finding; ``axis``: the address of the one that it is about, or its label, behind
+        which more may stand (``axis AX1, measuring system 2``).
+        """
+        about = (axis.removeprefix("axis ").partition(",")[0],) if axis else ()
+        grave: Severity = "warning" if severity == "warning" else "info"
+        self.findings.append(Finding(code, grave, message, about))
 
     def counted_as(self, label: str, name: str, value: str) -> None:
         """Note that a quantity is not in the files, what it was counted as, what hangs on it."""
@@ -64,15 +68,21 @@ class Notes:
             f"{label}: {name} is not in the files; counted as {value}. If the control holds"
             " anything else, that acted in the tests, and what is written or shown is wrong by the"
             " difference: look it up at the control, or add the file that says it",
+            label,
         )
 
     def switched_off(self, label: str, what: str) -> None:
         """Note that a table of the files corrects nothing; ``what`` says by what it is off."""
         self.find("CW-S007", "info", f"{label}: {what}; it corrects nothing")
 
-    def no_table(self, label: str) -> None:
-        """Note that no file holds a table of an axis."""
-        self.find("CW-S008", "warning", f"{label}: no file holds a table; counted as none")
+    def no_table(self, label: str, *, off: bool = False) -> None:
+        """Note that no file holds a table of an axis; ``off``: the files say that none acts."""
+        self.find(
+            "CW-S008",
+            "info" if off else "warning",
+            f"{label}: no file holds a table; counted as none",
+            label,
+        )
 
     def taken_for(self, axis: str, address: str) -> None:
         """Note which axis of the control an axis of the job was taken for."""

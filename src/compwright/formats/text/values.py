@@ -4,6 +4,7 @@ does.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -12,6 +13,9 @@ from compwright.formats.definition.statements import name_in_form
 from compwright.formats.text.gathering import Found, same_value
 from compwright.formats.text.notes import Notes
 from compwright.foundations.findings import Finding
+
+#: A fraction that a user wrote with a few digits (0.03937 for 1 / 25.4) differs by less than this.
+_ROUNDING = 1e-5
 
 
 def name_of(definition: Definition, quantity: str) -> str:
@@ -75,10 +79,14 @@ class Values:
         return word
 
     def known_word(self, binding: Choice, text: str) -> str | None:
-        """Return what a text of a choice means; None where the definition does not say it."""
-        ignores_case = self.definition.dialect.case == "ignored"
+        """Return what a text of a choice means, in whatever case; None where the definition does
+        not say it. A number that stands for a word may be rounded.
+        """
         for known, word in binding.values.items():
-            if same_value(known, text) or (ignores_case and known.upper() == text.upper()):
+            if same_value(known, text):
+                return word
+        for known, word in binding.values.items():
+            if known.upper() == text.upper() or _nearly(known, text):
                 return word
         return None
 
@@ -100,6 +108,16 @@ class Values:
         if absent.say == "warning":
             self.notes.counted_as(self.label, name, absent.value)
         return absent.value
+
+
+def _nearly(known: str, text: str) -> bool:
+    """Whether two texts are fractions that differ by their rounding alone."""
+    if "." not in known:
+        return False
+    try:
+        return math.isclose(float(known), float(text), rel_tol=_ROUNDING)
+    except ValueError:
+        return False
 
 
 def bit_mask(text: str) -> int | None:

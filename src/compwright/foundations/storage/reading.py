@@ -11,6 +11,7 @@ from typing import BinaryIO
 
 from compwright.foundations.command_inputs import is_input, remember
 from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.file_kinds import refuse_other_kind
 from compwright.foundations.foreseen import foreseen_bytes
 from compwright.foundations.input_sizes import ANY, InputKind, in_words
 from compwright.foundations.storage.looking import identity, reason
@@ -28,7 +29,8 @@ def read_bytes(path: Path, kind: InputKind = ANY) -> bytes:
     what is made of it (`foreseen`) the bytes that it will have.
 
     Raises InputError when it is missing, cannot be read, is no ordinary file (a pipe or device
-    could be waited for without end) or is larger than any file of its ``kind``.
+    could be waited for without end), is larger than any file of its ``kind`` or plainly of another
+    kind; UsageError where a job, profile, definition or virtual machine was expected.
     """
     expected = foreseen_bytes(path)
     if expected is not None:
@@ -49,6 +51,7 @@ def read_bytes(path: Path, kind: InputKind = ANY) -> bytes:
         refused = _too_large(kind, f"more than {in_words(kind.most_bytes)}")
     if refused is not None:
         raise InputError(refused.in_file(str(path)))
+    refuse_other_kind(content, kind, str(path))
     return content
 
 
@@ -91,7 +94,9 @@ def _not_to_be_read(seen: os.stat_result, kind: InputKind) -> Fault | None:
     )
     found = next((name for is_kind, name in kinds if is_kind(seen.st_mode)), None)
     if found is not None:
-        return Fault(message="cannot be read", expected="an ordinary file", found=found)
+        folder = kind.help and stat.S_ISDIR(seen.st_mode)
+        expected = f"{kind.name}: {kind.help}" if folder else "an ordinary file"
+        return Fault(message="cannot be read", expected=expected, found=found)
     if seen.st_size > kind.most_bytes:
         return _too_large(kind, in_words(seen.st_size))
     return None

@@ -62,7 +62,7 @@ def write_files(
         StorageError,
         [*_users_files(below, lost, targets), *_in_the_way(folder, whole, gone, lost, force=force)],
     )
-    removed = [path for path in gone if force and lost[path] and not was_read(path)]
+    removed = [path for path in gone if force and lost.get(path, False) and not was_read(path)]
     put(folder, targets, removed, unchanged.check)
     return list(targets)
 
@@ -177,7 +177,7 @@ def _in_the_way(
     """Yield a fault for each file that may not stay in a folder that is handed on as a whole."""
     inside = {_below(folder, name) for name in whole}
     for path in gone:
-        removable = known[path] and not was_read(path)
+        removable = known.get(path, False) and not was_read(path)
         if path.parent in inside and not (force and removable):
             hint = (
                 "a folder that holds nothing else, or --force to remove it"

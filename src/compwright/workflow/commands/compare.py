@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,9 +13,10 @@ from compwright.documents.compare import ComparedAxis, Difference, compare_docum
 from compwright.documents.plan import read_plan
 from compwright.formats.families.between import in_place
 from compwright.formats.look_at import look_at
+from compwright.formats.text.container import is_container
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.foundations.input_sizes import JSON
+from compwright.foundations.input_sizes import PLAN
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import ControlFile
@@ -33,6 +34,7 @@ from compwright.workflow.stages.control import (
 from compwright.workflow.stages.cross_tables import write_planned
 from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.differences import Side, side
+from compwright.workflow.stages.partial_loads import PartialLoad, partial_load
 from compwright.workflow.stages.read_back import not_read_back, read_back_differences
 from compwright.workflow.stages.two_readers import probe_positions
 from compwright.workflow.stages.written import deliver, write_fitted
@@ -53,7 +55,7 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     Raises UsageError for a plan without tables, InputError for files that cannot be read,
     contradict themselves or say nothing of an axis of the plan.
     """
-    plan = read_plan(storage.read_bytes(plan_file, JSON), str(plan_file))
+    plan = read_plan(storage.read_bytes(plan_file, PLAN), str(plan_file))
     control = open_control(plan.format, plan.options, plan_origin(plan, plan_file))
     planned = [entry for entry in plan.axes.values() if entry.fitted is not None]
     if not planned:
@@ -74,13 +76,18 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
         if address is not None
     }
     back = side(control, given, "read back", files)
+    partly = partial_load(
+        control.format.entered(as_found.files, files),
+        control.format.entered(files),
+        back.entries,
+    )
     read_back = read_back_differences(control, side(control, files, "the plan", given), back, names)
     differs = read_back.own or read_back.others.differences
     if refused is not None and not (differs and _speak_of(control, back, axes)):
         raise refused
     compared = {
         entry.axis.name: _compared(
-            control, entry, wish, found[entry.axis.address], as_found, read_back.own
+            control, entry, wish, found[entry.axis.address], as_found, read_back.own, partly
         )
         for entry in planned
     }
@@ -148,10 +155,11 @@ def _written(
     tabled = [axis.name for axis, table in fitted if table.compensation.positions.size]
     cross = [entry for entry in plan.cross if entry.written]
     files = write_planned(control, cross, files, as_found, axes, tabled).files
-    loaded = deliver(control, files, as_found, [axis for axis, _ in fitted], None).files
+    if any(map(is_container, as_found.files)):
+        # it stays one: small files lie over it, and are no contradiction
+        files = deliver(control, files, as_found, [axis for axis, _ in fitted], None).files
     addresses = [axes[name].address for name in tabled]
-    # a container stays one: small files lie over it, and are no contradiction
-    return in_place(as_found.files, loaded, addresses), wish
+    return in_place(as_found.files, files, addresses), wish
 
 
 def _compared(
@@ -161,19 +169,25 @@ def _compared(
     found: DecodedState | InputError,
     as_found: DecodedState,
     own: Mapping[str, Sequence[Difference]],
+    partly: PartialLoad | None,
 ) -> ComparedAxis:
     """Return what differs for one axis of the plan; ``found`` an error: why nobody can tell what
-    was read back does.
+    was read back does. ``partly``: which files were loaded, where not all were.
     """
     axis = entry.axis
     if isinstance(found, InputError):
-        return ComparedAxis(axis.address, axis.kind, str(found), tuple(own.get(axis.name, ())))
+        why = f"{_partly(partly)}; {found}" if partly else str(found)
+        return ComparedAxis(axis.address, axis.kind, why, tuple(own.get(axis.name, ())))
     read_back = judge_read_back(
         correction_of(wish, axis),
         correction_of(found, axis),
         correction_of(as_found, axis),
         *_nodes(entry),
     )
+    look_at = _look_at(control, entry, read_back.verdict)
+    if partly is not None and read_back.verdict != "loaded":
+        message = f"{_partly(partly)}; {read_back.message}"
+        read_back = replace(read_back, verdict="partial", message=message)
     texts = own.get(axis.name, ())
     values = tuple(_values(entry, wish, found)) if read_back.verdict != "loaded" or texts else ()
     return ComparedAxis(
@@ -181,8 +195,14 @@ def _compared(
         axis.kind,
         read_back,
         (*texts, *values),
-        _look_at(control, entry, read_back.verdict),
+        look_at,
     )
+
+
+def _partly(load: PartialLoad) -> str:
+    """Return what to do about files that were not loaded."""
+    missing, loaded = " and ".join(load.missing), " and ".join(load.loaded)
+    return f"only {loaded} was loaded: load {missing} too, before the axis moves"
 
 
 def _look_at(control: Control, entry: PlannedAxis, verdict: str) -> tuple[str, ...]:

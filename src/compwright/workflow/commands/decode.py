@@ -10,9 +10,10 @@ import numpy as np
 
 from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.foundations.errors import Fault, UsageError
+from compwright.jobs.command_line import stated_activity
 from compwright.records.axis import Direction, FloatArray
 from compwright.workflow.stages.acting import judged_cross
-from compwright.workflow.stages.control import decode, open_control, read_files
+from compwright.workflow.stages.axis_kinds import decode_kinds
 from compwright.workflow.stages.decoded import judged
 
 MOST_POSITIONS = 1_000_000
@@ -29,24 +30,25 @@ def decode_files(
     """Return the decode document of control files: at the nodes of each table, or at the positions
     of ``at``.
 
-    ``axis`` restricts it to one address. Raises UsageError (options, a bad list) and InputError
-    (files, or an axis that they do not speak of).
+    ``axis`` restricts it to one address; the option ``active`` says whether the tables act, and
+    whether all values of a program were carried out. Raises UsageError (options, a bad list) and
+    InputError (files, or an axis that they do not speak of).
     """
-    control = open_control(format_id, options)
+    active = stated_activity(options)
     wanted = None if at is None else positions_of(at)
-    decoded = decode(control, read_files(paths), address=axis)
+    control, decoded, kinds = decode_kinds(paths, format_id, options, axis, active=active)
     answer = {}
     for address, entry in decoded.state.axes.items():
         where = entry.positions if wanted is None else wanted
         answer[address] = DecodedAxis(
-            kind=entry.kind,
+            kind=None if address in kinds.unknown else entry.kind,
             positions=where,
             positive=judged(decoded, address, where, Direction.POSITIVE),
             negative=judged(decoded, address, where, Direction.NEGATIVE),
         )
-    assumed = (*control.assumed(decoded.state), *decoded.state.assumed)
-    findings = (*control.findings, *decoded.state.findings)
-    return decode_document(answer, assumed, findings, judged_cross(decoded, wanted))
+    assumed = (*control.assumed(decoded.state), *decoded.state.assumed, *kinds.assumed)
+    findings = (*control.findings, *kinds.findings, *decoded.state.findings)
+    return decode_document(answer, assumed, findings, judged_cross(decoded, wanted), kinds.unknown)
 
 
 def positions_of(text: str) -> FloatArray:

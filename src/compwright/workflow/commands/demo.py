@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from compwright.foundations import storage
-from compwright.foundations.input_sizes import YAML
+from compwright.foundations.input_sizes import JOB
 from compwright.foundations.side_by_side import Crew, alone
 from compwright.jobs.reading import read_job
 from compwright.workflow.commands.run import RunOutcome, run_job
@@ -39,7 +39,7 @@ def run_demo(out: Path, *, force: bool = False, crew: Crew = alone) -> DemoOutco
     machine_file, job_file = write_listed(out, files, command="demo", force=force, as_set=True)
     machine = load_machine(machine_file)
     simulate_files(machine, out / "before", seed=1, force=force)
-    job = read_job(storage.read_bytes(job_file, YAML), str(job_file))
+    job = read_job(storage.read_bytes(job_file, JOB), str(job_file))
     result = out / "job"
     with crew(len(job.axes), ready_for_axes) as each:
         run = run_job(job, out, result, force=force, each=each)

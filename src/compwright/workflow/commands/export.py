@@ -17,8 +17,9 @@ from compwright.foundations.errors import (
     raise_all,
 )
 from compwright.foundations.findings import Finding
-from compwright.foundations.input_sizes import JSON
-from compwright.jobs.command_line import ACTIVE
+from compwright.foundations.input_sizes import PLAN
+from compwright.jobs.command_line import stated_activity
+from compwright.planning.practical_tables import as_planned
 from compwright.planning.tables import fit_within
 from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, ControlFile
@@ -71,13 +72,13 @@ def export_plan(
     the plan says, where it is for the same format. Raises UsageError (2) where the state is not
     known, InputError (3), CapacityError (4), StorageError (5).
     """
-    plan = read_plan(storage.read_bytes(path, JSON), str(path))
+    plan = read_plan(storage.read_bytes(path, PLAN), str(path))
     addresses = {
         key.removeprefix(ADDRESS): str(options.pop(key))
         for key in list(options)
         if key.startswith(ADDRESS)
     }
-    active = _answer(options.pop(ACTIVE, None))
+    active = stated_activity(options)
     raise_all(UsageError, _unknown(addresses, plan, str(path)))
     origin = replace(COMMAND_LINE, carried=plan.definition)
     control = open_control(format_id, options, origin)
@@ -106,7 +107,7 @@ def export_plan(
     delivery = deliver(control, cross.files, state, axes, None if cross.written else image)
     written = write_listed(
         out,
-        {file.name: file.content for file in delivery.files},
+        {file.name: file.raw for file in delivery.files},
         command="export",
         force=force,
         as_set=True,
@@ -135,7 +136,10 @@ def _refitted(
         axis = axes[name]
         try:
             capacity = control.format.capacity(axis, one_curve=entry.request.mode == "single")
-            table = fit_within(entry.wanted, capacity, entry.request, axis)
+            request = entry.request
+            if plan.format == control.id:
+                capacity, request = as_planned(capacity, request, entry.fitted)
+            table = fit_within(entry.wanted, capacity, request, axis)
         except CapacityError as error:
             errors.append(CapacityError(*(fault.within(f"axis {name}") for fault in error.faults)))
         else:
@@ -181,22 +185,6 @@ def _addressed(entry: PlannedCross, axes: Mapping[str, Axis]) -> PlannedCross:
     given, bent = axes.get(entry.input), axes.get(entry.output)
     added = entry.added if given is None else replace(entry.added, input=given.address)
     return replace(entry, added=added if bent is None else replace(added, output=bent.address))
-
-
-def _answer(text: object) -> bool | None:
-    """Return what ``--option active=`` says. Raises UsageError for anything but yes and no."""
-    words = {None: None, "yes": True, "true": True, "no": False, "false": False}
-    word = text if text is None else str(text).lower()
-    if word not in words:
-        raise UsageError(
-            Fault(
-                message="is no answer",
-                place=f"--option {ACTIVE}",
-                expected="yes or no",
-                found=repr(text),
-            )
-        )
-    return words[word]
 
 
 def _unknown(addresses: Mapping[str, str], plan: Plan, file: str) -> list[Fault]:

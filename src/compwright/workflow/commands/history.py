@@ -197,11 +197,12 @@ def _notes(series: Sequence[Series]) -> list[str]:
 
 def _turned_dates(entries: Sequence[HistoryEntry]) -> Iterator[str]:
     """Yield where a test after loading is dated before one that its table was made from."""
-    for folder in dict.fromkeys(entry.folder for entry in entries):
-        days: dict[str, list[str]] = {"before": [], "after": []}
-        for entry in entries:
-            if entry.folder == folder and entry.day:
-                days[entry.taken].append(_date(entry))
+    by_folder: dict[str, dict[str, list[str]]] = {}
+    for entry in entries:
+        dated = by_folder.setdefault(entry.folder, {"before": [], "after": []})
+        if entry.day:
+            dated[entry.taken].append(_date(entry))
+    for folder, days in by_folder.items():
         if days["before"] and days["after"] and min(days["after"]) < max(days["before"]):
             yield (
                 f"{folder}: a test after loading is dated {min(days['after'])}, one before loading"

@@ -12,6 +12,7 @@ from compwright.formats.text.other_files import says_nothing
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.utf8 import encoded
+from compwright.jobs.command_line import stated_activity
 from compwright.jobs.writing import AxisDraft, Prefilled, job_text
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -20,6 +21,9 @@ from compwright.workflow.stages.control import Control, decode, open_control, re
 from compwright.workflow.stages.definitions import is_path
 from compwright.workflow.stages.one_by_one import axis_by_axis
 from compwright.workflow.stages.single_files import refuse_other_kinds
+
+#: Findings of the control's files that a new job is told of: what its contents rest on.
+_TOLD = ("CW-S072",)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,20 +51,21 @@ def new_job(
     job takes what says something of the control. Raises UsageError, InputError (files that
     contradict themselves) and StorageError.
     """
+    active = stated_activity(options)
     control = open_control(format_id, options)
     unsaid = _unsaid(control)
     stands_in = False
     files, aside = _set_aside(control.definition, files)
     own = read_files(files)
     try:
-        state, left_out = _read(control, own)
+        state, left_out = _read(control, own, active=active)
     except UsageError:
         if unsaid is None:
             raise
         # Which axes there are does not depend on it.
         stands_in = True
         whole = open_control(format_id, {**options, unsaid.name: unsaid.stand_in})
-        state, left_out = _read(whole, own)
+        state, left_out = _read(whole, own, active=active)
     drafts = list(_drafts(control, state, unsaid))
     if not drafts:
         raise InputError(Fault(message="the files name no axis", file=", ".join(map(str, files))))
@@ -74,10 +79,12 @@ def new_job(
         if stands_in or every_axis:
             given |= _left_open(unsaid, drafts)
     named = storage.relative(Path(format_id), out.parent) if is_path(format_id) else format_id
-    text = job_text(named, given, [storage.relative(path, out.parent) for path in files], drafts)
+    listed = [storage.relative(path, out.parent) for path in files]
+    text = job_text(named, given, listed, drafts, active=active)
     refuse_other_kinds({out: encoded(text)}, force=force)
     storage.write_file(out, encoded(text), force=force)
-    said = (finding.message for finding in control.findings)
+    shown = (finding for finding in state.findings if finding.code in _TOLD)
+    said = (finding.message for finding in (*control.findings, *shown))
     told = (*aside, *left_out, *_idle(control, state, drafts), *said)
     return NewOutcome(out, tuple(_open(given, drafts)), told)
 
@@ -91,7 +98,8 @@ def _set_aside(definition: Definition, files: Sequence[Path]) -> tuple[list[Path
     aside: list[Path] = []
     for path in files:
         inside = [one for one in storage.list_files(path) if one != path]
-        others = {file.name for file in read_files(inside) if says_nothing(definition, file)}
+        read = read_files([path]) if inside else ()
+        others = {file.name for file in read if says_nothing(definition, file)}
         left = [one for one in inside if one.name in others]
         whole = not left or len(left) == len(inside)
         taken += [path] if whole else [one for one in inside if one not in left]
@@ -126,17 +134,21 @@ def _without_lengths(draft: AxisDraft, unsaid: LeftOpen) -> AxisDraft:
     return replace(draft, values={**draft.values, **hanging})
 
 
-def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState, tuple[str, ...]]:
+def _read(
+    control: Control, files: Sequence[ControlFile], *, active: bool | None
+) -> tuple[ControlState, tuple[str, ...]]:
     """Return what the files say, and which axes are left out because something about them is odd or
     not counted.
 
     Raises InputError where nothing is left.
     """
     try:
-        return decode(control, files).state, ()
+        return decode(control, files, active=active).state, ()
     except InputError:
         found = axis_by_axis(
-            control, files, lambda address: decode(control, files, address=address).state
+            control,
+            files,
+            lambda address: decode(control, files, address=address, active=active).state,
         )
         if found.state is None:
             raise
@@ -295,7 +307,8 @@ def _travel(
     if turn is not None and axis.kind is AxisKind.ROTARY:
         yield "travel", Prefilled([0.0, float(turn)], f"one turn of an endless axis, by {said}")
     elif low < high and abs(low) < 99999 and abs(high) < 99999:
-        yield "travel", Prefilled([low, high], f"software limits in {said}")
+        why = f"; {facts.limits_evidence}" if facts.limits_evidence else ""
+        yield "travel", Prefilled([low, high], f"software limits in {said}{why}")
     else:
         unit = "deg" if axis.kind is AxisKind.ROTARY else "mm"
         yield "travel", Prefilled(None, f"[low, high] in machine coordinates, {unit}")

@@ -15,9 +15,10 @@ from compwright.foundations.errors import UsageError
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.foundations.utf8 import encoded
 from compwright.jobs.assumed_job import assumed_job, assumed_of
+from compwright.records.correction import Assumption
 from compwright.records.job import Job
 from compwright.workflow.showing.recorded import folders_of_copies, known_results, recorded_run
-from compwright.workflow.showing.results import NO_STATE, result_files
+from compwright.workflow.showing.results import NO_STATE, PLAN, result_files
 from compwright.workflow.stages.finished import Finished
 from compwright.workflow.stages.handed_over import files_of_job, given_job
 from compwright.workflow.stages.next_files import JOB
@@ -82,10 +83,12 @@ def run_job(
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
     refuse_other_kinds(elsewhere, force=force, results=[out / name for name in files])
     sets = [f"{name}/{finished.measured.control.id}" for name in ("tables", "rollback")]
+    any_there = any(storage.is_there(path) for path in elsewhere)
     paths = storage.write_files(
         out,
         files,
-        force=force,
+        # An earlier run without a state wrote no tables: its evaluation may be replaced.
+        force=force or (bool(earlier) and PLAN not in earlier and not any_there),
         elsewhere=elsewhere,
         whole=sets,
         renewed=["card", *folders_of_copies(earlier)],
@@ -96,9 +99,7 @@ def run_job(
         exit_code=_exit_code(finished),
         evaluation=results.evaluation,
         prediction=results.prediction,
-        assumed=tuple(
-            assumed_documents([*(assumed_of(stated) if stated else ()), *finished.assumed])
-        ),
+        assumed=tuple(assumed_documents([*_left_to_assume(stated, finished), *finished.assumed])),
         findings=tuple(finding_documents(finished.findings)),
         files=tuple(paths),
         no_tables=(
@@ -124,8 +125,28 @@ def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> dict[str, byt
     said = json.dumps(stated, ensure_ascii=False)
     if encoded(said).decode() != said:
         return {}
-    text = assumed_job(stated, finished.fitted.control.options, finished.assumed)
+    options, by_files = finished.fitted.control.options, _answered_by_files(finished)
+    text = assumed_job(stated, options, finished.assumed, by_files)
     return {JOB: text.encode()}
+
+
+def _left_to_assume(stated: Mapping[str, Any] | None, finished: Finished) -> tuple[Assumption, ...]:
+    return assumed_of(stated, _answered_by_files(finished)) if stated else ()
+
+
+def _answered_by_files(finished: Finished) -> dict[str, object]:
+    """Return the keys of the one axis that the control's files answer: where its homing counts the
+    correction as zero.
+    """
+    return {
+        key: value
+        for axis in finished.measured.axes.values()
+        if axis.zero_at_reference
+        for key, value in (
+            ("reference", axis.reference),
+            ("reference_return", axis.reference_return.value),
+        )
+    }
 
 
 def _gone(out: Path, outdated: Sequence[str]) -> Iterator[str]:
@@ -150,4 +171,5 @@ def _exit_code(finished: Finished) -> int:
         for axis in finished.predicted.axes.values()
         for entry in axis.accept.values()
     ]
+    failed = failed or bool(finished.doubts.open)
     return 1 if failed or any(decision != "accept" for decision in decisions) else 0

@@ -10,7 +10,7 @@ import numpy as np
 from compwright.formats.text.addresses import normal_address
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.foundations.input_sizes import YAML
+from compwright.foundations.input_sizes import MACHINE
 from compwright.prediction.acting import IDLE, Acting
 from compwright.prediction.circular import moved_test
 from compwright.records.axis import FloatArray
@@ -37,7 +37,7 @@ def load_machine(path: Path) -> VirtualMachine:
     """Read a machine file. Raises UsageError with every fault of it, InputError when it cannot be
     read.
     """
-    return read_machine(storage.read_bytes(path, YAML), str(path))
+    return read_machine(storage.read_bytes(path, MACHINE), str(path))
 
 
 def simulate_files(

@@ -19,7 +19,7 @@ from compwright.documents.verification import (
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
-from compwright.foundations.input_sizes import JSON
+from compwright.foundations.input_sizes import PLAN
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.records.job import AS_FOUND, Job
 from compwright.records.plan import Plan
@@ -48,15 +48,15 @@ from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.handed_over import BY_VERIFY, INPUTS, files_of_verify
 from compwright.workflow.stages.next_round import (
     FOLDER,
-    LACKING,
     Round,
     Verified,
     known_with_rounds,
+    lacks_proof,
     next_round,
     refuse_later_rounds,
 )
 from compwright.workflow.stages.read_back import not_read_back
-from compwright.workflow.stages.settled import named_axes, settled_by_files
+from compwright.workflow.stages.settled import named_axes, settled_by_files, with_counted_turns
 from compwright.workflow.stages.single_files import refuse_other_kinds
 from compwright.workflow.stages.verified_axis import verified_axis
 from compwright.workflow.stages.verify_circles import (
@@ -102,13 +102,15 @@ def verify_job(
     force: bool = False,
     json_path: Path | None = None,
     update: bool = False,
+    profile: Path | None = None,
     each: Each = in_turn,
 ) -> VerifyOutcome:
     """Judge the tests after loading and write ``verification.json`` and ``verification.html`` into
     ``out``, and with ``update`` the next round into ``next`` below it, all of it or nothing.
 
     ``after``: ``FILE`` or ``TEST=FILE``, relative to the working directory; ``loaded``:
-    what was read back from the control; ``json_path``: the verification once more; ``each`` works
+    what was read back from the control; ``profile``: the mapping profile of the tests after
+    loading, else that of the job; ``json_path``: the verification once more; ``each`` works
     on the axes of the next round. Raises UsageError (2; ``update`` without ``loaded``), InputError
     (3) and StorageError (5); nothing is written then. A next round that cannot be made makes the
     exit code 1.
@@ -117,7 +119,7 @@ def verify_job(
         raise UsageError(NOT_READ_BACK)
     if update:
         refuse_later_rounds(out)
-    found, verdict = _verified(job, after, plan_file, loaded)
+    found, verdict = _verified(job, after, plan_file, loaded, profile)
     document = verification_document(
         found.plan.format, found.axes, verdict, found.circles, found.findings
     )
@@ -132,7 +134,7 @@ def verify_job(
     files |= recorded_verification(
         RunResult(found.plan, found.control, plan_file),
         out,
-        files_of_verify(found.job, found.specs, found.circle_files, loaded),
+        files_of_verify(found.job, found.specs, found.circle_files, loaded, profile),
         files,
         document=document,
         before=before,
@@ -147,13 +149,17 @@ def verify_job(
 
 
 def _verified(
-    job: Job, after: Sequence[str], plan_file: Path, loaded: Sequence[Path]
+    job: Job,
+    after: Sequence[str],
+    plan_file: Path,
+    loaded: Sequence[Path],
+    profile: Path | None = None,
 ) -> tuple[Verified, OverallVerdict]:
     """Return what the tests after loading show, and the verdict of all of it."""
     plan, control, job, states = _planned(job, plan_file)
     known = [entry.axis for entry in plan.axes.values()]
     others, circle_files = split_after(plan, after)
-    tests = after_tests(job, plan, others) if others or not circle_files else []
+    tests = after_tests(job, plan, others, profile) if others or not circle_files else []
     as_found = states.get(AS_FOUND) or decode(control, (), known)
     read_back = decode(control, read_files(loaded), known) if loaded else None
     ours = tuple(not_read_back(plan_file, loaded))
@@ -243,7 +249,7 @@ def _planned(job: Job, file: Path) -> tuple[Plan, Control, Job, dict[str, Decode
 
     Raises InputError for the plan of another job.
     """
-    plan = read_plan(storage.read_bytes(file, JSON), str(file))
+    plan = read_plan(storage.read_bytes(file, PLAN), str(file))
     control = open_control(plan.format, plan.options, plan_origin(plan, file))
     named = open_control(
         job.format,
@@ -261,6 +267,7 @@ def _planned(job: Job, file: Path) -> tuple[Plan, Control, Job, dict[str, Decode
         for name, files in plan.states.items()
     }
     job = settled_by_files(job, states, AS_FOUND)
+    job, _ = with_counted_turns(job, control, {name: one.tests for name, one in plan.axes.items()})
     faults = stale_plan(job, plan, str(file), options=named.options, read=partial(read_again, job))
     raise_all(InputError, faults)
     return plan, control, job, states
@@ -284,7 +291,7 @@ def _verdict(
             *squareness,
         ],
         [axis.loading["verdict"] for axis in axes.values()] or ["loaded" for _ in squareness],
-        still_open=bool(general) or any(finding.code in LACKING for finding in findings),
+        still_open=bool(general) or any(lacks_proof(finding) for finding in findings),
     )
 
 

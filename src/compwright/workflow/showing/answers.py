@@ -42,6 +42,7 @@ def run_summary(outcome: Any) -> list[Any]:
     doubts = outcome.prediction["doubts"]
     listed = [
         *doubts,
+        *outcome.prediction["acknowledged"],
         *(finding for axis in outcome.prediction["axes"].values() for finding in axis["findings"]),
     ]
     told = {(finding["code"], finding["message"]) for finding in listed}
@@ -57,6 +58,7 @@ def run_summary(outcome: Any) -> list[Any]:
     ]
     return [
         *summaries.doubt_lines(doubts),
+        *summaries.acknowledged_lines(outcome.prediction["acknowledged"]),
         *summaries.assumed_table(outcome.assumed),
         *summaries.prediction_tables(outcome.prediction),
         *summaries.finding_lines(rest),
@@ -100,6 +102,7 @@ def verify_summary(outcome: Any) -> list[Any]:
 
     return [
         *summaries.doubt_lines(outcome.document["doubts"]),
+        *summaries.acknowledged_lines(outcome.document["acknowledged"]),
         *summaries.verification_tables(outcome.document),
         *summaries.next_lines(outcome.document.get("next")),
         *summaries.file_lines("Written", [str(path) for path in outcome.files]),

@@ -18,6 +18,9 @@ from compwright.records.correction import ControlFile
 from compwright.workflow.showing.card import card_document, changes_csv
 from compwright.workflow.showing.view import evaluations, run_view
 from compwright.workflow.stages.finished import Finished
+from compwright.workflow.stages.gantries import with_partners
+from compwright.workflow.stages.partial_loads import harmful_parts
+from compwright.workflow.stages.written import tables_of
 
 NO_STATE = (
     "no table is written: the job does not say what is active in the control; "
@@ -48,7 +51,8 @@ def result_files(finished: Finished, each: Each = in_turn) -> Results:
         finished.predicted.axes,
         finished.written.cross.totals,
         finished.predicted.circles,
-        finished.doubts,
+        finished.first,
+        finished.doubts.acknowledged,
         judged=finished.measured.control.definition.judged,
     )
     files = {
@@ -90,7 +94,7 @@ def _control_files(finished: Finished) -> dict[str, bytes]:
     return {
         PLAN: b"",
         **{
-            f"{folder}/{format_id}/{file.name}": file.content
+            f"{folder}/{format_id}/{file.name}": file.raw
             for folder, files in sets.items()
             for file in files
         },
@@ -111,13 +115,23 @@ def _card(finished: Finished, prediction: Mapping[str, Any]) -> Mapping[str, Any
         finished.assumed,
         entered=written.entered,
         back=written.back,
+        harmful=_harmful(finished),
     )
     return {
         **card,
         "steps": [*card["steps"], *written.cross.steps],
         "doubts": prediction["doubts"],
+        "acknowledged": prediction["acknowledged"],
         "limits": prediction["axes"],
     }
+
+
+def _harmful(finished: Finished) -> tuple[str, ...]:
+    """Return what some of the written files do without the others."""
+    written, as_found = finished.written, finished.measured.as_found
+    works = {name: work for name, work in finished.works.items() if work.planned.fitted is not None}
+    own = () if as_found is None else as_found.files
+    return harmful_parts(finished.fitted.control, own, written.tables, works)
 
 
 def _card_files(finished: Finished, card: Mapping[str, Any] | None) -> dict[str, bytes]:
@@ -136,10 +150,12 @@ def _card_files(finished: Finished, card: Mapping[str, Any] | None) -> dict[str,
 
 
 def _second_forms(finished: Finished) -> tuple[ControlFile, ...]:
-    planned = [work.planned for work in finished.works.values() if work.planned.fitted is not None]
-    return finished.fitted.control.format.sheets(
-        [entry.fitted.compensation for entry in planned if entry.fitted is not None],
-        [entry.axis for entry in planned],
+    control, as_found = finished.fitted.control, finished.measured.as_found
+    if as_found is None:
+        return ()
+    every = with_partners(control, tables_of(finished.works, {}), as_found)
+    return control.format.sheets(
+        [table.compensation for _, table in every], [axis for axis, _ in every]
     )
 
 

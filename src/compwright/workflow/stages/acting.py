@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 
 from compwright.prediction.acting import IDLE, Acting, Correction, nothing
+from compwright.prediction.dead_zone import as_applied
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import CrossCompensation
 from compwright.workflow.stages.decoded import DecodedState, judged
@@ -21,6 +22,22 @@ def correction_of(decoded: DecodedState | None, axis: Axis) -> Correction:
     return nothing if decoded is None else partial(judged, decoded, axis.address)
 
 
+def applied_of(decoded: DecodedState | None, axis: Axis) -> Correction:
+    """Return what the control applies of `correction_of`: less the steps that it never applies."""
+    correction = correction_of(decoded, axis)
+    held = None if decoded is None else decoded.state.axes.get(axis.address)
+    if held is None or axis.unapplied_steps is None:
+        return correction
+    nodes = held.positions
+    judged_table = replace(
+        held,
+        positive=correction(nodes, Direction.POSITIVE),
+        negative=correction(nodes, Direction.NEGATIVE),
+    )
+    applied = as_applied(judged_table, axis)
+    return correction if applied is judged_table else applied.at
+
+
 def acting(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> Acting:
     """Return what the judge says that a state does to the axes of a job and between them; nothing
     where nobody said it.
@@ -30,7 +47,7 @@ def acting(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> Acting:
     names = {axis.address: name for name, axis in axes.items()}
     pairs = dict.fromkeys((entry.input, entry.output) for entry in decoded.state.cross)
     return Acting(
-        along={name: correction_of(decoded, axis) for name, axis in axes.items()},
+        along={name: applied_of(decoded, axis) for name, axis in axes.items()},
         across={
             (names[pair[0]], names[pair[1]]): _across(decoded, pair)
             for pair in pairs

@@ -24,6 +24,12 @@ from compwright.verification.proof import AfterTest
 from compwright.workflow.stages.inputs import read_measurement, read_test
 from compwright.workflow.stages.measurement_files import load_profile
 
+_OTHER_PROFILE = Fault(
+    message="no profile fits the test after loading",
+    place="--profile",
+    expected="--profile P.yaml for this file (compwright profile FILE --out P.yaml)",
+)
+
 
 def read_again(job: Job, entry: AxisJob, request: TestRequest) -> PositioningTest | None:
     """Return a test of the job as its files say it now; None where they are not there any more."""
@@ -33,15 +39,18 @@ def read_again(job: Job, entry: AxisJob, request: TestRequest) -> PositioningTes
         return None
 
 
-def after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[AfterTest]:
-    """Read the after tests; several files of one test become one. Raises with every fault at
-    once.
+def after_tests(
+    job: Job, plan: Plan, specs: Sequence[str], profile: Path | None = None
+) -> list[AfterTest]:
+    """Read the after tests; several files of one test become one. ``profile``: that of the tests
+    after loading, in the place of the job's. Raises with every fault at once.
     """
+    profiles = _profiles(job) if profile is None else [profile]
     errors: list[CompwrightError] = []
     wanted: dict[tuple[str, str], list[str]] = {}
     for spec in specs:
         try:
-            key, path = _assign(job, spec)
+            key, path = _assign(job, spec, profiles)
             wanted.setdefault(key, []).append(path)
         except CompwrightError as error:
             errors.append(error)
@@ -54,7 +63,8 @@ def after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[AfterTest]:
             folder = Path(job.file).parent
             beside = storage.named_from(folder, request.profile) if request.profile else None
             later = _later(request, paths)
-            later = replace(later, profile=str(beside) if beside else None)
+            used = profile or beside
+            later = replace(later, profile=str(used) if used else None)
             test = read_test(entry, later, Path())
             _refuse_files_apart(entry, later)
         except CompwrightError as error:
@@ -62,7 +72,9 @@ def after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[AfterTest]:
             continue
         errors.extend(_without_temperature(request, plan, test, axis))
         found.append(
-            AfterTest(axis, replace(test, name=name), name, tuple(Path(path) for path in paths))
+            AfterTest(
+                axis, replace(test, name=name), name, tuple(Path(path) for path in paths), profile
+            )
         )
     if errors:
         raise max((type(error) for error in errors), key=lambda kind: kind.exit_code)(
@@ -161,7 +173,7 @@ def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
         )
 
 
-def _assign(job: Job, spec: str) -> tuple[tuple[str, str], str]:
+def _assign(job: Job, spec: str, profiles: Sequence[Path]) -> tuple[tuple[str, str], str]:
     """Return (axis, test name) and the path of an ``--after`` value: ``TEST=FILE``, else by the
     file's axis.
     """
@@ -177,7 +189,7 @@ def _assign(job: Job, spec: str) -> tuple[tuple[str, str], str]:
             )
         )
     if mark and head in names:
-        return (_axis_of_name(job, head, tail), head), tail
+        return (_axis_of_name(job, head, tail, profiles), head), tail
     if mark and not storage.is_there(Path(spec)):
         known = " or ".join(names)
         raise UsageError(
@@ -188,7 +200,7 @@ def _assign(job: Job, spec: str) -> tuple[tuple[str, str], str]:
                 found=repr(spec),
             )
         )
-    axis = _axis_of_file(job, spec, list(names))
+    axis = _axis_of_file(job, spec, list(names), profiles)
     before = job.axes[axis].before
     if not before:
         raise UsageError(
@@ -202,11 +214,11 @@ def _assign(job: Job, spec: str) -> tuple[tuple[str, str], str]:
     return (axis, before[0].name), spec
 
 
-def _axis_of_file(job: Job, spec: str, names: Sequence[str]) -> str:
+def _axis_of_file(job: Job, spec: str, names: Sequence[str], profiles: Sequence[Path]) -> str:
     """Return the axis that a file says it measured, or the only one of the job. ``names``: of the
     job's tests.
     """
-    measured = _axis_in(job, spec)
+    measured = _axis_in(spec, profiles)
     if measured:
         axis = next((name for name in job.axes if name.upper() == measured.upper()), None)
         if axis is None:
@@ -230,19 +242,22 @@ def _axis_of_file(job: Job, spec: str, names: Sequence[str]) -> str:
     return next(iter(job.axes))
 
 
-def _axis_in(job: Job, path: str) -> str:
-    """Return the axis that a file names; a table of another program is read by a profile of the
-    job.
+def _axis_in(path: str, profiles: Sequence[Path]) -> str:
+    """Return the axis that a file names; a table of another program is read by one of
+    ``profiles``. Raises InputError: where none fits, with the reasons of each.
     """
     try:
         return read_measurement(Path(path)).axis
     except InputError:
-        for profile in _profiles(job):
-            try:
-                return read_measurement(Path(path), load_profile(profile)).axis
-            except InputError:
-                continue
-        raise
+        if not profiles:
+            raise
+    faults: list[Fault] = []
+    for profile in profiles:
+        try:
+            return read_measurement(Path(path), load_profile(profile)).axis
+        except InputError as error:
+            faults += [fault.within(f"by the profile {profile}") for fault in error.faults]
+    raise InputError(*faults, _OTHER_PROFILE)
 
 
 def _profiles(job: Job) -> list[Path]:
@@ -252,7 +267,7 @@ def _profiles(job: Job) -> list[Path]:
     return [storage.named_from(Path(job.file).parent, name) for name in named]
 
 
-def _axis_of_name(job: Job, name: str, path: str) -> str:
+def _axis_of_name(job: Job, name: str, path: str, profiles: Sequence[Path]) -> str:
     """Return the axis of a test name; where several axes use the name, the file says which one it
     is.
     """
@@ -263,7 +278,7 @@ def _axis_of_name(job: Job, name: str, path: str) -> str:
     ]
     if len(axes) == 1:
         return axes[0]
-    measured = _axis_in(job, path).upper()
+    measured = _axis_in(path, profiles).upper()
     for axis in axes:
         if axis.upper() == measured:
             return axis

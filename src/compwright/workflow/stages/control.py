@@ -14,6 +14,9 @@ from pathlib import Path
 from compwright.controllers.virtual import virtual_control
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.options import (
+    KIND,
+    REFERENCE,
+    REFERENCE_RETURN,
     TABLE_VALUES,
 )
 from compwright.formats.definition.schema import Definition
@@ -26,6 +29,7 @@ from compwright.foundations.errors import CompwrightError, Fault, InputError, Us
 from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import (
     CONTROL,
+    IN_FOLDER,
     MOST_CONTROL_TEXT,
     MOST_CONTROL_TEXTS,
     MOST_DIGITS,
@@ -35,6 +39,8 @@ from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, ControlFile, ControlState
 from compwright.records.job import Job
 from compwright.records.plan import Plan, Texts
+from compwright.records.serial_line import from_line, whole
+from compwright.workflow.stages.control_folders import control_entries
 from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.definitions import (
     carried_definition,
@@ -58,7 +64,7 @@ _PROVE_IT = (
 NOT_WORKED = "The corrections worked by hand are those of {}: nobody worked one out for {}"
 #: Options of decode that the axes of a job say themselves, and that the reading of files without a
 #: job lists itself.
-_SAID_ELSEWHERE = frozenset({"reference", "reference_return"})
+_SAID_ELSEWHERE = frozenset({KIND, REFERENCE, REFERENCE_RETURN})
 
 
 def _shown(value: object) -> str:
@@ -224,7 +230,8 @@ def _definition(name: str, origin: Origin) -> tuple[Definition, tuple[Finding, .
     before the file that it came from. Raises UsageError.
     """
     if not origin.carried:
-        return definition_named(name, origin.folder), ()
+        found = definition_named(name, origin.folder)
+        return found, () if found.id == name or is_path(name) else (_taken_for(name, found),)
     carried = carried_definition(origin.carried)
     if name == carried.id:
         return carried, ()
@@ -240,6 +247,11 @@ def _definition(name: str, origin: Origin) -> tuple[Definition, tuple[Finding, .
         return definition_named(name, origin.folder), ()
     same = [text for _, text in found.own] == [text for _, text in carried.own]
     return carried, () if same else (_not_as_planned(carried, f"{name} has changed since the run"),)
+
+
+def _taken_for(name: str, definition: Definition) -> Finding:
+    message = f"the control format {name} is taken for {definition.id}: {definition.title}"
+    return Finding("CW-S062", "info", message)
 
 
 def _not_as_planned(carried: Definition, what: str) -> Finding:
@@ -299,23 +311,14 @@ def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     files: list[ControlFile] = []
     for path in paths:
         try:
-            entries = storage.list_files(path)
-            folder = "" if entries == [path] else str(path)
+            entries = control_entries(path)
+            own = entries == [path]
+            folder, kind = ("", CONTROL) if own else (str(entries[0].parent), IN_FOLDER)
             files.extend(
-                ControlFile(entry.name, storage.read_bytes(entry, CONTROL), folder)
-                for entry in entries
+                from_line(entry.name, storage.read_bytes(entry, kind), folder) for entry in entries
             )
         except InputError as error:
             faults.extend(error.faults)
-        else:
-            if not entries:  # nothing to read is not "nothing is active": that is the word none
-                faults.append(
-                    Fault(
-                        message="the folder holds no files",
-                        file=str(path),
-                        expected="the control's files",
-                    )
-                )
     faults.extend(
         Fault(message="two files of this name were given", file=name, expected="each file once")
         for name, times in Counter(file.name for file in files).items()
@@ -337,6 +340,7 @@ def decode(
     written: bool = False,
     active: bool | None = None,
     asking: bool = False,
+    carried_out: bool = False,
 ) -> DecodedState:
     """Read control files with both readers and hold them against each other; of a definition of
     one's own with the one that there is.
@@ -344,9 +348,11 @@ def decode(
     ``axes``: those of a job; ``address``: the one axis that is asked for. Either names the axis of
     a table that does not. ``written``: compwright wrote these files just now. ``active``: what the
     job answers to whether the tables acted, where the files do not say it; ``asking``: that answer
-    is needed (UsageError without it). Raises InputError when the files cannot be read, contradict
-    themselves or can be read in two ways: what two readers understand differently is not a state to
-    build on. In files of our own making that is a fault of our own (CompwrightError).
+    is needed (UsageError without it). ``carried_out``: the files come from a state of which it is
+    known that all values of its programs were carried out. Raises InputError when the files cannot
+    be read, contradict themselves or can be read in two ways: what two readers understand
+    differently is not a state to build on. In files of our own making that is a fault of our own
+    (CompwrightError).
     """
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
@@ -360,7 +366,10 @@ def decode(
                 expected="active left out, or the files as they were during the test",
             )
         )
-    activity = Activity(said=active, asking=asking)
+    carried_out = carried_out or written or active is True
+    if control.definition.limit("no_patching") is not None:
+        files = whole(files)
+    activity = Activity(said=active, asking=asking, carried_out=carried_out)
     reading = control.format if axes else control.format.for_a_view()
     files, beside = without_others(control.definition, files)
     state = reading.read(files, axes, address=address, activity=activity)
@@ -383,6 +392,7 @@ def decode(
             **{address: axis.encoder.system for address, axis in named if axis.encoder.stated},
         },
         active=active,
+        carried_out=carried_out,
         modulo={address: axis.modulo for address, axis in named if axis.modulo is not None},
         reference={address: axis.reference for address, axis in named},
         axis_options={

@@ -62,14 +62,16 @@ def write_planned(
     """
     if not planned:
         return CrossOutcome(files=tables)
+    between = {name for entry in planned for name in (entry.input, entry.output)}
     own = texts_of(control.definition, as_found.files, [])  # read before
     base = in_place(own, tables, [axes[name].address for name in tabled])
 
     @cache  # the family reads what is compared here
     def read(files: tuple[ControlFile, ...], *, written: bool = False) -> DecodedState:
         # Of a control without files only the axes are known whose tables were written just now.
-        named = axes if as_found.files or written else tabled
-        return decode(control, files, [axes[name] for name in named], written=written)
+        named = {*axes} if as_found.files else {*tabled, *(between if written else ())}
+        known = [axis for name, axis in axes.items() if name in named]
+        return decode(control, files, known, written=written, carried_out=True)
 
     def state(files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
         return read(files, written=written).state

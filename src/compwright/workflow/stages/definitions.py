@@ -4,6 +4,7 @@ its path; a plan that carries one.
 
 from __future__ import annotations
 
+from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 
@@ -17,7 +18,7 @@ from compwright.formats.definitions import (
 from compwright.formats.gate.gate import check_definition
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.foundations.input_sizes import YAML
+from compwright.foundations.input_sizes import DEFINITION
 from compwright.records.plan import Texts
 
 _YAML = (".yaml", ".yml")
@@ -106,7 +107,7 @@ def _gate(texts: Texts) -> tuple[Fault, ...]:
 
 
 def _content(path: Path) -> bytes:
-    return storage.read_bytes(path, YAML)
+    return storage.read_bytes(path, DEFINITION)
 
 
 def _beside(folder: Path) -> Find:
@@ -134,13 +135,40 @@ def _shipped(format_id: str) -> Definition:
         if named.id == format_id:
             return named
     definitions = definitions_from(files.items())
-    if format_id not in definitions:
-        raise UsageError(
-            Fault(
-                message="no such control format",
-                place="format",
-                expected=" or ".join([*definitions, "the path of a file *.yaml"]),
-                found=format_id,
-            )
-        )
-    return definitions[format_id]
+    if format_id in definitions:
+        return definitions[format_id]
+    meant = [one for one in definitions.values() if _plain(format_id) in _names(one)]
+    if len(meant) == 1:
+        return meant[0]
+    if meant:
+        message = "several control formats have this name: give the id of one"
+        expected = " or ".join(f"{one.id} ({_short(one.title)})" for one in meant)
+    else:
+        names = {name for one in definitions.values() for name in _names(one)}
+        near = get_close_matches(_plain(format_id), sorted(names), 1)
+        nearest = [one.id for one in definitions.values() if near and near[0] in _names(one)]
+        message = "no such control format"
+        expected = " or ".join([*definitions, "the path of a file *.yaml"])
+        if nearest:
+            expected = f"{' or '.join(nearest)}, the nearest; all are {expected}"
+    raise UsageError(Fault(message=message, place="format", expected=expected, found=format_id))
+
+
+def _names(definition: Definition) -> set[str]:
+    """Return the names of a definition as `_plain` has them."""
+    return {_plain(name) for name in (definition.id, *definition.aliases)}
+
+
+def _short(title: str) -> str:
+    """Return a title up to its first comma that is in no bracket."""
+    depth = 0
+    for place, letter in enumerate(title):
+        depth += (letter == "(") - (letter == ")")
+        if letter == "," and not depth:
+            return title[:place]
+    return title
+
+
+def _plain(name: str) -> str:
+    """Return letters and digits of a name alone, in lower case."""
+    return "".join(letter for letter in name.casefold() if letter.isalnum())

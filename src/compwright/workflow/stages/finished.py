@@ -6,9 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from compwright import __version__
-from compwright.foundations.findings import Finding, doubts_of
+from compwright.foundations.findings import RESULTS, Finding, doubts_of
+from compwright.jobs.idle_keys import unused_acknowledgements
 from compwright.planning.axes import AxisWork
 from compwright.planning.circles import worse_circles
+from compwright.planning.doubts import Doubts, Noticed, doubts_among, undecided
 from compwright.records.correction import Assumption
 from compwright.records.plan import Plan
 from compwright.workflow.stages.fitted import Fitted
@@ -53,28 +55,98 @@ class Finished:
     @property
     def findings(self) -> tuple[Finding, ...]:
         """What was noticed, beside the findings of each test."""
-        axes = self.predicted.axes.values()
         return (
-            *self.measured.job.findings,
-            *(finding for state in self.measured.states.values() for finding in state.findings),
-            *(finding for prediction in axes for finding in prediction.findings),
-            *self.wanted.findings,
-            *self.written.findings,
-            *worse_circles(self.predicted.circles),
+            *(one.finding for one in self._noticed()),
+            *unused_acknowledgements(self.doubts.unused),
         )
 
     @property
-    def doubts(self) -> tuple[Finding, ...]:
-        """What has to be settled before the tables are loaded; findings of tests say which test
-        they are of.
+    def doubts(self) -> Doubts:
+        """What has to be clear before anything is decided, with the axes that it concerns; findings
+        of tests say which test they are of.
         """
-        tests = [
-            replace(finding, message=f"Axis {name}, test {result.test.name}: {finding.message}")
+        return doubts_among(
+            [*self._noticed(), *self._of_tests(), *self._of_circles()],
+            self.measured.job.acknowledged,
+        )
+
+    @property
+    def first(self) -> tuple[Finding, ...]:
+        """What stands before everything else: the open doubts, and results like them."""
+        still = (one.finding for one in self.doubts.open)
+        return doubts_of([*still, *(one for one in self.findings if one.code in RESULTS)])
+
+    def decided(self) -> Finished:
+        """Return the job without a decision about the axes of which a doubt is open."""
+        doubts = self.doubts
+        axes = {
+            name: replace(axis, accept=undecided(axis.accept)) if doubts.about(name) else axis
+            for name, axis in self.predicted.axes.items()
+        }
+        return replace(self, predicted=replace(self.predicted, axes=axes))
+
+    def _noticed(self) -> list[Noticed]:
+        """Return what was noticed beside the findings of tests and circles."""
+        states = self.measured.states.values()
+        return [
+            *map(Noticed, self.measured.job.findings),
+            *(self._of_control(finding) for state in states for finding in state.findings),
+            *(
+                Noticed(finding, frozenset({name}))
+                for name, prediction in self.predicted.axes.items()
+                for finding in prediction.findings
+            ),
+            *(
+                Noticed(finding, frozenset(finding.axes) or None)
+                for finding in self.wanted.findings
+            ),
+            *map(Noticed, self.written.findings),
+            *map(self._of_control, self.predicted.findings),
+            *map(Noticed, worse_circles(self.predicted.circles)),
+        ]
+
+    def _of_control(self, finding: Finding) -> Noticed:
+        """Return a finding of the control's files with the axes of the job that it is about.
+
+        That no file holds an axis's own table puts nothing in doubt where none is made: what acts
+        stays.
+        """
+        own = frozenset(
+            name
+            for name, axis in self.measured.axes.items()
+            if {axis.address, axis.gantry} & set(finding.axes)
+        )
+        if finding.code == "CW-S008" and own and own.isdisjoint({*self.works, *self.fitted.scales}):
+            finding = replace(finding, severity="info")
+        return Noticed(finding, own or None)
+
+    def _of_tests(self) -> list[Noticed]:
+        return [
+            Noticed(
+                replace(
+                    finding, message=f"Axis {name}, test {result.test.name}: {finding.message}"
+                ),
+                frozenset({name}),
+            )
             for name, work in self.works.items()
             for result in work.results
             for finding in result.findings
         ]
-        return doubts_of([*self.findings, *tests])
+
+    def _of_circles(self) -> list[Noticed]:
+        """Return the findings of circles with the axes that take something from circles."""
+        apply = self.measured.job.apply
+        taking = {*apply.squareness.values(), *apply.scale}
+        if apply.backlash_from == "circle":
+            taking |= self.works.keys()
+        return [
+            Noticed(
+                replace(finding, message=f"Circle {work.name}: {finding.message}"),
+                frozenset(taking & set(work.result.test.axes)),
+            )
+            for work in self.wanted.circles
+            for finding in work.result.findings
+        ]
 
     def plan(self, results: Mapping[str, str]) -> Plan:
         """Return the plan. ``results``: the other files of the run by name, with their

@@ -14,6 +14,7 @@ from compwright.foundations.utf8 import shown_path
 from compwright.records.job import Job
 from compwright.records.plan import Texts
 from compwright.records.record import InputRole, RecordedInput
+from compwright.workflow.stages.control_folders import control_entries
 from compwright.workflow.stages.measurement_files import measurement_files
 
 INPUTS = "inputs"
@@ -81,11 +82,15 @@ def _measured(role: InputRole, of: str, texts: Iterable[str], folder: Path) -> I
 
 
 def files_of_verify(
-    job: Job, after: Sequence[str], circles: Mapping[str, Sequence[Path]], loaded: Sequence[Path]
+    job: Job,
+    after: Sequence[str],
+    circles: Mapping[str, Sequence[Path]],
+    loaded: Sequence[Path],
+    profile: Path | None = None,
 ) -> list[GivenFile]:
     """Return every file that ``verify`` was given: ``after``: its values of positioning tests
-    (``FILE`` or ``TEST=FILE``), ``circles``: files by circle, ``loaded``: what was read back.
-    Raises InputError for what cannot be read (any more).
+    (``FILE`` or ``TEST=FILE``), ``circles``: files by circle, ``loaded``: what was read back;
+    ``profile``: that of the tests. Raises InputError for what cannot be read (any more).
     """
     names = {request.name for entry in job.axes.values() for request in entry.before}
     found: list[GivenFile] = []
@@ -97,20 +102,22 @@ def files_of_verify(
         found += _measured("after", name, [str(path) for path in paths], Path())
     for path in loaded:
         found += files_at("loaded", "", str(path), Path())
+    if profile is not None:
+        found.append(_given("profile", "", str(profile), profile))
     return found
 
 
 def files_at(role: InputRole, of: str, text: str, folder: Path) -> Iterator[GivenFile]:
     """Yield the file that ``text`` names, or those in the folder that it names."""
     start = storage.named_from(folder, text)
-    for path in storage.list_files(start):
+    for path in control_entries(start):
         yield _given(role, of, _named(text, path, start), path)
 
 
 def _named(text: str, path: Path, start: Path) -> str:
     """Return how the job names a file: by itself, or in a folder."""
     name = Path(text).as_posix()
-    return name if path == start else f"{name}/{path.name}"
+    return name if path == start else f"{name}/{path.relative_to(start).as_posix()}"
 
 
 def _given(role: InputRole, of: str, name: str, path: Path) -> GivenFile:

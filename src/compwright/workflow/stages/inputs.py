@@ -32,6 +32,7 @@ from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest, merge, to_machine
 from compwright.workflow.stages.control import Control, decode, read_files
 from compwright.workflow.stages.decoded import DecodedState
+from compwright.workflow.stages.gantries import partner_questions
 from compwright.workflow.stages.measurement_files import load_profile, measurement_files
 
 #: A table over the travel, read in the wrong unit, is 25.4 times too short or long; it may reach
@@ -79,10 +80,12 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
         except UsageError as error:
             asked.extend(error.faults)
     raise_all(InputError, collect(errors))
-    raise_all(UsageError, asked)
+    questions, contradicted = partner_questions(job, states)
+    raise_all(UsageError, [*asked, *questions])
     raise_all(
         InputError,
         [
+            *contradicted,
             *_missing_axes(job, states),
             *_other_neighbours(job, states),
             *_other_tables_between(job, control.format, states),

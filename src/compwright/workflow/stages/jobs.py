@@ -11,7 +11,7 @@ from typing import Any
 from compwright.documents.plan import carried_definition
 from compwright.documents.record import RECORD, copied_by_record
 from compwright.evaluation.drift import environmental_variation
-from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, axis_options
+from compwright.formats.definition.options import KIND, REFERENCE, REFERENCE_RETURN, axis_options
 from compwright.foundations import storage
 from compwright.foundations.errors import (
     CompwrightError,
@@ -21,7 +21,7 @@ from compwright.foundations.errors import (
     collect,
     raise_all,
 )
-from compwright.foundations.input_sizes import MEASUREMENT, YAML
+from compwright.foundations.input_sizes import JOB, MEASUREMENT
 from compwright.instruments.drift_csv import read_drift
 from compwright.jobs.command_line import job_from_options
 from compwright.jobs.consistency import NONE_WORD
@@ -35,6 +35,8 @@ from compwright.workflow.stages.definitions import is_path
 
 _YAML = {".yaml", ".yml"}
 PLAN = "plan.json"
+#: Stands for a travel that is missing, so that everything else is asked for too.
+_ANY_TRAVEL = "0:1"
 
 
 def read_job_file(path: Path, plan: Path | None = None) -> Job:
@@ -45,7 +47,7 @@ def read_job_file(path: Path, plan: Path | None = None) -> Job:
     """
     carried = () if plan is None else carried_definition(storage.earlier_bytes(plan))
     further = partial(wrong_control, folder=path.parent, carried=carried)
-    return _with_drifts(read_job(storage.read_bytes(path, YAML), str(path), further), path.parent)
+    return _with_drifts(read_job(storage.read_bytes(path, JOB), str(path), further), path.parent)
 
 
 def _with_drifts(job: Job, folder: Path) -> Job:
@@ -87,10 +89,12 @@ def wrong_control(
             yield Contradiction(("controller", *path), fault.message, fault.expected, fault.found)
         return
     states = data.get("states")
-    files = isinstance(states, dict) and any(state and state != "none" for state in states.values())
+    given = list(states.values()) if isinstance(states, dict) else []
+    files = any(state and state not in (NONE_WORD, [NONE_WORD]) for state in given)
     yield from _wrong_axis_options(data.get("axes"), control, unit_needed=not files)
+    yield from _questions(data.get("axes"), control, files=files, stated=bool(given))
     yield from _unknown_diameter(data.get("axes"), control, files=files)
-    for name in (REFERENCE, REFERENCE_RETURN):
+    for name in (REFERENCE, REFERENCE_RETURN, KIND):
         if name in options:
             yield Contradiction(
                 ("controller", "options", name),
@@ -124,6 +128,39 @@ def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterato
                 " axis by its own value",
                 "diameter",
             )
+
+
+def _questions(
+    axes: object, control: Control, *, files: bool, stated: bool
+) -> Iterator[Contradiction]:
+    """Yield what the control needs of each axis and nobody says: all before anything is read.
+    ``stated``: the job says what is in the control, so that tables are made.
+    """
+    sections = axes if isinstance(axes, dict) else {}
+    given = {
+        option
+        for section in sections.values()
+        if isinstance(section, dict) and isinstance(section.get("options"), dict)
+        for option, value in section["options"].items()
+        if value is not None
+    }
+    for name, section in sections.items():
+        if not isinstance(section, dict):
+            continue  # the schema says so
+        reference, options = section.get("reference", 0), section.get("options", {})
+        axis = Axis(
+            name=str(name),
+            kind=AxisKind.LINEAR,
+            travel=(0.0, 1.0),
+            address=str(section.get("address", name)),
+            reference=float(reference) if isinstance(reference, int | float) else 0.0,
+            options=options if isinstance(options, dict) else {},
+        )
+        found = list(control.format.questions(axis, files=files, given=given))
+        # without a state no table is made; what stops the run anyway asks for the rest too
+        for fault in found if stated or any(one.place == "address" for one in found) else ():
+            own = ("axes", str(name)) if fault.place == "address" else ("controller", "options")
+            yield Contradiction((*own, fault.place), fault.message, fault.expected, fault.found)
 
 
 def _wrong_axis_options(
@@ -188,12 +225,13 @@ def job_of(
 ) -> JobToRun:
     """Return the job of a run. ``out``: the folder of its results, where one was named.
 
-    One YAML file without ``--format`` is a job; anything else are measurement files of one test,
+    One JOB file without ``--format`` is a job; anything else are measurement files of one test,
     and the job is one that lies in the folder of its results. Raises UsageError with all faults.
     """
     first = Path(inputs[0])
     needed = {"--format": format_id, "--axis": axis, "--travel": travel}
     if len(inputs) == 1 and first.suffix.lower() in _YAML:
+        storage.read_bytes(first, JOB)
         said = "does not go with a job file, which says it itself"
         extra = {**needed, "--state": states, "--option": options, "--profile": profile}
         faults = [
@@ -203,27 +241,38 @@ def job_of(
         ]
         raise_all(UsageError, faults)
         return JobToRun(read_job_file(first), first.parent, out or default_folder(first))
+    for text in inputs:
+        if not storage.is_folder(Path(text)):
+            storage.read_bytes(Path(text), MEASUREMENT)
+        elif storage.is_there(Path(text) / PLAN):
+            fault = Fault(message="is a folder of results", file=text, expected=JOB.help)
+            raise UsageError(fault)
     expected = "a value, or one job file JOB.yaml instead of measurement files"
     faults = [
         Fault(message="is missing", place=name, expected=expected)
         for name, value in needed.items()
         if not value
     ]
-    raise_all(UsageError, faults)
     folder = out or default_folder(first)
 
     def there(text: str) -> str:
         return storage.way_to(Path(text), folder)
 
     control = format_id or ""
-    stated = job_from_options(
-        [there(text) for text in inputs],
-        format=there(control) if is_path(control) else control,
-        axis=axis or "",
-        travel=travel or "",
-        states=[text if text == NONE_WORD else there(text) for text in states],
-        options=options,
-        profile=None if profile is None else there(profile),
-        further=partial(wrong_control, folder=folder),
-    )
+    if faults and not (format_id and axis):
+        raise UsageError(*faults)  # what the control needs of the axis cannot be asked yet
+    try:
+        stated = job_from_options(
+            [there(text) for text in inputs],
+            format=there(control) if is_path(control) else control,
+            axis=axis or "",
+            travel=travel or _ANY_TRAVEL,
+            states=[text if text == NONE_WORD else there(text) for text in states],
+            options=options,
+            profile=None if profile is None else there(profile),
+            further=partial(wrong_control, folder=folder),
+        )
+    except UsageError as error:
+        raise UsageError(*faults, *error.faults) from error
+    raise_all(UsageError, faults)
     return JobToRun(stated.job, folder, folder, stated.data)

@@ -19,6 +19,7 @@ from compwright.planning.wanted import (
     observed_tests,
 )
 from compwright.prediction.acting import nothing
+from compwright.prediction.dead_zone import as_applied
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import ControlState, no_compensation
 from compwright.records.job import Job
@@ -99,7 +100,7 @@ def _view(
     draws = error.draw(test.targets, draws_for(test.targets.size), np.random.default_rng(0), place)
     none = no_compensation(axis.address, axis.kind, axis.reference_return)
     loading = Loading(
-        new=none if fitted is None else fitted.compensation,
+        new=none if fitted is None else as_applied(fitted.compensation, axis),
         old=held_by(as_found, axis),
         acted=none if planned.active is None else planned.active,
         others={

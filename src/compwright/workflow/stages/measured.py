@@ -8,7 +8,7 @@ from pathlib import Path
 
 from compwright.evaluation.repeats import Named
 from compwright.foundations import storage
-from compwright.foundations.errors import Fault, InputError, raise_all
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.jobs.idle_keys import idle_keys
 from compwright.prediction.acting import Acting
@@ -23,7 +23,12 @@ from compwright.workflow.stages.decoded import DecodedState
 from compwright.workflow.stages.inputs import JobInputs, read_job_inputs
 from compwright.workflow.stages.own_output import refuse_own_output
 from compwright.workflow.stages.plausible import given_twice, impossible_tests, named_tests
-from compwright.workflow.stages.settled import named_axes, settled_by_files
+from compwright.workflow.stages.settled import (
+    named_axes,
+    settled_by_files,
+    unknown_zeros,
+    with_counted_turns,
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,6 +80,9 @@ def measured(job: Job, folder: Path, out: Path) -> Measured:
     )
     inputs, circles = _inputs(job, control, folder)
     job = settled_by_files(job, inputs.states, AS_FOUND)
+    job, turns = with_counted_turns(job, control, inputs.tests)
+    now = inputs.states.get(AS_FOUND)
+    raise_all(UsageError, list(unknown_zeros(job, control, None if now is None else now.state)))
     axes = {name: entry.axis for name, entry in job.axes.items()}
     taken_in = [
         (test, request.measured_in) for test, request in zip(circles, job.circles, strict=True)
@@ -86,7 +94,7 @@ def measured(job: Job, folder: Path, out: Path) -> Measured:
         inputs=inputs,
         circles=circles,
         acting={name: acting(decoded, axes) for name, decoded in inputs.states.items()},
-        named=named,
+        named=(*named, *turns),
         findings=(*control.findings, *idle),
     )
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
-from compwright.foundations.input_sizes import YAML
+from compwright.foundations.input_sizes import PROFILE
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.profile import Profile, read_profile
 
@@ -35,7 +35,7 @@ def load_profile(path: Path) -> Profile:
     """Read a mapping profile. Raises UsageError with every fault in it, InputError for a file that
     cannot be read.
     """
-    return read_profile(storage.read_bytes(path, YAML), shown_path(path))
+    return read_profile(storage.read_bytes(path, PROFILE), shown_path(path))
 
 
 def measurement_files(path: Path) -> Found:

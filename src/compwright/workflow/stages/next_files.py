@@ -13,7 +13,7 @@ from typing import Any
 from compwright.formats.definition.extends import EXTENDS
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
-from compwright.foundations.input_sizes import MEASUREMENT, YAML
+from compwright.foundations.input_sizes import JOB as JOB_FILE
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.instruments.circular_reading import read_circular
 from compwright.jobs.next_job import (
@@ -97,7 +97,7 @@ def next_files(job: Job, plan: Plan, then: Looped) -> dict[str, bytes]:
     Raises InputError where a measurement of the last round is not there any more.
     """
     file = Path(job.file)
-    data = read_yaml(storage.read_bytes(file, YAML), job.file).data
+    data = read_yaml(storage.read_bytes(file, JOB_FILE), job.file).data
     copies = _Copies()
     was = name_of_round([*job.states, *plan.states])
     paths = _beside_tests(data, file.parent, copies)
@@ -134,7 +134,7 @@ def _state(files: Sequence[ControlFile], name: str, copies: _Copies, *, active: 
     if not files:
         return "none"
     folder = f"{STATES}/{_folder(name)}"
-    listed = [copies.add(folder, file.name, file.content) for file in files]
+    listed = [copies.add(folder, file.name, file.raw) for file in files]
     if active is None:
         return listed
     return {"files": listed, "active": "yes" if active else "no"}
@@ -167,6 +167,9 @@ def _axis(
     first = test_after(
         repeated, _measured(after.files, folder, copies), _temperatures(after.test), paths
     )
+    if after.profile is not None:
+        content = storage.read_bytes(after.profile)
+        first["profile"] = copies.add(MEASUREMENTS, after.profile.name, content)
     limits = section.get("accept")
     moved = limits is not None and "test" not in limits and names[0] != after.repeats
     return NextAxis(
@@ -208,6 +211,9 @@ def _settled(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]:
         found["options"] = dict(axis.options)
     if axis.encoder.stated and "system" not in section.get("encoder", {}):
         found["encoder"] = {"system": axis.encoder.system}
+    if axis.zero_at_reference:
+        found["reference"] = axis.reference
+        found["reference_return"] = axis.reference_return.value
     return found
 
 
@@ -280,7 +286,7 @@ def _beside_tests(data: Mapping[str, Any], folder: Path, copies: _Copies) -> dic
         text: copies.add(
             MEASUREMENTS,
             PureWindowsPath(text).name,
-            storage.read_bytes(storage.named_from(folder, text), MEASUREMENT),
+            storage.read_bytes(storage.named_from(folder, text)),
         )
         for text in dict.fromkeys(named)
     }

@@ -49,8 +49,8 @@ from compwright.workflow.stages.worked_through import worked_through
 
 #: The folder of the next round, in that of the results.
 FOLDER: Final = "next"
-#: Findings of an axis that say what its test does not prove.
-LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024", "CW-E010"})
+#: Findings of an axis that say what its test does not prove, beside doubts.
+LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024"})
 _KEEPS: Final = "it keeps what is in the control"
 
 
@@ -174,6 +174,11 @@ def _nobody(found: Verified) -> str:
     )
 
 
+def lacks_proof(finding: Finding) -> bool:
+    """Whether a finding of an axis says that its test after loading does not prove enough."""
+    return finding.code in LACKING or finding.is_doubt
+
+
 def _refused(found: Verified, compared: Mapping[str, Any] | str) -> Iterator[tuple[str, str]]:
     """Yield the axes of the plan that may not be corrected further, with the reason."""
     for name, entry in found.plan.axes.items():
@@ -193,7 +198,7 @@ def _doubted(axis: VerifiedAxis) -> str:
     if verdict != "loaded":
         of = f" ({axis.loading['of']})" if axis.loading.get("of") else ""
         return f"the verdict is {verdict.replace('_', ' ')}{of}, not loaded"
-    doubts = [one for one in axis.findings if one.code in LACKING or one.severity == "error"]
+    doubts = [one for one in axis.findings if lacks_proof(one) or one.severity == "error"]
     if doubts:
         return f"its test after loading is in doubt ({doubts[0].code}: {doubts[0].message})"
     return ""

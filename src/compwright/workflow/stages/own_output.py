@@ -122,7 +122,7 @@ def made_for_the_control(plan: Plan) -> frozenset[str]:
     """Return the fingerprints of the files that a plan's run wrote for the control, less those that
     were in it before.
     """
-    before = {fingerprint(file.content) for files in plan.states.values() for file in files}
+    before = {fingerprint(file.raw) for files in plan.states.values() for file in files}
     return frozenset(
         digest
         for name, digest in plan.results.items()
@@ -145,7 +145,7 @@ def _counted_twice(
             ]
             if state is None or not pairs:
                 continue
-            made = any(fingerprint(file.content) in earlier.made for file in state.files)
+            made = any(fingerprint(file.raw) in earlier.made for file in state.files)
             if any(_acts_again(*each, state, job.axes[name].axis, made=made) for each in pairs):
                 yield _fault(
                     job, f"axes.{name}.before", planned.test.name, planned.measured_in, earlier
@@ -156,7 +156,7 @@ def _counted_twice(
         if (
             state is not None
             and known
-            and any(fingerprint(file.content) in earlier.made for file in state.files)
+            and any(fingerprint(file.raw) in earlier.made for file in state.files)
         ):
             yield _fault(job, "circles", test.name, measured_in, earlier)
 
@@ -250,7 +250,7 @@ def refuse_added_again(plan: Plan, path: Path, state: DecodedState) -> None:
     """Raise UsageError where a plan adds something between axes to a state that is what its own run
     made.
     """
-    made: Mapping[str, str] = {fingerprint(file.content): file.name for file in state.files}
+    made: Mapping[str, str] = {fingerprint(file.raw): file.name for file in state.files}
     again = [made[digest] for digest in made_for_the_control(plan) if digest in made]
     if again and any(entry.written for entry in plan.cross):
         raise UsageError(

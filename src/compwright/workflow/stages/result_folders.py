@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+from compwright.documents.json_text import no_number
 from compwright.documents.older_record import older_record
 from compwright.documents.record import RECORD, read_record
 from compwright.documents.record_reading import faults_of_record
@@ -49,7 +51,8 @@ def result_folders(tops: Sequence[Path]) -> tuple[list[Path], list[Fault]]:
             faults.extend(error.faults)
             continue
         faults.extend(refused)
-        own = [folder for folder in folders if not _is_part(folder, folders)]
+        known = frozenset(folders)
+        own = [folder for folder in folders if not _is_part(folder, known)]
         if not own and not refused:
             faults.append(
                 Fault(
@@ -63,12 +66,10 @@ def result_folders(tops: Sequence[Path]) -> tuple[list[Path], list[Fault]]:
     return list(found.values()), faults
 
 
-def _is_part(folder: Path, folders: Sequence[Path]) -> bool:
+def _is_part(folder: Path, folders: Collection[Path]) -> bool:
     """Whether a folder lies among the copies of another result folder."""
-    return any(
-        other in folder.parents and folder.relative_to(other).parts[0] in _NO_RESULTS
-        for other in folders
-    )
+    way = (folder, *folder.parents)
+    return any(above in folders and below.name in _NO_RESULTS for below, above in pairwise(way))
 
 
 def read_folder(path: Path) -> ResultFolder:
@@ -137,7 +138,8 @@ def _document(path: Path) -> Mapping[str, Any] | None:
     if not storage.is_there(path):
         return None
     try:
-        data = json.loads(storage.read_bytes(path, JSON).decode("utf-8"))
+        text = storage.read_bytes(path, JSON).decode("utf-8")
+        data = json.loads(text, parse_constant=no_number)
     except (ValueError, RecursionError) as error:
         raise InputError(
             Fault(message="is not JSON", file=shown_path(path), found=str(error))

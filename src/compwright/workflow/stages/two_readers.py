@@ -14,9 +14,11 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import ControlState, CrossCompensation
 from compwright.workflow.stages.decoded import judges
 
-#: Largest difference of the two readers, mm or deg: a control that keeps single precision rounds 1
-#: mm to 6e-8 mm.
+#: Largest difference of the two readers, mm or deg, of values that are nothing ...
 AGREEMENT = 2e-7
+#: ... and for each mm or deg of the largest value: a control may keep values, their differences and
+#: slopes in single precision, each rounded to 2^-24 of itself.
+SINGLE_PRECISION = 4.0 * 2.0**-24
 #: What stands in every result for a definition of one's own, by the id of the control.
 #: Positions of tables of which only one reader knows, mm or deg: every 5 mm of the longest
 #: machines.
@@ -67,8 +69,9 @@ def _apart(
     """
     table, words, unit = told
     for direction in Direction:
-        off = np.abs(mine(where, direction) - theirs(where, direction))
-        if not np.all(off <= AGREEMENT):
+        values = mine(where, direction)
+        off = np.abs(values - theirs(where, direction))
+        if not np.all(off <= AGREEMENT + SINGLE_PRECISION * float(np.max(np.abs(values)))):
             worst = int(np.argmax(off))
             yield Fault(
                 message=f"the files can be read in two ways: {words}",

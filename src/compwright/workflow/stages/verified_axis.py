@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis
 from compwright.estimation.cells import folded_findings
+from compwright.formats.families.gantry import partner_of
 from compwright.formats.look_at import look_at
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
@@ -21,8 +22,11 @@ from compwright.planning.motions import with_motion
 from compwright.planning.outlook import predict_same_targets
 from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
 from compwright.prediction.acting import Correction, difference, nothing
+from compwright.prediction.dead_zone import as_applied
 from compwright.records.axis import Axis, Direction
-from compwright.records.job import Job
+from compwright.records.correction import AxisCompensation
+from compwright.records.fitted import FittedTable
+from compwright.records.job import Acknowledged, Job
 from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.prediction import AcceptDecision
 from compwright.records.result import PositioningResult
@@ -30,12 +34,13 @@ from compwright.records.settled import LOGARITHM, settled_number
 from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.hypotheses import OF_VALUES
 from compwright.verification.measurement import NamedFault, measurement_fault, proof_lacking
-from compwright.verification.proof import AfterTest, doubted
-from compwright.workflow.stages.acting import correction_of
+from compwright.verification.proof import AfterTest, doubted, doubts_after
+from compwright.workflow.stages.acting import applied_of, correction_of
 from compwright.workflow.stages.control import Control
 from compwright.workflow.stages.decoded import DecodedState
+from compwright.workflow.stages.gantries import with_partners
 from compwright.workflow.stages.judged_loading import judged_loading
-from compwright.workflow.stages.two_readers import table_positions
+from compwright.workflow.stages.two_readers import SINGLE_PRECISION, table_positions
 
 
 def verified_axis(
@@ -65,7 +70,7 @@ def verified_axis(
     posterior = measured_error(planned.tests, observed, axis, planned.active)
     change = _change(planned, as_found, repeated)
     fault = twice or measurement_fault(after.test, repeated.test, axis.travel)
-    compared = _compare_loaded(planned, read_back)
+    compared = _compare_loaded(control, planned, as_found, read_back)
     if ours:
         compared = tuple(finding for finding in compared if finding.code != "CW-V010")
     as_planned = any(finding.code == "CW-V010" for finding in compared)
@@ -84,7 +89,9 @@ def verified_axis(
         if fault is None
         else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
     )
-    accept, findings = _judged(job, axis, before, result, loading, fault)
+    given = read_back.state.findings if read_back is not None and not ours else ()
+    files = tuple(each for each in given if each.is_doubt and not each.axes)
+    accept, findings, acknowledged = _judged(job, axis, before, result, loading, fault, files)
     like = Like(place, fresh_slope(job.decision_rule, repeated))
     guarded = job.decision_rule == "guarded"
     return VerifiedAxis(
@@ -94,6 +101,7 @@ def verified_axis(
         after=result,
         loading=_told(loading, _sentences(control, planned), read_back=as_planned),
         accept=accept,
+        acknowledged=acknowledged,
         guard=guard_bands(job, planned, place, before, posterior, change) if guarded else None,
         findings=(*loading.findings, *_named(loading), *findings, *compared),
     )
@@ -104,8 +112,10 @@ def _change(planned: PlannedAxis, as_found: DecodedState, repeated: PlannedTest)
     the one after loading repeats, at whose motion it was taken.
     """
     active = nothing if planned.active is None else planned.active.at
-    table = None if planned.fitted is None else planned.fitted.compensation.at
-    wanted = table or correction_of(as_found, planned.axis)
+    table = (
+        None if planned.fitted is None else as_applied(planned.fitted.compensation, planned.axis).at
+    )
+    wanted = table or applied_of(as_found, planned.axis)
     return difference(with_motion(wanted, planned.axis, repeated.backlash_more), active)
 
 
@@ -116,27 +126,38 @@ def _judged(
     result: PositioningResult,
     loading: LoadingVerdict,
     fault: NamedFault | None,
-) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...]]:
-    """Return the decisions of an axis after loading, by parameter, and what speaks against its
-    test: of one that is certainly no measurement (``fault``) nothing more than that.
+    files: Sequence[Finding],
+) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
+    """Return the decisions of an axis after loading, by parameter, what speaks against its test,
+    and the doubts that the job acknowledges: of a test that is certainly no measurement (``fault``)
+    nothing more than that. ``files``: doubts about what was read back.
     """
     guarded = job.decision_rule == "guarded"
     waves = folded_findings(result.test.targets, axis.screw_pitch, axis.kind.unit)
+    readings = () if fault else doubts_after(result)
+    by = {each: job.acknowledgement(each.code, axis.name) for each in (*readings, *waves, *files)}
+    acknowledged = {each: given for each, given in by.items() if given is not None}
+    still = tuple(each for each in (*waves, *files) if each not in acknowledged)
+    lacking = (
+        *(() if fault else proof_lacking(result.test, before.test)),
+        *(() if fault else doubted(result, before, acknowledged, guarded=guarded)),
+        *still,
+    )
     accept = measured_decisions(
         job.axes[axis.name],
         result,
         job.decision_rule,
-        believed=loading.verdict != "measurement",
-        folded=bool(waves),
+        believed=loading.verdict != "measurement"
+        and not still
+        and all(each in acknowledged for each in readings),
+        proven=not lacking,
     )
-    lacking = [name for name, entry in accept.items() if guarded and entry.U is None]
-    against = (
-        *(() if fault else proof_lacking(result.test, before.test)),
-        *(() if fault else doubted(result, before, guarded=guarded)),
-        *waves,
-        *lacking_guard(axis, result.standard, lacking),
+    unknown = [name for name, entry in accept.items() if guarded and entry.U is None]
+    return (
+        accept,
+        (*lacking, *lacking_guard(axis, result.standard, unknown)),
+        tuple(Acknowledged(each, given) for each, given in acknowledged.items()),
     )
-    return accept, against
 
 
 def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, tuple[str, ...]]:
@@ -219,31 +240,49 @@ def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
     )
 
 
-def _compare_loaded(planned: PlannedAxis, read_back: DecodedState | None) -> tuple[Finding, ...]:
+def _compare_loaded(
+    control: Control, planned: PlannedAxis, as_found: DecodedState, read_back: DecodedState | None
+) -> tuple[Finding, ...]:
     """Compare what was read back from the control with the plan's table, by its correction over the
-    table and the travel.
+    table and the travel; of a gantry for both axes.
     """
     if read_back is None or planned.fitted is None:
         return ()
-    axis, table = planned.axis, planned.fitted.compensation
+    every = with_partners(control.in_state(as_found.state), _tables(planned), as_found)
+    found = tuple(_compared(axis, table.compensation, read_back) for axis, table in every)
+    differing = tuple(one for one in found if one.code == "CW-V011")
+    return differing or found[:1]
+
+
+def _tables(planned: PlannedAxis) -> list[tuple[Axis, FittedTable]]:
+    """Return the planned table of an axis, and of a gantry the same one for the other axis, which
+    `with_partners` replaces where it has its own.
+    """
+    axis, fitted = planned.axis, planned.fitted
+    if fitted is None:
+        return []
+    own = [(axis, fitted)]
+    if axis.gantry is not None and axis.gantry_table != "change":
+        own.append((partner_of(axis, axis.gantry), fitted))
+    return own
+
+
+def _compared(axis: Axis, table: AxisCompensation, read_back: DecodedState) -> Finding:
     where = table_positions(table.positions, axis.travel)
     off = difference(table.at, correction_of(read_back, axis))
     worst = max(float(np.max(np.abs(off(where, direction)))) for direction in Direction)
+    largest = max(float(np.max(np.abs(table.at(where, direction)))) for direction in Direction)
     factor = outside_factor(axis.kind.unit)
     unit = shown_unit(axis.kind.unit)
-    if worst * factor <= 1e-3:
-        return (
-            Finding(
-                "CW-V010",
-                "info",
-                f"Axis {axis.name}: what was read back from the control is the plan's table.",
-            ),
+    if worst <= 1e-3 / factor + SINGLE_PRECISION * largest:
+        return Finding(
+            "CW-V010",
+            "info",
+            f"Axis {axis.name}: what was read back from the control is the plan's table.",
         )
-    return (
-        Finding(
-            "CW-V011",
-            "error",
-            f"Axis {axis.name}: what was read back from the control differs from the plan by up to"
-            f" {worst * factor:.2f} {unit}.",
-        ),
+    return Finding(
+        "CW-V011",
+        "error",
+        f"Axis {axis.name}: what was read back from the control differs from the plan by up to"
+        f" {worst * factor:.2f} {unit}.",
     )

@@ -145,9 +145,14 @@ def _verified(
     check = None
     if bent is not None:
         was, now = effect_of(prediction.expected, "squareness"), effect_of(result, "squareness")
-        if was is not None and now is not None:
-            error = float(np.hypot(was.std_error, now.std_error))
-            check = SquarenessCheck(value=now.value, expected=was.value, U=SIGNIFICANT * error)
+        if was is not None:
+            error = was.std_error if now is None else float(np.hypot(was.std_error, now.std_error))
+            check = SquarenessCheck(
+                value=None if now is None else now.value,
+                expected=was.value,
+                U=SIGNIFICANT * error,
+                corrected=1e6 * bent.squareness,
+            )
     return VerifiedCircle(prediction=prediction, after=result, squareness=check)
 
 

@@ -14,8 +14,10 @@ from compwright.planning import axis_tasks
 from compwright.planning.axes import AxisWork
 from compwright.planning.checks import Checks
 from compwright.planning.circles import CircleWork, checked_axes, start_circles
+from compwright.planning.mirrored import MIRRORED
+from compwright.records.job import Job
 from compwright.records.positioning import PositioningTest
-from compwright.workflow.stages.acting import correction_of
+from compwright.workflow.stages.acting import applied_of
 from compwright.workflow.stages.measured import Measured
 from compwright.workflow.stages.old_tables import with_old_tables
 
@@ -46,10 +48,11 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
         [(job, entry, tests[name], measured.states) for name, entry in entries.items()],
     )
     works = {
-        name: replace(work, as_found=correction_of(measured.as_found, work.planned.axis))
+        name: replace(work, as_found=applied_of(measured.as_found, work.planned.axis))
         for name, work in zip(entries, started, strict=True)
     }
     works, old_tables = with_old_tables(measured, works, each)
+    works = {name: _not_twice(job, work) for name, work in works.items()}
     circles = start_circles(job, measured.circles, axes)
     checks = Checks(job, works, measured.acting)
     with_circles, taken = checks.with_circle_backlash(circles)
@@ -69,6 +72,17 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
             *taken,
         ),
     )
+
+
+def _not_twice(job: Job, work: AxisWork) -> AxisWork:
+    """Return an axis without a table where the one in the control was made from the same test, as
+    long as the job does not acknowledge that.
+    """
+    name = work.planned.axis.name
+    said = [each.message for each in work.doubts if each.code == MIRRORED]
+    if not said or job.acknowledgement(MIRRORED, name) is not None:
+        return work
+    return replace(work, refused=said[0].rstrip("."))
 
 
 def _not_alike(measured: Measured) -> dict[str, list[PositioningTest]]:

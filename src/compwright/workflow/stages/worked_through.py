@@ -27,4 +27,5 @@ def worked_through(
     wish = wanted(start, each)
     table = fitted(start, wish, each)
     files = written(start, wish, table, accept_worse=accept_worse, each=each)
-    return Finished(start, wish, table, files, predicted(start, wish, table, files, each))
+    then = predicted(start, wish, table, files, each)
+    return Finished(start, wish, table, files, then).decided()

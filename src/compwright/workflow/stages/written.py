@@ -20,13 +20,15 @@ from compwright.records.correction import ControlFile
 from compwright.records.fitted import FittedTable
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import PlannedAxis
+from compwright.records.serial_line import as_on_line
 from compwright.verification.read_back import SAME
-from compwright.workflow.stages.acting import correction_of
+from compwright.workflow.stages.acting import applied_of
 from compwright.workflow.stages.changes import changed_neighbours
 from compwright.workflow.stages.control import Control, decode
 from compwright.workflow.stages.cross_tables import CrossOutcome, write_planned
 from compwright.workflow.stages.decoded import DecodedState, judged
 from compwright.workflow.stages.fitted import Fitted
+from compwright.workflow.stages.gantries import check_partners, with_partners
 from compwright.workflow.stages.measured import Measured
 from compwright.workflow.stages.two_readers import probe_positions
 from compwright.workflow.stages.wanted import Wanted
@@ -82,7 +84,7 @@ def written(
     cross = write_planned(control, plan.planned, tables, as_found, measured.axes, tabled)
     axes = [axis for axis, _ in kept]
     if cross.written:
-        loaded = decode(control, cross.files, axes)
+        loaded = decode(control, cross.files, axes, carried_out=True)
     delivery = deliver(control, cross.files, as_found, axes, loaded)
     return Written(
         works=works,
@@ -114,7 +116,7 @@ def _improving(
     itself where all would.
     """
     tasks = {
-        name: (work, correction_of(loaded, work.planned.axis))
+        name: (work, applied_of(loaded, work.planned.axis))
         for name, work in works.items()
         if work.planned.fitted is not None
     }
@@ -145,14 +147,17 @@ def write_fitted(
     if not fitted:
         return (), None
     axes = [axis for axis, _ in fitted]
-    compensations = [table.compensation for _, table in fitted]
+    every = with_partners(control, fitted, as_found)
+    compensations = [table.compensation for _, table in every]
     try:
-        files = control.format.write(compensations, axes, as_found.files)
+        files = control.format.write(compensations, [axis for axis, _ in every], as_found.files)
     except UsageError as error:  # an option that the control's files do not answer
         named = all(fault.place in control.definition.options for fault in error.faults)
         raise (control.origin.named(error) if named else error) from error
     raise_all(CompwrightError, changed_neighbours(control, as_found.files, files, axes))
-    return files, decode(control, files, axes, written=True)
+    loaded = decode(control, files, axes, written=True)
+    check_partners(every, loaded)
+    return files, loaded
 
 
 def deliver(
@@ -171,6 +176,7 @@ def deliver(
         delivery = control.format.delivered(files, as_found.files, axes)
     except UsageError as error:
         raise control.origin.named(error) from error
+    delivery = replace(delivery, files=as_on_line(delivery.files, as_found.files))
     if delivery.own or image is None:
         return delivery
     small = decode(control, delivery.files, axes, written=True)

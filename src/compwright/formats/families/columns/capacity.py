@@ -66,6 +66,7 @@ def columns_capacity(control: Family, axis: Axis) -> Capacity:
         cover=(
             0 if endless or line or axis.kind is AxisKind.ROTARY else 1
         ),  # of a turn only 0 to 360 degrees are used
+        typed=not (line or facts.get("own_column")),
         below=definition.layout.below,
         above=definition.layout.above,
         assumed=tuple(_assumed(definition, axis, own, second=second)),

@@ -10,17 +10,26 @@ Parameters (backlash, linear error, which of line and table acts) stand in sheet
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.columns.axis_reading import AxisReader
+from compwright.formats.families.columns.coupling import couplings_of
 from compwright.formats.families.columns.finding import find_sources
 from compwright.formats.families.columns.sources import PARAMETERS
 from compwright.formats.families.columns.table import POSITION, SECOND
 from compwright.formats.families.columns.values import TableValues
+from compwright.formats.families.coupled_axes import (
+    Coupling,
+    check_couplings,
+    followers,
+    leader,
+)
 from compwright.formats.families.family import Family
+from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -57,8 +66,31 @@ def read_columns(
     sources = find_sources(control.definition, files, axes, notes.faults)
     raise_all(InputError, notes.faults)
     notes.findings.extend(sources.findings)
+    couplings = couplings_of(files, sources.numbers)
+    check_couplings(couplings, known, notes)
+    mentioned = sources.mentioned()
+    for axis in axes:
+        if axis.gantry is None:
+            continue
+        partner = normal_text(control.definition, axis.gantry)
+        known.setdefault(partner, partner_of(axis, partner))
+        if partner in mentioned:
+            asked.append(partner)
+        else:  # its table would come out of the control by itself, as that of every axis
+            notes.no_table(f"axis {partner}")
     values = TableValues(control, sources, known, notes)
-    return _StateReader(values, files, asked, activity).read()
+    state = _StateReader(values, files, asked, activity).read()
+    return replace(state, facts=_paired(state.facts, couplings))
+
+
+def _paired(facts: Mapping[str, AxisFacts], couplings: Sequence[Coupling]) -> dict[str, AxisFacts]:
+    """Return the facts with the axes that move together."""
+    return {
+        address: replace(
+            said, synchronised=followers(couplings, address), leading=leader(couplings, address)
+        )
+        for address, said in facts.items()
+    }
 
 
 class _StateReader:
@@ -89,7 +121,10 @@ class _StateReader:
                 compensations[address] = reader.read()
             if reader.spoken_of or address in self.asked:
                 facts[address] = AxisFacts(
-                    enabled=bool(reader.facts["enabled"]), grid=reader.idle, said=reader.facts
+                    kind=self.values.kind_said(address),
+                    enabled=bool(reader.facts["enabled"]),
+                    grid=reader.idle,
+                    said=reader.facts,
                 )
         cross = self._cross()
         if not compensations and not cross and not sources.idle and not self.notes.faults:

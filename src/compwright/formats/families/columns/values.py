@@ -10,7 +10,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.definition.options import TABLE_VALUES
+from compwright.formats.definition.options import TABLE_VALUES, known_kind
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.columns.sources import Sources
 from compwright.formats.families.columns.table import POSITION, Row, UserTable, is_number
@@ -43,6 +43,9 @@ def fitting_rule(options: Mapping[str, object], text: str) -> Decimal | None:
 #: largest n: TNC 306/360 p121).
 SMALLEST_SPACING = Decimal("0.0001")
 MOST_DOUBLINGS = 23
+
+
+_LETTERS = frozenset("XYZUVWABC")
 
 
 def kind_by_letter(address: str) -> AxisKind:
@@ -105,9 +108,18 @@ class TableValues:
             )
             self.notes.once(fault)
         if known is None:
+            known = known_kind(self.control.options, address)
+        if known is None:
             known = kind_by_letter(address)
             self.notes.assume(f"axis {address}: kind", known, "inferred from the name of the axis")
         return known
+
+    def kind_said(self, address: str) -> AxisKind | None:
+        """Return the kind of an axis where its entry sheet says it, or its letter does (DIN 66217:
+        X, Y, Z, U, V and W are linear, A, B and C rotary).
+        """
+        said = bool(self.sources.units.get(address)) or address.upper() in _LETTERS
+        return self.kind(address) if said else None
 
     def positions(self, table: UserTable, address: str) -> tuple[Decimal, ...] | None:
         """Return the positions of a table's rows in mm or deg; None when something is wrong with

@@ -10,12 +10,18 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.definition.options import ENCODER_SYSTEM, REFERENCE, REFERENCE_RETURN
+from compwright.formats.definition.options import (
+    ENCODER_SYSTEM,
+    REFERENCE,
+    REFERENCE_RETURN,
+    known_kind,
+)
 from compwright.formats.definition.schema import Choice
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.axis_values import AxisValues
 from compwright.formats.families.grid.basic_system import SAYING
+from compwright.formats.families.grid.joint_motion import homing_of, unapplied_steps
 from compwright.formats.families.grid.joints import joint_letters
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.systems import SystemChoice
@@ -158,6 +164,14 @@ class AxisReader:
         listed = self.address.isdigit() and int(self.address) < len(letters)
         if kind is AxisKind.ROTARY:
             self.values.said("angle_unit")
+        homing, zero = homing_of(self.values, self._factor(kind))
+        if zero is not None:
+            self.notes.assume(
+                f"{self.label}: zero of the correction",
+                f"{zero[0]:g} {kind.unit}, approached in {zero[1].value}",
+                "the axis homes on a switch (HOME_OFFSET, HOME_LATCH_VEL): what the table holds"
+                " there counts as zero",
+            )
         return AxisFacts(
             name=letters[int(self.address)] if listed else None,
             letters=letters if listed else "",
@@ -165,13 +179,21 @@ class AxisReader:
             limits=self._limits(kind),
             encoder_system=self.system,
             enabled=enabled,
+            reference=None if zero is None else zero[0],
+            reference_return=None if zero is None else zero[1],
+            homing=homing,
+            unapplied_steps=unapplied_steps(self.values, self._factor(kind)),
             said=said,
         )
 
-    def _limits(self, kind: AxisKind) -> tuple[float, float] | None:
+    def _factor(self, kind: AxisKind) -> float:
+        """Return mm or deg per unit of the files."""
         inch = kind is AxisKind.LINEAR and self.options.get("units") == "inch"
+        return MILLIMETRES_PER_INCH if inch else 1.0
+
+    def _limits(self, kind: AxisKind) -> tuple[float, float] | None:
         low, high = (self.values.single(name) for name in ("limit_low", "limit_high"))
-        factor = MILLIMETRES_PER_INCH if inch else 1.0
+        factor = self._factor(kind)
         if low is None or high is None:
             return None
         limits = float(low.text), float(high.text)
@@ -213,7 +235,10 @@ class AxisReader:
 
     def _kind(self) -> AxisKind:
         if self.axis is None:
-            return AxisKind(self.values.choice("rotary") or "linear")
+            known = known_kind(self.options, self.address)
+            if known is None or self.values.said("rotary") is not None:
+                return AxisKind(self.values.choice("rotary") or "linear")
+            return known
         word = self.values.said("rotary")
         if word is not None and word != self.axis.kind:
             message = f"{self.label}: the job and the control's files disagree about its kind"
@@ -253,7 +278,9 @@ class AxisReader:
         if found is None and not self.elsewhere:
             why = "unconfirmed: no file that was given holds one"
             self.notes.assume(f"{self.label}: table", "none", why)
-            self.notes.no_table(self.label)
+            reserved = max_points is None or int(max_points.text) > 0
+            off = not reserved or self.values.said("enabled") == "no"
+            self.notes.no_table(self.label, off=off)
         return self.values.said("enabled") != "no"
 
     def _table_enabled(self) -> bool:

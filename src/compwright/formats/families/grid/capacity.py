@@ -9,7 +9,11 @@ from compwright.formats.definition.options import settled_number
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.beside import MODULO_START
 from compwright.formats.families.grid.shapes import shape_of
-from compwright.formats.families.grid.turns import RANGE_QUANTITY, spacings_from
+from compwright.formats.families.grid.turns import (
+    RANGE_QUANTITY,
+    most_points_of_turn,
+    spacings_from,
+)
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption
@@ -55,7 +59,7 @@ class AxisLimits:
             above=definition.layout.above,
             most_points=definition.limit_number("max_points"),
             period=self._period(),
-            there=self.control.grid_there(self.axis),
+            there=() if self.axis.counts_turns else self.control.grid_there(self.axis),
             spacings=self._spacings(quantum),
             stays=()
             if self.control.state is None
@@ -72,6 +76,8 @@ class AxisLimits:
         """Return the turn of an endless axis whose table repeats; on a linear axis modulo has no
         meaning.
         """
+        if self.axis.counts_turns:
+            return self.axis.modulo
         if not self.shape.repeats or self.definition.limit("no_endless_axis") is not None:
             return None
         return self.axis.modulo if self.axis.kind is AxisKind.ROTARY else None
@@ -106,6 +112,8 @@ class AxisLimits:
 
     def _max_points(self, assumed: list[Assumption]) -> int | None:
         hard = self.definition.limit_number("max_points")
+        if self.axis.counts_turns and hard is not None:
+            return most_points_of_turn(self.axis, hard)
         if self.definition.limit("points_reserved") is None:
             return hard
         fact = self.facts.said.get("max_points")

@@ -6,7 +6,7 @@ this family by tables between axes; nothing here knows of it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
@@ -16,12 +16,14 @@ from compwright.formats.families.card_words import table_values
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.capacity import AxisLimits
 from compwright.formats.families.grid.entered import entered
-from compwright.formats.families.grid.joints import other_joints
+from compwright.formats.families.grid.joints import other_joints, sure_joints
 from compwright.formats.families.grid.loading import loading_order
 from compwright.formats.families.grid.reading import GridReader
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.writing import GridWriter
 from compwright.formats.text.entered import Entries
+from compwright.formats.text.texts import text_reader
+from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
@@ -34,6 +36,36 @@ class GridFamily(Family):
 
     reader: type[GridReader] = GridReader
     writer: type[GridWriter] = GridWriter
+
+    @property
+    def repeats_turns(self) -> bool:
+        """See `Bound.repeats_turns`: where rows name their positions and the table itself does not
+        repeat.
+        """
+        shape = shape_of(self.definition)
+        return shape.spacing == "free" and not shape.repeats
+
+    def addresses_by_name(self, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
+        """See `Family.addresses_by_name`: the joints, by the letters of the kinematics."""
+        if "axis_letters" not in self.definition.bindings:
+            return {}
+        reader = text_reader(self.definition)
+        texts = [text for file in files if (text := reader.read(file, [])) is not None]
+        first = {
+            name: next(
+                (
+                    one.tokens["value"].text
+                    for text in texts
+                    for one in text.occurrences
+                    if one.statement == self.definition.bindings[name].statement
+                ),
+                "",
+            )
+            for name in ("axis_letters", "axis_order", "joint_count")
+        }
+        letters = sure_joints(*first.values())
+        evidence = f"{name_of(self.definition, 'axis_letters')} = {first['axis_letters']}"
+        return {letter: (str(letters.index(letter)), evidence) for letter in dict.fromkeys(letters)}
 
     def entered(self, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> Entries:
         """See `Family.entered`."""

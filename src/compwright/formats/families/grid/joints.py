@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+from compwright.formats.families.coupled_axes import Coupling, Statement, statements_in
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis
+from compwright.records.correction import ControlFile
 from compwright.records.facts import AxisFacts
 
 #: Letters of axes: an axis of the job that bears another name says nothing of the control's own
@@ -16,6 +18,30 @@ _LETTERS = "XYZABCUVW"
 
 #: The kinematics whose joints are the letters above, whatever other lines say.
 _TRIVIAL = "trivkins"
+_HOMING = re.compile(
+    r"^[ \t]*\[[ \t]*(?P<section>\w+)[ \t]*\]|^[ \t]*HOME_SEQUENCE[ \t]*=[ \t]*(?P<value>-?[0-9]+)",
+    re.MULTILINE | re.IGNORECASE,
+)
+_LETTERED = re.compile(r"^[ \t]*KINEMATICS[ \t]*=.*coordinates=", re.MULTILINE | re.IGNORECASE)
+_REMARK = re.compile(r"^[ \t]*[#;][^\r\n]*", re.MULTILINE)
+
+
+def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
+    """Yield the joints that a negative HOME_SEQUENCE brings home together, where no line of the
+    kinematics says which axis each of them is: they may be those of one axis.
+    """
+    if any(True for _ in statements_in(files, _LETTERED, _REMARK)):
+        return
+    section, joints = "", dict[int, list[tuple[int, Statement]]]()
+    for found in statements_in(files, _HOMING, _REMARK):
+        if found.match["section"]:
+            section = found.match["section"].upper()
+        elif section.startswith("JOINT_") and section[6:].isdigit():
+            joints.setdefault(int(found.match["value"]), []).append((int(section[6:]), found))
+    for sequence, members in joints.items():
+        leads, *others = sorted(members, key=lambda member: member[0])
+        for joint, found in others if sequence < 0 else ():
+            yield found.coupling((str(leads[0]),), str(joint), switched=True)
 
 
 def joint_letters(kinematics: str, order: str, count: str) -> str:
@@ -25,12 +51,25 @@ def joint_letters(kinematics: str, order: str, count: str) -> str:
     ``order``: the machine's axes, of a kinematics with letters of its own (XYZBC), where there are
     as many as joints, ``count``.
     """
-    given = re.search(r"coordinates=([A-Za-z]+)", kinematics)
+    given = re.search(r"coordinates=\"?([A-Za-z]+(?:[ \t]+[A-Za-z]+(?![\w=]))*)", kinematics)
     if given is not None:
-        return given[1].upper()
+        return "".join(given[1].split()).upper()
     letters = "".join(order.split()).upper()
     name = kinematics.split(maxsplit=1)[0].lower() if kinematics.strip() else _TRIVIAL
     return letters if name != _TRIVIAL and count.strip() == str(len(letters)) else ""
+
+
+def sure_joints(kinematics: str, order: str, count: str) -> str:
+    """Return the letter of each joint as `joint_letters`, and those of the kinematics without
+    letters of its own where all other lines fit them; nothing where it is not sure.
+    """
+    letters = joint_letters(kinematics, order, count)
+    name = kinematics.split(maxsplit=1)[0].lower() if kinematics.strip() else ""
+    if letters or name != _TRIVIAL:
+        return letters
+    row = _LETTERS[: int(count)] if count.strip().isdigit() else _LETTERS
+    axes = "".join(order.split()).upper()
+    return row if set(axes) <= set(row) else ""
 
 
 def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:

@@ -16,11 +16,13 @@ from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_names import axis_names
 from compwright.formats.families.control_texts import is_listing, texts_of
+from compwright.formats.families.coupled_axes import Coupling, check_couplings
 from compwright.formats.families.family import Family
 from compwright.formats.families.gantry import find_partners, partner_of
 from compwright.formats.families.grid.axis_reading import AskedAxis, AxisReader, AxisReading
 from compwright.formats.families.grid.basic_system import basic_system
 from compwright.formats.families.grid.beside import Beside
+from compwright.formats.families.grid.joints import joined_joints
 from compwright.formats.families.grid.table_files import (
     TableFiles,
     changed_at_run_time,
@@ -50,6 +52,8 @@ from compwright.records.facts import PairTables
 #: A line of a listing in columns: a name, then one value for each axis; more than a few make one.
 _COLUMNS = re.compile(rb"^\$\w+(?:\[[0-9]+\])?\t[^\t\n]*\t", re.MULTILINE)
 _FEW = 2
+#: The statement by which a control names the axis of each joint.
+_JOINTS = "kinematics"
 #: What corrects an axis, or switches that on, where it is not zero.
 _ACTING = ("backlash", "enabled", "cross_axis_enabled", "dynamic_backlash", "temperature_slope")
 
@@ -68,11 +72,13 @@ class GridReader:
         activity: Activity,
     ) -> None:
         self.control = control
+        self.files, self.axes = files, axes
         self.definition = control.definition
         self.activity = activity
         self.notes = Notes()
         self.wanted: dict[str, Axis | None] = {}
         self.partners: dict[str, str] = {}
+        self.loaded: tuple[ControlFile, ...] = ()
         if address is not None:
             self.wanted[normal_text(self.definition, address)] = None
         for axis in axes:
@@ -116,12 +122,21 @@ class GridReader:
                 # for who asks
                 self._tell_unnamed(address, named)
         self._same_systems(readings)
+        asked = {name: axis for name, axis in self.wanted.items() if axis in self.axes and axis}
+        check_couplings(self.couplings(), asked, self.notes)
         cross = self.cross()
         self.notes.ask_contradicted()
         raise_all(InputError, self.notes.faults)
         raise_all(UsageError, self.notes.questions)
         axes = {address: reading.compensation for address, reading in readings.items()}
-        find_partners(self.gathered, self.partners, axes, self.notes, asked=bool(self.wanted))
+        find_partners(
+            self.gathered,
+            self.partners,
+            axes,
+            self.notes,
+            asked=bool(self.wanted),
+            single=[one for one in axes if readings[one].facts.said.get("gantry_type") == 0],
+        )
         self._tell_of_files()
         return ControlState(
             format=self.definition.id,
@@ -143,6 +158,10 @@ class GridReader:
         them.
         """
         return ()
+
+    def couplings(self) -> Sequence[Coupling]:
+        """Return what couples axes beside gantries and the letters of joints."""
+        return tuple(joined_joints(self.files)) if _JOINTS in self.definition.statements else ()
 
     def elsewhere(self, address: str) -> bool:
         """Return whether further tables act on an axis, so that it needs none of its own."""
@@ -232,11 +251,12 @@ class GridReader:
             )
         files = self._loaded(files)
         self._refuse_unknown(files)
+        whole = texts_of(self.definition, files, self.notes.faults)
         texts = [
-            self.reader.read(file, self.notes.faults, number)
-            for number, file in enumerate(texts_of(self.definition, files, self.notes.faults))
+            self.reader.read(file, self.notes.faults, number) for number, file in enumerate(whole)
         ]
         raise_all(InputError, self.notes.faults)
+        self.loaded = whole
         self._tell_sources(files)
         read = [text for text in texts if text is not None]
         if not any(text.occurrences or text.sections for text in read):
@@ -254,8 +274,8 @@ class GridReader:
     def _loaded(self, files: Sequence[ControlFile]) -> list[ControlFile]:
         """Return the files without those that the control never opens, which are named."""
         aside = never_loaded(self.definition, files)
-        left = [file for file in files if file.name in aside]
-        self.notes.faults.extend(changed_at_run_time(left))
+        if "table_file" in self.definition.bindings:
+            self.notes.faults.extend(changed_at_run_time(files))
         if aside:
             more = f" and {len(aside) - 3} more" if len(aside) > 3 else ""
             self.notes.idle_file(
@@ -315,6 +335,16 @@ class GridReader:
 
     def _tell_no_axis(self) -> None:
         name = self.tables.template.replace("{axis}", "<number>")
+        old = [each for each in self.gathered.sections if re.fullmatch(r"AXIS_[0-9]", each)]
+        if old:
+            self.notes.faults.append(
+                Fault(
+                    message=f"the sections [{old[0]}] and the like are those of an older release",
+                    file=", ".join(text.file for text in self.texts),
+                    expected="sections [JOINT_<number>], as update_ini of LinuxCNC 2.8 makes them",
+                )
+            )
+            return
         self.notes.faults.append(
             Fault(
                 message="nothing says to which axis this table belongs",

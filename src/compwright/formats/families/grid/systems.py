@@ -75,6 +75,7 @@ class SystemChoice:
                 f"axis {self.address}: the job names measuring system {number}, but the files"
                 f" switch compensation on for system {int(others[0]) + 1} (MD32700): make sure that"
                 f" system {number} is in use",
+                self.address,
             )
 
     def found(self, *, asking: bool) -> str:
@@ -138,6 +139,7 @@ class SystemChoice:
                 "warning",
                 f"axis {self.address}: several measuring systems hold a table; system"
                 f" {int(chosen) + 1} is shown",
+                self.address,
             )
         return chosen
 

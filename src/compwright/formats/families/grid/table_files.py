@@ -18,9 +18,23 @@ from compwright.formats.text.texts import BINARY, ReadText, text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
-#: A line of a HAL file with the pin that takes the place of a joint's BACKLASH (milltask(1): these
-#: pins change at run time what is typically said in the INI); behind # stands a remark.
-_PIN = re.compile(rb"^(?P<line>[^#\n]*\bini\.[0-9]+\.backlash\b[^\n]*)", re.MULTILINE)
+#: A line of a HAL file (or of HALCMD in an INI) with the pin that takes the place of a joint's
+#: BACKLASH (milltask(1): these pins change at run time what is typically said in the INI), its
+#: number perhaps a variable; behind # stands a remark.
+_PIN = re.compile(rb"^(?P<line>[^#;\n]*\bini\.[^\s.]+\.backlash\b[^\n]*)", re.MULTILINE)
+#: A line that sets or links a pin whose name another file or a variable says: ``[SECTION]KEY``,
+#: ``$name``. Where more of the name follows, it is no pin of the motion controller's own.
+_SUBSTITUTED = rb"(?:\[\w+\](?:\(\w+\)|\w+)|\$(?:\w+|\{\w+\}))"
+_HIDDEN_PIN = re.compile(
+    rb"^(?P<line>[ \t]*(?:setp[ \t]+(?:ini\.)?"
+    + _SUBSTITUTED
+    + rb"(?=[ \t])|link[ps][ps][ \t]+(?:\S+[ \t]+)?"
+    + _SUBSTITUTED
+    + rb"(?=[ \t]|$)|net[ \t]+\S+[ \t]+(?:\S+[ \t]+)*?"
+    + _SUBSTITUTED
+    + rb"(?=[ \t]|$))[^\n]*)",
+    re.MULTILINE,
+)
 
 
 class TableFiles:
@@ -142,16 +156,26 @@ def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
     """Yield the lines of HAL files that change what corrects a joint while the control runs: the
     value of the INI does not act then.
     """
+    known = "a HAL file changes the backlash of a joint while the control runs"
+    hidden = (
+        "a HAL file sets a pin whose name it does not say: whether that is the backlash of a joint"
+        " is not known"
+    )
     for file in files:
-        for match in _PIN.finditer(file.content):
-            line = file.content.count(b"\n", 0, match.start()) + 1
-            yield Fault(
-                message="a HAL file changes the backlash of a joint while the control runs",
-                file=file.name,
-                place=f"line {line}",
-                expected="BACKLASH of the INI alone, and tests taken with it",
-                found=match["line"].decode("latin-1").strip(),
-            )
+        for pattern, message in ((_PIN, known), (_HIDDEN_PIN, hidden)):
+            for match in pattern.finditer(file.content):
+                line = file.content.count(b"\n", 0, match.start()) + 1
+                yield Fault(
+                    message=message,
+                    file=file.name,
+                    place=f"line {line}",
+                    expected=(
+                        "BACKLASH of the INI alone, and tests taken with it"
+                        if message == known
+                        else "the name of the pin in its place, in a copy of the file"
+                    ),
+                    found=match["line"].decode("latin-1").strip(),
+                )
 
 
 def _letters_of(file: ControlFile) -> ControlFile:

@@ -117,10 +117,10 @@ def check_turn(axis: Axis, compensation: AxisCompensation, notes: Notes) -> None
                 f"{label}: its table repeats every {table.period:g}, but the job gives no modulo; a"
                 " new table will have ends"
             )
-            notes.find("CW-S033", "warning", message)
-        elif axis.modulo is not None and table.period is None:
+            notes.find("CW-S033", "warning", message, label)
+        elif axis.modulo is not None and table.period is None and not axis.counts_turns:
             message = f"{label} is endless, but its table does not repeat: it ends at both sides"
-            notes.find("CW-S033", "warning", message)
+            notes.find("CW-S033", "warning", message, label)
         elif (
             axis.modulo is not None
             and table.period is not None

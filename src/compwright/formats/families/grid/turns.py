@@ -9,8 +9,8 @@ from fractions import Fraction
 
 import numpy as np
 
-from compwright.foundations.errors import Fault
-from compwright.records.axis import FloatArray
+from compwright.foundations.errors import CapacityError, Fault
+from compwright.records.axis import Axis, FloatArray
 from compwright.records.correction import AxisCompensation
 
 #: The quantity by which a control says where its modulo range begins.
@@ -18,6 +18,12 @@ RANGE_QUANTITY = "modulo_start"
 #: A node counts as lying on the beginning of the range when it misses it by less than this part of
 #: a spacing.
 _SAME_NODE = 1e-6
+#: Rows beyond whole sections: the first one, and one that begins beyond each end of the travel.
+_BESIDE = 2
+#: Fewer sections show nothing of a turn.
+_LEAST_SECTIONS = 3
+#: Places of nodes that were repeated are rounded to this, deg.
+_DECIMALS = 9
 
 
 def in_range_of(
@@ -71,6 +77,55 @@ def _common(period: float, offset: float) -> float:
     while other:
         one, other = other, one % other
     return float(one)
+
+
+def over_travel(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
+    """Return the table of one turn again and again, as far as the travel of an axis that counts its
+    turns goes.
+    """
+    turn, positions = compensation.period, compensation.positions
+    if not axis.counts_turns or turn is None or positions.size < 2:
+        return compensation
+    low, high = axis.travel
+    first = int(np.floor((low - positions[0]) / turn))
+    last = int(np.ceil((high - positions[0]) / turn))
+    where = np.concatenate(
+        [
+            *(positions[:-1] + turn * count for count in range(first, last)),
+            [positions[0] + turn * last],
+        ]
+    )
+    start = int(np.searchsorted(where, low, side="right")) - 1
+    end = int(np.searchsorted(where, high, side="left"))
+    places = np.arange(max(start, 0), min(end, where.size - 1) + 1)
+    index = places % (positions.size - 1)
+    return replace(
+        compensation,
+        positions=np.round(where[places], _DECIMALS),
+        positive=compensation.positive[index],
+        negative=compensation.negative[index],
+        period=None,
+    )
+
+
+def most_points_of_turn(axis: Axis, rows: int) -> int:
+    """Return how many points one turn may have, both ends counted, so that ``rows`` hold the whole
+    travel. Raises CapacityError where not even two do.
+    """
+    low, high = axis.travel
+    sections = int((rows - _BESIDE) * float(axis.modulo or 0.0) / (high - low))
+    if sections < _LEAST_SECTIONS:
+        raise CapacityError(
+            Fault(
+                message=(
+                    f"axis {axis.name}: the control's table of {rows} rows leaves less than"
+                    f" {_LEAST_SECTIONS} sections for each turn"
+                ),
+                expected=f"a travel of at most {(rows - _BESIDE) * 360 // _LEAST_SECTIONS:g} deg",
+                found=f"{low:g} to {high:g} deg",
+            )
+        )
+    return sections + 1
 
 
 def spacings_from(

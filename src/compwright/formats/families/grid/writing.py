@@ -20,7 +20,7 @@ from compwright.formats.families.grid.beside import MODULO_START
 from compwright.formats.families.grid.new_files import AxisText, NewFile
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.tables import TableText, WrittenTable
-from compwright.formats.families.grid.turns import RANGE_QUANTITY, in_range_of
+from compwright.formats.families.grid.turns import RANGE_QUANTITY, in_range_of, over_travel
 from compwright.formats.families.limits import SAME_TURN
 from compwright.formats.text.gathering import Found, first_set
 from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
@@ -114,7 +114,7 @@ class GridWriter:
         """Return the table of an endless axis over the control's own range: from its beginning,
         once around.
         """
-        compensation, axis = work.compensation, work.axis
+        compensation, axis = over_travel(work.compensation, work.axis), work.axis
         if compensation.period is None or RANGE_QUANTITY not in self.definition.bindings:
             return compensation
         turn = self.control.facts_of(work.address).turn

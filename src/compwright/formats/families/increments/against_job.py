@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.axis_values import AxisValues
 from compwright.formats.families.travel_limits import check_travel
 from compwright.foundations.errors import Fault, UsageError
-from compwright.records.axis import AxisKind
+from compwright.records.axis import Axis, AxisKind
 
 #: Two positions are the same below this many mm or deg: a control counts in 0.0001 at the finest.
 SAME_PLACE = 1e-6
@@ -54,11 +56,12 @@ def check_travel_limits(values: AxisValues, kind: AxisKind) -> None:
 
 
 def check_reference(
-    values: AxisValues, kind: AxisKind, reference: float, *, has_table: bool
+    values: AxisValues, kind: AxisKind, reference: float, *, unanswered: bool
 ) -> None:
-    """Hold 1240 against the job's reference, and say what a reference beside zero rests on.
+    """Compare 1240 with the job's reference, and say what a reference beside zero rests on.
 
-    ``reference``: the position from which the points are counted, mm or deg.
+    ``reference``: the position from which the points are counted, mm or deg. ``unanswered``: there
+    is a table, and nobody said that it is so.
     """
     told = values.found("reference_coordinate")
     where = values.length("reference_coordinate", kind)
@@ -66,14 +69,39 @@ def check_reference(
     if values.axis is not None and told is not None and differs:
         message = "the job and the control's files disagree about the reference position (1240)"
         values.wrong("reference_coordinate", message, f"{reference:g}, as the job says", told.text)
-    if has_table and (reference != 0 or where):
+    if unanswered and (reference != 0 or where):
         values.notes.find(
             "CW-S018",
             "warning",
             f"{values.label}: the reference position is not machine zero (1240); the points are"
             f" counted from the position {reference:g} (reference), which is"
             " unconfirmed: check the correction at two positions",
+            values.label,
         )
+
+
+def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
+    """Yield what is asked of an axis whose reference position is not machine zero (1240), unless
+    the ``answer`` is that the points are counted from it.
+    """
+    if axis.reference == 0 or answer == "reference":
+        return
+    wrong = answer is not None
+    yield Fault(
+        message=(
+            f"axis {axis.name}: the reference position is not machine zero (1240), and no table is"
+            " made whose points are counted from machine zero"
+            if wrong
+            else f"axis {axis.name}: the reference position is not machine zero (1240), and no page"
+            " says from where the control then counts its points"
+        ),
+        place="points_from",
+        expected=(
+            "points_from: reference, or --option points_from=reference, once one test value next"
+            " to the reference position has moved the axis there"
+        ),
+        found=str(answer) if wrong else "nothing",
+    )
 
 
 def check_return(values: AxisValues, *, two: bool) -> None:

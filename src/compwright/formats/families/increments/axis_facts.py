@@ -26,6 +26,11 @@ from compwright.formats.text.notes import Notes
 from compwright.records.axis import AxisKind
 from compwright.records.facts import AxisFacts, IncrementFacts
 
+#: What `new` says of the limits of an axis in diameter programming.
+_HALVED = (
+    "half of 1320 and 1321: the control shows positions of a diameter axis (1006#3) in diameter"
+    " (B-62754EN/01 page 104), a job counts in radius; that 1320 and 1321 do too is inferred: check"
+)
 #: Numbers, magnification and interval of a grid.
 _GRID = (3620, 3621, 3622, 3623, 3624)
 
@@ -46,10 +51,15 @@ def facts_of(values: AxisValues) -> AxisFacts:
         _coordinate(values, name, kind)
         for name in ("limit_low", "limit_high", "reference_coordinate")
     )
+    limits = None if low is None or high is None else (low, high)
+    halved = bool(diameter) and kind is AxisKind.LINEAR and limits is not None
+    if halved and limits is not None:
+        limits = (limits[0] / 2, limits[1] / 2)
     return AxisFacts(
         name=name_of(values),
         kind=None if rotary is None else AxisKind(rotary),
-        limits=None if low is None or high is None else (low, high),
+        limits=limits,
+        limits_evidence=_HALVED if halved else "",
         enabled=bool(increments.magnification) and first != last,
         endless=turn if wraps else None,
         reference=reference,

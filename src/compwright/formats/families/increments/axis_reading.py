@@ -36,11 +36,14 @@ _NO_POINTS = np.empty(0)
 
 @dataclass(frozen=True, slots=True)
 class IncrementReader:
-    """Reads one axis. ``points``: the pitch data of all axes by number; ``options``: the axis'."""
+    """Reads one axis. ``points``: the pitch data of all axes by number; ``options``: the axis'.
+    ``checks_travel``: its software limits are held against the job's travel.
+    """
 
     values: AxisValues
     points: Mapping[int, Found]
     options: Mapping[str, object]
+    checks_travel: bool = True
 
     def read(self) -> AxisCompensation | None:
         """Return what acts on the axis; None where something is wrong (then the notes have
@@ -50,11 +53,13 @@ class IncrementReader:
         kind = values.kind()
         self._beside(kind)
         check_wrapping(values, kind)
-        check_travel_limits(values, kind)
+        if self.checks_travel:
+            check_travel_limits(values, kind)
         tell_lead(values, kind)
         backlash = self._backlash(kind)
         sections = read_sections(values, kind)
-        check_reference(values, kind, self._reference(), has_table=sections is not None)
+        unanswered = sections is not None and self.options.get("points_from") != "reference"
+        check_reference(values, kind, self._reference(), unanswered=unanswered)
         check_return(values, two=sections is not None and sections.negative is not None)
         check_diameter(values, kind)
         if sections is None:
@@ -128,7 +133,7 @@ class IncrementReader:
         systems = two_systems(own)
         if systems:
             told = f"{values.label}: {systems}; check the detection unit"
-            notes.find("CW-S043", "warning", told)
+            notes.find("CW-S043", "warning", told, values.label)
 
     def _compensation(
         self,

@@ -27,12 +27,13 @@ def thousandths(definition: Definition) -> bool:
 @dataclass(frozen=True, slots=True)
 class AxisValues(Values):
     """``own``: parameters beside those of the table; ``axis``: what the job knows of the axis, None
-    without a job.
+    without a job; ``known_kind``: given for files that do not say it.
     """
 
     gathered: Gathered
     own: AxisParameters
     axis: Axis | None
+    known_kind: AxisKind | None = None
 
     def found(self, quantity: str) -> Found | None:
         """Return where a quantity stands, for this axis or for the whole machine."""
@@ -101,6 +102,8 @@ class AxisValues(Values):
                 expected = self.axis.kind.value
                 self.notes.refuse(self.label, message, place, expected=expected, found=word)
             return self.axis.kind
+        if word is None and self.known_kind is not None:
+            return self.known_kind
         turn = self.found("turn")
         turns = turn is not None and Decimal(turn.text) != 0
         guess = "rotary" if turns else "linear"

@@ -70,4 +70,4 @@ def backlash_words(facts: IncrementFacts) -> str:
         False: "does not act and stays as it is: 1851 acts at all feeds, because 1800#4 = 0",
         None: "acts at rapid traverse where 1800#4 = 1, which no file says",
     }[facts.separate_rapid]
-    return f"1852 = {facts.backlash_rapid} ({acts})"
+    return f"1852 = {facts.backlash_rapid} detection units ({acts})"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from compwright.formats.families.family import Family
+from compwright.formats.families.increments.against_job import points_question
 from compwright.formats.families.increments.axis_reading import increment_limit
 from compwright.formats.families.increments.entries import (
     OFFSETS,
@@ -11,7 +12,7 @@ from compwright.formats.families.increments.entries import (
     magnifications,
 )
 from compwright.formats.families.increments.numbering import longest_gap, used_numbers
-from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity, Lattice, Wave
 from compwright.records.correction import Assumption
@@ -48,6 +49,7 @@ class AxisLimits:
         which numbers are free.
         """
         definition, axis, scale = self.definition, self.axis, self.scale
+        raise_all(UsageError, list(points_question(axis, self.options.get("points_from"))))
         limit, gap = increment_limit(self.options), self._free_numbers()
         least, reason = self._least_spacing()
         bound = 10.0 if axis.kind.unit == "mm" else 1.0
@@ -71,6 +73,7 @@ class AxisLimits:
                 magnifications=magnifications(definition, self.facts),
                 offset_range=OFFSETS,
                 offset_magnified=self.options.get("offset_magnified") == "yes",
+                there=self.facts.magnification or None,
             ),
             interpolation="linear" if self.options.get("output") == "ramp" else "step",
             anchored=True,

@@ -90,9 +90,10 @@ def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
     if "bidirectional" in family.definition.bindings:
         said["3605#0"] = str(int(facts.two_sets))
     if facts.two_sets:
-        pair = {"3626": facts.negative_first, "3627": facts.negative_offset}
-        said |= {name: UNKNOWN if value is None else str(value) for name, value in pair.items()}
+        first, offset = facts.negative_first, facts.negative_offset
+        said["3626"] = UNKNOWN if first is None else str(first)
+        said["3627"] = UNKNOWN if offset is None else f"{offset} detection units"
     if axis.modulo is not None and facts.turn is not None:
-        said[name_of(family.definition, "turn")] = f"{facts.turn:g}"
+        said[name_of(family.definition, "turn")] = f"{facts.turn:g} {axis.kind.unit}"
     told = [*(f"{name} = {value}" for name, value in said.items()), backlash_words(facts)]
     return ", ".join(filter(None, told))

@@ -32,6 +32,7 @@ from compwright.formats.families.increments.own_beside import (
     second_table,
 )
 from compwright.formats.families.increments.smooth import covers
+from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.scale import NotHeld, Scale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
@@ -83,11 +84,17 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
     faults: list[Fault] = []
     given: list[range] = []
     entries: list[Entries] = []
+    leading = {
+        normal_text(family.definition, axis.gantry): address
+        for address, axis, _ in tables
+        if axis.gantry is not None and axis.gantry_table == "same"
+    }
     for address, axis, compensation in tables:
         # The old numbers of another axis of the job stay its own: tables may be loaded one by one.
         used = [*used_numbers(family.state, [address]), *given]
         try:
-            entry = _Axis(family, address, axis, compensation).entries(used, start)
+            rapid = family.facts_of(leading.get(address, address)).increments
+            entry = _Axis(family, address, axis, compensation, rapid).entries(used, start)
         except NotHeld as error:
             faults.append(Fault(message=f"axis {axis.name} ({address}): {error}"))
             continue
@@ -120,28 +127,39 @@ def _first_point(family: Family, tables: Sequence[AxisTable]) -> int:
     own = [axis.options for _, axis, _ in tables if axis.options.get("first_point") is not None]
     if own or not tables or (family.state is not None and family.state.facts):
         return min(map(first_point, own), default=0)
-    raise UsageError(
-        Fault(
-            message=(
-                f"{family.definition.id}: nobody says which point numbers are free; all axes share"
-                " one array, and a number that another axis uses would change that axis"
-            ),
-            place="first_point",
-            expected=(
-                "the first free number (look at 3621 and 3622 of all axes), or the control's own"
-                " parameter and pitch files as the state, which say it"
-            ),
-            found="nothing",
-        )
+    raise UsageError(free_numbers_question(family.definition))
+
+
+def free_numbers_question(definition: Definition) -> Fault:
+    """Return what is asked where neither files nor options say which point numbers are free."""
+    return Fault(
+        message=(
+            f"{definition.id}: the free point numbers are unknown; all axes share one array, and a"
+            " number that another axis uses would change that axis"
+        ),
+        place="first_point",
+        expected=(
+            "the first free number (look at 3621 and 3622 of all axes), such as --option"
+            " first_point=1, or the control's own parameter and pitch files as the state"
+        ),
+        found="nothing",
     )
 
 
 class _Axis:
-    """One axis' table as whole numbers."""
+    """One axis' table as whole numbers. ``rapid``: the facts of the axis whose difference between
+    both backlashes it has.
+    """
 
     def __init__(
-        self, family: Family, address: str, axis: Axis, compensation: AxisCompensation
+        self,
+        family: Family,
+        address: str,
+        axis: Axis,
+        compensation: AxisCompensation,
+        rapid: IncrementFacts,
     ) -> None:
+        self.rapid = rapid
         self.definition = family.definition
         self.address = address
         self.axis = axis
@@ -210,7 +228,7 @@ class _Axis:
         if "bidirectional" in self.definition.bindings:
             parameters["bidirectional"] = "0" if place.negative_first is None else "1"
         count = int(self.scale.write("backlash", self.compensation.backlash))
-        for name, value in both_backlashes(self.axis, self.facts, count).items():
+        for name, value in both_backlashes(self.axis, self.rapid, count).items():
             old = self.facts.backlash if name == "backlash" else self.facts.backlash_rapid
             parameters[name] = self._backlash(value, old)
         return parameters
@@ -313,12 +331,13 @@ class _Axis:
             )
 
     def _magnification(self, differences: Sequence[FloatArray]) -> int:
-        """Return the smallest magnification that divides every increment and keeps it within the
-        limit.
+        """Return the magnification that the control has now, if it divides every increment and
+        keeps it within the limit; else the smallest one that does.
         """
         steps = np.concatenate(differences).astype(np.int64)
         limit = increment_limit(self.options)
-        candidates = magnifications(self.definition, self.facts)
+        there = [self.facts.magnification] if self.facts.magnification else []
+        candidates = [*there, *magnifications(self.definition, self.facts)]
         divisor = int(np.gcd.reduce(np.abs(steps))) or 1
         largest = int(np.max(np.abs(steps), initial=0))
         for candidate in candidates:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Self
 
 from compwright.formats.definition.options import DETECTION_UNIT
@@ -12,10 +12,12 @@ from compwright.formats.families.axis_tables import AxisTable, sound
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import sign_check
 from compwright.formats.families.family import Family, LeftOpen
+from compwright.formats.families.increments.against_job import points_question
 from compwright.formats.families.increments.between import straightness_between
 from compwright.formats.families.increments.capacity import AxisLimits
 from compwright.formats.families.increments.card import increment_values
 from compwright.formats.families.increments.entered import entered, whereabouts
+from compwright.formats.families.increments.entries import free_numbers_question
 from compwright.formats.families.increments.numbered import numbered_sections
 from compwright.formats.families.increments.parameters import NAMES
 from compwright.formats.families.increments.reading import StateReader
@@ -79,6 +81,15 @@ class IncrementsFamily(Family):
         both = {"inclination", "cyclic"} & self.definition.options.keys()
         return self.with_options(**dict.fromkeys(both, "available"))
 
+    def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
+        """See `Family.questions`: also the first free point number, which one axis gives for all,
+        and from where points are counted.
+        """
+        yield from super().questions(axis, files=files, given=given)
+        if not files and self.options.get("first_point") is None and "first_point" not in given:
+            yield free_numbers_question(self.definition)
+        yield from points_question(axis, {**self.options, **axis.options}.get("points_from"))
+
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`."""
         del one_curve
@@ -102,9 +113,11 @@ class IncrementsFamily(Family):
         values = increment_values(self, axis, compensation, facts)
         return values | sign_check(compensation, check_at)
 
-    def numbered(self, axis: Axis, facts: AxisFacts) -> NumberedSections | None:
+    def numbered(
+        self, axis: Axis, facts: AxisFacts, table: AxisCompensation
+    ) -> NumberedSections | None:
         """See `Family.numbered`."""
-        return numbered_sections(self, axis, facts)
+        return numbered_sections(self, axis, facts, table)
 
     def between(self, asked: Asked) -> Between:
         """See `Family.between`: one straight line in parameters to type in, as an option."""

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+
+import numpy as np
 
 from compwright.formats.families.family import Family
 from compwright.formats.text.values import name_of
 from compwright.records.axis import Axis
+from compwright.records.correction import AxisCompensation
 from compwright.records.facts import AxisFacts
 from compwright.records.numbering import NumberedSections, Section
 
 
-def numbered_sections(family: Family, axis: Axis, facts: AxisFacts) -> NumberedSections | None:
-    """Return them by what the written files say (``facts``); None where those hold no table."""
+def numbered_sections(
+    family: Family, axis: Axis, facts: AxisFacts, table: AxisCompensation
+) -> NumberedSections | None:
+    """Return them by what the written files say (``facts``, and the ``table`` that was read back);
+    None where those hold no table.
+    """
     said = facts.increments
     reference, first, last = said.reference_number, said.first_number, said.last_number
     interval = said.interval
@@ -37,8 +44,22 @@ def numbered_sections(family: Family, axis: Axis, facts: AxisFacts) -> NumberedS
         names["negative_first"] = second
     marks = tuple((number, name_of(family.definition, name)) for name, number in names.items())
     numbered = NumberedSections(axis.kind.unit, axis.reference, sections, marks, second, ())
-    words = tuple(_words(family, axis, numbered, reference, first, last))
+    held = _held(family, axis, facts, table)
+    words = tuple(_words(family, axis, numbered, reference, first, last, held))
     return NumberedSections(axis.kind.unit, axis.reference, sections, marks, second, words)
+
+
+def _held(
+    family: Family, axis: Axis, facts: AxisFacts, table: AxisCompensation
+) -> Mapping[int, int]:
+    """Return what the points of an axis with ends hold, by number, as read back."""
+    scale, said = family.scale_of(axis), facts.increments
+    unit = scale.quantum("value") * (said.magnification or 0)
+    sign = -1 if scale.options.get("pitch_sign") == "-" else 1
+    if axis.modulo is not None or said.first_number is None or not unit:
+        return {}
+    steps = np.round(np.diff(table.positive) / unit).astype(int) * sign
+    return dict(enumerate((int(step) for step in steps), start=said.first_number))
 
 
 def _words(
@@ -48,6 +69,7 @@ def _words(
     reference: int,
     first: int,
     last: int,
+    held: Mapping[int, int],
 ) -> Iterator[str]:
     unit, zero = numbered.unit, f"{numbered.reference:.10g}"
     at = {
@@ -62,7 +84,7 @@ def _words(
     )
     if axis.modulo is not None:
         owns = (
-            f"it stands for the same section as point {last} and holds the same value"
+            f"it stands for the same section as point {last} and must hold the same value"
             if first == reference
             else "it owns no section"
         )
@@ -76,10 +98,10 @@ def _words(
     if axis.modulo is None:
         yield f"{at['first']} = {first} {_span(by_number[first], unit)}, the first."
     yield f"{at['last']} = {last} {_span(by_number[last], unit)}, the last."
-    if axis.modulo is None and first == reference and axis.travel[0] >= axis.reference:
-        yield f"Point {first} holds 0: the travel begins at the reference."
-    if axis.modulo is None and axis.travel[1] <= axis.reference:
-        yield f"Point {last} holds 0: the travel ends at the reference."
+    for number in sorted({first, last} & set(held)):
+        section = by_number[number]
+        if section.high <= axis.travel[0] or section.low >= axis.travel[1]:
+            yield f"Point {number} holds {held[number]}: its section lies beyond the travel."
     if numbered.second is not None:
         end = numbered.second + last - first
         yield (

@@ -37,6 +37,13 @@ STRAIGHTNESS_PAIRS, STRAIGHTNESS_USED, STRAIGHTNESS_ROW = 3, 4, 8
 INCLINATION_POINTS, INCLINATION_AMOUNTS = range(5861, 5865), range(5871, 5875)
 SPATIAL = range(10800, 10803)
 STRAIGHTNESS_MORE = range(13301, 13400)
+#: What couples axes: numbers of axes (`coupling`).
+SYNCHRONOUS, MIRRORED = 8311, 8312
+SYNCHRONISED, COMPOSITE, SUPERIMPOSED = 8180, 8183, 8186
+MASTERS = (SYNCHRONOUS, SYNCHRONISED, COMPOSITE, SUPERIMPOSED)
+TANDEM, SERVO_NUMBER = 1817, 1023
+FLEXIBLE = range(5660, 5668)
+ANGULAR, ANGULAR_AXES = 8200, (8211, 8212)
 CYCLIC = CYCLIC_FIRST, CYCLIC_LAST, CYCLIC_INTERVAL, CYCLIC_FACTOR = 14985, 14986, 14987, 14988
 
 #: Everything that may be read: the name under which a definition says what it is on its series
@@ -74,6 +81,16 @@ _TOLD: tuple[tuple[str, Sequence[int], str], ...] = (
     ("cyclic", [CYCLIC_FIRST, CYCLIC_LAST], "second, cyclic table: point numbers"),
     ("cyclic", [CYCLIC_INTERVAL], "second, cyclic table: interval of the points"),
     ("cyclic", [CYCLIC_FACTOR], "second, cyclic table: magnification"),
+    ("synchronous", [SYNCHRONOUS], "synchronous control: number of the master axis"),
+    ("synchronous", [MIRRORED], "synchronous control: mirror image"),
+    ("paths", [SYNCHRONISED], "synchronous control of paths: number of the master axis"),
+    ("paths", [COMPOSITE], "composite control: number of the other axis"),
+    ("paths", [SUPERIMPOSED], "superimposed control: number of the master axis"),
+    ("tandem", [TANDEM], "bits of the servo (#6: tandem control)"),
+    ("tandem", [SERVO_NUMBER], "number of the servo axis"),
+    ("flexible", FLEXIBLE, "flexible synchronous control: numbers of master and slave axes"),
+    ("angular", [ANGULAR], "bits of angular axis control (#0: in use)"),
+    ("angular", ANGULAR_AXES, "angular axis control: numbers of the axes"),
 )
 NAMES = {number: name for name, numbers, _ in _TOLD for number in numbers}
 MEANINGS: Mapping[int, str] = {number: words for _, numbers, words in _TOLD for number in numbers}

@@ -18,13 +18,22 @@ from compwright.formats.definition.options import (
     DETECTION_UNIT,
     REFERENCE,
     REFERENCE_RETURN,
+    known_kind,
 )
 from compwright.formats.definition.schema import Definition
+from compwright.formats.families.coupled_axes import (
+    Coupling,
+    check_couplings,
+    followers,
+    leader,
+)
 from compwright.formats.families.family import Family
-from compwright.formats.families.increments.acting import pointed_numbers, refusals
+from compwright.formats.families.gantry import partner_of
+from compwright.formats.families.increments.acting import pointed_numbers
 from compwright.formats.families.increments.axis_facts import facts_of, name_of, with_beside
 from compwright.formats.families.increments.axis_reading import IncrementReader
 from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.formats.families.increments.coupling import couplings_of
 from compwright.formats.families.increments.detection_unit import settled_options
 from compwright.formats.families.increments.parameters import AxisParameters, Parameters
 from compwright.formats.families.increments.points import points_by_number
@@ -72,6 +81,11 @@ class StateReader:
         self.points = points_by_number(family.definition, self.gathered, files, self.notes)
         lines = [_as_lines(file, family.definition.id) for file in self.files]
         self.parameters = Parameters(lines, family.definition.parameters)
+        self.partners = {
+            normal_text(family.definition, axis.gantry): axis
+            for axis in axes
+            if axis.gantry is not None
+        }
         self.wanted = self._wanted(address)
         self.compensations: dict[str, AxisCompensation] = {}
         self.facts: dict[str, AxisFacts] = {}
@@ -94,8 +108,12 @@ class StateReader:
         self._check_names()
         self._tell_unknown()
         self.notes.faults.extend(self._odd_partners())
+        couplings = couplings_of(self.parameters, self._numbers())
+        asked = {name: axis for name, axis in self.wanted.items() if axis in self.axes and axis}
+        check_couplings(couplings, asked, self.notes)
         cross = tuple(self._cross())
         raise_all(InputError, self.notes.faults)
+        raise_all(UsageError, self.notes.questions)
         self._tell_overlaps()
         unknown = self._unknown()
         if None in self.wanted.values() or not self.wanted:
@@ -107,7 +125,7 @@ class StateReader:
             axes=self.compensations,
             cross=cross,
             facts={
-                address: replace(said, increments=replace(said.increments, unread=unknown))
+                address: _paired(said, address, couplings, unknown)
                 for address, said in self.facts.items()
             },
             assumed=tuple(self.notes.assumed),
@@ -129,8 +147,7 @@ class StateReader:
         if self.family.options.get("straightness") != "available":
             return
         faults = self.notes.faults
-        addresses = [one for one in self.gathered.addresses() if one != "0"]
-        for pair in straightness_pairs(self.parameters, addresses, faults):
+        for pair in straightness_pairs(self.parameters, self._numbers(), faults):
             moving, bent = (self._values(each, Notes()) for each in (pair.moving, pair.bent))
             sections = read_sections(moving, moving.kind(quiet=True))
             unit = settled_options(bent, self.family.options).get(DETECTION_UNIT)
@@ -169,19 +186,33 @@ class StateReader:
             if assumption is not None:
                 self.notes.assumed.append(assumption)
                 self.notes.taken_for(axis.name, name)
+        for partner, axis in self.partners.items():
+            wanted.setdefault(partner, partner_of(axis, partner))
         return wanted
+
+    def _numbers(self) -> list[str]:
+        """Return the numbers of all axes of the files."""
+        return [address for address in self.gathered.addresses() if address != "0"]
 
     def _values(self, address: str, notes: Notes) -> AxisValues:
         own = AxisParameters(self.parameters, address)
         axis = self.wanted.get(address)
         return AxisValues(
-            self.family.definition, own.label, notes, self.gathered, own=own, axis=axis
+            self.family.definition,
+            own.label,
+            notes,
+            self.gathered,
+            own=own,
+            axis=axis,
+            known_kind=known_kind(self.family.options, address),
         )
 
     def _read_axis(self, address: str) -> None:
         values = self._values(address, self.notes)
         options = settled_options(values, self.family.options)
-        reader = IncrementReader(values, self.points, options)
+        # a gantry goes as far as its leading axis may
+        leads = address not in self.partners
+        reader = IncrementReader(values, self.points, options, checks_travel=leads)
         compensation = reader.read()
         facts = replace(facts_of(values), rapid_more=reader.rapid_more())
         self.facts[address] = with_beside(facts, values.own, options)
@@ -197,9 +228,7 @@ class StateReader:
         if self.points:
             options = {**self.family.options, DETECTION_UNIT: 1.0}
             IncrementReader(values, self.points, options).read()
-        partner = address in {axis.gantry for axis in self.axes}
-        codes = {"CW-S041", *(("CW-S048", "CW-S047") if partner else ())}
-        odd = [finding for finding in notes.findings if finding.code in codes]
+        odd = [finding for finding in notes.findings if finding.code == "CW-S041"]
         self.notes.findings.extend(odd)
         if notes.faults and facts.enabled:
             told = (f"{fault.message} ({fault.place}: {fault.found})" for fault in notes.faults)
@@ -229,13 +258,10 @@ class StateReader:
         return frozenset(number for number in range(first) if number not in self.points)
 
     def _odd_partners(self) -> Iterator[Fault]:
-        """What acts on the synchronised axis of a gantry refuses it too; its detection unit has to
-        be that of the leading axis.
-        """
+        """Both axes of a gantry are of one kind and have one detection unit."""
         for axis in self.axes:
             if axis.gantry is None or axis.gantry not in self.facts:
                 continue
-            yield from refusals(AxisParameters(self.parameters, axis.gantry))
             partner, place = self.facts[axis.gantry], f"axes.{axis.name}.gantry"
             if partner.kind is not None and partner.kind is not axis.kind:
                 yield Fault(
@@ -314,6 +340,20 @@ class StateReader:
                     f" {max(each)}: a change for one would change the other, so a new table gets"
                     " numbers of its own",
                 )
+
+
+def _paired(
+    facts: AxisFacts, address: str, couplings: Sequence[Coupling], unread: frozenset[int]
+) -> AxisFacts:
+    """Return facts with the axes that move with it, and the numbers of which no file says what they
+    hold.
+    """
+    return replace(
+        facts,
+        increments=replace(facts.increments, unread=unread),
+        synchronised=followers(couplings, address),
+        leading=leader(couplings, address),
+    )
 
 
 def read_texts(

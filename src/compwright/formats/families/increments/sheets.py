@@ -24,10 +24,10 @@ def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlF
     ``own``: the tables of the axes that lead; those of gantry partners follow from them.
     """
     definition, state = family.definition, family.state
-    names = {
+    names = {address: axis.name for address, axis, _ in own}
+    names |= {
         axis.gantry: f"{axis.name}_{axis.gantry}" for _, axis, _ in own if axis.gantry is not None
     }
-    names |= {address: axis.name for address, axis, _ in own}
     entries = all_entries(family, family.with_partners(own))
     sheets = [
         write_sheet(

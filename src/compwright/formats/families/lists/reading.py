@@ -7,15 +7,23 @@ for stops nothing.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, axis_options
+from compwright.formats.definition.options import (
+    REFERENCE,
+    REFERENCE_RETURN,
+    axis_options,
+    known_kind,
+)
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.coupled_axes import check_couplings, followers, leader
 from compwright.formats.families.family import Family
 from compwright.formats.families.gantry import compare_partners, note_twin, partner_of
 from compwright.formats.families.lists.axis import read_axis
 from compwright.formats.families.lists.beside import check_others
+from compwright.formats.families.lists.coupling import couplings_of
 from compwright.formats.families.lists.cross import left_out, read_cross
 from compwright.formats.families.lists.files import Lists, read_lists
 from compwright.formats.families.lists.said import AxisSaid
@@ -55,9 +63,10 @@ class _StateReader:
         self.partners: dict[str, str] = {}
         if address is not None:
             self.wanted[normal_text(self.definition, address)] = None
+        self.leading: dict[str, Axis] = {}
         for axis in axes:
             name, _ = normal_address(self.definition, axis)
-            self.wanted[name] = axis
+            self.wanted[name] = self.leading[name] = axis
             if axis.gantry is not None:
                 partner = self.partners[name] = normal_text(self.definition, axis.gantry)
                 self.wanted.setdefault(partner, partner_of(axis, partner))
@@ -87,6 +96,7 @@ class _StateReader:
         for address in lists.said:
             if address not in asked:
                 self._unasked(lists, address)
+        self._couplings(lists, files)
         raise_all(InputError, self.notes.faults)
         raise_all(UsageError, self.notes.questions)
         compare_partners(self.partners, self.compensations, self.notes)
@@ -104,6 +114,22 @@ class _StateReader:
             assumed=tuple(self.notes.assumed),
             findings=tuple(dict.fromkeys(self.notes.findings)),
         )
+
+    def _couplings(self, lists: Lists, files: Sequence[ControlFile]) -> None:
+        """Hold what couples axes against the job."""
+        owners = {
+            files[number].name: int(address)
+            for address, numbers in lists.files.items()
+            for number in numbers
+        }
+        couplings = couplings_of(files, owners)
+        check_couplings(couplings, self.leading, self.notes)
+        for address, facts in self.facts.items():
+            self.facts[address] = replace(
+                facts,
+                synchronised=followers(couplings, address),
+                leading=leader(couplings, address),
+            )
 
     def _unsaid(self, lists: Lists, address: str, files: Sequence[ControlFile]) -> None:
         fault = Fault(
@@ -177,7 +203,8 @@ class _StateReader:
 
     def _kind(self, address: str) -> AxisKind:
         axis = self.wanted.get(address)
-        return AxisKind.LINEAR if axis is None else axis.kind
+        known = known_kind(self.family.options, address) if axis is None else axis.kind
+        return known or AxisKind.LINEAR
 
     def _check_turn(self, axis: Axis, table: AxisCompensation) -> None:
         """Tell a table that ends on an endless axis, or repeats on one with ends."""
@@ -189,4 +216,4 @@ class _StateReader:
             if table.period is not None
             else "it is endless, but its table does not repeat: it ends at both sides"
         )
-        self.notes.find("CW-S056", "warning", f"axis {axis.address}: {what}")
+        self.notes.find("CW-S056", "warning", f"axis {axis.address}: {what}", axis.address)

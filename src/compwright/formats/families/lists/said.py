@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
 
+from compwright.formats.definition.options import known_kind
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.lists.files import Lists, entries
 from compwright.formats.text.gathering import Found, same_value
@@ -36,7 +37,8 @@ class AxisSaid:
         self.notes = notes
         self.activity = activity
         self.label = f"axis {address}"
-        self.kind = axis.kind if axis is not None else AxisKind.LINEAR
+        known = axis.kind if axis is not None else known_kind(options, address)
+        self.kind = known or AxisKind.LINEAR
         self.returns = (
             axis.reference_return
             if axis is not None

@@ -11,6 +11,7 @@ from typing import Self
 
 import numpy as np
 
+from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable
 from compwright.formats.families.between import Asked, Between
@@ -27,6 +28,7 @@ from compwright.formats.families.pairs.options import (
     holds_two_curves,
     reserving,
 )
+from compwright.formats.families.pairs.program_flow import scanned
 from compwright.formats.families.pairs.small_files import SmallFiles
 from compwright.formats.families.pairs.state import PairsReader
 from compwright.formats.families.pairs.state_writing import PairsWriter
@@ -34,6 +36,7 @@ from compwright.formats.families.pairs.view import with_sign_unknown
 from compwright.formats.text.container import is_container
 from compwright.formats.text.entered import Entered, Entries, by_statements
 from compwright.formats.text.entry_sheet import is_entry_sheet
+from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
@@ -41,9 +44,11 @@ from compwright.records.correction import AxisCompensation, ControlFile, Control
 from compwright.records.facts import AxisFacts
 
 _ARCHIVE = (
-    "an archive in a container, which is never written: its checksum over the contents is not"
-    " understood, and the control refuses an archive that was edited"
+    "an archive in a container, which is never written: a control may refuse an archive that was"
+    " edited"
 )
+_PROGRAM = "a program that may leave values out: what is patched in it may not be carried out"
+_BLANK = "a file with a blank in place of the equals sign, a form that no manual shows"
 _LISTING = "a listing with decimal commas, which the control does not take"
 
 
@@ -126,18 +131,48 @@ class PairsFamily(GridFamily):
 
     def small_files(self, own: Sequence[ControlFile]) -> bool:
         """See `Family.small_files`."""
-        asked = bool(own) and self.options.get("files") == "small"
-        return asked or any(is_container(file) or is_listing(self.definition, file) for file in own)
+        form = self.options.get("files")
+        if any(self._unpatched(file) for file in own) or form == "patched":
+            return form != "patched"
+        return bool(own) and (form == "small" or any(map(self._holds_others, own)))
+
+    def _holds_others(self, file: ControlFile) -> bool:
+        """Return whether a file holds tables behind several switches: loaded whole, it would assign
+        again those that are on, which the control protects. Tables between axes, such as one for
+        each direction, have the switch of the axis that they correct.
+        """
+        own, output = self._statements_of("value"), self._statements_of("cross_output")
+        between = self._statements_of("cross_value")
+        found = self._statements_in(file)
+        corrected = {
+            one.tokens["table"].text: one.tokens["value"].text
+            for one in found
+            if one.statement in output
+        }
+        switches = {
+            (one.statement, one.tokens["axis"].text, one.tokens["system"].text)
+            for one in found
+            if one.statement in own
+        } | {
+            (one.statement, corrected.get(index, ""), "" if index in corrected else index)
+            for one in found
+            if one.statement in between
+            for index in [one.tokens["table"].text]
+        }
+        return len(switches) > 1
+
+    def _statements_in(self, file: ControlFile) -> Sequence[Occurrence]:
+        text = text_reader(self.definition).read(file, [])
+        return () if text is None else text.occurrences
+
+    def _statements_of(self, *quantities: str) -> set[str]:
+        return {self.definition.bindings[name].statement for name in quantities}
 
     def _check_form(self, own: Sequence[ControlFile]) -> None:
         """Refuse to patch what the control would not take."""
         if self.options.get("files") != "patched":
             return
-        reasons = {
-            file.name: _ARCHIVE if is_container(file) else _LISTING
-            for file in own
-            if is_container(file) or is_listing(self.definition, file)
-        }
+        reasons = {file.name: why for file in own if (why := self._unpatched(file))}
         raise_all(
             UsageError,
             [
@@ -150,6 +185,21 @@ class PairsFamily(GridFamily):
                 for name, why in reasons.items()
             ],
         )
+
+    def _unpatched(self, file: ControlFile) -> str:
+        """Return why a file is not patched; empty for one that is."""
+        if is_container(file):
+            return _ARCHIVE
+        if is_listing(self.definition, file):
+            return _LISTING
+        if scanned(self.definition, file).leaves_out:
+            return _PROGRAM
+        statements = self.definition.statements
+        blank = any(
+            one.variant and "=" not in statements[one.statement].also_read[one.form - 1]
+            for one in self._statements_in(file)
+        )
+        return _BLANK if blank else ""
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`: a pair of tables between axes holds two curves."""
@@ -224,6 +274,22 @@ class PairsFamily(GridFamily):
             values[CURVES] = "2"
         else:
             values |= self._around_emptied(axis)
+        known = AxisFacts() if self.state is None else self.state.facts_of(self.address(axis)[0])
+        protected = str(known.said.get("others_protected", ""))
+        if self.options.get("files") == "patched" and protected:
+            off, on = (protected.replace(";", f" = {state}, ") for state in ("0", "1"))
+            values["others"] = (
+                " The patched files assign other tables again, which a control protects while they"
+                f" are on. Set {off} = 0 too and activate it (NEW CONF)."
+            )
+            values["others_back"] = f" Then set {on} = 1 again and activate it (NEW CONF)."
+        archive = known.said.get("archive")
+        if archive is not None:
+            values["archive"] = (
+                "The contents of the archive are not verified. Compare on the control, before"
+                f" anything is changed: {archive}. If one differs, load nothing: export the archive"
+                " again, and run again."
+            )
         if facts.pairs.own is not None:
             which = f"the tables {' and '.join(map(str, facts.pairs.own))}"
             points = int(compensation.positions.size)

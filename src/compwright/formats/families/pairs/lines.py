@@ -193,7 +193,7 @@ class TableLines(Lines):
 
     def _tell_off(self, label: str, switches: str, severity: str) -> None:
         message = f"{label} is switched off in the files ({switches}); it corrects nothing"
-        self.notes.find("CW-S034", severity, message)
+        self.notes.find("CW-S034", severity, message, self.pair[1])
 
     def _acted(self, ends: list[_Switch]) -> bool | None:
         """Return whether a table of an axis over itself acted, by the leadscrew table beside it and

@@ -6,11 +6,16 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
+from compwright.formats.definition.options import known_kind
 from compwright.formats.definition.schema import Choice
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.control_texts import texts_of
+from compwright.formats.families.coupled_axes import Coupling
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.axis_reading import AxisReading
 from compwright.formats.families.grid.reading import GridReader
+from compwright.formats.families.pairs.archive_values import compared, contradictions
+from compwright.formats.families.pairs.coupling import couplings_of
 from compwright.formats.families.pairs.lines import Units
 from compwright.formats.families.pairs.options import (
     allowed_tables,
@@ -19,6 +24,7 @@ from compwright.formats.families.pairs.options import (
     sign_question,
 )
 from compwright.formats.families.pairs.places import last, places_of
+from compwright.formats.families.pairs.programs import check_programs
 from compwright.formats.families.pairs.reading import CecReader, Writable
 from compwright.formats.families.pairs.sums import (
     check_sums,
@@ -26,10 +32,18 @@ from compwright.formats.families.pairs.sums import (
     staying,
     with_own_tables,
 )
-from compwright.formats.text.gathering import Found
+from compwright.formats.text.container import is_container
+from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.values import name_of
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, CrossCompensation
 from compwright.records.facts import PairTables
+
+_NOT_VERIFIED = (
+    "{name}: the contents of the archive are not verified: nothing in its container says whether a"
+    " value was changed after the export. Before you load, compare the three values per axis on the"
+    " card with the control"
+)
 
 
 class PairsReader(GridReader):
@@ -44,6 +58,14 @@ class PairsReader(GridReader):
         activity: Activity,
     ) -> None:
         super().__init__(control, files, axes, address, activity)
+        self.archives = [file for file in files if is_container(file)]
+        for archive in self.archives:
+            for fault in contradictions(archive):
+                self.notes.once(fault)
+            self.notes.find("CW-S072", "info", _NOT_VERIFIED.format(name=archive.name))
+        check_programs(
+            self.gathered, self.loaded, self.wanted, self.unit, self.activity, self.notes
+        )
         scale = scale_of_pairs(control, AxisKind.LINEAR)
         units = Units(self.unit == "inch", self._kind)
         self.sign_known = sign_known(control)
@@ -67,6 +89,11 @@ class PairsReader(GridReader):
         """See `GridReader.named`."""
         return list(dict.fromkeys((*super().named(), *self.cec.own_axes())))
 
+    def couplings(self) -> Sequence[Coupling]:
+        """See `GridReader.couplings`."""
+        texts = texts_of(self.definition, self.files, [])
+        return couplings_of(texts, self.gathered.axis, list(self.wanted))
+
     def between(self) -> Collection[str]:
         """See `GridReader.between`."""
         return {
@@ -87,8 +114,42 @@ class PairsReader(GridReader):
         own = super().axis(address, axis)
         pairs = self.cec.facts(address, sign_known=self.sign_known)
         compensation = with_own_tables(self.cec, own.compensation)
+        said = dict(own.facts.said)
+        system = own.facts.encoder_system
+        others = self._others_protected(address, system)
+        if others:
+            said["others_protected"] = others
+        if self.archives and system is not None:
+            unit = "deg" if compensation.kind is AxisKind.ROTARY else self.unit
+            said["archive"] = compared(self.gathered, address, str(system - 1), unit)
         beside = "; ".join(filter(None, (own.facts.beside, self.cec.uncounted(address))))
-        return AxisReading(compensation, replace(own.facts, pairs=pairs, beside=beside))
+        return AxisReading(compensation, replace(own.facts, pairs=pairs, beside=beside, said=said))
+
+    def _others_protected(self, address: str, system: int | None) -> str:
+        """Return the switches, but that of an axis itself, of all tables that are on in the files
+        with its own: they are protected against these files. Between them stand ``;``.
+        """
+        own = None if system is None else str(system - 1)
+        ours = {row.number for row in self.gathered.rows.get((address, own), ())}
+        rows: dict[tuple[str, str, str | None], list[Found]] = {
+            ("enabled", name or "", index): found
+            for (name, index), found in self.gathered.rows.items()
+            if (name, index) != (address, own)
+        }
+        for places in places_of(self.gathered).values():
+            output = last("cross_output", places)
+            if output is not None:
+                switch = ("cross_axis_enabled", self.gathered.axis(output.text), None)
+                rows[switch] = [*rows.get(switch, ()), *places.get("cross_value", ())]
+        return ";".join(
+            name_of(self.definition, switch) + f"[{','.join(filter(None, (index, name)))}]"
+            for (switch, name, index), found in rows.items()
+            if ours & {row.number for row in found}
+            and not any(
+                same_value(place.text, "0")
+                for place in self.gathered.found(switch, name, index)[-1:]
+            )
+        )
 
     def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
         """See `GridReader.staying`: tables of the axis over itself that nobody gave to be
@@ -136,5 +197,5 @@ class PairsReader(GridReader):
         binding = self.definition.bindings.get("rotary")
         places = self.gathered.singles.get((address, None), {}).get("rotary", [])
         if not isinstance(binding, Choice) or not places:
-            return AxisKind.LINEAR
+            return known_kind(self.control.options, address) or AxisKind.LINEAR
         return AxisKind(binding.values.get(places[-1].text, "linear"))

@@ -74,14 +74,19 @@ def counts_of(definition: Definition, options: Mapping[str, object], name: str) 
     given = options[COUNTS]
     if isinstance(given, (int, float)) and given != 0:
         return Counts(definition, float(given))
+    raise UsageError(counts_question(name, given))
+
+
+def counts_question(name: str, given: object) -> Fault:
+    """Return what is asked where nobody says the counts of an axis' motor."""
     message = f"axis {name}: the counts of its motor must be given; no script says them for sure"
-    raise UsageError(
-        Fault(
-            message=message,
-            place=COUNTS,
-            expected="counts per mm or deg, such as 1000; negative against the axis",
-            found="nothing" if given is None else f"{given}",
-        )
+    return Fault(
+        message=message,
+        place=COUNTS,
+        expected=(
+            f"counts per mm or deg, such as --option {COUNTS}=1000; negative against the axis"
+        ),
+        found="nothing" if given is None else f"{given}",
     )
 
 

@@ -4,7 +4,7 @@ it. A script defines them.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families import limits
@@ -14,9 +14,9 @@ from compwright.formats.families.between import Asked, Between, instead
 from compwright.formats.families.card_words import sign_check
 from compwright.formats.families.family import Family, LeftOpen
 from compwright.formats.families.wrapped.card import table_words
-from compwright.formats.families.wrapped.counts import COUNTS, Counts, counts_of
+from compwright.formats.families.wrapped.card_memory import MOST_MOTORS
+from compwright.formats.families.wrapped.counts import COUNTS, Counts, counts_of, counts_question
 from compwright.formats.families.wrapped.reading import read_wrapped
-from compwright.formats.families.wrapped.script import MOST_MOTORS
 from compwright.formats.families.wrapped.tables import MotorTable, motor_table, over_travel
 from compwright.formats.families.wrapped.writing import TAKE_UP, fresh_script, patched_scripts
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
@@ -67,6 +67,13 @@ class WrappedFamily(Family):
     ) -> ControlState:
         """See `Family.read`."""
         return read_wrapped(self.definition, self.options, files, axes, address, activity)
+
+    def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
+        """See `Family.questions`: also the counts of the motor, which no file says."""
+        yield from super().questions(axis, files=files, given=given)
+        counts = {**self.options, **axis.options}.get(COUNTS)
+        if not counts:
+            yield counts_question(axis.name, counts)
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`. Raises UsageError where nobody says the counts of the motor."""

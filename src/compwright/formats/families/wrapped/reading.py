@@ -12,23 +12,25 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, axis_options
+from compwright.formats.definition.options import (
+    REFERENCE,
+    REFERENCE_RETURN,
+    axis_options,
+    known_kind,
+)
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.coupled_axes import check_couplings, followers, leader
 from compwright.formats.families.limits import SAME_TURN
+from compwright.formats.families.wrapped.card_memory import Table, Word, number_of, over_itself
 from compwright.formats.families.wrapped.counts import (
     Counts,
     around,
     counts_of,
     turned_about,
 )
-from compwright.formats.families.wrapped.script import (
-    Table,
-    Word,
-    number_of,
-    over_itself,
-    read_script,
-)
+from compwright.formats.families.wrapped.coupling import couplings_of
+from compwright.formats.families.wrapped.script import read_script
 from compwright.formats.families.wrapped.sending import left_to_the_order
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.notes import Notes
@@ -75,6 +77,7 @@ class _StateReader:
         for axis in axes:
             self.axes[normal_address(definition, axis)[0]] = axis
         self.wanted = list(self.axes)
+        self.leading = {address: axis for address, axis in self.axes.items() if axis is not None}
         for axis in axes:
             if axis.gantry is not None:
                 self.wanted.append(normal_text(definition, axis.gantry))
@@ -92,6 +95,7 @@ class _StateReader:
     def read(self) -> ControlState:
         """Return the state; raises as `read_wrapped`."""
         raise_all(InputError, self.notes.faults)
+        self._ask_for_blocks()
         self._check_tables()
         raise_all(InputError, self.notes.faults)
         compensations: dict[str, AxisCompensation] = {}
@@ -114,6 +118,16 @@ class _StateReader:
             if not table.plane and table.source != table.target
             if (found := self._cross(table)) is not None
         )
+        couplings = couplings_of(self.files)
+        check_couplings(couplings, self.leading, self.notes)
+        facts = {
+            address: replace(
+                said,
+                synchronised=followers(couplings, address),
+                leading=leader(couplings, address),
+            )
+            for address, said in facts.items()
+        }
         self.notes.ask_contradicted()
         raise_all(InputError, self.notes.faults)
         raise_all(UsageError, self.notes.questions)
@@ -128,6 +142,40 @@ class _StateReader:
             facts=facts,
             assumed=tuple(self.notes.assumed),
             findings=tuple(dict.fromkeys(self.notes.findings)),
+        )
+
+    def _ask_for_blocks(self) -> None:
+        """Ask whether what stands in conditional blocks was sent, where it is of a motor that is
+        asked for.
+        """
+        ours = [
+            (word, block)
+            for motor, word, block in self.script.conditional
+            if not self.wanted or not motor or str(motor) in self.wanted
+        ]
+        if not ours:
+            return
+        if self.activity.carried_out:
+            for word, _ in ours:
+                fact = f"{word.file}, line {word.line}: in a conditional block"
+                self.notes.assume(fact, "sent to the card", "the job's answer (active)")
+            return
+        (word, block), more = ours[0], len(ours) - 1
+        self.notes.ask(
+            Fault(
+                message=(
+                    "compensation in a conditional block, which may not have been sent: it decides"
+                    f" about line {word.line}" + (f" and {more} more" if more else "")
+                ),
+                file=word.file,
+                place=f"line {block.line}",
+                expected=(
+                    "the script as it was sent, without conditional blocks; or, where all of it was"
+                    " sent, states: {as_found: {files: [...], active: yes}} (without a job:"
+                    " --option active=yes)"
+                ),
+                found=repr(block.text[:60]),
+            )
         )
 
     def _named(self) -> list[str]:
@@ -186,7 +234,7 @@ class _StateReader:
             if not table.desired and any(table.numbers):
                 self._by_actual(table)
         rate = self.script.said("take_up_rate", motor)
-        said = {} if rate is None else {"take_up_rate": number_of(rate.text)}
+        said = {} if rate is None else {"take_up_rate": number_of(rate)}
         facts = AxisFacts(enabled=on, grid=self._idle_nodes(motor, both), said=said)
         grids: dict[tuple[int, int], tuple[FloatArray, FloatArray]] = {}
         if (on and any(any(table.numbers) for table in both)) or (lost and constant):
@@ -195,14 +243,18 @@ class _StateReader:
             except UsageError as error:
                 for fault in error.faults:
                     self.notes.ask(fault)
-                return _empty(motor, axis), facts
+                return _empty(motor, self._kind(str(motor), axis)), facts
             for table in tables if on else []:
                 _add(grids, table, counts.added("value_positive", _closed(table)), both=True)
             if reversal is not None and on and lost:
                 _add(grids, reversal, counts.added("value_negative", _closed(reversal)), both=False)
             step = counts.added("backlash", np.array([float(constant)]))[0] if lost else 0.0
             return self._compensation(motor, axis, counts, grids, float(step)), facts
-        return _empty(motor, axis), facts
+        return _empty(motor, self._kind(str(motor), axis)), facts
+
+    def _kind(self, address: str, axis: Axis | None) -> AxisKind:
+        known = axis.kind if axis else known_kind(self.options, address)
+        return known or AxisKind.LINEAR
 
     def _compensation(
         self,
@@ -224,7 +276,7 @@ class _StateReader:
             parts.append(
                 AxisCompensation(
                     address=str(motor),
-                    kind=axis.kind if axis else AxisKind.LINEAR,
+                    kind=self._kind(str(motor), axis),
                     positions=place + np.arange(needed + 1) * length / needed * counts.count,
                     positive=values[0],
                     negative=values[1],
@@ -233,7 +285,7 @@ class _StateReader:
                 )
             )
         if not parts:
-            empty = _empty(motor, axis)
+            empty = _empty(motor, self._kind(str(motor), axis))
             amount = counts.forward.opposite.sign * step
             return replace(empty, backlash=amount, reference_return=counts.forward)
         return replace(parts[0], others=tuple(parts[1:]))
@@ -275,7 +327,7 @@ class _StateReader:
         name = "I51"
         word = None
         if place is not None and isinstance(binding, Choice):
-            word = binding.values.get(str(number_of(place.text)))
+            word = binding.values.get(str(number_of(place)))
             if word is None:
                 fault = place.fault(f"{name} is neither on nor off", expected="0 or 1")
                 self.notes.faults.append(fault)
@@ -333,7 +385,7 @@ class _StateReader:
 
     def _ranged(self, place: Word, name: str) -> int:
         low, high = self.definition.measure("backlash").range
-        number = number_of(place.text)
+        number = number_of(place)
         if not low <= number <= high:
             said = f"{low:.0f} to {high:.0f}"
             self.notes.faults.append(place.fault(f"{name} is out of its range", expected=said))
@@ -374,7 +426,10 @@ class _StateReader:
         step = float(table.counts / table.needed * source.count)
         place, where = around(pair[0], self._zero(pair[0]), step)
         curve = turned_about(target.added("value_positive", _closed(table)), where, source)
-        kinds = [axis.kind if axis else AxisKind.LINEAR for axis in pair]
+        kinds = [
+            self._kind(str(motor), axis)
+            for motor, axis in zip((table.source, table.target), pair, strict=True)
+        ]
         return CrossCompensation(
             input=str(table.source),
             output=str(table.target),
@@ -405,11 +460,11 @@ def _add(
     grids[table.needed, table.counts] = (ahead + added if both else ahead, back + added)
 
 
-def _empty(motor: int, axis: Axis | None) -> AxisCompensation:
+def _empty(motor: int, kind: AxisKind) -> AxisCompensation:
     none = np.empty(0)
     return AxisCompensation(
         address=str(motor),
-        kind=axis.kind if axis else AxisKind.LINEAR,
+        kind=kind,
         positions=none,
         positive=none,
         negative=none,

@@ -10,23 +10,31 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
-from typing import Literal
+from dataclasses import replace
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.definition.statements import Occurrence, compile_statement
+from compwright.formats.definition.statements import compile_statement
 from compwright.formats.families.wrapped.buffers import Buffers
-from compwright.formats.text.gathering import Found
-from compwright.foundations.errors import Fault
+from compwright.formats.families.wrapped.card_memory import (
+    MOST_MOTORS,
+    Kind,
+    Script,
+    Table,
+    Word,
+)
+from compwright.formats.families.wrapped.preprocessor import (
+    DIRECTIVE,
+    REMARK,
+    Block,
+    Conditions,
+    expanded,
+    expression_end,
+    in_two_branches,
+    whole_value,
+)
 from compwright.records.correction import ControlFile
 
-#: Motors of the largest card.
-MOST_MOTORS = 32
-Kind = Literal["COMP", "BLCOMP", "TCOMP"]
 _BUFFER = r"TBUF|ROT(?:ARY)?|LOOK(?:AHEAD)?|GAT(?:HER)?"
-_VALUE = (
-    r"\$[0-9A-F]+(?![0-9A-Z.])|[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?![0-9.]*[-+*/%&|^(.])|\S+"
-)
 _RANGE = (
     r"I(?P<first>[0-9]{1,9})[ \t]*(?:\.\.[ \t]*(?P<last>[0-9]{1,9})"
     r"|,[ \t]*(?P<count>[0-9]{1,9})[ \t]*,[ \t]*(?P<step>[0-9]{1,9}))?[ \t]*="
@@ -36,22 +44,23 @@ _MANY = r"(?:[ \t]*\.\.[ \t]*[0-9]+|,[ \t]*[0-9]+[ \t]*,[ \t]*[0-9]+)?"
 _OF_AXIS = r"(?:I(?![0-9A-Z])|(?:[-+.0-9 \t]|[ABCUVWXYZ](?![A-Z]))*)"
 _POINTER = r"[^\s=:,]+(?:[ \t]*[:,][ \t]*[^\s=:,]+)*(?!\S)"
 _COMMAND = re.compile(
-    r"(?P<number>[+-]?[0-9]+)(?=\s|$)"
+    r"(?P<number>[+-]?[0-9]+)(?=[\s,]|$)"
     rf"|(?P<idle>[#&][ \t]*[0-9]+[ \t]*->[ \t]*{_OF_AXIS}|M[0-9]+{_MANY}[ \t]*->[ \t]*{_POINTER}"
     r"|&[ \t]*[0-9]+|UNDEFINE(?:[ \t]*ALL)?(?![A-Z])|(?:SAVE|CLOSE)(?![A-Z])"
     r"|(?:ENA(?:BLE)?|DIS(?:ABLE)?)[ \t]*PLCC?[ \t]*[0-9][0-9., \t]*"
-    rf"|[MPQ][0-9]+{_MANY}[ \t]*=[ \t]*[^\s=]+(?!\S))"
+    r")|(?P<other>[MPQ][0-9]+" + _MANY + r"[ \t]*=[ \t]*)"
     r"|\#[ \t]*(?P<motor>[0-9]{1,9})(?![0-9])"
     r"|DEF(?:INE)?[ \t]*(?P<table>COMP|BLCOMP|TCOMP)[ \t]+"
-    r"(?P<arguments>[^\s,]+(?:[ \t]*,[ \t]*[^\s,]+)*)"
+    r"(?P<arguments>[^\s,]+(?:[ \t]+(?=\#[^\s,]+[ \t]*,)[^\s,]+)?(?:[ \t]*,[ \t]*[^\s,]+)*)"
     rf"|DEF(?:INE)?[ \t]*(?P<buffer>{_BUFFER})(?![A-Z])(?:[ \t]*[0-9]+(?:[ \t]*,[ \t]*[0-9]+)*)?"
     rf"|DEL(?:ETE)?[ \t]*(?P<deleted>COMP|BLCOMP|TCOMP|{_BUFFER})(?![A-Z])"
     r"|(?P<open>OPEN)(?![A-Z])"
-    rf"|(?P<setting>{_RANGE}[ \t]*(?P<value>{_VALUE}))",
+    rf"|(?P<setting>{_RANGE}[ \t]*)",
     re.IGNORECASE,
 )
 _ARGUMENTS = re.compile(
-    r"(?P<entries>[0-9]{1,9})(?:[ \t]*,[ \t]*\#[ \t]*(?P<source>[0-9]{1,4})[ \t]*(?P<desired>D)?"
+    r"(?P<entries>[0-9]{1,9})(?:(?:[ \t]*,[ \t]*|[ \t]+)"
+    r"\#[ \t]*(?P<source>[0-9]{1,4})[ \t]*(?P<desired>D)?"
     r"(?:[ \t]*,[ \t]*\#[ \t]*(?P<target>[0-9]{1,4}))?)?[ \t]*,[ \t]*(?P<length>[0-9]{1,12})",
     re.IGNORECASE,
 )
@@ -59,106 +68,14 @@ _PLAIN = re.compile(r"(?P<entries>[0-9]{1,9})[ \t]*,[ \t]*(?P<length>[0-9]{1,12}
 _PLANE = re.compile(r"(?P<rows>[0-9]{1,6})\.(?P<columns>[0-9]{1,6})[ \t]*,(?P<rest>.*)")
 #: For the program that sends scripts, not for the card.
 _INCLUDE = re.compile(r"#[ \t]*INCLUDE(?![A-Z])", re.IGNORECASE)
-_END = re.compile(r"(?<![A-Z])CLOSE(?![A-Z])", re.IGNORECASE)
+_END = re.compile(r"(?<!\w)CLOSE(?!\w)", re.IGNORECASE)
 _SET = re.compile(rf"(?<![A-Z(0-9]){_RANGE}", re.IGNORECASE)
 _TABLE = re.compile(r"(?:DEF(?:INE)?|DEL(?:ETE)?)[ \t]*(?:BL)?COMP(?![A-Z])", re.IGNORECASE)
 #: No number of a card has more digits (48 bits).
 _MOST_DIGITS = 16
-_WHOLE = re.compile(rf"\$[0-9A-Fa-f]{{1,12}}|[+-]?[0-9]{{1,{_MOST_DIGITS - 1}}}")
-_REMARK = re.compile(r";[^\r\n]*")
-
-
-@dataclass(frozen=True, slots=True)
-class Word:
-    """A piece of a script: its text and its place, ``start`` and ``end`` in bytes of the file that
-    is the ``number``-th of those given.
-    """
-
-    text: str
-    file: str
-    number: int
-    line: int
-    start: int
-    end: int
-
-    @property
-    def found(self) -> Found:
-        """The piece as the notes take it."""
-        return Found(self.text, Occurrence("script", self.file, self.line, {}), self.number)
-
-    def fault(self, message: str, *, expected: str = "", found: str | None = None) -> Fault:
-        """Return a fault at this place."""
-        said = self.text if found is None else found
-        return Fault(
-            message=message,
-            file=self.file,
-            place=f"line {self.line}",
-            expected=expected,
-            found=said,
-        )
-
-
-@dataclass(slots=True)
-class Table:
-    """A table in the memory of a motor: ``needed`` entries, which stand at ``values``.
-
-    ``desired``: looked up by the commanded position. ``plane``: over two motors.
-    """
-
-    kind: Kind
-    motor: int
-    word: Word
-    needed: int
-    source: int = 0
-    target: int = 0
-    desired: bool = True
-    plane: bool = False
-    entries: Word | None = None
-    length: Word | None = None
-    values: list[Word] = field(default_factory=list)
-
-    @property
-    def counts(self) -> int:
-        """Its length in counts of the source."""
-        return 0 if self.length is None else int(self.length.text)
-
-    @property
-    def numbers(self) -> tuple[int, ...]:
-        """Its entries; entry i stands at i * length / entries, counted from 1."""
-        return tuple(int(word.text) for word in self.values)
-
-    @property
-    def says(self) -> str:
-        """The table in a message."""
-        return f"#{self.motor} {self.kind}"
-
-
-@dataclass(slots=True)
-class Script:
-    """What scripts leave in a control that takes them one after the other.
-
-    ``tables``: by kind and motor; ``settings``: all assignments to one of our quantities, by
-    quantity and motor (0: all motors), the last one counts; ``programs``: those in programs.
-    ``commands``: every definition, deletion and setting in the order of the files. ``shared``:
-    values of assignments to more than one variable.
-    """
-
-    files: tuple[ControlFile, ...]
-    tables: dict[tuple[Kind, int], Table] = field(default_factory=dict)
-    settings: dict[tuple[str, int], list[Word]] = field(default_factory=dict)
-    programs: dict[tuple[str, int], Word] = field(default_factory=dict)
-    commands: list[tuple[str, int, Word]] = field(default_factory=list)
-    shared: set[Word] = field(default_factory=set)
-    faults: list[Fault] = field(default_factory=list)
-
-    def of(self, kind: Kind) -> list[Table]:
-        """Return the tables of a kind by motor."""
-        return [table for (name, _), table in sorted(self.tables.items()) if name == kind]
-
-    def said(self, quantity: str, motor: int = 0) -> Word | None:
-        """Return the assignment that counts; None where there is none."""
-        found = self.settings.get((quantity, motor))
-        return found[-1] if found else None
+_MOST = 10 ** (_MOST_DIGITS - 1)
+#: An assignment to a variable whose number the program works out.
+_COMPUTED = re.compile(r"^[ \t]*I\([^=\r\n]*\)[ \t]*=(?!=)", re.IGNORECASE | re.MULTILINE)
 
 
 def read_script(definition: Definition, files: Sequence[ControlFile]) -> Script:
@@ -170,20 +87,6 @@ def read_script(definition: Definition, files: Sequence[ControlFile]) -> Script:
         reader.read(number)
     reader.complete()
     return reader.script
-
-
-def number_of(text: str) -> int:
-    """Return a whole number, decimal or ``$`` and hexadecimal digits."""
-    return int(text[1:], 16) if text.startswith("$") else int(text)
-
-
-def over_itself(script: Script, motor: int) -> list[Table]:
-    """Return the tables by which a motor corrects itself, wherever they are kept."""
-    return [
-        table
-        for table in script.of("COMP")
-        if not table.plane and table.source == table.target == motor
-    ]
 
 
 class _Reader:
@@ -199,6 +102,8 @@ class _Reader:
         self.open: Table | None = None
         self.full = False
         self.buffers = Buffers()
+        self.conditions = Conditions()
+        self.carried: list[tuple[tuple[str, int], Word, tuple[tuple[Block, int], ...]]] = []
         self.file, self.number, self.text = "", 0, ""
         self.line_ends: list[int] = []  # of the text: counting them for each word takes its square
 
@@ -207,21 +112,69 @@ class _Reader:
         file = self.script.files[number]
         self.file, self.number = file.name, number
         text = file.content.decode("latin-1").removesuffix("\x1a")
-        self.text = _REMARK.sub(lambda remark: " " * len(remark[0]), text)
+        self.text = REMARK.sub(lambda remark: " " * len(remark[0]), text)
         self.line_ends = [match.start() for match in re.finditer("\n", self.text)]
         place = 0
         while place < len(self.text):
-            if self.text[place] in " \t\r\n":
+            if self.text[place] in " \t\r\n" or self._separator(place):
                 place += 1
                 continue
-            match = _COMMAND.match(self.text, place)
-            if match is None:
+            directive = self._directive(place)
+            match = _COMMAND.match(self.text, place) if directive is None else None
+            if directive is not None:
+                self._take_in(directive)
+                place = directive.end()
+            elif match is None:
                 place = self._unknown(place)
             elif match["open"]:
                 place = self._program(match.end())
+            elif match["setting"] or match["other"]:
+                self.complete()
+                place = self._assigned(match)
             else:
                 self._command(match)
                 place = match.end()
+
+    def _separator(self, place: int) -> bool:
+        """Whether a comma between two entries stands there."""
+        table = self.open
+        return (
+            self.text[place] == ","
+            and table is not None
+            and 0 < len(table.values) < table.needed
+            and not self.text[table.values[-1].end : place].strip(" \t\r\n")
+        )
+
+    def _directive(self, place: int) -> re.Match[str] | None:
+        """Return the directive of the sending program that stands alone on its line."""
+        before = self.text[self.text.rfind("\n", 0, place) + 1 : place]
+        return DIRECTIVE.match(self.text, place) if not before.strip(" \t\r") else None
+
+    def _take_in(self, directive: re.Match[str]) -> None:
+        word = self._word(*directive.span())
+        wrong = self.conditions.apply(directive, word.line)
+        if wrong:
+            self._fault(word, wrong, "#IFDEF or #IFNDEF before it")
+
+    def _carried_out(self, key: tuple[str, int], word: Word) -> bool:
+        """Note a command of ours with the blocks around it; False, with a fault, where the same
+        stands in another branch of one: not both are sent.
+        """
+        here = self.conditions.here
+        for other, earlier, there in self.carried:
+            if other == key and in_two_branches(here, there):
+                self._fault(
+                    word,
+                    f"the same is said in another branch of a conditional block, in line"
+                    f" {earlier.line}: not both are sent",
+                    "the script as it was sent to the card, without conditional blocks",
+                    " ".join(word.text.split()),
+                )
+                return False
+        self.carried.append((key, word, here))
+        if here:
+            self.script.conditional.append((key[1], word, here[0][0]))
+        return True
 
     def complete(self) -> None:
         """Note a table that the scripts end in."""
@@ -244,6 +197,8 @@ class _Reader:
     def _unknown(self, place: int) -> int:
         end = re.compile(r"[\r\n]|$").search(self.text, place)
         word = self._word(place, len(self.text) if end is None else end.start())
+        if self._idle_by_macro(word):
+            return word.end
         message = "this is no command that compwright knows, and it may act"
         if self.open is not None and len(self.open.values) < self.open.needed:
             message = f"{self.open.says}: this is no whole number"
@@ -253,6 +208,15 @@ class _Reader:
             expected = "the content of that file in the place of this line"
         self._fault(word, message, expected)
         return word.end
+
+    def _idle_by_macro(self, word: Word) -> bool:
+        """Whether a line becomes a command of no concern here when its macros are in place."""
+        said = expanded(word.text, self.conditions.macros).rstrip()
+        match = _COMMAND.match(said) if said != word.text.rstrip() else None
+        if match is None or (self.open is not None and len(self.open.values) < self.open.needed):
+            return False
+        end = expression_end(said, match.end()) if match["other"] else match.end()
+        return bool(match["idle"] or match["other"]) and end == len(said)
 
     def _command(self, match: re.Match[str]) -> None:
         word = self._word(match.start(), match.end())
@@ -269,8 +233,6 @@ class _Reader:
             self.script.commands.append((f"DEFINE {match['buffer'].upper()}", 0, word))
         elif match["deleted"]:
             self._delete(word, match["deleted"].upper())
-        elif match["setting"]:
-            self._set(match)
 
     # --- tables
 
@@ -287,6 +249,9 @@ class _Reader:
     def _define(self, word: Word, match: re.Match[str]) -> None:
         kind: Kind = match["table"].upper()  # type: ignore[assignment]  # the pattern names them
         if not self._addressed(word):
+            return
+        if not self._carried_out((f"DEFINE {kind}", self.motor), word):
+            self.open = self._table(kind, word, match["arguments"], match.start("arguments"))
             return
         refused = self.buffers.refuses(kind, self.motor)
         if refused:
@@ -340,6 +305,8 @@ class _Reader:
         if name in ("COMP", "BLCOMP", "TCOMP"):
             if not self._addressed(word):
                 return
+            if not self._carried_out((f"DELETE {name}", self.motor), word):
+                return
             refused = self.buffers.keeps(name, self.motor)
             if refused:
                 self._fault(word, f"the card refuses this (ERR003): {refused}", _ORDER)
@@ -349,18 +316,35 @@ class _Reader:
 
     # --- settings
 
-    def _set(self, match: re.Match[str]) -> None:
-        value = self._word(match.start("value"), match.end("value"))
+    def _assigned(self, match: re.Match[str]) -> int:
+        """Take in an assignment; return where it ends."""
+        end = expression_end(self.text, match.end())
+        if end == match.end():
+            word = re.compile(r"\S*").match(self.text, end)
+            end = end if word is None else word.end()
+        if match["setting"]:
+            self._set(match, end)
+        elif self.text[end : end + 1].strip():
+            return self._unknown(match.start())
+        return end
+
+    def _set(self, match: re.Match[str], end: int) -> None:
+        value = self._word(match.end(), end)
+        number = whole_value(value.text, self.conditions.macros)
+        value = replace(value, value=number)
         if match["last"] or match["count"]:
             self.script.shared.add(value)
+        command = self._word(match.start(), end)
         for quantity, motor in self._meant(match):
-            if _WHOLE.fullmatch(value.text) is None:
+            if number is None or abs(number) >= _MOST:
                 name = match["setting"].split("=")[0].strip()
                 message = f"{name} is set to something that is no whole number of the control"
                 self._fault(value, message, "a whole number, or $ and hexadecimal digits")
                 continue
+            if not self._carried_out((quantity, motor), command):
+                continue
             self.script.settings.setdefault((quantity, motor), []).append(value)
-            self.script.commands.append((quantity, motor, self._word(*match.span())))
+            self.script.commands.append((quantity, motor, command))
 
     def _meant(self, match: re.Match[str]) -> Iterator[tuple[str, int]]:
         """Yield the quantities that an assignment sets, with the motor (0: all motors)."""
@@ -383,12 +367,29 @@ class _Reader:
             word = self._word(place - len("OPEN"), place)
             self._fault(word, "a program that does not end", "CLOSE behind it")
             return len(self.text)
-        for match in _SET.finditer(self.text, place, end.start()):
-            for meant in self._meant(match):
-                self.script.programs[meant] = self._word(*match.span())
-        for match in _TABLE.finditer(self.text, place, end.start()):
-            self.script.programs["enabled", 0] = self._word(*match.span())
+        self._in_program(place, end.start())
         return end.end()
+
+    def _in_program(self, place: int, end: int) -> None:
+        """Note what of ours a program sets, in macros too, line by line."""
+        for line in re.compile(r"[^\r\n]+").finditer(self.text, place, end):
+            directive = DIRECTIVE.match(line[0].lstrip(" \t"))
+            if directive is not None:
+                self._take_in_program(directive, line)
+                continue
+            said = expanded(line[0], self.conditions.macros)
+            word = self._word(*line.span())
+            for match in _SET.finditer(said):
+                for meant in self._meant(match):
+                    self.script.programs[meant] = replace(word, text=match[0])
+            for match in (*_TABLE.finditer(said), *_COMPUTED.finditer(said)):
+                self.script.programs["enabled", 0] = replace(word, text=match[0])
+
+    def _take_in_program(self, directive: re.Match[str], line: re.Match[str]) -> None:
+        word = self._word(*line.span())
+        wrong = self.conditions.apply(directive, word.line)
+        if wrong:
+            self._fault(word, wrong, "#IFDEF or #IFNDEF before it")
 
 
 _ORDER = (

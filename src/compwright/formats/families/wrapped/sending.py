@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from compwright.formats.families.wrapped.script import Script, Word
+from compwright.formats.families.wrapped.card_memory import Script, Word
 from compwright.foundations.errors import Fault
 
 _NAMES = {"enabled": "I51", "take_up_rate": "I{}85", "backlash": "I{}86"}

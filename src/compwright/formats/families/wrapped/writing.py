@@ -13,14 +13,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.definition.statements import print_form
 from compwright.formats.families.wrapped.buffers import BEHIND, long_name
-from compwright.formats.families.wrapped.script import (
+from compwright.formats.families.wrapped.card_memory import (
     Script,
     Table,
     Word,
     number_of,
     over_itself,
-    read_script,
 )
+from compwright.formats.families.wrapped.script import read_script
 from compwright.formats.families.wrapped.tables import MotorTable
 from compwright.formats.text.patching import Change, Patches, fresh_file
 from compwright.foundations.errors import Fault
@@ -29,7 +29,7 @@ from compwright.records.correction import ControlFile
 #: Entries on a line of a script.
 _ON_A_LINE = 8
 #: A SAVE that ends a script, on a line of its own.
-_SAVE = re.compile(rb"(?:^|[\r\n])[ \t]*(SAVE)[ \t]*(?:;[^\r\n]*)?\s*\Z", re.IGNORECASE)
+_SAVE = re.compile(rb"(?:^|[\r\n])[ \t]*(SAVE)[ \t]*(?:(?:;|//)[^\r\n]*)?\s*\Z", re.IGNORECASE)
 #: The option with the take-up rate that is written where a script says none.
 TAKE_UP = "take_up_rate"
 
@@ -140,21 +140,40 @@ class _Patcher:
                 self._number(word, value)
         for word, value in zip(place.values, entries, strict=False):
             self._number(word, value)
-        for word in place.values[len(entries) :]:
-            self.patches.replace(word.number, Change(word.start, word.end, b""))
+        for before, word in zip(
+            place.values[len(entries) - 1 :], place.values[len(entries) :], strict=False
+        ):
+            self._remove(before, word)
         more = entries[len(place.values) :]
         if more:
             last = place.values[-1]
-            text = "".join(f" {value}" for value in more)
+            separator = "," if self._by_comma(place) else " "
+            text = "".join(f"{separator}{value}" for value in more)
             self.patches.insert(last.number, last.end, text)
 
+    def _remove(self, before: Word, word: Word) -> None:
+        """Take an entry out, with the comma that separates it from the one before."""
+        content = self.patches.files[word.number].content
+        between = content[before.end : word.start]
+        start = before.end + between.rfind(b",") if b"," in between else word.start
+        if b"," in between and between[start - before.end + 1 :].strip():
+            start = word.start
+        self.patches.replace(word.number, Change(start, word.end, b""))
+
+    def _by_comma(self, place: Table) -> bool:
+        if len(place.values) < 2:
+            return False
+        first, second = place.values[:2]
+        content = self.patches.files[first.number].content
+        return b"," in content[first.end : second.start]
+
     def _number(self, word: Word, value: int) -> None:
-        if number_of(word.text) != value:
+        if number_of(word) != value:
             self.patches.replace(word.number, Change(word.start, word.end, str(value).encode()))
 
     def _assigned(self, word: Word, value: int) -> bool:
         """Let an assignment say ``value``; False where it would say so of other variables too."""
-        if word in self.script.shared and number_of(word.text) != value:
+        if word in self.script.shared and number_of(word) != value:
             return False
         self._number(word, value)
         return True
@@ -196,10 +215,10 @@ class _Patcher:
         """
         content = self.patches.files[word.number].content
         line = self.patches.line(word.number, word.start)
-        following = re.sub(rb";[^\r\n]*", b"", content[word.end :]).lstrip()
+        following = re.sub(rb"(?:;|//)[^\r\n]*", b"", content[word.end :]).lstrip()
         motor = self._addressed(word)
         again = [] if following[:1] in (b"#", b"I", b"i", b"") else [f"#{motor}"]
-        if re.fullmatch(rb"[ \t]*(;.*)?", content[word.end : line.end], re.DOTALL):
+        if re.fullmatch(rb"[ \t]*((;|//).*)?", content[word.end : line.end], re.DOTALL):
             self.patches.add_lines(word.number, word.start, [*lines, *again])
         else:
             text = "\n".join(["", *lines, *again, ""])
@@ -229,7 +248,7 @@ class _Patcher:
         if needed:
             missing.append("backlash")
         taking = self.script.said(TAKE_UP, table.motor)
-        off = taking is not None and table.takes_up and number_of(taking.text) == 0
+        off = taking is not None and table.takes_up and number_of(taking) == 0
         if taking is None or (off and not self._assigned(taking, rate)):
             missing.append(TAKE_UP)
         lines = _setting_lines(self.definition, table, rate, missing)
@@ -242,7 +261,7 @@ class _Patcher:
         binding = self.definition.bindings["enabled"]
         if switch is None or not isinstance(binding, Choice):
             return
-        if binding.values.get(str(number_of(switch.text))) != "no":
+        if binding.values.get(str(number_of(switch))) != "no":
             return
         sleeping = [
             table.says

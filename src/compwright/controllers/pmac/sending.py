@@ -1,0 +1,129 @@
+"""What is done to a script before the card sees it, for the judge: remarks are cut off, macros are
+put in place, and it is noted which lines stand in blocks that may be left out.
+
+Apart from the room that writes scripts: expressions are worked out by Python's own grammar.
+"""
+
+from __future__ import annotations
+
+import ast
+import operator
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+_DIRECTIVE = re.compile(r"#\s*(DEFINE|UNDEF|IFDEF|IFNDEF|IF|ELIF|ELSE|ENDIF)\b(.*)")
+_WORD = re.compile(r"[A-Z_]\w*")
+_OPERATORS: dict[type, Callable[[float, float], float]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Mod: operator.mod,
+}
+_OF_BITS: dict[type, Callable[[int, int], int]] = {
+    ast.BitAnd: operator.and_,
+    ast.BitOr: operator.or_,
+    ast.BitXor: operator.xor,
+}
+_TOKEN = re.compile(r"\s*(\$[0-9A-F]+|\d+\.?\d*|\.\d+|[A-Z_]\w*|[-+*/|^&%()])")
+_LONGEST = 500
+_ROUNDS = 20
+
+
+@dataclass(slots=True)
+class Sending:
+    """``macros``: name -> text; ``blocks``: the line and the branch of every block that is open."""
+
+    macros: dict[str, str] = field(default_factory=dict)
+    blocks: list[tuple[int, int]] = field(default_factory=list)
+
+    def takes(self, line: str, number: int) -> str | None:
+        """Take a line without remarks that is for the sending program; return what is wrong with it
+        (empty: nothing), None where it is for the card.
+        """
+        match = _DIRECTIVE.fullmatch(line.strip())
+        if match is None:
+            return None
+        name, rest = match.group(1), match.group(2).strip()
+        if name == "DEFINE":
+            macro, _, value = rest.replace("\t", " ").partition(" ")
+            self.macros[macro] = value.strip()
+        elif name == "UNDEF":
+            self.macros.pop(rest, None)
+        elif name.startswith("IF"):
+            self.blocks.append((number, 0))
+        elif not self.blocks:
+            return f"#{name} outside of a block"
+        elif name == "ENDIF":
+            self.blocks.pop()
+        else:
+            begun, branch = self.blocks.pop()
+            self.blocks.append((begun, branch + 1))
+        return ""
+
+    def put_in(self, text: str) -> str:
+        """Return a text with the macros in it replaced."""
+        for _ in range(_ROUNDS):
+            after = _WORD.sub(lambda word: self.macros.get(word.group(), word.group()), text)
+            if after == text or len(after) > _LONGEST:
+                return after
+            text = after
+        return text
+
+
+def without_remarks(line: str) -> str:
+    """Return a line up to its remark."""
+    return re.split(r";|//", line, maxsplit=1)[0]
+
+
+def expression(text: str) -> str:
+    """Return the expression at the beginning of a text; what may be a command of its own behind a
+    blank (``&1``, ``%100``) ends it.
+    """
+    place = good = depth = 0
+    wanted = True
+    while (match := _TOKEN.match(text, place)) is not None:
+        word, apart = match.group(1), match.start(1) > place
+        if wanted and (word in "+-" or word == "("):
+            depth += word == "("
+        elif wanted and (word[0] in "$." or word[0].isalnum() or word[0] == "_"):
+            wanted = False
+        elif not wanted and word == ")" and depth:
+            depth -= 1
+        elif not wanted and word == "(" and not apart:
+            depth, wanted = depth + 1, True
+        elif not wanted and word in "+-*/|^&%" and (word not in "&%" or not apart or depth):
+            wanted = True
+        else:
+            break
+        place = match.end()
+        good = good if wanted or depth else place
+    return text[:good]
+
+
+def calculated(text: str) -> float | None:
+    """Return the number that an expression of numbers gives, None where it gives none."""
+    if len(text) > _LONGEST or re.search(r"[^-+*/%&|^()\s.\dA-F$]|\*\*|//", text):
+        return None
+    plain = re.sub(r"\$([\dA-F]+)", r"0x\1", text.strip())
+    plain = re.sub(r"(?<![\dxA-F.])0+(?=\d)", "", plain)
+    try:
+        return _number(ast.parse(plain, mode="eval").body)
+    except (SyntaxError, ValueError, TypeError, ZeroDivisionError, RecursionError, OverflowError):
+        return None
+
+
+def _number(node: ast.expr) -> float:
+    if isinstance(node, ast.Constant) and isinstance(node.value, int | float):
+        return node.value
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.UAdd | ast.USub):
+        value = _number(node.operand)
+        return -value if isinstance(node.op, ast.USub) else value
+    if isinstance(node, ast.BinOp):
+        left, right = _number(node.left), _number(node.right)
+        if type(node.op) in _OPERATORS:
+            return _OPERATORS[type(node.op)](left, right)
+        if type(node.op) in _OF_BITS and left == int(left) and right == int(right):
+            return _OF_BITS[type(node.op)](int(left), int(right))
+    raise ValueError(ast.dump(node))

@@ -1,0 +1,182 @@
+"""What else than values a SINUMERIK's program says: does it carry out every assignment in it?
+
+A file of such a control is a part program. Jumps (GOTOF, GOTOB, CASE), branches (IF), loops (FOR,
+WHILE, LOOP, REPEAT), calls (CALL, L100, PCALL, EXTCALL, a subprogram by its name), synchronised
+actions (WHEN .. DO), blocks that are skipped (/) and stops may keep an assignment from being
+carried out, or carry out others. Only a short list of statements certainly does not; all others are
+doubts, as far as an assignment follows them in the same program.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+#: Words with which a statement begins that leaves the order of the blocks alone.
+_QUIET = frozenset({"CHANDATA", "METRIC", "INCH", "NEWCONF", "STOPRE", "MSG", "DEF", "EXTERN"})
+_QUIET_G = frozenset(
+    {0, 1, 17, 18, 19, 40, 53, 54, 55, 56, 57, 500, 60, 64, 90, 91, 94, 95, 70, 71, 700, 710}
+)
+_ONLY_G = re.compile(r"(?:G\d+\s*)+", re.IGNORECASE)
+_DWELL = re.compile(r"G0?4\s*[FS]\s*=?\s*[\d.]+", re.IGNORECASE)
+#: G words for the unit of lengths: 70 and 700 inch, 71 and 710 mm.
+_LENGTHS = re.compile(r"(?<![A-Z_$])G(7[01]0?)(?!\d)", re.IGNORECASE)
+#: Endings of the headers whose contents a control carries out as soon as it loads them.
+_LOADED = re.compile(r"%_N_\w*(?:INI|TEA|SEA|OPT|EEC|CEC|QEC)(?!\w)", re.IGNORECASE)
+_CALLED = re.compile(r"[._](?:SPF|CYC)(?!\w)", re.IGNORECASE)
+#: Functions without any effect but their value.
+_CALCULATE = re.compile(
+    "A?SIN|A?COS|TAN|ATAN2|SQRT|ABS|POT|TRUNC|ROUND(UP)?|LN|EXP|MINVAL|MAXVAL|BOUND|SET|REP|SPI"
+    "|AXNAME|AXSTRING|AXTOSPI|NUMBER|ISNUMBER|STRLEN|SUBSTR|R?INDEX|MINDEX|TOUPPER|TOLOWER|SPRINT"
+    "|CTRANS|CROTS?|CRPL|CSCALE|CMIRROR|CFINE"
+)
+#: Behind one of these the program may go on somewhere else, or with another branch.
+_FORKS = frozenset(
+    {"IF", "ELSE", "ENDIF", "CASE", "GOTO", "GOTOF", "GOTOB", "GOTOC", "GOTOS", "FOR", "ENDFOR"}
+    | {"WHILE", "ENDWHILE", "LOOP", "ENDLOOP", "REPEAT", "REPEATB", "UNTIL"}
+)
+_CONDITIONS = frozenset({"IF", "CASE", "WHEN", "WHENEVER", "EVERY", "FROM", "ID", "IDS", "DO"})
+_NUMBER = re.compile(r"\s*(?:[N:]\d+)?\s*(?P<skipped>/\d?)?\s*", re.IGNORECASE)
+_TARGET = re.compile(r"(?P<name>[A-Z_]\w+)\s*:(?!=)", re.IGNORECASE)
+_WORDS = re.compile(r"\$?[A-Z_]\w*|[\d.]+\w*|<<|<>|[<>=]=|'\w*'?|\"\"|\S", re.IGNORECASE)
+_SUM = re.compile(r"\s+'[0-9A-F]{4}\s*$", re.IGNORECASE)
+_OVER = re.compile(r"M0*2|M17|M30|RET")
+#: A variable. A letter, alone or with a number, is an address (a motion, M functions), except R.
+_VARIABLE = re.compile(r"\$\w+|R\d*|(?![A-Z]\d*$)[A-Z_]\w+")
+#: What joins two values in an expression; two values side by side are two statements.
+_WORD_JOINTS = frozenset({"AND", "OR", "XOR", "NOT", "DIV", "MOD"})
+_JOINTS = _WORD_JOINTS | {"+", "-", "*", "/", "<", ">", "<<", "<>", "==", "<=", ">=", ":", ","}
+_VALUE = re.compile(r"\$?\w[\w.]*|\.\w+|\"\"|'\w*'?")
+_MOST_WORDS = 200
+
+
+@dataclass(frozen=True, slots=True)
+class Doubt:
+    """A statement that may change what is carried out."""
+
+    line: int
+    text: str
+
+
+@dataclass(slots=True)
+class Block:
+    """One program of a file. ``doubts`` stand before its last assignment, ``late`` behind it.
+
+    ``branch`` counts the branches so far; ``branches`` says by line in which each assignment
+    stands, -1 before any doubt. ``inches``: by line, what sets the unit of lengths; ``over``: the
+    line in which the program ends in any case; ``variables``: what it defines or assigns itself;
+    ``caller``: what shows that another program has to call or start this one.
+    """
+
+    doubts: list[Doubt] = field(default_factory=list)
+    late: list[Doubt] = field(default_factory=list)
+    branch: int = 0
+    branches: dict[int, int] = field(default_factory=dict)
+    inches: dict[int, bool] = field(default_factory=dict)
+    over: int = 0
+    variables: set[str] = field(default_factory=set)
+    caller: Doubt | None = None
+
+    @classmethod
+    def named(cls, name: str, line: int, *, behind: bool = False) -> Block:
+        """Return the program that a header or a file's name begins; ``behind``: others stand
+        before it in the file.
+        """
+        word = name.split(";", 1)[0].strip()
+        loaded = _LOADED.match(word) is not None
+        called = not loaded and (behind or _CALLED.search(word) is not None)
+        return cls(caller=Doubt(line, word[:60]) if called else None)
+
+    @property
+    def unsure(self) -> Doubt | None:
+        """The first reason why its assignments may not have been carried out."""
+        return self.caller or next(iter(self.doubts), None)
+
+    def assigned(self, line: int) -> None:
+        """Take down that an assignment stands in a line: what stood before it counts."""
+        self.doubts += self.late
+        self.late = []
+        self.branches[line] = self.branch if self.doubts else -1
+
+    def statement(self, code: str, line: int) -> None:
+        """Take down a line (strings emptied, without comment) that assigns nothing of
+        compensation.
+        """
+        opening = _NUMBER.match(code)
+        skipped = opening is not None and opening["skipped"] is not None
+        bare = _SUM.sub("", code[opening.end() if opening else 0 :]).strip()
+        target = _TARGET.match(bare)
+        if target is not None and target["name"].upper() not in _QUIET:
+            self.branch += 1
+            bare = bare[target.end() :].strip()
+        lengths = _LENGTHS.search(bare)
+        if lengths is not None:
+            self.inches[line] = lengths[1][1] == "0"
+        if not bare or self._quiet(bare):
+            return
+        words = [word.upper() for word in _WORDS.findall(bare)]
+        if words[0] == "PROC" and not self.branches:
+            self.caller = self.caller or Doubt(line, code.strip()[:60])
+            return
+        ends = any(map(_OVER.fullmatch, words))
+        if ends and not (self.branch or skipped or words[0] in _CONDITIONS):
+            self.over = self.over or line
+            return
+        if ends or words[0] in _FORKS:
+            self.branch += 1
+        self.late.append(Doubt(line, code.strip()[:60]))
+
+    def _quiet(self, bare: str) -> bool:
+        if _DWELL.fullmatch(bare):
+            return True
+        if _ONLY_G.fullmatch(bare):
+            return {int(number) for number in re.findall(r"\d+", bare)} <= _QUIET_G
+        words = [word.upper() for word in _WORDS.findall(bare)]
+        if words[0] == "DEF":
+            self.variables |= {word for word in words[2:] if _VARIABLE.fullmatch(word)}
+            return _calls_nothing(words[2:])
+        if words[0] in _QUIET:
+            return words[0] == "EXTERN" or _calculates(words[1:])
+        if _VARIABLE.fullmatch(words[0]) is None or words[0] in _FORKS or "=" not in words:
+            return False
+        at = words.index("=")
+        index = words[1:at]
+        if index and (index[0], index[-1]) != ("[", "]"):
+            return False
+        if not words[0].startswith("$"):
+            self.variables.add(words[0])
+        return _calculates(index) and _calculates(words[at + 1 :])
+
+
+def _calculates(words: list[str]) -> bool:
+    """Return whether words are one expression that calls nothing but functions without effect."""
+    before = "("
+    for word in words:
+        value = _VALUE.fullmatch(word) is not None and word not in _WORD_JOINTS
+        if word == "=" or (value and before not in _JOINTS and before not in "(["):
+            return False
+        before = word
+    return _calls_nothing(words)
+
+
+def _calls_nothing(words: list[str]) -> bool:
+    calls = (
+        before
+        for before, word in pairwise(words)
+        if word == "(" and _VARIABLE.fullmatch(before) and before not in _WORD_JOINTS
+    )
+    return len(words) <= _MOST_WORDS and all(map(_CALCULATE.fullmatch, calls))
+
+
+def is_given(right: str, *, naming: bool) -> bool:
+    """Return whether the right side of an assignment is a value as it stands, and not one that the
+    program works out. ``naming``: an axis is one.
+    """
+    right = right.strip()
+    if re.fullmatch(r"R\d+", right, re.IGNORECASE):
+        return False
+    if re.fullmatch(r"[A-Z_]\w*", right, re.IGNORECASE):
+        return naming or right.upper() in ("TRUE", "FALSE")
+    plain = r"""[+-]?[\d.]+(?:EX[+-]?\d+)?|'\w+'|"[^"]*"|\(\s*\w*\s*\)|"""
+    return re.fullmatch(plain, right, re.IGNORECASE) is not None

@@ -1,0 +1,43 @@
+"""Causes that the path of a circular test cannot separate, whatever its noise."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from compwright.estimation.circle_model import AXES, Samples
+from compwright.records.circular import CircularTest
+
+#: The remedy of every reason.
+FULL_CIRCLE: Final = "measure a full circle in both directions"
+#: A lag and a change of the radius have these shapes too, with the sign of the direction.
+_TWO_DIRECTIONS: Final = (
+    "squareness",
+    "servo_mismatch",
+    "scale_error_first",
+    "scale_error_second",
+)
+#: Lost motion, lateral play and straightness of an axis that does not reverse have these shapes.
+_BOTH_REVERSE: Final = (
+    "squareness",
+    "scale_mismatch",
+    "scale_error_first",
+    "scale_error_second",
+)
+_AT_REVERSAL: Final = ("backlash", "lateral_play", "reversal_spike")
+
+
+def undetermined_causes(test: CircularTest, samples: Samples) -> dict[str, str]:
+    """Return the reason for each cause that cannot be separated: one direction only, or an arc
+    without a reversal point of an axis.
+    """
+    reasons: dict[str, list[str]] = {}
+    if not samples.both_senses:
+        for cause in _TWO_DIRECTIONS:
+            reasons.setdefault(cause, []).append(
+                "one direction cannot separate it from lag and lost motion"
+            )
+    for axis, name in zip(AXES, test.axes, strict=True):
+        if not any(samples.reversals(axis)):
+            for cause in (*_BOTH_REVERSE, *(f"{kind}_{axis}" for kind in _AT_REVERSAL)):
+                reasons.setdefault(cause, []).append(f"{name} does not reverse inside the arc")
+    return {cause: f"{'; '.join(why)}: {FULL_CIRCLE}" for cause, why in reasons.items()}

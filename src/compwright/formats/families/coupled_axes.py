@@ -1,0 +1,192 @@
+"""Axes that move together by what the control's own files say, against what the job says of them.
+
+A table on one of them alone racks the machine. The job names the synchronised axis (``gantry``), or
+says that the axis moves alone where a program or the PLC switches the coupling.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from compwright.formats.text.notes import Notes
+from compwright.foundations.errors import Fault
+from compwright.records.axis import Axis
+from compwright.records.correction import ControlFile
+
+#: What the job says of an axis that moves alone.
+ALONE = "gantry: none"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Coupling:
+    """One axis that ``follows`` another by a parameter of the control's files.
+
+    ``leads``: the addresses of the leading axis; several where the files leave open which one is
+    meant, none where they do not say it. ``parameter``: the parameter with its value;
+    ``file``, ``place``: where it stands. ``switched``: a program or the PLC switches it.
+    ``unlike``: why a table for both is no answer; empty where both move alike. ``drive``: only the
+    drive follows, without a position of its own, so that the leading axis needs no other table.
+    """
+
+    leads: tuple[str, ...]
+    follows: str
+    parameter: str
+    file: str = ""
+    place: str = ""
+    switched: bool = False
+    unlike: str = ""
+    drive: bool = False
+
+    def fault(self, message: str, expected: str, found: str = "") -> Fault:
+        """Return a fault at the line of the parameter."""
+        more = f", or {ALONE} where it was measured alone" if self.switched else ""
+        return Fault(
+            message=f"{message} ({self.parameter})",
+            file=self.file,
+            place=self.place,
+            expected=expected + more,
+            found=found,
+        )
+
+
+def check_couplings(couplings: Sequence[Coupling], axes: Mapping[str, Axis], notes: Notes) -> None:
+    """Hold what the files couple against the job; ``axes``: those of the job by address.
+
+    A synchronised axis that the job does not name is asked for. A coupling that a table for both
+    axes does not answer is a fault.
+    """
+    for address, axis in axes.items():
+        mine = [one for one in couplings if address in (one.follows, *one.leads)]
+        for coupling in mine:
+            if coupling.drive and address in coupling.leads:
+                notes.find(
+                    "CW-S037",
+                    "info",
+                    f"axis {address}: axis {coupling.follows} follows it as a drive, without a"
+                    f" position of its own ({coupling.parameter}): the table of axis {address}"
+                    " serves both",
+                )
+            elif axis.moves_alone and coupling.switched:
+                notes.find(
+                    "CW-S035",
+                    "warning",
+                    f"axis {address}: the job says that it moves alone; {coupling.parameter} can"
+                    " couple it with another axis. Keep that coupling off in every test, and load"
+                    " the tables of both axes before it is used again",
+                )
+            elif coupling.unlike:
+                message = f"axis {address}: {coupling.unlike}"
+                notes.once(coupling.fault(message, "an axis that moves by itself"))
+            elif coupling.follows == address:
+                notes.once(_led(address, coupling))
+        _ask_for_followers(address, axis, [one for one in mine if address in one.leads], notes)
+        notes.faults.extend(_other_leader(address, axis, couplings))
+
+
+def followers(couplings: Sequence[Coupling], address: str) -> tuple[str, ...]:
+    """Return the axes that move as the axis at ``address`` does."""
+    found = (one.follows for one in couplings if address in one.leads and not one.unlike)
+    return tuple(dict.fromkeys(found))
+
+
+def leader(couplings: Sequence[Coupling], address: str) -> str | None:
+    """Return the axis that the axis at ``address`` follows; None where the files name none."""
+    found = (one.leads for one in couplings if one.follows == address and not one.unlike)
+    return next((leads[0] for leads in found if leads), None)
+
+
+def _led(address: str, coupling: Coupling) -> Fault:
+    if not coupling.leads:
+        return coupling.fault(
+            f"axis {address} is coupled with another axis, and no file says with which one",
+            "the parameter that says it among the files",
+        )
+    leads = " or ".join(coupling.leads)
+    return coupling.fault(
+        f"axis {address} follows axis {leads}: a table on it alone racks the machine",
+        f'the leading axis in the job (address: "{leads}") with gantry: "{address}"',
+    )
+
+
+def _ask_for_followers(
+    address: str, axis: Axis, couplings: Sequence[Coupling], notes: Notes
+) -> None:
+    alike = [one for one in couplings if not (one.unlike or (axis.moves_alone and one.switched))]
+    names = followers(alike, address)
+    if len(names) > 1:
+        message = f"axes {', '.join(names)} follow axis {address}; a job names one synchronised"
+        notes.once(alike[0].fault(f"{message} axis", "one axis that follows"))
+    elif names and axis.gantry is None:
+        fault = alike[0].fault(
+            f"axis {names[0]} moves with axis {address}: a table on one of them alone racks the"
+            " machine",
+            f'gantry: "{names[0]}" for axis {axis.name} in the job',
+            "no gantry in the job",
+        )
+        notes.ask(fault)
+    elif names and axis.gantry != names[0]:
+        message = f"axis {names[0]} moves with axis {address}, not axis {axis.gantry}"
+        notes.once(alike[0].fault(message, f'gantry: "{names[0]}"', f"gantry: {axis.gantry}"))
+
+
+def _other_leader(address: str, axis: Axis, couplings: Sequence[Coupling]) -> Iterator[Fault]:
+    """Yield where the synchronised axis of the job follows another axis, or moves otherwise."""
+    for coupling in couplings:
+        if axis.gantry != coupling.follows:
+            continue
+        if coupling.unlike and address not in coupling.leads:
+            yield coupling.fault(f"axis {axis.gantry}: {coupling.unlike}", "an axis that follows")
+        elif coupling.leads and address not in coupling.leads:
+            leads = " or ".join(coupling.leads)
+            message = f"axis {axis.gantry} follows axis {leads}, not axis {address}"
+            yield coupling.fault(message, f"the job's axis at {leads}", f"gantry: {axis.gantry}")
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """A match of a pattern in a file, with its place."""
+
+    match: re.Match[str]
+    file: str
+    line: int
+
+    @property
+    def words(self) -> str:
+        """The statement as it stands there, blanks joined."""
+        return " ".join(self.match[0].split())
+
+    def coupling(
+        self,
+        leads: tuple[str, ...],
+        follows: str,
+        *,
+        switched: bool = False,
+        unlike: str = "",
+        drive: bool = False,
+    ) -> Coupling:
+        """Return what the statement couples."""
+        return Coupling(
+            leads=leads,
+            follows=follows,
+            parameter=self.words,
+            file=self.file,
+            place=f"line {self.line}",
+            switched=switched,
+            unlike=unlike,
+            drive=drive,
+        )
+
+
+def statements_in(
+    files: Iterable[ControlFile], pattern: re.Pattern[str], remark: re.Pattern[str]
+) -> Iterator[Statement]:
+    """Yield every match of ``pattern`` in files, in their order, outside of remarks."""
+    for file in files:
+        text = remark.sub(lambda found: " " * len(found[0]), file.content.decode("latin-1"))
+        line, place = 1, 0
+        for match in pattern.finditer(text):
+            line += text.count("\n", place, match.start())
+            place = match.start()
+            yield Statement(match, file.name, line)

@@ -1,0 +1,160 @@
+"""Axes of a FANUC that move together, by its parameters.
+
+8311 (axis synchronous control, simple synchronous control, twin table), 1817#6 (tandem control,
+the master has the odd servo number 1023), 8180, 8183 and 8186 (synchronous, composite and
+superimposed control of several paths) and 5660 to 5667 (flexible synchronous control) hold numbers
+of axes; 8200#0 with 8211 and 8212 is angular axis control. How sure each is stands in the
+definition.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from compwright.formats.families.coupled_axes import Coupling
+from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.parameters import AxisParameters, Parameters, Value
+
+_TANDEM_BIT, _ANGULAR_BIT = 6, 0
+#: 8312 from here on: the slave moves against the master.
+_MIRRORED = 100
+#: Numbers from here on are a path and the axis in it: 201 is the first axis of path 2.
+_BY_PATH = 100
+_NOBODY = "a parameter couples axes by a number that names no axis of the files"
+_UNLIKE = {
+    known.COMPOSITE: "composite control exchanges it with another axis",
+    known.SUPERIMPOSED: "superimposed control adds the motion of another axis to it",
+}
+
+
+def couplings_of(parameters: Parameters, addresses: Sequence[str]) -> tuple[Coupling, ...]:
+    """Return what couples the axes of a control; ``addresses``: those that its files name.
+
+    A number that names none of them may mean any: then no axis is worked on.
+    """
+    every = [one for values in parameters.values.values() for one in values if one.owner == "A"]
+    known = list(dict.fromkeys((*addresses, *(str(one.index) for one in every))))
+    return (
+        *_mastered(parameters, known),
+        *_tandem(parameters, known),
+        *_flexible(parameters, known),
+        *_angular(parameters, known),
+    )
+
+
+def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
+    """Yield what 8311, 8180, 8183 and 8186 of an axis couple with the axis whose number they
+    hold.
+    """
+    for value in parameters.of(known.MASTERS):
+        own_number = value.whole in (0, value.index)
+        if value.owner != "A" or not value.acts or own_number:
+            continue
+        leads = _masters(parameters, value, addresses)
+        own = AxisParameters(parameters, str(value.index))
+        mirror = own.get(known.MIRRORED) if value.number == known.SYNCHRONOUS else None
+        unlike = _UNLIKE.get(value.number, "")
+        if mirror is not None and mirror.whole >= _MIRRORED:
+            unlike = f"synchronous control moves both axes against each other ({mirror.label})"
+        if not leads:
+            leads, unlike = _others(addresses, value), _NOBODY
+        yield _coupling(value, leads, str(value.index), switched=True, unlike=unlike)
+
+
+def _others(addresses: Sequence[str], value: Value) -> tuple[str, ...]:
+    return tuple(one for one in addresses if one != str(value.index))
+
+
+def _masters(parameters: Parameters, value: Value, addresses: Sequence[str]) -> tuple[str, ...]:
+    """Return the axes that a number may mean: counted over the machine, or within a path."""
+    number = value.whole
+    path = AxisParameters(parameters, str(value.index)).path
+    if number >= _BY_PATH:
+        path, number = divmod(number, _BY_PATH)
+    held = parameters.held(known.PATH_OF_AXIS)
+    mates = sorted(index for (_, index), one in held.items() if path and one.whole == path)
+    found = [*mates[number - 1 : number]] if number > 0 else []
+    if value.whole < _BY_PATH:
+        found.insert(0, number)
+    others = (str(one) for one in found if one != value.index)
+    return tuple(dict.fromkeys(one for one in others if one in addresses))
+
+
+def _tandem(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
+    """Yield the pairs of 1817#6: the master has an odd servo number, its slave the next one."""
+    bits = {
+        value.index: value
+        for value in parameters.of([known.TANDEM])
+        if value.owner == "A" and value.bit(_TANDEM_BIT)
+    }
+    servo = {
+        index: one.whole
+        for (owner, index), one in parameters.held(known.SERVO_NUMBER).items()
+        if owner == "A"
+    }
+    by_servo = {number: index for index, number in servo.items() if index in bits and number > 0}
+    for index, value in bits.items():
+        number = servo.get(index, 0)
+        partner = by_servo.get(number + 1 if number % 2 else number - 1)
+        if partner is None:
+            yield _coupling(value, _others(addresses, value), str(index), unlike=_NOBODY)
+        elif number % 2 == 0:
+            yield _coupling(value, (str(partner),), str(index))
+
+
+def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
+    """Yield the pairs of 5660 to 5667: master and slave, which moves in a ratio to it."""
+    unlike = "flexible synchronous control moves it in a ratio with another axis"
+    pairs = zip(known.FLEXIBLE[::2], known.FLEXIBLE[1::2], strict=True)
+    for master_number, slave_number in pairs:
+        for whose, slave in parameters.held(slave_number).items():
+            master = parameters.held(master_number).get(whose)
+            if master is None or not (master.acts and slave.acts):
+                continue
+            leads, follows = (_named(parameters, one, addresses) for one in (master, slave))
+            if addresses and not (leads and follows):
+                first, *others = addresses
+                yield _coupling(slave, tuple(others), first, switched=True, unlike=_NOBODY)
+            for each in follows:
+                yield _coupling(slave, leads, each, switched=True, unlike=unlike)
+
+
+def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
+    """Yield the axes of angular axis control; every linear axis where 8211 or 8212 names none."""
+    unlike = "angular axis control moves it together with another axis"
+    for value in parameters.of([known.ANGULAR]):
+        if not value.bit(_ANGULAR_BIT):
+            continue
+        pair = [parameters.held(number).get(value.whose) for number in known.ANGULAR_AXES]
+        named = [_named(parameters, one, addresses) for one in pair if one is not None and one.acts]
+        concerned = [one for found in named for one in found]
+        if len(named) < len(pair) or not all(named):
+            all_axes = (AxisParameters(parameters, each) for each in addresses)
+            linear = (own for own in all_axes if not own.bit(known.KIND, 0))
+            concerned = [own.address for own in linear if own.get(known.ANGULAR) is value]
+        for each in dict.fromkeys(concerned):
+            yield _coupling(value, (), each, unlike=unlike)
+
+
+def _named(parameters: Parameters, value: Value, addresses: Sequence[str]) -> tuple[str, ...]:
+    """Return the axes that a number which belongs to a path, or to the machine, may mean."""
+    return tuple(each for each in addresses if AxisParameters(parameters, each).named_by(value))
+
+
+def _coupling(
+    value: Value,
+    leads: tuple[str, ...],
+    follows: str,
+    *,
+    switched: bool = False,
+    unlike: str = "",
+) -> Coupling:
+    return Coupling(
+        leads=leads,
+        follows=follows,
+        parameter=value.label,
+        file=value.file,
+        place=f"line {value.line}",
+        switched=switched,
+        unlike=unlike,
+    )

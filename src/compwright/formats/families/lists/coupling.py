@@ -1,0 +1,53 @@
+"""Axes of an ISG kernel that move together: kenngr.gantry_ax_nr in the list of the slave names its
+master (P-AXIS-00070), kenngr.multi_link a leading axis with a factor (P-AXIS-00383),
+synchro_data of a channel pairs of master and slave (P-CHAN-00037, P-CHAN-00038).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from compwright.formats.families.coupled_axes import Coupling, Statement, statements_in
+from compwright.formats.families.lists.files import without_remarks
+from compwright.records.correction import ControlFile
+
+_OF_AXIS = re.compile(
+    r"^[ \t]*kenngr\.(gantry_ax_nr|multi_link\[[0-9]+\]\.lead_axis)[ \t]+([0-9]+)",
+    re.MULTILINE | re.IGNORECASE,
+)
+_OF_CHANNEL = re.compile(
+    r"^[ \t]*synchro_data\.koppel_gruppe\[([0-9]+)\]\.paar\[([0-9]+)\]"
+    r"\.log_achs_nr_(master|slave)[ \t]+([0-9]+)",
+    re.MULTILINE | re.IGNORECASE,
+)
+_REMARK = re.compile(r"(?!)")  # without_remarks has taken them
+
+
+def couplings_of(files: Sequence[ControlFile], owners: Mapping[str, int]) -> tuple[Coupling, ...]:
+    """Return which axes follow another one; ``owners``: the number of the axis whose list a file
+    is, by its name.
+    """
+    plain = [ControlFile(file.name, without_remarks(file.content)) for file in files]
+    return (*_of_axes(plain, owners), *_of_channels(plain))
+
+
+def _of_axes(files: Sequence[ControlFile], owners: Mapping[str, int]) -> Iterator[Coupling]:
+    for found in statements_in(files, _OF_AXIS, _REMARK):
+        number, own = int(found.match[2]), owners.get(found.file)
+        if not number or own is None or number == own:
+            continue
+        ratio = found.match[1].lower() != "gantry_ax_nr"
+        unlike = "it is linked with another axis by a factor" if ratio else ""
+        yield found.coupling((str(number),), str(own), unlike=unlike)
+
+
+def _of_channels(files: Sequence[ControlFile]) -> Iterator[Coupling]:
+    pairs: dict[tuple[str, str, str], dict[str, Statement]] = {}
+    for found in statements_in(files, _OF_CHANNEL, _REMARK):
+        key = (found.file, found.match[1], found.match[2])
+        pairs.setdefault(key, {})[found.match[3].lower()] = found
+    for pair in pairs.values():
+        if len(pair) == 2 and all(int(one.match[4]) for one in pair.values()):
+            master, slave = (str(int(pair[role].match[4])) for role in ("master", "slave"))
+            yield pair["slave"].coupling((master,), slave, switched=True)

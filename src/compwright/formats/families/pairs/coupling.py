@@ -1,0 +1,78 @@
+"""Axes of a SINUMERIK that move together beside gantries (MD37100): master and slave drives
+(MD37250, MD37252, MD37262), coupling in the machine coordinate system (MD63000), and a
+transformation of coordinates that is active after reset (MD20140).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+
+from compwright.formats.families.coupled_axes import Coupling, Statement, statements_in
+from compwright.records.correction import ControlFile
+
+_OF_AXIS = re.compile(
+    r"\$MA_(?P<key>MS_ASSIGN_MASTER_SPEED_CMD|MS_ASSIGN_MASTER_TORQUE_CTR"
+    r"|MS_COUPLING_ALWAYS_ACTIVE|CC_MASTER_AXIS)\[[ \t]*(?P<axis>\w+)[ \t]*\][ \t]*=[ \t]*"
+    r"(?P<value>[0-9]+)",
+    re.IGNORECASE,
+)
+_OF_CHANNEL = re.compile(
+    r"\$MC_(?P<key>TRAFO_RESET_VALUE|TRAFO_TYPE_(?P<number>[0-9]+))[ \t]*=[ \t]*(?P<value>[0-9]+)",
+    re.IGNORECASE,
+)
+_REMARK = re.compile(r";[^\r\n]*")
+_NUMBERS = {
+    "MS_ASSIGN_MASTER_SPEED_CMD": "MD37250",
+    "MS_ASSIGN_MASTER_TORQUE_CTR": "MD37252",
+    "CC_MASTER_AXIS": "MD63000",
+}
+#: Types of transformations (MD24100 and on) by which one programmed axis moves several.
+_TRANSFORMATIONS = {256: "TRANSMIT", 257: "TRANSMIT", 1 << 10: "TRAANG"} | dict.fromkeys(
+    range(512, 516), "TRACYL"
+)
+
+
+def couplings_of(
+    files: Sequence[ControlFile], address: Callable[[str], str], asked: Sequence[str]
+) -> tuple[Coupling, ...]:
+    """Return what couples axes; ``address``: of an axis by any of its names; ``asked``: those under
+    work.
+    """
+    return (*_masters(files, address), *_transformed(files, asked))
+
+
+def _masters(files: Sequence[ControlFile], address: Callable[[str], str]) -> Iterator[Coupling]:
+    said: dict[tuple[str, str], Statement] = {}
+    for found in statements_in(files, _OF_AXIS, _REMARK):
+        said[address(found.match["axis"]), found.match["key"].upper()] = found
+    for (follows, key), found in said.items():
+        number = int(found.match["value"])
+        if key not in _NUMBERS or not number:
+            continue
+        master = address(f"AX{number}")
+        named = f"{_NUMBERS[key]}, {found.words}"
+        if key == "CC_MASTER_AXIS":
+            yield replace(found.coupling((master,), follows, switched=True), parameter=named)
+            continue
+        always = said.get((follows, "MS_COUPLING_ALWAYS_ACTIVE"))
+        on = always is not None and int(always.match["value"]) != 0
+        unlike = f"its drive follows axis {master}, without a position of its own"
+        slave = found.coupling((master,), follows, switched=not on, unlike=unlike, drive=True)
+        yield replace(slave, parameter=named)
+
+
+def _transformed(files: Sequence[ControlFile], asked: Sequence[str]) -> Iterator[Coupling]:
+    said = {
+        found.match["key"].upper(): found for found in statements_in(files, _OF_CHANNEL, _REMARK)
+    }
+    active = said.get("TRAFO_RESET_VALUE")
+    if active is None:
+        return
+    kind = said.get(f"TRAFO_TYPE_{int(active.match['value'])}")
+    name = _TRANSFORMATIONS.get(int(kind.match["value"])) if kind is not None else None
+    if name is not None:
+        unlike = f"{name} is active after reset (MD20140): a programmed axis moves several"
+        for follows in asked:
+            yield active.coupling((), follows, switched=True, unlike=unlike)

@@ -1,0 +1,348 @@
+"""What can keep the values of a SINUMERIK's file from being carried out: such a file is a program.
+
+The list of harmless statements is closed; everything else counts as program flow, so that no kind
+of jump, loop, call or synchronised action is missed. Statements behind the last value do not count.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.statements import Occurrence
+from compwright.formats.families.entry_keys import NAMES, Key, quantities_of
+from compwright.formats.text.texts import KEPT_TEXTS, ReadText, text_reader
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+_HEADER = re.compile(r"\s*%_N_", re.IGNORECASE)
+#: Headers of exported data, which are carried out when they are loaded.
+_DATA = re.compile(r"\s*%_N_\w*(?:INI|TEA|SEA|OPT|EEC|CEC|QEC)\b", re.IGNORECASE)
+#: What makes a subprogram: it acts only where a program calls it.
+_SUBPROGRAM = re.compile(r"[._](?:SPF|CYC)\b", re.IGNORECASE)
+_PROCEDURE = re.compile(r"PROC\b", re.IGNORECASE)
+_LABEL = re.compile(r"(?!CHANDATA\b)[A-Z_]\w+\s*:(?!=)\s*", re.IGNORECASE)
+_BLOCK_NUMBER = re.compile(r"\s*(?:N\d+|:\d+)?\s*", re.IGNORECASE)
+_STRING = re.compile(r'"[^"]*"')
+_CHECKSUM = re.compile(r"\s+'[0-9A-F]{4}\s*$", re.IGNORECASE)
+#: The end of a program or subprogram, alone or with other words of its line.
+_END = re.compile(r"(?:\bM\s*=?\s*(?:17|30|0*2)(?!\s*[-+*/.\d])|\bRET\b)", re.IGNORECASE)
+#: What stands before words that are carried out on a condition only.
+_CONDITIONAL = re.compile(r"/|(?:IF|CASE|WHEN|WHENEVER|EVERY|FROM|IDS?|DO)\b", re.IGNORECASE)
+#: What a program may hold before and between values, and they are carried out all the same.
+_HARMLESS = re.compile(
+    r"""CHANDATA\s*\(\s*\d+\s*\) | METRIC | INCH | NEWCONF | STOPRE | \$PATH\s*=.*
+        | MSG\s*\((?P<message>.*)\)
+        | G0?4\s*[FS]\s*=?\s*[\d.]+
+        | (?:G(?:0?[01]|17|18|19|40|5[3-7]|500|60|64|9[0145]|70|71|700|710)\s*)+
+        | DEF\s+(?:BOOL|CHAR|INT|REAL|AXIS|FRAME|STRING\s*\[\s*\d+\s*\])\s+(?P<defined>.*)
+        | EXTERN\s+\w+(?:\s*\([^()]*\))?""",
+    re.VERBOSE | re.IGNORECASE,
+)
+_DEFINED = re.compile(
+    r"""([A-Z_]\w*)\s*(?:\[[\d,\s]*\])?\s*(?:=\s*(?:[+-]?[\d.]+|"[^"]*"|TRUE|FALSE))?""",
+    re.IGNORECASE,
+)
+#: A line of an export, of which an archive has thousands.
+_USUAL = re.compile(
+    r"""\s*(?:N\d+\s+)?(?:\$\w+(?:\[[\w,]*\])?|(?:R|[A-Z_]\w+)\[[\d,]+\])\s*=\s*"""
+    r"""(?:[+-]?[\d.]+|'[HB]\w+'|"[^";]*")\s*""",
+    re.IGNORECASE,
+)
+#: An assignment to a variable. A single letter, alone or with a number, is an address of the
+#: control instead (a motion, a tool, M functions), except R.
+_ASSIGNMENT = re.compile(
+    r"(?P<left>\$\w+|R\d*|(?!R?[A-Z]\d*\b)[A-Z_]\w*)\s*(?P<index>\[.*?\])?\s*=(?!=)\s*(?P<right>.*)",
+    re.IGNORECASE,
+)
+_LITERAL = re.compile(
+    r"""[+-]?(?:\d+\.?\d*|\.\d+)(?:EX[+-]?\d+)?|'[HB][0-9A-F]+'|"[^"]*"|TRUE|FALSE
+        |\(\s*(?:[A-Z_]\w*)?\s*\)|[A-Z_]\w*|""",
+    re.VERBOSE | re.IGNORECASE,
+)
+_LITERAL_INDEX = re.compile(r"\[\s*(?:\w+\s*(?:,\s*\w+\s*)*)?\]")
+_R_PARAMETER = re.compile(r"R\d+", re.IGNORECASE)
+#: Functions that give a value and do nothing else.
+_FUNCTIONS = re.compile(
+    r"SIN|COS|TAN|ASIN|ACOS|ATAN2|SQRT|ABS|POT|TRUNC|ROUND|ROUNDUP|LN|EXP|MINVAL|MAXVAL|"
+    r"BOUND|AXNAME|AXSTRING|AXTOSPI|SPI|ISNUMBER|NUMBER|STRLEN|INDEX|RINDEX|MINDEX|SUBSTR|"
+    r"TOUPPER|TOLOWER|SPRINT|SET|REP|CTRANS|CROT|CROTS|CRPL|CSCALE|CMIRROR|CFINE",
+    re.IGNORECASE,
+)
+_OPERATORS = frozenset({"NOT", "AND", "OR", "XOR", "DIV", "MOD"})
+_CALL = re.compile(r"(\w*)\s*\(([^()]*)\)")
+#: Longer expressions are not taken apart.
+_LONGEST = 500
+_BRACKET = re.compile(r"\[[^\[\]]*\]")
+_OPERAND = r"(?:[+-]\s*|NOT\s+)*(?:'[HB][0-9A-F]+'|\$?[\w.]+)"
+_EXPRESSION = re.compile(
+    rf"{_OPERAND}(?:\s*(?:<<|[-+*/<>:,]|[<>=]=|<>|\b(?:DIV|MOD|AND|OR|XOR|B_\w+)\b)\s*{_OPERAND})*\s*",
+    re.IGNORECASE,
+)
+#: First words between which not every program way passes.
+_DIVIDING = re.compile(
+    r"(?:/\d?\s*)?(?:IF|ELSE|ENDIF|CASE|GOTO[BFCS]?|LOOP|ENDLOOP|FOR|ENDFOR|WHILE|ENDWHILE|REPEATB?|UNTIL"
+    r"|RET|M\s*=?\s*(?:17|30|0*2))(?![A-Z_0-9])",
+    re.IGNORECASE,
+)
+#: What to give in place of a program.
+EXPORTED = "the data as the control exports them (AX_EEC.INI, INITIAL.INI, the archive)"
+#: Units of a program's lengths: what they say, and the word of ``units``.
+_UNIT = re.compile(r"(?<![A-Z_$])G(?:(?P<inch>70|700)|71|710)(?!\d)", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class FlowLine:
+    """A line that can change what is carried out, as it stands."""
+
+    line: int
+    text: str
+
+
+@dataclass(slots=True)
+class ProgramFlow:
+    """What one program does with its ``values``.
+
+    ``called``: what says that it acts only where a program calls or starts it; ``flow``: what may
+    leave values out, before the last one; ``dividing``: lines that divide it into branches;
+    ``ended``: where it ends for certain; ``units``: a line that sets the unit of lengths, by line,
+    and the unit; ``behind``: values behind the end.
+    """
+
+    called: FlowLine | None = None
+    values: list[Occurrence] = field(default_factory=list)
+    flow: list[FlowLine] = field(default_factory=list)
+    dividing: list[int] = field(default_factory=list)
+    units: dict[int, str] = field(default_factory=dict)
+    ended: FlowLine | None = None
+    behind: list[Occurrence] = field(default_factory=list)
+
+    @property
+    def doubts(self) -> list[FlowLine]:
+        """What can keep its values from being carried out."""
+        return [*filter(None, [self.called]), *self.flow] if self.values else []
+
+    def branches(self, keys: Callable[[Occurrence], Key]) -> Iterator[tuple[Occurrence, int]]:
+        """Yield assignments of one entry that stand in two branches: the second with the line of
+        the first. Until the flow begins, one after another is a sequence.
+        """
+        seen: dict[Key, int] = {}
+        for value in self.values if self.flow else ():
+            if value.line > self.flow[0].line:
+                before = seen.get(keys(value), value.line)
+                if bisect_left(self.dividing, before) < bisect_left(self.dividing, value.line):
+                    yield value, before
+                seen[keys(value)] = value.line
+
+
+@dataclass(frozen=True, slots=True)
+class Scanned:
+    """The programs of a file with values, and the faults of lines of which only the running program
+    knows the value or the index.
+    """
+
+    programs: tuple[ProgramFlow, ...]
+    computed: tuple[Fault, ...]
+
+    @property
+    def leaves_out(self) -> bool:
+        """Whether something in the file can keep a value from being carried out."""
+        return any(program.doubts for program in self.programs)
+
+
+@lru_cache(maxsize=KEPT_TEXTS)
+def scanned(definition: Definition, file: ControlFile) -> Scanned:
+    """Return what the programs of a file do with its values, as far as it can be read."""
+    text = text_reader(definition).read(file, [])
+    if text is None or not text.occurrences:
+        return Scanned((), ())
+    lines = {one.line for one in text.occurrences}
+    codes = dict(_codes(definition, file, lines))
+    return Scanned(_programs(definition, codes, text), _computed(definition, codes, text))
+
+
+def _programs(
+    definition: Definition, codes: Mapping[int, str], text: ReadText
+) -> tuple[ProgramFlow, ...]:
+    aside = {"unit_word", *NAMES}
+    values = {
+        one.line: one
+        for one in text.occurrences
+        if not aside.intersection(quantities_of(definition, one.statement))
+    }
+    called = FlowLine(1, text.file) if _SUBPROGRAM.search(text.file) else None
+    found = [ProgramFlow(called)]
+    begun = False
+    waiting: list[FlowLine] = []  # behind the last value of the program so far
+    last = max(values, default=0)
+    for place, (number, code) in enumerate(codes.items(), start=1):
+        if number > last:
+            break
+        begun = begun or place < number  # plain lines of an export are left out
+        if _HEADER.match(code):
+            own = (begun or _SUBPROGRAM.search(code)) and not _DATA.match(code)
+            found.append(ProgramFlow(FlowLine(number, code.strip()[:60]) if own else None))
+            waiting, begun = [], True
+            continue
+        program = found[-1]
+        begun = begun or bool(code.strip())
+        if program.ended is not None:
+            program.behind += [values[number]] if number in values else []
+        elif number in values:
+            program.flow += waiting
+            waiting = []
+            program.values.append(values[number])
+        elif code.strip():
+            _note(code, number, program, waiting)
+    return tuple(program for program in found if program.values or program.behind)
+
+
+def _note(code: str, number: int, program: ProgramFlow, waiting: list[FlowLine]) -> None:
+    """Take down what a line without a value does."""
+    bare = _bare(code)
+    label = _LABEL.match(bare)
+    if label is not None:
+        program.dividing.append(number)
+        bare = bare[label.end() :]
+    masked = _STRING.sub('""', bare)
+    if _PROCEDURE.match(masked) and not program.values:
+        program.called = program.called or FlowLine(number, code.strip()[:60])
+        return
+    unit = _UNIT.search(masked)
+    if unit is not None:
+        program.units[number] = "inch" if unit["inch"] else "mm"
+    if not bare or harmless(bare):
+        return
+    line, ends = FlowLine(number, code.strip()[:60]), _END.search(masked) is not None
+    if ends and not program.dividing and not _CONDITIONAL.match(masked):
+        program.ended = line
+        return
+    if ends or _DIVIDING.match(masked):
+        program.dividing.append(number)
+    waiting.append(line)
+
+
+def _bare(code: str) -> str:
+    """Return a line without block number and line checksum."""
+    number = _BLOCK_NUMBER.match(code)
+    return _CHECKSUM.sub("", code[0 if number is None else number.end() :]).strip()
+
+
+def harmless(code: str) -> bool:
+    """Return whether a statement, without block number and comment, changes nothing in what is
+    carried out.
+    """
+    known = _HARMLESS.fullmatch(code)
+    if known is not None:
+        message = (known["message"] or "").strip()
+        return (not message or _plain(message)) and None not in _defined(known)
+    assignment = _ASSIGNMENT.fullmatch(code)
+    if assignment is None or _LITERAL.fullmatch(assignment["right"].strip()) is None:
+        return assignment is not None and _plain(
+            f"{assignment['right']}{assignment['index'] or ''}"
+        )
+    index = assignment["index"]
+    return index is None or _LITERAL_INDEX.fullmatch(index) is not None or _plain(f"0{index}")
+
+
+def _defined(known: re.Match[str]) -> list[str | None]:
+    """Return the variables that a statement defines; None in the place of what is none."""
+    pieces = re.split(r",(?![^\[]*\])", known["defined"] or "")
+    found = [_DEFINED.fullmatch(piece.strip()) for piece in pieces if known["defined"]]
+    return [None if one is None else one[1].upper() for one in found]
+
+
+def _plain(text: str) -> bool:
+    """Return whether an expression calls nothing but functions that only give a value."""
+    text = _STRING.sub("0", text)
+    if len(text) > _LONGEST:
+        return False
+    while (call := _CALL.search(text)) is not None:
+        name = call[1].upper()
+        operator = name in _OPERATORS
+        if name and not (operator or name.isdigit() or _FUNCTIONS.fullmatch(name)):
+            return False
+        inner = call[2].strip()
+        if inner and not _plain(inner):
+            return False
+        text = f"{text[: call.start()]}{f'{name} 0' if operator else '0'}{text[call.end() :]}"
+    while (bracket := _BRACKET.search(text)) is not None:
+        inner = bracket[0][1:-1].strip()
+        if inner and not _plain(inner):
+            return False
+        text = text[: bracket.start()] + text[bracket.end() :]
+    return _EXPRESSION.fullmatch(text.strip()) is not None
+
+
+def _codes(
+    definition: Definition, file: ControlFile, needed: Collection[int]
+) -> Iterator[tuple[int, str]]:
+    """Yield the lines of a file without their comments: those ``needed``, and whatever is no plain
+    line of an export.
+    """
+    for line in text_reader(definition).lines(file.content.decode("latin-1")):
+        if line.number not in needed and _USUAL.fullmatch(line.text):
+            continue
+        text = line.text.lstrip("\xef\xbb\xbf") if line.number == 1 else line.text
+        place = text.find(";")
+        if place >= 0 and '"' in text:
+            masked = _STRING.sub(lambda found: "0" * len(found[0]), text)
+            place = masked.find(";")
+        yield line.number, text if place < 0 else text[:place]
+
+
+def _computed(
+    definition: Definition, codes: Mapping[int, str], text: ReadText
+) -> tuple[Fault, ...]:
+    known, lines = _names(definition), {one.line for one in text.occurrences}
+    variables: set[str] = set()
+    faults = []
+    for number, code in codes.items():
+        if number in lines or not code.strip():
+            continue
+        bare = _bare(code)
+        match = _ASSIGNMENT.fullmatch(bare)
+        if match is None:
+            known_line = _HARMLESS.fullmatch(bare)
+            variables.update(filter(None, _defined(known_line) if known_line else ()))
+        elif not match["left"].startswith("$"):
+            variables.add(match["left"].upper())
+        elif match["left"].upper() in known and _is_computed(match):
+            faults.append(_fault(text.file, number, code))
+    for one in text.occurrences:
+        tokens = (one.tokens[name].text.upper() for name in ("axis", "value") if name in one.tokens)
+        if any(word in variables or _R_PARAMETER.fullmatch(word) for word in tokens):
+            faults.append(_fault(text.file, one.line, codes[one.line]))
+    return tuple(faults)
+
+
+def _is_computed(match: re.Match[str]) -> bool:
+    right, index = match["right"].strip(), match["index"]
+    literal = _LITERAL.fullmatch(right) is not None
+    if right[:1].isalpha() or right[:1] == "_":
+        literal = right.upper() in ("TRUE", "FALSE")
+    return not literal or not (index is None or _LITERAL_INDEX.fullmatch(index))
+
+
+def _fault(file: str, number: int, code: str) -> Fault:
+    return Fault(
+        message="only the running program knows the value or the index of this line",
+        file=file,
+        place=f"line {number}",
+        expected=EXPORTED,
+        found=repr(code.strip()[:60]),
+    )
+
+
+@lru_cache(maxsize=16)
+def _names(definition: Definition) -> frozenset[str]:
+    """Return the variables that the definition reads."""
+    heads = {
+        statement.form.partition("[")[0].partition("=")[0].upper()
+        for statement in definition.statements.values()
+    }
+    return frozenset(head for head in heads if head.startswith("$") and "{" not in head)

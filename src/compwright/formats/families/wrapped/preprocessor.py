@@ -1,0 +1,194 @@
+"""What the program that sends scripts does before the card sees them: remarks, macros, conditional
+blocks; and expressions, which the card works out.
+
+Sources: scripts of a machine as they are sent (github dhidas/IDCommon_ivu23_2.8m), for ``//``,
+``#define`` and expressions; the manuals for operators.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+#: Remarks of a line.
+REMARK = re.compile(r"(?:;|//)[^\r\n]*")
+DIRECTIVE = re.compile(
+    r"#[ \t]*(?P<name>DEFINE|UNDEF|IFDEF|IFNDEF|IF|ELIF|ELSE|ENDIF)(?![A-Z0-9_])(?P<rest>[^\r\n]*)",
+    re.IGNORECASE,
+)
+_MACRO = re.compile(r"\s*(?P<name>[A-Z_]\w*)(?P<value>.*)", re.IGNORECASE | re.DOTALL)
+_NAME = re.compile(r"[A-Z_]\w*", re.IGNORECASE)
+_TERM = re.compile(
+    r"[-+]?[ \t]*(?:\$[0-9A-F]+|(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<name>[A-Z_]\w*))",
+    re.IGNORECASE,
+)
+_TOKEN = re.compile(r"[ \t]*(\$[0-9A-F]+|[0-9]+(?:\.[0-9]*)?|\.[0-9]+|[-+*/%&|^()])", re.IGNORECASE)
+#: Operators that bind more tightly stand later.
+_LEVELS = ("|^", "&", "+-", "*/%")
+#: Macros in macros; deeper ones lead in a circle.
+_DEPTH = 20
+_LONGEST = 2000
+
+
+@dataclass(slots=True)
+class Block:
+    """A conditional block: where it began, and which of its branches is read."""
+
+    line: int
+    text: str
+    branch: int = 0
+
+
+@dataclass(slots=True)
+class Conditions:
+    """The macros that are defined, and the conditional blocks that are open."""
+
+    macros: dict[str, str] = field(default_factory=dict)
+    open: list[Block] = field(default_factory=list)
+
+    def apply(self, match: re.Match[str], line: int) -> str:
+        """Take a directive in; return what is wrong with it, or an empty text."""
+        name, rest = match["name"].upper(), match["rest"]
+        if name == "DEFINE" and (macro := _MACRO.fullmatch(rest)) is not None:
+            self.macros[macro["name"]] = macro["value"].strip()
+        elif name == "UNDEF":
+            self.macros.pop(rest.strip(), None)
+        elif name.startswith("IF"):
+            self.open.append(Block(line, match[0].strip()))
+        elif not self.open:
+            return f"#{name} without the beginning of its block"
+        elif name == "ENDIF":
+            self.open.pop()
+        else:
+            self.open[-1].branch += 1
+        return ""
+
+    @property
+    def here(self) -> tuple[tuple[Block, int], ...]:
+        """The blocks that are open, each with its branch."""
+        return tuple((block, block.branch) for block in self.open)
+
+
+def in_two_branches(
+    one: tuple[tuple[Block, int], ...], other: tuple[tuple[Block, int], ...]
+) -> bool:
+    """Whether two places stand in different branches of one block: not both are sent."""
+    return any(
+        mine is theirs and branch != another for mine, branch in one for theirs, another in other
+    )
+
+
+def expanded(text: str, macros: Mapping[str, str]) -> str:
+    """Return a text with its macros replaced, those in macros too."""
+    for _ in range(_DEPTH):
+        found = _NAME.sub(lambda name: macros.get(name[0], name[0]), text)
+        if found == text or len(found) > _LONGEST:
+            break
+        text = found
+    return text
+
+
+def expression_end(text: str, place: int) -> int:
+    """Return where the expression that begins at ``place`` ends; ``place`` itself where there is
+    none. Blanks may stand around operators, but not before ``&`` and ``%``, which are commands.
+    """
+    end = start = place
+    while (closing := _term_end(text, start)) is not None:
+        end = closing
+        operator = _blanks(text, end)
+        if text[operator : operator + 1] not in tuple("+-*/%&|^"):
+            break
+        if operator > end and text[operator] in "&%":
+            break
+        start = _blanks(text, operator + 1)
+    return end
+
+
+def _term_end(text: str, place: int) -> int | None:
+    """Return where the term at ``place`` ends: a number, a name, a bracket, a function of one."""
+    sign = re.compile(r"(?:[-+][ \t]*)?(?=\()").match(text, place)
+    if sign is not None:
+        return _closing(text, sign.end())
+    term = _TERM.match(text, place)
+    if term is not None and term["name"] and text.startswith("(", term.end()):
+        return _closing(text, term.end())
+    return None if term is None else term.end()
+
+
+def _blanks(text: str, place: int) -> int:
+    while place < len(text) and text[place] in " \t":
+        place += 1
+    return place
+
+
+def _closing(text: str, place: int) -> int | None:
+    """Return the place behind the bracket that closes the one at ``place``, on its line."""
+    depth = 0
+    for at in range(place, len(text)):
+        if text[at] in "\r\n":
+            return None
+        depth += (text[at] == "(") - (text[at] == ")")
+        if depth == 0:
+            return at + 1
+    return None
+
+
+def whole_value(text: str, macros: Mapping[str, str]) -> int | None:
+    """Return the whole number that an expression gives; None where it gives none, or where the card
+    alone knows it.
+    """
+    text = expanded(text, macros)
+    tokens: list[str] = []
+    place = 0
+    while place < len(text.rstrip()):
+        match = _TOKEN.match(text, place)
+        if match is None or len(text) > _LONGEST:
+            return None
+        tokens.append(match[1])
+        place = match.end()
+    try:
+        value = _level(tokens, 0)
+    except (ValueError, ZeroDivisionError, IndexError, RecursionError):
+        return None
+    return int(value) if not tokens and value.denominator == 1 else None
+
+
+def _level(tokens: list[str], level: int) -> Fraction:
+    if level == len(_LEVELS):
+        return _operand(tokens)
+    value = _level(tokens, level + 1)
+    while tokens and tokens[0] in _LEVELS[level]:
+        operator, other = tokens.pop(0), _level(tokens, level + 1)
+        if operator in "+-":
+            value = value + other if operator == "+" else value - other
+        elif operator == "*":
+            value *= other
+        elif operator == "/":
+            value /= other
+        else:
+            value = _of_bits(operator, value, other)
+    return value
+
+
+def _of_bits(operator: str, one: Fraction, other: Fraction) -> Fraction:
+    if one.denominator != 1 or other.denominator != 1:
+        raise ValueError(operator)
+    a, b = int(one), int(other)
+    if operator == "%":
+        return Fraction(a % b)
+    return Fraction({"&": a & b, "|": a | b, "^": a ^ b}[operator])
+
+
+def _operand(tokens: list[str]) -> Fraction:
+    word = tokens.pop(0)
+    if word in "+-":
+        value = _operand(tokens)
+        return -value if word == "-" else value
+    if word == "(":
+        value = _level(tokens, 0)
+        if not tokens or tokens.pop(0) != ")":
+            raise ValueError(word)
+        return value
+    return Fraction(int(word[1:], 16)) if word.startswith("$") else Fraction(word)

@@ -1,0 +1,31 @@
+"""Libraries of the optional extras ``report`` and ``excel``, imported only where one is needed."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from typing import Any, Final
+
+from compwright.foundations.errors import Fault, UsageError
+
+#: What installs each extra, whether compwright came from a checkout, a wheel or an index.
+_PACKAGES: Final = {"report": "jinja2 matplotlib", "excel": "openpyxl"}
+
+
+def installing(extra: str) -> str:
+    """Return the next step where a library of the ``extra`` is missing: a command to copy."""
+    return (
+        f"install what the extra {extra} needs:"
+        f' "{sys.executable}" -m pip install {_PACKAGES[extra]}'
+    )
+
+
+def need(module: str, extra: str = "report", purpose: str = "plots and reports") -> Any:
+    """Return the module of that name. Raises UsageError where it is not installed."""
+    try:
+        return importlib.import_module(module)
+    except ImportError as error:
+        package = module.partition(".")[0]
+        raise UsageError(
+            Fault(message=f"{purpose} need the package {package}; {installing(extra)}")
+        ) from error

@@ -1,0 +1,83 @@
+"""What kind of file a content is, as far as compwright can tell: one line for a file that was given
+in the place of another one.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+from compwright.foundations.errors import Fault, InputError, UsageError
+from compwright.foundations.input_sizes import (
+    CONTROL,
+    DEFINITION,
+    JOB,
+    MACHINE,
+    MEASUREMENT,
+    PLAN,
+    PROFILE,
+    InputKind,
+)
+
+#: A document of compwright says what it is in its first lines.
+_HEAD: Final = 4000
+_SCHEMA: Final = re.compile(rb'^\s*\{\s*"schema"\s*:\s*"compwright/([a-z_]+)/')
+#: The first key that is a mark says what a YAML file is.
+_MARK: Final = re.compile(
+    rb"^(compwright_profile|compwright_format|virtual_machine|compwright)[ \t]*:", re.MULTILINE
+)
+_TEST: Final = re.compile(
+    rb"^(\s*HEADER::|\s*\W?target_(mm|deg)\b|direction,.*\bangle_deg\b|\s*TGT_DATA)", re.MULTILINE
+)
+_PAGE: Final = re.compile(rb"^\s*<(!doctype html|html)\b", re.IGNORECASE)
+_MARKED: Final = {
+    b"compwright": JOB.name,
+    b"compwright_profile": PROFILE.name,
+    b"compwright_format": DEFINITION.name,
+    b"virtual_machine": MACHINE.name,
+}
+#: What takes a file of a kind.
+_TAKEN_BY: Final = {
+    JOB.name: "compwright run",
+    PLAN.name: "compwright compare, verify --plan",
+    PROFILE.name: "--profile",
+    DEFINITION.name: "--format",
+    MACHINE.name: "compwright simulate",
+    MEASUREMENT.name: "compwright evaluate",
+}
+#: A wrong file in the place of these is a wrong use of the command line; else it is a wrong input.
+_USAGE: Final = (JOB, PROFILE, MACHINE, DEFINITION)
+_CHECKED: Final = (*_USAGE, PLAN, MEASUREMENT, CONTROL)
+
+
+def refuse_other_kind(content: bytes, kind: InputKind, file: str) -> None:
+    """Raise where ``content`` is a file of compwright, or a measurement, of another kind than
+    ``kind``: UsageError in the place of a file that says what to do, else InputError.
+    """
+    if kind not in _CHECKED:
+        return
+    found = _kind_of(content)
+    if found in ("", kind.name):
+        return
+    taken = _TAKEN_BY.get(found)
+    fault = Fault(
+        message=f"is {found}{f' ({taken})' if taken else ''}, and not {kind.name}",
+        file=file,
+        expected=kind.help,
+    )
+    raise (UsageError if kind in _USAGE else InputError)(fault)
+
+
+def _kind_of(content: bytes) -> str:
+    """Return what a file is, in words; empty where that cannot be told."""
+    head = content[:_HEAD]
+    schema = _SCHEMA.match(head)
+    if schema is not None:
+        name = schema[1].decode("ascii")
+        return PLAN.name if name == "plan" else f"{name}.json of compwright, a result"
+    if _PAGE.match(head):
+        return "a page to read"
+    mark = _MARK.search(head)
+    if mark is not None:
+        return _MARKED[mark[1]]
+    return MEASUREMENT.name if _TEST.search(head) else ""

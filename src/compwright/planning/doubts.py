@@ -1,0 +1,65 @@
+"""Doubts about measurements and about the state of the control: of which axes nothing is decided,
+and which of them the job acknowledges.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from compwright.foundations.findings import Finding
+from compwright.records.job import Acknowledged, Acknowledgement
+from compwright.records.prediction import AcceptDecision
+
+
+@dataclass(frozen=True, slots=True)
+class Noticed:
+    """A finding with the axes of the job that it concerns; None: all."""
+
+    finding: Finding
+    axes: frozenset[str] | None = None
+
+    def concerns(self, axis: str) -> bool:
+        """Whether it is about an axis."""
+        return self.axes is None or axis in self.axes
+
+
+@dataclass(frozen=True, slots=True)
+class Doubts:
+    """What is ``open``, what is ``acknowledged``, and the acknowledgements that are ``unused``."""
+
+    open: tuple[Noticed, ...] = ()
+    acknowledged: tuple[Acknowledged, ...] = ()
+    unused: tuple[Acknowledgement, ...] = ()
+
+    def about(self, axis: str) -> bool:
+        """Whether a doubt about an axis is open."""
+        return any(one.concerns(axis) for one in self.open)
+
+
+def doubts_among(noticed: Iterable[Noticed], given: Sequence[Acknowledgement]) -> Doubts:
+    """Return the doubts among what was noticed, each once; ``given``: what the job acknowledges.
+
+    An acknowledgement of one axis leaves a doubt open that concerns others too.
+    """
+    still: list[Noticed] = []
+    done: list[Acknowledged] = []
+    for one in dict.fromkeys(each for each in noticed if each.finding.is_doubt):
+        axes, by = one.axes, [each for each in given if each.code == one.finding.code]
+        covering = next((each for each in by if each.axis is None), None)
+        if covering is None and axes:
+            named = {each.axis: each for each in by}
+            covering = next((named[axis] for axis in sorted(axes) if axis in named), None)
+            axes -= named.keys()
+        if covering is not None:
+            done.append(Acknowledged(one.finding, covering))
+        if covering is None or (covering.axis is not None and axes):
+            still.append(replace(one, axes=axes))
+    used = {id(each.by) for each in done}
+    unused = tuple(each for each in given if id(each) not in used)
+    return Doubts(tuple(still), tuple(done), unused)
+
+
+def undecided(accept: Mapping[str, AcceptDecision]) -> dict[str, AcceptDecision]:
+    """Return the decisions about an axis of which a doubt is open."""
+    return {name: replace(entry, decision="undecided") for name, entry in accept.items()}

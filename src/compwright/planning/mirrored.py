@@ -1,0 +1,132 @@
+"""Is the table in the control the mirror image of a test that should have been taken with it? Then
+the table was made from this very test: it did not act in it, and a further table would take away
+the same error a second time.
+
+Compared are the middles of both directions without their straight line: a temperature changes the
+line, a backlash that was taken over in part the distance of the directions, and neither changes
+what is left. A test that was taken with its table shows what the table leaves: of the table's own
+shape little, give or take a quarter (`planning.misread`), and hardly ever all of it, turned.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.observed import ObservedTest
+from compwright.evaluation.statistics import count_readings, mean_deviation
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.wanted import held_by
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.correction import ControlState
+from compwright.records.plan import PlannedTest
+from compwright.records.positioning import PositioningTest
+
+#: The code of the doubt: no table is written without its acknowledgement.
+MIRRORED: Final = "CW-P161"
+#: With fewer targets a shape says nothing.
+_FEWEST: Final = 6
+#: Both shapes are so many times the noise of a mean.
+_SEEN: Final = 4.0
+#: The test shows so much of the table's shape, turned: 1, give or take this, or the noise.
+_AS_MUCH: Final = 0.1
+_SURE: Final = 3.0
+#: What the table has not of the test's shape: this part of it at most, and twice the noise. Steps
+#: of the control, and short waves between its points, stay in the test.
+_LEFT: Final = 0.3
+_NOISE: Final = 2.0
+
+
+def mirrored_tests(
+    tests: Sequence[PlannedTest],
+    observed: Sequence[ObservedTest],
+    axis: Axis,
+    states: Mapping[str, ControlState],
+) -> Iterator[tuple[int, Finding]]:
+    """Yield the place and a doubt (CW-P161) of each test whose mirror image is the table of its
+    state, or what that table has more than the one of another state; ``observed``: the same tests.
+    """
+    for place, (planned, bare) in enumerate(zip(tests, observed, strict=True)):
+        if planned.measured_in not in states or planned.test.targets.size < _FEWEST:
+            continue
+        test = planned.test
+        there = _middle_of_table(states[planned.measured_in], axis, test)
+        before = [
+            _middle_of_table(state, axis, test)
+            for name, state in states.items()
+            if name != planned.measured_in
+        ]
+        noise = _noise(bare)
+        shown = mean_middle(test)
+        changes = (there, *(there - other for other in before))
+        if shown is not None and any(
+            is_mirror_image(change, shown, test.targets, noise) for change in changes
+        ):
+            yield place, _doubt(planned, axis, shown)
+
+
+def is_mirror_image(
+    table: FloatArray, shown: FloatArray, targets: FloatArray, noise: float
+) -> bool:
+    """Return whether ``table`` (m,) has the shape of what a test has ``shown`` (m,) at its
+    ``targets`` (m,), turned; ``noise``: standard deviation of a mean. mm or deg.
+    """
+    along = np.linspace(-1.0, 1.0, targets.size) if targets.size < 2 else targets - targets.mean()
+    bent, seen = (
+        curve - np.polyval(np.polyfit(along, curve, 1), along) for curve in (table, shown)
+    )
+    sizes = [float(np.sqrt(np.mean(np.square(curve)))) for curve in (bent, seen)]
+    if min(sizes) <= max(_SEEN * noise, 1e-9):
+        return False
+    as_much = -float(bent @ seen) / float(bent @ bent)
+    error = noise / (sizes[0] * np.sqrt(targets.size))
+    left = float(np.sqrt(np.mean(np.square(seen + bent))))
+    return abs(as_much - 1.0) <= max(_AS_MUCH, _SURE * error) and left <= float(
+        np.hypot(_LEFT * sizes[1], _NOISE * noise)
+    )
+
+
+def mean_middle(test: PositioningTest) -> FloatArray | None:
+    """Return the middle (m,) of the means of the directions that were measured; None where a target
+    has none.
+    """
+    means = [
+        mean_deviation(test.deviations(direction))
+        for direction in Direction
+        if test.readings(direction).any()
+    ]
+    middle: FloatArray = np.mean(means, axis=0)
+    return middle if np.all(np.isfinite(middle)) else None
+
+
+def _middle_of_table(state: ControlState, axis: Axis, test: PositioningTest) -> FloatArray:
+    table = held_by(state, axis)
+    curves = [
+        table.at(test.targets, direction)
+        for direction in Direction
+        if test.readings(direction).any()
+    ]
+    middle: FloatArray = np.mean(curves, axis=0)
+    return middle
+
+
+def _noise(bare: ObservedTest) -> float:
+    """Return the standard deviation of a middle."""
+    counts = sum(count_readings(bare.test.deviations(direction)) for direction in Direction)
+    return 0.0 if bare.noise is None else float(bare.noise.sigma / np.sqrt(np.max(counts)))
+
+
+def _doubt(planned: PlannedTest, axis: Axis, shown: FloatArray) -> Finding:
+    unit = shown_unit(axis.kind.unit)
+    size = float(np.ptp(shown)) * outside_factor(axis.kind.unit)
+    return Finding(
+        MIRRORED,
+        "warning",
+        f"The table in state {planned.measured_in} is the mirror image of test"
+        f" {planned.test.name} ({size:.1f} {unit}): the table was made from this test and was not"
+        " active in it. A further table would correct the same error twice. Measure again with the"
+        " table active, or name under measured_in the state in which the test was taken.",
+    )

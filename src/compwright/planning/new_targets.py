@@ -1,0 +1,94 @@
+"""What a test at new targets shows of an axis beyond one at the targets that were measured: periods
+that may be there, and such as the targets cannot show at all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Final, Literal
+
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.declared import fresh_slope
+from compwright.planning.fresh import FreshTests, Like, fresh_tests, generator
+from compwright.planning.limits import accept_decisions, accepted_index, magnitude
+from compwright.planning.motions import with_motion
+from compwright.planning.wanted import MeasuredError
+from compwright.prediction.acting import Correction
+from compwright.records.axis import Axis
+from compwright.records.job import AxisJob
+from compwright.records.plan import PlannedAxis
+from compwright.records.prediction import AcceptDecision, Quantiles, TestPrediction
+from compwright.records.result import PositioningResult
+from compwright.records.targets import told_targets
+
+#: Periods that are named: of this probability and more.
+_NAMED: Final = 0.05
+
+
+def decided(
+    entry: AxisJob,
+    planned: PlannedAxis,
+    results: Sequence[PositioningResult],
+    posterior: MeasuredError,
+    change: Correction,
+    rule: Literal["simple", "guarded"],
+    tests: tuple[TestPrediction, ...],
+    first: FreshTests,
+) -> tuple[Mapping[str, AcceptDecision], tuple[Finding, ...]]:
+    """Return the decisions about the limits of an axis after a ``change`` of its correction, and
+    what new targets leave open; ``tests``: what is predicted of each, ``first``: fresh tests like
+    the first one at new targets.
+    """
+    if entry.accept is None:
+        return {}, ()
+    axis, place = planned.axis, accepted_index(entry.accept, tuple(each.name for each in tests))
+    test = planned.tests[place]
+    like = Like(place, fresh_slope(rule, test))
+    drawn = fresh_tests(results[place], posterior, axis, like) if place else first
+    rng = generator(axis.name, tests[place].name, "hidden periods")
+    count = drawn.draws.positive.shape[0]
+    shown = drawn.quantiles(
+        with_motion(change, axis, test.backlash_more),
+        waves=posterior.own.hidden.waves(drawn.targets, count, rng),
+    )
+    accept = accept_decisions(entry, tests, rule, shown)
+    return accept, tuple(_left_open(axis, accept, tests[place], shown, posterior))
+
+
+def _left_open(
+    axis: Axis,
+    accept: Mapping[str, AcceptDecision],
+    test: TestPrediction,
+    new: Mapping[str, Quantiles],
+    posterior: MeasuredError,
+) -> Iterator[Finding]:
+    """Yield what keeps a limit open that is kept at the same targets (CW-P133), and what to
+    measure.
+    """
+    factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
+    left = [
+        f"{name} {magnitude(new[name]).p95 * factor:.2f} {unit} (limit {entry.limit:g})"
+        for name, entry in accept.items()
+        if entry.decision == "undecided"
+        and name in new
+        and magnitude(test.predicted[name]).p95 * factor + (entry.U or 0.0) <= entry.limit
+        and (entry.rule == "simple" or entry.U is not None)
+    ]
+    if not left:
+        return
+    targets, hidden = test.before.test.targets, posterior.own.hidden
+    possible = [each for each in posterior.own.periods if _NAMED <= each.probability < 1.0]
+    reasons = [
+        f"every {each.period:.5g} {axis.kind.unit} ({each.probability:.0%})" for each in possible
+    ]
+    if hidden.probability >= _NAMED:
+        reasons.append(f"with a period that these targets cannot show ({hidden.probability:.0%})")
+    why = f" The error may repeat {', or '.join(reasons)}." if reasons else ""
+    yield Finding(
+        "CW-P133",
+        "warning",
+        f"Axis {axis.name}: the limit is predicted to be kept at the same targets, not at new ones:"
+        f" 5 % of tests there show more than {', '.join(left)}. Undecided.{why} Measure at"
+        f" {told_targets(float(targets[0]), float(targets[-1]), targets.size, axis.kind.unit)}.",
+    )

@@ -1,0 +1,178 @@
+"""The best table, made easier to load where a test shows next to nothing of the difference.
+
+With the magnification that the control has, and with fewer points where somebody types them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Final
+
+from compwright.fitting.grid import possible_grids
+from compwright.foundations.errors import CapacityError
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.outlook import yardstick
+from compwright.planning.tables import fit_within, grid_words, next_to_nothing
+from compwright.records.axis import Axis, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.prediction import TestPrediction
+
+#: What a test like the first one shows with a table.
+Shown = Callable[[FittedTable], TestPrediction]
+_Found = tuple[FittedTable, TestPrediction]
+#: Fewer points are taken where they are at most this part of the best number.
+_FEWER: Final = 0.9
+#: So many coarser grids in a row have to be too coarse.
+_NEXT: Final = 3
+#: The finding that fewer points are typed, and what all of them would give.
+FEWER_POINTS: Final = "CW-P144"
+
+
+def practical_table(
+    wanted: WantedCorrection,
+    capacity: Capacity,
+    request: TableRequest,
+    axis: Axis,
+    shown: Shown,
+) -> tuple[Capacity, FittedTable]:
+    """Return the table, and the limits that it was fitted under. Raises CapacityError where the
+    control holds none.
+    """
+    capacity, table = _with_kept_magnification(wanted, capacity, request, axis, shown)
+    if capacity.typed and request.named_spacing is None:
+        table = _with_fewest_points(wanted, capacity, request, axis, shown, table)
+    return capacity, table
+
+
+def as_planned(
+    capacity: Capacity, request: TableRequest, planned: FittedTable
+) -> tuple[Capacity, TableRequest]:
+    """Return the limits and the request by which the fit of a plan's table comes out again: with
+    the magnification that stayed, and on the few points that are typed.
+    """
+    lattice, nodes = capacity.lattice, planned.compensation.positions
+    kept = None if lattice is None else lattice.there
+    stayed = kept is not None and planned.certificate.get("magnification") == kept
+    if lattice is not None and kept is not None and stayed:
+        capacity = replace(capacity, lattice=replace(lattice, magnifications=(kept,)))
+    few = any(finding.code == FEWER_POINTS for finding in planned.findings)
+    return capacity, _covering(request, nodes, 0) if capacity.typed and few else request
+
+
+def _with_kept_magnification(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis, shown: Shown
+) -> tuple[Capacity, FittedTable]:
+    """Return the best table, under the magnification that the control has now where a test shows
+    next to nothing of a better one: loaded without its increments, or they without it, a new
+    magnification multiplies the whole table.
+    """
+    lattice = capacity.lattice
+    best = fit_within(wanted, capacity, request, axis)
+    there = None if lattice is None else lattice.there
+    if lattice is None or there is None or best.certificate.get("magnification") == there:
+        return capacity, best
+    staying = replace(capacity, lattice=replace(lattice, magnifications=(there,)))
+    try:
+        kept = fit_within(wanted, staying, request, axis)
+    except CapacityError:
+        return capacity, best
+    return (staying, kept) if next_to_nothing(shown(kept), shown(best)) else (capacity, best)
+
+
+def _with_fewest_points(
+    wanted: WantedCorrection,
+    capacity: Capacity,
+    request: TableRequest,
+    axis: Axis,
+    shown: Shown,
+    best: FittedTable,
+) -> FittedTable:
+    """Return the table of the fewest points of which a test shows next to nothing more than of the
+    ``best`` one. A grid that is there stays.
+    """
+    nodes = best.compensation.positions
+    if best.keeps_grid or capacity.nodes is not None or capacity.line is not None or nodes.size < 3:
+        return best
+    aim = shown(best)
+
+    def enough(grid: FloatArray) -> _Found | None:
+        asked = _covering(request, grid, capacity.cover)
+        try:
+            fewer = fit_within(wanted, capacity, asked, axis)
+        except CapacityError:
+            return None
+        found = shown(fewer)
+        return (fewer, found) if next_to_nothing(found, aim) else None
+
+    most = int(_FEWER * nodes.size) - 2 * capacity.cover
+    grids = possible_grids(wanted, capacity, request, most)
+    taken = _fewest(grids, enough)
+    if taken is None:
+        return best
+    fewer, found = taken
+    told = _fewer_points(axis, fewer, best, found, aim)
+    return replace(fewer, findings=(*fewer.findings, told))
+
+
+def _fewest(
+    grids: Sequence[FloatArray], enough: Callable[[FloatArray], _Found | None]
+) -> _Found | None:
+    """Return what the coarsest of ``grids`` that is ``enough`` gives; None where none is. By
+    halving, then as far down as the next few go: more points are better but for single ones.
+    """
+    low, high = 0, len(grids)
+    best: _Found | None = None
+    while low < high:
+        middle = (low + high) // 2
+        found = enough(grids[middle])
+        if found is None:
+            low = middle + 1
+        else:
+            best, high = found, middle
+    missed = 0
+    while best is not None and high > 0 and missed < _NEXT:
+        high -= 1
+        found = enough(grids[high])
+        best, missed = (best, missed + 1) if found is None else (found, 0)
+    return best
+
+
+def _covering(request: TableRequest, grid: FloatArray, cover: int) -> TableRequest:
+    """Return what asks for a grid, ``cover`` spacings beyond it where the job names no end."""
+    spacing = float(grid[-1] - grid[0]) / (grid.size - 1)
+    start, end = float(grid[0]) - cover * spacing, float(grid[-1]) + cover * spacing
+    return replace(
+        request,
+        start=start if request.start is None else request.start,
+        end=end if request.end is None else request.end,
+        spacing=spacing,
+    )
+
+
+def _fewer_points(
+    axis: Axis,
+    fewer: FittedTable,
+    best: FittedTable,
+    found: TestPrediction,
+    aim: TestPrediction,
+) -> Finding:
+    name, unit = yardstick(aim.before) or "", axis.kind.unit
+    factor, small = outside_factor(unit), shown_unit(unit)
+    mine, other = (
+        f"predicted {name} {one.predicted[name].median * factor:.2f} {small}"
+        f" ({one.predicted_new_targets[name].median * factor:.2f} at new targets)"
+        for one in (found, aim)
+    )
+    few, many = (grid_words(one.compensation.positions, unit) for one in (fewer, best))
+    nodes = best.compensation.positions
+    spacing = float(nodes[-1] - nodes[0]) / (nodes.size - 1)
+    message = (
+        f"Axis {axis.name}: the points are typed by hand, so few are taken: {few}, {mine}. The"
+        f" other choice is {many}, {other}: start: {nodes[0]:.10g}, end: {nodes[-1]:.10g},"
+        f" spacing: {spacing:.10g} in the table of the axis takes it"
+    )
+    return Finding(FEWER_POINTS, "info", message)

@@ -1,0 +1,115 @@
+"""Steps of the correction that a control never applies.
+
+Such a control ramps its correction. From standstill of the ramp a small step is applied within one
+servo period, and a large one starts the ramp; one between the two (`Axis.unapplied_steps`) does
+neither, and the old correction stays until the table itself has moved the difference out of this
+zone. Where the zone lies, the control's format knows.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.correction import AxisCompensation
+
+#: Between the old correction and the new one, mm or deg: a table takes no two values at one place.
+_EDGE = 1e-6
+#: Traverses there and back until they repeat.
+_CYCLES = 4
+#: Places over the travel at which a reversal is looked at.
+_PLACES = 501
+
+
+def as_applied(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
+    """Return what the control applies of a compensation on traverses over the whole travel and
+    back; the compensation itself where every step of it is applied.
+    """
+    if axis.unapplied_steps is None or compensation.positions.size == 0:
+        return compensation
+    low, high = axis.travel
+    own = compensation.positions
+    nodes = np.unique(np.concatenate([[low, high], own[(own > low) & (own < high)]]))
+    tables = {side: compensation.at(nodes, side) for side in Direction}
+    up = nodes, tables[Direction.POSITIVE]
+    for _ in range(_CYCLES):
+        down = _traversed(nodes[::-1], tables[Direction.NEGATIVE][::-1], up[1][-1], axis)
+        up = _traversed(nodes, tables[Direction.POSITIVE], down[1][-1], axis)
+    if up[0].size == down[0].size == nodes.size:
+        return compensation
+    inside = np.unique(np.concatenate([nodes, up[0], down[0]]))
+    beyond = own[(own < low) | (own > high)]
+    where = np.sort(np.concatenate([inside, beyond]))
+    curves = {
+        side: np.where(
+            (where < low) | (where > high),
+            compensation.at(where, side),
+            np.interp(where, np.sort(x), c[np.argsort(x)]),
+        )
+        for side, (x, c) in ((Direction.POSITIVE, up), (Direction.NEGATIVE, down))
+    }
+    return replace(
+        compensation,
+        positions=where,
+        positive=curves[Direction.POSITIVE],
+        negative=curves[Direction.NEGATIVE],
+        backlash=0.0,
+        slope=0.0,
+        others=(),
+    )
+
+
+def unapplied_range(compensation: AxisCompensation, axis: Axis) -> tuple[float, float] | None:
+    """Return the least and the largest reversal (mm or deg, over the travel) that is never applied
+    where the axis turns round; None where every reversal is applied.
+    """
+    if axis.unapplied_steps is None or compensation.positions.size == 0:
+        return None
+    least, most = axis.unapplied_steps
+    where = np.concatenate([np.linspace(*axis.travel, _PLACES), compensation.positions])
+    where = where[(where >= axis.travel[0]) & (where <= axis.travel[1])]
+    steps = np.abs(
+        compensation.at(where, Direction.POSITIVE) - compensation.at(where, Direction.NEGATIVE)
+    )
+    stuck = steps[(steps > least) & (steps <= most)]
+    return (float(stuck.min()), float(stuck.max())) if stuck.size else None
+
+
+def _traversed(
+    nodes: FloatArray, table: FloatArray, before: float, axis: Axis
+) -> tuple[FloatArray, FloatArray]:
+    """Return positions (in the order of the traverse) and what is applied there, straight between
+    them; ``before``: what was applied at the turn. The nodes alone: the table is applied at once.
+    """
+    if axis.unapplied_steps is None:
+        raise TypeError("every step is applied")
+    least, most = axis.unapplied_steps
+    gap = table - before
+    size, sign = np.abs(gap), np.sign(gap[0])
+    if not least < size[0] <= most:
+        return nodes, table
+    off = ~((least < gap * sign) & (gap * sign <= most))
+    if not off.any():
+        # one more place than the nodes tells that something stays
+        middle = 0.5 * (nodes[0] + nodes[1])
+        return np.insert(nodes, 1, middle), np.full(nodes.size + 1, before)
+    last = int(np.argmax(off))
+    limit = least if gap[last] * sign <= least else most
+    part = (limit - gap[last - 1] * sign) / ((gap[last] - gap[last - 1]) * sign)
+    edge = nodes[last - 1] + part * (nodes[last] - nodes[last - 1])
+    behind = edge + np.clip(
+        np.sign(nodes[-1] - nodes[0]) * _EDGE, -abs(nodes[last] - edge), abs(nodes[last] - edge)
+    )
+    along, values = (nodes, table) if nodes[0] < nodes[-1] else (nodes[::-1], table[::-1])
+    return (
+        np.concatenate([nodes[:last], [edge, behind], nodes[last:]]),
+        np.concatenate(
+            [
+                np.full(last + 1, before),
+                [float(np.interp(behind, along, values))],
+                table[last:],
+            ]
+        ),
+    )

@@ -1,0 +1,53 @@
+"""What a serial line (RS-232, paper tape) puts around the text of a control: it is no part of the
+text, and a patch keeps every byte of it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from compwright.records.correction import ControlFile
+
+#: NUL, DC1 to DC4, SUB (Ctrl-Z), DEL.
+_CODES = b"\x00\x11\x12\x13\x14\x1a\x7f"
+_AROUND = _CODES + b" \t\r\n\x0b\x0c"
+_CODE = re.compile(b"[" + _CODES + b"]")
+#: Bytes that no text holds.
+_NO_TEXT = re.compile(rb"[\x00-\x08\x0e-\x1f]")
+
+
+def from_line(name: str, raw: bytes, folder: str = "") -> ControlFile:
+    """Return a control's file without what a serial line put around its text; one that is no text
+    stays as it is.
+    """
+    head = raw[: len(raw) - len(raw.lstrip(_AROUND))]
+    tail = raw[len(raw.rstrip(_AROUND)) :]
+    begin = max((match.end() for match in _CODE.finditer(head)), default=0)
+    first = _CODE.search(tail)
+    end = len(raw) if first is None else len(raw) - len(tail) + first.start()
+    if end <= begin or (begin == 0 and end == len(raw)) or _NO_TEXT.search(raw, begin, end):
+        return ControlFile(name, raw, folder)
+    return ControlFile(name, raw[begin:end], folder, raw[:begin], raw[end:])
+
+
+def as_on_line(files: Sequence[ControlFile], own: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
+    """Return files with the leader and trailer of the control's ``own`` ones of the same name."""
+    around = {file.name: (file.leader, file.trailer) for file in own}
+    return tuple(
+        replace(file, leader=around[file.name][0], trailer=around[file.name][1])
+        if file.name in around
+        else file
+        for file in files
+    )
+
+
+def whole(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
+    """Return files with all their bytes as text: for a control that reads every one of them."""
+    return tuple(
+        replace(file, content=file.raw, leader=b"", trailer=b"")
+        if file.leader or file.trailer
+        else file
+        for file in files
+    )

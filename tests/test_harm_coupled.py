@@ -1,0 +1,177 @@
+"""Two columns that move as one: neither gets a table alone, none loses what is its own.
+
+Judged with both columns measured, on four controls that this judge has built from the facts.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+import harm_columns
+from harm_bridges import BACKLASH, BRIDGES, EMPTY, GRID, LEAD, TABLE, Bridge, Column, Skew
+from harm_columns import APART, FIRST, SECOND, accuracy, load, prepare, snapshot
+from harm_command import ASKED, card_of, command, tables_of
+
+pytestmark = pytest.mark.brief
+
+EACH = [pytest.param(make, id=name) for name, make in BRIDGES.items()]
+COUPLED = [
+    pytest.param(make, coupling, id=f"{name} {coupling}")
+    for name, make in BRIDGES.items()
+    for coupling in make().couplings
+]
+
+
+@pytest.mark.parametrize(("make", "coupling"), COUPLED)
+def test_a_column_alone_gets_no_table(make: type[Bridge], coupling: str, tmp_path: Path) -> None:
+    bridge = make()
+    answer = command("run", prepare(tmp_path, bridge, TABLE, coupling))
+    assert answer.declined, answer.first
+    assert not tables_of(tmp_path / "job")
+    if coupling.isdigit():
+        assert answer.names(coupling)
+
+
+@pytest.mark.parametrize(("make", "coupling"), COUPLED)
+def test_the_partner_alone_gets_no_table(make: type[Bridge], coupling: str, tmp_path: Path) -> None:
+    bridge = make()
+    bridge.lead, bridge.partner = bridge.partner, bridge.lead
+    answer = command("run", prepare(tmp_path, bridge, TABLE, coupling))
+    assert answer.declined, answer.first
+    assert not tables_of(tmp_path / "job")
+
+
+@pytest.mark.parametrize(
+    ("make", "coupling"), [case for case in COUPLED if not re.search("8186|I206", str(case.id))]
+)
+def test_new_fills_in_the_partner(make: type[Bridge], coupling: str, tmp_path: Path) -> None:
+    bridge = make()
+    files = prepare(tmp_path, bridge, TABLE, coupling).read_text().split("[", 1)[1].split("]")[0]
+    option = bridge.options.strip("{}").replace(": ", "=")
+    answer = command(
+        "new",
+        *(word for name in files.split(", ") for word in ("--from", tmp_path / name)),
+        *("--format", bridge.format, "--out", tmp_path / "new.yaml"),
+        *(("--option", option) if option else ()),
+    )
+    assert answer.code == 0, answer.first
+    text = (tmp_path / "new.yaml").read_text(encoding="utf-8")
+    rows = [row for row in text.splitlines() if row.strip().startswith("gantry")]
+    assert any(bridge.partner in row or bridge.lead in row for row in rows), text
+
+
+@pytest.mark.parametrize("make", EACH)
+@pytest.mark.parametrize(
+    "partner", [TABLE, BACKLASH, GRID, EMPTY], ids=["table", "backlash", "grid", "empty"]
+)
+def test_a_partner_with_something_of_its_own_is_asked_about(
+    make: type[Bridge], partner: Column, tmp_path: Path
+) -> None:
+    bridge = make()
+    for gantry in ("IT", "{axis: IT}"):
+        answer = command(
+            "run", prepare(tmp_path, bridge, partner, bridge.couplings[0], gantry), "--force"
+        )
+        assert answer.code == ASKED, answer.first
+        assert not tables_of(tmp_path / "job")
+
+
+OWN = {"table": TABLE, "backlash": BACKLASH, "grid": GRID, "empty": EMPTY}
+
+
+@pytest.mark.parametrize(
+    ("make", "partner"),
+    [
+        pytest.param(make, partner, id=f"{name} {what}")
+        for name, make in BRIDGES.items()
+        for what, partner in OWN.items()
+    ],
+)
+def test_the_change_keeps_the_columns_square(
+    make: type[Bridge], partner: Column, tmp_path: Path
+) -> None:
+    """Both columns move by the same: the first gets better, and the skew stays what it was."""
+    bridge = make()
+    path = prepare(tmp_path, bridge, partner, bridge.couplings[0], "{axis: IT, table: change}")
+    first, second = (snapshot(bridge, address) for address in (bridge.lead, bridge.partner))
+    before = accuracy(FIRST, bridge.correction(bridge.lead), 3)
+    answer = command("run", path)
+    assert answer.code == 0, answer.first
+    load(bridge, tmp_path / "job")
+    assert accuracy(FIRST, bridge.correction(bridge.lead), 3) < 0.6 * before
+    skew = Skew()
+    pairs = zip(
+        skew.changes(first, bridge.correction(bridge.lead)),
+        skew.changes(second, bridge.correction(bridge.partner)),
+        strict=True,
+    )
+    assert max(abs(a - b) for a, b in pairs) <= APART + 1e-6
+
+
+def test_columns_that_move_apart_by_more_than_is_gained_decide_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Steps of 300 mm on one column and of 50 mm on the other: no table can move both alike."""
+    monkeypatch.setattr(harm_columns, "LEAD", Column((0, -17, -34), step=300.0))
+    bridge = BRIDGES["fanuc"]()
+    path = prepare(tmp_path, bridge, GRID, bridge.couplings[0], "{axis: IT, table: change}")
+    answer = command("run", path)
+    assert answer.code == 1, answer.first
+    assert answer.names("CW-S038")
+
+
+@pytest.mark.parametrize("make", EACH)
+def test_the_same_table_is_the_same(make: type[Bridge], tmp_path: Path) -> None:
+    bridge = make()
+    path = prepare(tmp_path, bridge, TABLE, bridge.couplings[0], "{axis: IT, table: same}")
+    answer = command("run", path)
+    assert answer.code == 0, answer.first
+    load(bridge, tmp_path / "job")
+    one, other = (bridge.correction(address) for address in (bridge.lead, bridge.partner))
+    assert all(abs(one(x, d) - other(x, d)) < 2e-4 for x in Skew().places for d in (1, -1))
+
+
+def test_both_tables_are_switched_off_first(tmp_path: Path) -> None:
+    """A table that is on is protected: the step names the switch of both columns."""
+    bridge = BRIDGES["sinumerik"]()
+    answer = command("run", prepare(tmp_path, bridge, TABLE, "37100", "{axis: IT, table: same}"))
+    assert answer.code == 0, answer.first
+    step = card_of(tmp_path / "job").split("Switch the old table off")[1].split("- [ ] **")[0]
+    assert "AX1" in step
+    assert "AX4" in step
+
+
+def test_equal_tables_without_a_gantry_are_a_remark(tmp_path: Path) -> None:
+    """MD37100 = 0: the files say that the axes are no gantry."""
+    answer = command("run", prepare(tmp_path, BRIDGES["sinumerik"](), LEAD, ""))
+    assert answer.code == 0, answer.first
+    assert "No gantry: MD37100 = 0" in card_of(tmp_path / "job")
+
+
+@pytest.mark.parametrize("make", EACH)
+def test_columns_that_do_the_same_need_no_answer(make: type[Bridge], tmp_path: Path) -> None:
+    bridge = make()
+    before_second = 0.0
+    path = prepare(tmp_path, bridge, LEAD, bridge.couplings[0], "IT")
+    before_second = accuracy(SECOND, bridge.correction(bridge.partner), 5)
+    answer = command("run", path)
+    assert answer.code == 0, answer.first
+    load(bridge, tmp_path / "job")
+    assert accuracy(SECOND, bridge.correction(bridge.partner), 5) < before_second
+
+
+@pytest.mark.parametrize("make", EACH)
+@pytest.mark.parametrize("coupling", ["", "others"])
+def test_an_axis_of_its_own_is_written_whatever_others_do(
+    make: type[Bridge], coupling: str, tmp_path: Path
+) -> None:
+    bridge = make()
+    path = prepare(tmp_path, bridge, TABLE, coupling)
+    second = snapshot(bridge, bridge.partner)
+    answer = command("run", path)
+    assert answer.code == 0, answer.first
+    load(bridge, tmp_path / "job")
+    assert not any(Skew().changes(second, bridge.correction(bridge.partner)))

@@ -1,0 +1,141 @@
+"""Jumps of the error between two targets: axes with a known step are simulated here, and what is
+made of them is compared with the truth and with straight lines between the means.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from compwright.estimation.axis import AxisPosterior, estimate_axis
+from compwright.estimation.jumps import jumps_of
+from compwright.estimation.noise import noise_of
+from compwright.estimation.observed import ObservedTest
+from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.positioning import PositioningTest
+
+UM = 1e-3
+LENGTH = 800.0
+Curve = Callable[[FloatArray], FloatArray]
+
+
+def smooth(phase: float) -> Curve:
+    return lambda x: 10.0 * np.sin(x / 200.0 + phase) + 0.01 * x
+
+
+def jumping(phase: float, *steps: tuple[float, float]) -> Curve:
+    """A smooth error, and steps (place in mm, size in µm)."""
+    plain = smooth(phase)
+    return lambda x: plain(x) + sum(size * (x > place) for place, size in steps)
+
+
+def estimated(error: Curve, targets: FloatArray, seed: int, noise: float = 0.3) -> AxisPosterior:
+    rng = np.random.default_rng(seed)
+    readings = [
+        (error(targets)[:, np.newaxis] + lost + noise * rng.standard_normal((targets.size, 5))) * UM
+        for lost in (0.0, -3.0)
+    ]
+    test = PositioningTest(
+        name="x",
+        axis="X",
+        kind=AxisKind.LINEAR,
+        targets=targets,
+        positive=readings[0],
+        negative=readings[1],
+        runs_positive=(1, 2, 3, 4, 5),
+        runs_negative=(1, 2, 3, 4, 5),
+        frame="machine",
+    )
+    return estimate_axis([ObservedTest(test=test, noise=noise_of(test))], travel=(0.0, LENGTH))
+
+
+def dithered(count: int, seed: int) -> FloatArray:
+    places = np.arange(count) + 0.5 + np.random.default_rng(seed).uniform(-0.3, 0.3, count)
+    return np.asarray(np.round(places * LENGTH / count, 3))
+
+
+def left(posterior: AxisPosterior, error: Curve, where: FloatArray) -> float:
+    """The range of what a table of minus the estimate leaves in +, µm."""
+    held = posterior.summary(where).mean_positive / UM
+    return float(np.ptp(error(where) - held))
+
+
+# --- found, and told
+# --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("count", [8, 17])
+def test_a_jump_is_named_with_its_size_and_place(count: int) -> None:
+    targets = dithered(count, 1)
+    place = float(targets[3] + targets[4]) / 2.0
+    posterior = estimated(jumping(1.0, (place, 100.0)), targets, 2)
+    (jump,) = posterior.cells.jumps
+    assert (jump.low, jump.high) == (targets[3], targets[4])
+    assert abs(jump.size / UM - 100.0) < 3.0 * jump.std / UM < 15.0
+    (told,) = [one for one in posterior.findings if one.code == "CW-E030"]
+    assert told.severity == "warning"
+    assert f"{targets[3]:.10g} and {targets[4]:.10g} mm" in told.message
+    assert "+100" in told.message or "+99" in told.message or "+101" in told.message
+
+
+def test_two_jumps_are_named_each_with_its_sign() -> None:
+    targets = np.linspace(0.0, LENGTH, 21)
+    posterior = estimated(jumping(0.0, (210.0, 40.0), (610.0, -60.0)), targets, 3)
+    found = [(jump.low, round(jump.size / UM, -1)) for jump in posterior.cells.jumps]
+    assert found == [(200.0, 40.0), (600.0, -60.0)]
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_smooth_errors_kinks_bumps_and_waves_are_no_jump(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    x = dithered(int(rng.integers(8, 30)), seed)
+    errors = (
+        smooth(seed)(x),
+        smooth(seed)(x) + 0.1 * np.maximum(x - 350.0, 0.0),
+        smooth(seed)(x) + 15.0 * np.exp(-0.5 * ((x - 400.0) / 30.0) ** 2),
+        smooth(seed)(x) + 3.0 * np.sin(2.0 * np.pi * x / 10.0),
+        smooth(seed)(x) + 20.0 * (np.arange(x.size) == 5),
+        5.0 * np.round(smooth(seed)(x) / 5.0),
+    )
+    for number, error in enumerate(errors):
+        values = (error + rng.normal(0.0, 0.2, x.size)) * UM
+        stds = np.full(x.size, (0.2 if number < 5 else 1.5) * UM)
+        assert not [jump for jump in jumps_of(x, values, stds) if jump.named], number
+
+
+# --- what the table then holds
+# --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("count", "size"), [(8, 30.0), (11, 100.0), (17, 1000.0)])
+def test_the_estimate_is_never_worse_than_straight_lines_between_the_means(
+    count: int, size: float
+) -> None:
+    """Everywhere but between the two targets, where nobody knows the place of the jump."""
+    ours, lines = [], []
+    for seed in range(2):
+        targets = dithered(count, seed)
+        rng = np.random.default_rng(seed)
+        gap = int(rng.integers(2, count - 2))
+        error = jumping(seed, (float(targets[gap - 1]) + 1.0, size))
+        posterior = estimated(error, targets, seed, noise=0.1)
+        where = np.linspace(targets[0], targets[-1], 400)
+        where = where[(where < targets[gap - 1]) | (where > targets[gap])]
+        ours.append(left(posterior, error, where))
+        lines.append(float(np.ptp(error(where) - np.interp(where, targets, error(targets)))))
+    assert np.mean(ours) < np.mean(lines) + 0.2
+    assert max(ours) < 1.5
+
+
+def test_the_gap_is_as_uncertain_as_the_jump() -> None:
+    """Half of the draws have it in the middle of the gap, half do not: 100 µm apart."""
+    targets = np.linspace(0.0, LENGTH, 17)
+    posterior = estimated(jumping(1.0, (260.0, 100.0)), targets, 5)
+    drawn = posterior.draw(np.array([240.0, 275.0, 310.0]), 400, np.random.default_rng(1)).positive
+    low, middle, high = np.std(drawn, axis=0) / UM
+    assert middle == pytest.approx(50.0, rel=0.1)
+    assert max(low, high) < 3.0
+    std = posterior.summary(np.array([240.0, 275.0, 310.0])).std_positive / UM
+    assert std[1] == pytest.approx(50.0, rel=0.05)

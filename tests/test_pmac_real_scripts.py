@@ -1,0 +1,237 @@
+"""Scripts as machines have them: a definition without a comma behind its entries, entries set off by
+commas, remarks with ``//``, macros, expressions, conditional blocks.
+
+Form and numbers of the tables are those of an undulator's script (github
+dhidas/IDCommon_ivu23_2.8m, comp_table_2.8.pmc; macros and expressions: I_var_2.8.pmc beside it).
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.controllers.virtual import virtual_control
+from compwright.formats.control_format import control_format
+from compwright.foundations.errors import InputError, UsageError
+from compwright.records.axis import Direction
+from compwright.records.correction import ControlFile, ControlState
+from compwright.workflow.stages.control import decode, open_control
+from format_samples import DEFINITIONS
+from loop import Machine, csv_of
+
+pytestmark = pytest.mark.brief
+
+UP, DOWN = Direction.POSITIVE, Direction.NEGATIVE
+ROW = "1664000,755200,473600,217600,73600,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0"
+BACK = (
+    ROW.replace("1664000", "-1664000")
+    .replace(",7", ",-7")
+    .replace(",4", ",-4")
+    .replace(",2", ",-2")
+)
+#: 24 entries over 60 000 000 counts, 1000 counts per µm: 2.5 mm and 0.104 mm at the first one.
+TABLES = f"""; ------------------
+; \x83s\x83b\x83`
+; ------------------
+; #1 DEFINE COMP 12 #1,#1,60000000
+; 800000,224000,0,0,0,0,0,0,0,0,0,0
+#4 DEFINE COMP 24 #20,#20,60000000
+{BACK}
+#3 DEFINE COMP 24 #3,#3,60000000
+{BACK}
+#2 DEFINE COMP 24 #17,#17,60000000
+{ROW}
+#1 DEFINE COMP 24 #1,#1,60000000
+{ROW}
+
+"""
+VARIABLES = """#define\t\tSPD_MIDL\t\t\t64\t\t; velocity
+#define BACK_RUSH_VAL  4*SIXTEEN // backlash
+#define SIXTEEN 16
+I0122 = SPD_MIDL*2\t\t; Jog Speed
+I0130 = -(2*81458)
+I1816 = SPD_MIDL * 2
+P6400 = P6400 + 1\t\t// for Debug
+I185=$20 I0186 = BACK_RUSH_VAL
+I286=BACK_RUSH_VAL
+I51=1
+"""
+COUNTS = 10_000_000.0  # counts per mm: 6 mm of length
+
+
+def files(*texts: str) -> list[ControlFile]:
+    return [
+        ControlFile(f"s{number}.pmc", text.encode("latin-1")) for number, text in enumerate(texts)
+    ]
+
+
+def read(*texts: str, active: bool | None = None, address: str | None = "1") -> ControlState:
+    control = open_control("pmac", {"counts_per_unit": COUNTS})
+    return decode(control, files(*texts), address=address, active=active).state
+
+
+def test_a_real_script_is_read_as_it_is_by_both_readers() -> None:
+    state = read(TABLES, address=None)
+    assert set(state.axes) == {"1", "3", "17", "20"}
+    one, twenty = state.axes["1"], state.axes["20"]
+    assert one.period == pytest.approx(6.0)
+    # the first entry: 1664000 / 16 counts at 2 500 000 counts
+    assert one.at(np.array([0.25, 0.0]), UP) == pytest.approx([104000 / COUNTS, 0.0])
+    assert twenty.at(np.array([0.5]), DOWN) == pytest.approx([-47200 / COUNTS])
+
+
+def test_macros_and_expressions_are_worked_out() -> None:
+    state = read(VARIABLES, TABLES)
+    assert state.axes["1"].at(np.array([0.0]), DOWN) == pytest.approx([-4.0 / COUNTS])
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [
+        ("4*16", 64),
+        ("(2+2)*$10", 64),
+        ("128/2", 64),
+        ("70 - 6", 64),
+        ("+64.0", 64),
+        ("65/2", None),
+        ("I286", None),
+        ("P1*4", None),
+        ("4**16", None),
+        ("NOBODY", None),
+        ("(4", None),
+    ],
+)
+def test_what_an_expression_gives(value: str, said: int | None) -> None:
+    text = f"I51=1\nI185=32\nI186={value}\n#1 DEFINE COMP 2 #1,60000000\n16,0\n"
+    if said is None:
+        with pytest.raises(InputError, match="line 3"):
+            read(text)
+        with pytest.raises(InputError):
+            virtual_control("pmac", files(text), options={"counts_per_unit": COUNTS})
+        return
+    assert read(text).axes["1"].at(np.array([0.0]), DOWN) == pytest.approx([-said / 16 / COUNTS])
+
+
+def test_only_the_axis_under_work_is_patched_and_all_else_stays(tmp_path: Path) -> None:
+    machine = Machine(low=0.0, high=5.0, slope=2e-6, bow=0.0004, lost=0.0, noise=0.00001)
+    (tmp_path / "a.pmc").write_bytes(
+        VARIABLES.replace("I185=$20 I0186 = BACK_RUSH_VAL", "").encode()
+    )
+    (tmp_path / "b.pmc").write_bytes(TABLES.encode("latin-1").replace(b"\n", b"\r\n"))
+    targets = machine.targets(12)
+    old = read(TABLES).axes["1"]
+    readings = machine.measure(targets, 1, lambda x, s: old.at(x, UP if s > 0 else DOWN))
+    (tmp_path / "x.csv").write_text(csv_of(targets, readings))
+    (tmp_path / "job.yaml").write_text(
+        f"compwright: 1\ncontroller: {{format: pmac, options: {{counts_per_unit: {COUNTS}}}}}\n"
+        "states: {as_found: [a.pmc, b.pmc]}\n"
+        "axes:\n  X: {travel: [0, 5], address: 1, before: [x.csv]}\n"
+    )
+    assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
+    written = tmp_path / "job" / "tables" / "pmac"
+    was = (tmp_path / "b.pmc").read_bytes().split(b"\r\n")
+    now = (written / "b.pmc").read_bytes().split(b"\r\n")
+    # the backlash of motor 1, which no script said, is new
+    now = [line for line in now if not line.startswith((b"I185=", b"I186="))]
+    changed = [line for line, (one, other) in enumerate(zip(was, now, strict=True)) if one != other]
+    assert changed == [was.index(b"#1 DEFINE COMP 24 #1,#1,60000000") + 1]
+    assert now[changed[0]].count(b",") == 23
+    first = (tmp_path / "a.pmc").read_bytes()
+    assert (written / "a.pmc").read_bytes().startswith(first[: first.index(b"I286")])
+
+
+def test_more_and_fewer_entries_keep_the_commas(tmp_path: Path) -> None:
+    form = control_format(DEFINITIONS["pmac"], {"counts_per_unit": 1000.0})
+    del form, tmp_path  # grids change in test_formats_pmac.py; here the form of the list alone
+    from compwright.formats.families.wrapped.script import read_script
+    from compwright.formats.families.wrapped.tables import MotorTable
+    from compwright.formats.families.wrapped.writing import patched_scripts
+
+    given = files("#1 DEFINE COMP 4 #1,#1,4000\n16, 32,\n48 ,0 // end\n")
+    for entries in ((1, 0), (1, 2, 3, 4, 5, 0)):
+        wish = MotorTable(1, 1000 * len(entries), entries, (), 0, None)
+        faults: list[object] = []
+        done = patched_scripts(DEFINITIONS["pmac"], given, [wish], {1: 32}, faults)  # type: ignore[arg-type]
+        assert faults == []
+        assert b"// end" in done[0].content
+        again = read_script(DEFINITIONS["pmac"], done)
+        assert again.tables["COMP", 1].numbers == entries
+
+
+# --- what can keep values from being carried out
+
+
+TABLE = "#1 DEFINE COMP 2,60000000\n16 0\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        (f"#define GOOD\n#ifdef GOOD\n{TABLE}#endif\nI51=1\n", 2),
+        (f"#ifndef GOOD\nI51=0\n#endif\n{TABLE}", 2),
+        (f"#ifdef OLD\n#1 DELETE COMP\n#endif\n{TABLE}I51=1\n", 2),
+        (f"#ifdef A\n{TABLE}#else\n{TABLE.replace('16', '32')}#endif\nI51=1\n", 3),
+        (f"{TABLE}#ifdef A\nI51=0\n#else\nI51=1\n#endif\n", 3),
+        (f"{TABLE}I51=1\n#ifdef A\nI5111=3\n#endif\n", 0),  # nothing of ours is in it
+        (f"#ifdef A\nP1=3\n#endif\n{TABLE}I51=1\n", 0),
+        (f"{TABLE}I51=1\nOPEN PLC 3 CLEAR\nIF (P1=1)\nI51=0\nENDIF\nDISABLE PLC 3\nCLOSE\n", 3),
+        (
+            f"#define OFF I51=0\n{TABLE}I51=1\nOPEN PLC 3 CLEAR\nWHILE (P1<1)\nOFF\nENDWHILE\nCLOSE\n",
+            3,
+        ),
+        (f'{TABLE}I51=1\nOPEN PLC 3\nCMD"#1DELETE COMP"\nCLOSE\n', 3),
+        (f"{TABLE}I51=1\nOPEN PLC 3\nI(P5)=0\nCLOSE\n", 3),
+        (f"{TABLE}I51=1\nOPEN PLC 3 CLEAR\nIF (I51=0)\nP1=1\nENDIF\nCLOSE\nENABLE PLC 3\n", 0),
+        (f"{TABLE}I51=1\nIF (P1=1)\n", 3),
+        (f"{TABLE}I51=1\n#else\n", 3),
+    ],
+)
+def test_what_may_not_have_been_sent_is_asked_for_or_refused(text: str, code: int) -> None:
+    if code == 0:
+        assert read(text).axes["1"].positions.size
+        return
+    kind = UsageError if code == 2 else InputError
+    with pytest.raises(kind) as stopped:
+        read(text)
+    fault = stopped.value.faults[0]
+    assert fault.file == "s0.pmc"
+    assert fault.place.startswith("line ")
+    given = files(text)
+    options = {"counts_per_unit": COUNTS}
+    if 'CMD"' not in text:
+        with pytest.raises(InputError):
+            virtual_control("pmac", given, options=options)
+    if code == 2:
+        # the answer counts everything as sent, in the order of the lines
+        assert "1" in read(text, active=True).axes
+        virtual_control("pmac", given, options=options, carried_out=True, active=True)
+    else:
+        with pytest.raises(InputError):
+            read(text, active=True)
+
+
+def test_both_lines_of_two_branches_are_named() -> None:
+    text = f"#ifdef A\n{TABLE}#else\n{TABLE}#endif\nI51=1\n"
+    with pytest.raises(InputError) as refused:
+        read(text)
+    assert refused.value.faults[0].place == "line 5"
+    assert "line 2" in refused.value.faults[0].message
+
+
+def test_blocks_of_other_motors_stop_nothing() -> None:
+    text = f"#ifdef A\n#2 DEFINE COMP 2,60000000\n16 0\n#endif\n{TABLE}I51=1\n"
+    assert read(text).axes["1"].positions.size
+
+
+def test_macros_that_name_variables_of_no_concern_are_read_over() -> None:
+    """A pointer and an assignment as in IVU_2.8_PLC.pmc; CLOSE in a name ends no program."""
+    text = (
+        f"#define M_Type M5000\n#define OFF I51\n{TABLE}I51=1\nM_Type->X:$004FA0,0,24\nM_Type = 3*2\n"
+        "OPEN PLC 3 CLEAR\nGAP_CLOSE_REG = 1\nIF( CLOSE_REG = 0 )\nENDIF\nCLOSE\n"
+    )
+    assert read(text).axes["1"].positions.size
+    with pytest.raises(InputError, match="line 13"):
+        read(f"{text}OFF=0\n")

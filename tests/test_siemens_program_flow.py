@@ -1,0 +1,407 @@
+"""SINUMERIK: a state that is a program. Whatever may keep a value from being carried out is asked
+about or refused with its line, by each reader on its own; exports of the control are not.
+
+The statements are those of the part-program language (programming manual Job Planning: jumps,
+branches, loops, calls, synchronised actions, interrupts, block skip).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.controllers.sinumerik.flow import Block
+from compwright.controllers.sinumerik.text import read_file
+from compwright.controllers.virtual import virtual_control
+from compwright.formats.control_format import control_format
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.pairs.program_flow import scanned
+from compwright.formats.text.container import opened
+from compwright.foundations.errors import InputError, UsageError
+from compwright.records.correction import ControlFile
+from format_samples import SIEMENS, axis_of
+from sinumerik_archive import ARCHIVE, needs_archive
+
+pytestmark = pytest.mark.brief
+
+ROWS = "".join(
+    f"$AA_ENC_COMP[0,{index},AX1]={value}\n"
+    for index, value in enumerate(("0", "0.004", "-0.006", "0.003", "0.001"))
+)
+GRID = (
+    "$AA_ENC_COMP_STEP[0,AX1]=100\n$AA_ENC_COMP_MIN[0,AX1]=0\n$AA_ENC_COMP_MAX[0,AX1]=400\n"
+    "$AA_ENC_COMP_IS_MODULO[0,AX1]=0\n"
+)
+OFF, ON = "$MA_ENC_COMP_ENABLE[0,AX1]=0\n", "$MA_ENC_COMP_ENABLE[0,AX1]=1\n"
+TABLE = ROWS + GRID
+PLAY = "$MA_BACKLASH[0,AX1]=0.002\n"
+
+Reader = Callable[..., object]
+
+
+def by_writer(text: str, active: bool | None = None, name: str = "LOAD.MPF") -> object:
+    """The reader of the room that writes."""
+    file = ControlFile(name, text.encode())
+    activity = Activity(said=active, asking=True, carried_out=active is True)
+    axes = [axis_of("AX1", system=2 if "[1,0,AX1]" in text else 1)]
+    return control_format(SIEMENS, {}).read([file], axes, activity=activity)
+
+
+def by_judge(text: str, active: bool | None = None, name: str = "LOAD.MPF") -> object:
+    """The judge's reader."""
+    file = ControlFile(name, text.encode())
+    return virtual_control(
+        "siemens-840d-sl", [file], active=active, carried_out=active is True, asked=("AX1",)
+    )
+
+
+def judged(file: ControlFile) -> list[Block]:
+    """What the judge finds beside the values of a file."""
+    return read_file(file).blocks
+
+
+READERS = [pytest.param(by_writer, id="writer"), pytest.param(by_judge, id="judge")]
+
+#: What can keep the values from being carried out, around them or before them.
+FLOW = {
+    "if": "IF R50==1\n{}ENDIF\n",
+    "if with words": "N10 IF (R50 == 1) AND NOT $P_SEARCH\n{}N20 ENDIF\n",
+    "else": "IF R50==1\nMSG(\"A\")\nELSE\n{}ENDIF\n",
+    "gotof": "GOTOF ENDE\n{}ENDE:\n",
+    "conditional gotof": "IF R50<>1 GOTOF ENDE\n{}ENDE:\n",
+    "goto": "GOTO ENDE\n{}ENDE:\n",
+    "gotoc": "GOTOC ENDE\n{}ENDE:\n",
+    "gotob": "ANFANG:\nIF R1<3 GOTOB ANFANG\n{}",
+    "gotos": "IF R1==0 GOTOS\n{}",
+    "gotof block number": "N10 GOTOF N99\n{}N99 STOPRE\n",
+    "case": "CASE R50 OF 1 GOTOF EINS DEFAULT GOTOF ENDE\nEINS:\n{}ENDE:\n",
+    "for": "FOR R1=1 TO R2\n{}ENDFOR\n",
+    "while": "WHILE R1<R2\n{}R1=R1+1\nENDWHILE\n",
+    "loop": "LOOP\n{}GOTOF ENDE\nENDLOOP\nENDE:\n",
+    "repeat until": "REPEAT\n{}UNTIL R1==1\n",
+    "repeat label": "REPEAT EINS ZWEI P=2\n{}",
+    "repeatb": "REPEATB EINS\n{}",
+    "call": 'CALL "/_N_CMA_DIR/_N_ANDERE_SPF"\n{}',
+    "call glued": 'CALL"_N_ANDERE_SPF"\n{}',
+    "call block": 'CALL BLOCK EINS TO ZWEI\n{}',
+    "pcall": 'PCALL /_N_CMA_DIR/_N_ANDERE_SPF(1)\n{}',
+    "isocall": 'ISOCALL "O1000"\n{}',
+    "extcall": 'EXTCALL("ANDERE")\n{}',
+    "modal call": "MCALL ANDERE\n{}",
+    "l100": "L100\n{}",
+    "l100 repeated": "N5 L100 P3\n{}",
+    "by name": "LADEN_AX1\n{}",
+    "by name with arguments": 'LADEN_AX1(1,"X")\n{}',
+    "function in an assignment": "R1=PRUEFE(3)\n{}",
+    "function in an index": "R[PRUEFE(3)]=1\n{}",
+    "execstring": 'EXECSTRING("L100")\n{}',
+    "exectab": "EXECTAB\n{}",
+    "whenever": "WHENEVER $AC_TIMER[1]>5 DO $A_OUT[1]=1\n{}",
+    "modal action": "ID=1 EVERY $A_IN[1]==1 DO L100\n{}",
+    "setint": "SETINT(1) PRIO=1 ANDERE\n{}",
+    "channel": 'INIT(2,"/_N_MPF_DIR/_N_X_MPF")\nSTART(2)\n{}',
+    "wait": "WAITM(1,1,2)\n{}",
+    "stop": "M0\n{}",
+    "optional stop": "M1\n{}",
+    "alarm": "SETAL(61000)\n{}",
+    "end on a condition": "IF R50==0\nM17\nENDIF\n{}",
+    "return on a condition": "IF R50==0\nRET\nENDIF\n{}",
+    "skipped jump": "/GOTOF ENDE\n{}ENDE:\n",
+    "skipped end": "/1 M30\n{}",
+    "macro": "DEFINE LADE AS L100\n{}",
+    "parameters": "PROC LADEN(INT NR)\n{}",
+    "procedure": "PROC LADEN SAVE DISPLOF\n{}",
+    "tool": "T=1\n{}",
+    "m function": "M=30+R1\n{}",
+    "motion": "G0 X100\n{}",
+    "unknown": "ZZTOP 7\n{}",
+}  # fmt: skip
+#: Blocks behind the last value, and what leaves the order of the blocks alone.
+HARMLESS = {
+    "flow behind the values": '{}IF R50==1\nMSG("fertig")\nENDIF\nL100\nGOTOB ENDE\nM0\n',
+    "a label": "ANFANG:\n{}",
+    "messages and stops of look-ahead": 'MSG("Tabelle; laden"<<R1)\nSTOPRE\nNEWCONF\nG4 F1\nG4F5\n{}MSG()\n',
+    "definitions": 'DEF REAL _WERT=1.5,_B[2,3]\nDEF STRING[20] _TEXT="a"\nEXTERN PRUEFE(REAL)\n{}',
+    "r parameters": "R50=1\nR1=R2*(R3+SIN(30))/2\nR[7]=-1.5EX-3\n{}",
+    "user data": '_WP[1,2]=-9\nS_TXT[3]=""\n$P_UIFR[1]=CTRANS(X,10):CROT(Z,45)\n{}',
+    "g words": "G71 G90\nG17G40\nN10 G500\n{}",
+    "a path": ";$PATH=/_N_MPF_DIR\n$PATH=/_N_MPF_DIR\n{}",
+    "other machine data": "N10000 $MN_AXCONF_MACHAX_NAME_TAB[5]=\"\"\n$MN_INIT_MD='H2f'\n$TC_DP1[1,1]=120\n{}",
+    "checksums": "N14510 $MN_USER_DATA_INT[0]=1 '0a1b\n{}",
+}  # fmt: skip
+
+
+def whole(form: str) -> str:
+    return "%_N_LOAD_MPF\nCHANDATA(1)\n" + form.format(TABLE + PLAY + ON) + "M17\n"
+
+
+@pytest.mark.parametrize("read", READERS)
+@pytest.mark.parametrize("kind", FLOW)
+def test_what_may_leave_values_out_is_asked_about_with_its_line(kind: str, read: Reader) -> None:
+    text = whole(FLOW[kind])
+    for answer in (None, False):
+        with pytest.raises(UsageError) as asked:
+            read(text, answer)
+        fault = asked.value.faults[0]
+        line = next(
+            number
+            for number, code in enumerate(text.splitlines(), start=1)
+            if number > 2 and not re.match(r"\w+:$|MSG|R1=R1", code)
+        )
+        assert (fault.file, fault.place) == ("LOAD.MPF", f"line {line}")
+        assert "active: yes" in fault.expected
+    read(text, True)  # every value statement was carried out
+
+
+@pytest.mark.parametrize("read", READERS)
+@pytest.mark.parametrize("kind", HARMLESS)
+def test_what_leaves_the_values_alone_is_not_asked_about(kind: str, read: Reader) -> None:
+    read(whole(HARMLESS[kind]), None)
+
+
+@pytest.mark.parametrize("read", READERS)
+@pytest.mark.parametrize(
+    "end", ["M17", "N90 M30", "M2", "M02", "RET", "G4 F1 M30", 'MSG("") M17'], ids=str
+)
+def test_values_behind_the_end_are_refused(end: str, read: Reader) -> None:
+    for answer in (None, True):
+        with pytest.raises(InputError) as refused:
+            read(f"{ON}{PLAY}{end}\n{TABLE}M17\n", answer)
+        assert "line 4" in {fault.place for fault in refused.value.faults}
+
+
+@pytest.mark.parametrize("read", READERS)
+def test_a_second_program_of_one_file_begins_anew(read: Reader) -> None:
+    other = TABLE.replace("AX1", "AX2")
+    read(f"%_N_A_MPF\n{other}M17\n%_N_B_INI\n{TABLE}{PLAY}{ON}M17\n", None)
+    text = f"%_N_A_MPF\nIF R1==1\n{other}ENDIF\nM17\n%_N_B_INI\n{TABLE}{PLAY}{ON}M17\n"
+    read(text, None)  # of another axis alone
+    with pytest.raises(UsageError):
+        read(text.replace("AX2", "AX1").replace(TABLE + PLAY, PLAY), None)
+
+
+VALUES = TABLE + PLAY + ON + "M17\n"
+#: Programs that act only where another one, or somebody, calls or starts them: the name of the
+#: file, the text, and the line that shows it.
+CALLED = {
+    "header": ("EEC.INI", f"%_N_L100_SPF\n{VALUES}", 1),
+    "header behind comments": ("EEC.INI", f"; A\n%_n_komp_x_spf\nCHANDATA(1)\n{VALUES}", 2),
+    "procedure": ("EEC.INI", f"; A\nN5 PROC L100 DISPLOF\n{VALUES}", 2),
+    "procedure with an argument": ("EEC.INI", f"PROC KOMP(REAL _F)\n{VALUES}", 1),
+    "name of the file": ("KOMP.SPF", VALUES, 1),
+    "skipped call": (
+        "EEC.INI",
+        f"%_N_M_MPF\nIF R1==0 GOTOF E\nL100\nE:\nM30\n%_N_L100_SPF\nPROC L100\n{VALUES}",
+        6,
+    ),
+    "never called": ("EEC.INI", f"%_N_M_MPF\nR1=0\nM30\n%_N_L100_SPF\n{VALUES}", 4),
+    "second main program": ("A.MPF", f"%_N_A_MPF\nR1=0\nM30\n%_N_B_MPF\n{VALUES}", 4),
+    "behind one without header": ("A.MPF", f"R1=0\nM30\n%_N_B_MPF\n{VALUES}", 3),
+    "behind exported data": (
+        "A.INI",
+        f"$MN_USER_DATA_INT[0]=1\n%_N_B_MPF\n{VALUES}",
+        2,
+    ),
+}
+
+
+@pytest.mark.parametrize("read", READERS)
+@pytest.mark.parametrize("kind", CALLED)
+def test_a_program_that_something_has_to_call_is_asked_about(kind: str, read: Reader) -> None:
+    name, text, line = CALLED[kind]
+    for answer in (None, False):
+        with pytest.raises(UsageError) as asked:
+            read(text, answer, name)
+        fault = asked.value.faults[0]
+        assert (fault.file, fault.place) == (name, f"line {line}")
+        assert "active: yes" in fault.expected
+    read(text, True, name)
+
+
+@pytest.mark.parametrize("read", READERS)
+def test_exported_data_are_not_called(read: Reader) -> None:
+    for header in ("AX_EEC_INI", "INITIAL_INI", "COMPLETE_TEA", "AX1_EEC"):
+        read(f"%_N_O1_MPF\nG0 X0\nM30\n%_N_{header}\n;$PATH=/_N_X_SPF\n{VALUES}", None)
+        read(f"%_N_{header}\nCHANDATA(1)\n{VALUES}%_N_L1_SPF\nPROC L1\nL2\nM17\n", None)
+
+
+@pytest.mark.parametrize("read", READERS)
+def test_a_switch_before_the_flow_of_a_subprogram_is_a_sequence(read: Reader) -> None:
+    text = f"{PLAY}{OFF}NEWCONF\nIF R50==0 GOTOF ENDE\n{TABLE}{ON}NEWCONF\nENDE:\nM17\n"
+    read(f"%_N_L100_SPF\nPROC L100\n{text}", True)
+
+
+BRANCHES = {
+    "if and else": "IF R50==1\n{one}ELSE\n{two}ENDIF\n",
+    "two conditions": "IF R50==1\n{one}ENDIF\nIF R50==2\n{two}ENDIF\n",
+    "case": "CASE R50 OF 1 GOTOF A 2 GOTOF B\nA:\n{one}GOTOF C\nB:\n{two}C:\n",
+    "jumps": "IF R50==1 GOTOF B\n{one}GOTOF C\nB:\n{two}C:\n",
+    "inside of branches": "IF R1==1\nIF R50==1\n{one}ELSE\n{two}ENDIF\nENDIF\n",
+}
+
+
+@pytest.mark.parametrize("read", READERS)
+@pytest.mark.parametrize("kind", BRANCHES)
+def test_one_entry_in_two_branches_is_refused_with_both_lines(kind: str, read: Reader) -> None:
+    one, two = "$MA_BACKLASH[0,AX1]=0.01\n", "$MA_BACKLASH[0,AX1]=0.02\n"
+    text = TABLE + OFF + BRANCHES[kind].format(one=one, two=two) + ON + "M17\n"
+    lines = text.splitlines(keepends=True)
+    with pytest.raises(InputError) as refused:
+        read(text, True)
+    (fault,) = refused.value.faults
+    assert fault.place == f"line {lines.index(two) + 1}"
+    assert f"line {lines.index(one) + 1}" in fault.message
+
+
+@pytest.mark.parametrize("read", READERS)
+def test_a_switch_before_the_flow_and_in_it_is_a_sequence(read: Reader) -> None:
+    text = f"{PLAY}{OFF}NEWCONF\nIF R50==0 GOTOF ENDE\n{TABLE}{ON}NEWCONF\nENDE:\nM30\n"
+    read(text, True)
+
+
+#: Values and indices that only the running program knows.
+COMPUTED = {
+    "expression": "$MA_BACKLASH[0,AX1]=R50*2",
+    "parameter": "$AA_ENC_COMP[0,5,AX1]=R50",
+    "index of an axis variable": "DEF AXIS _ACHSE=AX1\n$AA_ENC_COMP[0,5,_ACHSE]=0.001",
+    "index of an assigned variable": "_ACHSE=AX1\n$AA_ENC_COMP[0,5,_ACHSE]=0.001",
+    "index": "$AA_ENC_COMP[0,R1,AX1]=0.001",
+    "calculated index": "$AA_ENC_COMP[0,R1+1,AX1]=0.001",
+    "axis of a table": "$AN_CEC_INPUT_AXIS[0]=(R1)",
+    "kind": "$MA_IS_ROT_AX[AX1]=R1",
+    "unit": "$MN_SCALING_SYSTEM_IS_METRIC=_METRISCH",
+    "action": "WHENEVER $AA_IM[X]>5 DO $SN_CEC_TABLE_ENABLE[0]=1",
+    "skipped": "/$MA_BACKLASH[0,AX1]=0.01",
+    "skipped block": "/N10 $MA_BACKLASH[0,AX1]=0.01",
+    "label": "EINS: $MA_BACKLASH[0,AX1]=0.01",
+    "two": "$MA_BACKLASH[0,AX1]=0.01 $MA_BACKLASH[1,AX1]=0.02",
+    "condition": "IF $MA_ENC_COMP_ENABLE[0,AX1]==1",
+}
+
+
+@pytest.mark.parametrize("read", READERS)
+@pytest.mark.parametrize("kind", COMPUTED)
+def test_what_only_the_program_knows_is_refused_with_its_line(kind: str, read: Reader) -> None:
+    text = f"{TABLE}{PLAY}{COMPUTED[kind]}\n{ON}M17\n"
+    line = text.splitlines().index(COMPUTED[kind].splitlines()[-1]) + 1
+    for answer in (None, True):
+        with pytest.raises(InputError) as refused:
+            read(text, answer)
+        assert f"line {line}" in {fault.place for fault in refused.value.faults}
+
+
+@pytest.mark.parametrize("read", READERS)
+@pytest.mark.parametrize("word", ["G70", "G700", "N10 G90 G700", "G90G70"])
+def test_a_program_in_another_unit_than_the_control_is_refused(word: str, read: Reader) -> None:
+    with pytest.raises(InputError) as refused:
+        read(f"METRIC\n{word}\n{TABLE}{PLAY}{ON}M17\n", True)
+    assert {fault.place for fault in refused.value.faults} == {"line 2"}
+    read(f"INCH\n{word}\n{TABLE}{PLAY}{ON}M17\n", None)
+    with pytest.raises(InputError):
+        read(f"INCH\n{word.replace('70', '71')}\n{TABLE}{PLAY}{ON}M17\n", True)
+
+
+@needs_archive
+def test_the_data_of_a_real_archive_are_no_program() -> None:
+    container, _ = opened(ControlFile("a.arc", ARCHIVE.read_bytes()))
+    assert container is not None
+    assert not [member for member in container.state if scanned(SIEMENS, member).leaves_out]
+    assert not [block for member in container.state for block in judged(member) if block.doubts]
+
+
+@needs_archive
+@pytest.mark.parametrize("read", READERS)
+def test_programs_of_a_real_machine(read: Reader) -> None:
+    """Its maker's loaders are sequences; one works its values out, one calls the others by what the
+    machine has.
+    """
+    container, _ = opened(ControlFile("a.arc", ARCHIVE.read_bytes()))
+    assert container is not None
+    texts = {
+        one.name.rpartition("\\")[2]: one.content.decode("latin-1") for one in container.programs
+    }
+    read(texts["G_85.MPF"], None)
+    assert texts["_2AT_KOMP.SPF"].splitlines()[86].startswith("$AN_CEC [6,9]     = R809+R9")
+    with pytest.raises(InputError) as refused:
+        read(texts["_2AT_KOMP.SPF"], True)
+    assert "line 87" in {fault.place for fault in refused.value.faults}
+    loaders = texts["G_85.MPF"].replace("M17", "") + texts["KOMPTABELLEN.MPF"]
+    with pytest.raises(InputError):  # its conditions read what is compensation data
+        read(texts["KOMPTABELLEN.MPF"], True)
+    calls = "".join(line for line in loaders.splitlines(keepends=True) if "IF" not in line)
+    read(calls, None)  # behind the last value
+    with pytest.raises(UsageError):
+        read(calls.split("M17")[0] + "$MA_ENC_COMP_ENABLE[1,AX1]=1\nM17\n", None)
+
+
+# -- through the commands
+# --------------------------------------------------------------------------------------------------
+
+
+def measured(path: Path) -> Path:
+    """A test of five runs: a bow of 20 µm."""
+    rows = [
+        f"{x},{way},{run},{x * (400 - x) / 2000 + (0.3 if way == '-' else 0) + 0.1 * (run % 3)}"
+        for x in (20, 100, 180, 220, 300, 380)
+        for way in "+-"
+        for run in range(1, 6)
+    ]
+    path.write_text("target_mm,direction,run,deviation_um\n" + "\n".join(rows) + "\n")
+    return path
+
+
+def run_with(folder: Path, text: str, *more: str) -> int:
+    (folder / "LOAD.MPF").write_text(text)
+    test = measured(folder / "x.csv")
+    state = ["--state", str(folder / "LOAD.MPF"), "--out", str(folder / "out")]
+    axis = ["--axis", "X", "--travel", "0:400", "--option", "address=AX1"]
+    given = ["run", str(test), "--format", "siemens-840d-sl", *axis, *state, *more, "--force"]
+    return compwright(given)
+
+
+def test_a_program_as_state_of_a_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Asked for (2), with the line; every value carried out: a table in files of their own, because
+    what is patched in the program may not be carried out.
+    """
+    text = whole(FLOW["if"])
+    assert run_with(tmp_path, text) == 2
+    assert "LOAD.MPF: line 3" in capsys.readouterr().err
+    assert not (tmp_path / "out" / "tables").exists()
+    assert run_with(tmp_path, text, "--option", "active=yes") in (0, 1)
+    written = {file.name for file in (tmp_path / "out" / "tables" / "siemens-840d-sl").iterdir()}
+    assert written == {"AX1_EEC.INI", "AX1_MD.INI"}
+    capsys.readouterr()
+    assert run_with(tmp_path, text, "--option", "active=yes", "--option", "files=patched") == 2
+    assert "LOAD.MPF" in capsys.readouterr().err
+
+
+def test_a_subprogram_as_state_of_a_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Beside a main program that never calls it: asked for (2), and no table."""
+    (tmp_path / "MAIN.MPF").write_text("%_N_MAIN_MPF\nR1=0\nM30\n")
+    main = ["--state", str(tmp_path / "MAIN.MPF")]
+    text = f"%_N_L100_SPF\nPROC L100 SAVE\n{VALUES}"
+    assert run_with(tmp_path, text, *main) == 2
+    assert "LOAD.MPF: line 1" in capsys.readouterr().err
+    assert not (tmp_path / "out" / "tables").exists()
+    assert run_with(tmp_path, text, *main, "--option", "active=yes") in (0, 1)
+    written = {file.name for file in (tmp_path / "out" / "tables" / "siemens-840d-sl").iterdir()}
+    assert written == {"AX1_EEC.INI", "AX1_MD.INI"}
+
+
+def test_decode_and_new_ask_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    program = tmp_path / "LOAD.MPF"
+    program.write_text(whole(FLOW["case"]))
+    job = tmp_path / "job.yaml"
+    commands = (
+        ["decode", str(program), "--format", "siemens-840d-sl"],
+        ["new", "--from", str(program), "--format", "siemens-840d-sl", "--out", str(job)],
+    )
+    for command in commands:
+        assert compwright(command) == 2
+        assert "line 3" in capsys.readouterr().err
+        assert compwright([*command, "--option", "active=yes"]) == 0
+    assert "active: yes" in job.read_text()
