@@ -10,11 +10,11 @@ from functools import cache
 
 import numpy as np
 
+from compwright.controls.control import Control, decode, open_control
+from compwright.controls.decoded import DecodedState
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
-from compwright.workflow.stages.control import Control, decode, open_control
-from compwright.workflow.stages.decoded import DecodedState
 from format_samples import DEFINITIONS
 
 #: What stands in such files: damage made of these letters hits their grammar more often than any

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.controllers.virtual import virtual_control
+from compwright.controls.control import open_control
 from compwright.fitting.fit import fit_table
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError
@@ -21,7 +22,6 @@ from compwright.records.axis import Axis, AxisKind, Direction, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import TableRequest
-from compwright.workflow.stages.control import open_control
 
 #: Formats that can write a table without files of the control: what to call the axis, and what to
 #: choose at random.

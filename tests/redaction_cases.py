@@ -15,8 +15,8 @@ from compwright.foundations.errors import CompwrightError
 from compwright.foundations.redaction import Cuts, Names
 from compwright.foundations.storage import definition_files
 from compwright.records.correction import ControlFile
-from compwright.workflow.stages.redacted_controls import control_copies
-from compwright.workflow.stages.redacted_measurements import measurement_copy
+from compwright.workflow.redact.redacted_controls import control_copies
+from compwright.workflow.redact.redacted_measurements import measurement_copy
 from redaction_samples import BALLBAR, CONTROLS, FOREIGN, PLAIN
 
 SECRETS = ("Muehlbauer", "Mühlbauer GmbH", "SN7731905", "77319052", "Halle Nord 7731905")

@@ -14,10 +14,10 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
+from compwright.controls.control import open_control, read_files
 from compwright.formats.text.container import opened
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
-from compwright.workflow.stages.control import open_control, read_files
 from loop import Floats, Machine, csv_of
 from places import REAL
 from sinumerik_archive import ARCHIVE, needs_archive

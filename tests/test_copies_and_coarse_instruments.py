@@ -12,7 +12,7 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.evaluation.copies import same_runs_findings
-from compwright.workflow.stages.inputs import read_measurement
+from compwright.workflow.inputs.job_inputs import read_measurement
 from loop import Floats, Machine, csv_of
 from one_test import read_positioning
 

@@ -12,10 +12,10 @@ from typing import Any
 import pytest
 
 from compwright.cli import run as compwright
+from compwright.controls.control import decode, open_control
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlFile, ControlState
-from compwright.workflow.stages.control import decode, open_control
 
 pytestmark = pytest.mark.brief
 

@@ -26,8 +26,8 @@ from compwright.records.correction import ControlState
 from compwright.records.job import Job, Thermal, UncertaintyBudget
 from compwright.records.plan import Plan, PlannedTest
 from compwright.records.prediction import AxisPrediction
-from compwright.workflow.stages.after_tests import after_tests
-from compwright.workflow.stages.inputs import read_test
+from compwright.workflow.inputs.after_tests import after_tests
+from compwright.workflow.inputs.job_inputs import read_test
 from planning_samples import PPM, TARGETS, UM, axis_of, job_of, readings_of
 
 STEEL = Thermal(alpha_m=11.5, T_m=24.0)

@@ -34,9 +34,9 @@ from compwright.workflow.commands.evaluate import (
     many_renderables,
     write_evaluation,
 )
-from compwright.workflow.showing import progress as showing
-from compwright.workflow.showing.answers import document_text
-from compwright.workflow.stages import evaluated
+from compwright.workflow.inputs import evaluated
+from compwright.workflow.results import progress as showing
+from compwright.workflow.results.answers import document_text
 
 TARGETS = (3.0, 110.5, 190.0, 310.0, 403.0)
 WHOLE = 400.0  # mm from the first target to the last

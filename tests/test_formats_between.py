@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from compwright.controls.control import Control, decode
+from compwright.controls.cross_tables import CrossOutcome, write_planned
 from compwright.formats.control_format import control_format
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.family import Family
@@ -28,8 +30,6 @@ from compwright.records.correction import (
 )
 from compwright.records.facts import AxisFacts, IncrementFacts
 from compwright.records.plan import PlannedCross
-from compwright.workflow.stages.control import Control, decode
-from compwright.workflow.stages.cross_tables import CrossOutcome, write_planned
 from format_samples import DEFINITIONS
 
 SIEMENS = "siemens-840d-sl"

@@ -16,6 +16,8 @@ import numpy as np
 import pytest
 
 from compwright.controllers.virtual import virtual_control
+from compwright.controls.control import decode, open_control
+from compwright.controls.decoded import DecodedState
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import found_in
 from compwright.formats.definition.options import resolve_options
@@ -25,8 +27,6 @@ from compwright.formats.text.diff import compare_files
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
-from compwright.workflow.stages.control import decode, open_control
-from compwright.workflow.stages.decoded import DecodedState
 from fanuc_backup import NUMBERS, OLD_POINTS, parameters, pitch_data
 from format_samples import CONTENT
 from plans import ADDRESSES, random_plan, tolerance, worst_difference

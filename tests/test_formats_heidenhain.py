@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
+from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
 from compwright.formats.families.card_words import UNKNOWN
@@ -26,7 +27,6 @@ from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts
-from compwright.workflow.stages.control import decode, open_control
 from format_samples import DEFINITIONS, axis_of, codes, correction, table
 from loop import Machine, accuracy, allowed, csv_of
 

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.schema import Definition
@@ -28,7 +29,6 @@ from compwright.records.correction import (
     CrossCompensation,
 )
 from compwright.records.facts import AxisFacts
-from compwright.workflow.stages.control import decode, open_control
 from format_samples import LINUXCNC, SIEMENS, axis_of, codes, correction, files, siemens, table
 
 POSITIVE, NEGATIVE = Direction.POSITIVE, Direction.NEGATIVE

@@ -13,12 +13,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from compwright.controls.control import decode, open_control
 from compwright.formats.control_format import control_format
 from compwright.formats.text.own_files import styled
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
-from compwright.workflow.stages.control import decode, open_control
 from format_samples import SIEMENS, axis_of, table
 
 #: An archive as a control exports it: several programs, paths, comments, block numbers, checksums,

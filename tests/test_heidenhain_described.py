@@ -15,11 +15,11 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
+from compwright.controls import control
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError, InputError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import ControlFile, ControlState
-from compwright.workflow.stages import control
 from format_samples import DEFINITIONS, axis_of, correction, table
 from loop import csv_of
 from test_heidenhain_activity import MACHINE, OLD

@@ -21,9 +21,9 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.documents.record_reading import faults_of_record
 from compwright.workflow.commands import history as command
-from compwright.workflow.stages import result_folders
-from compwright.workflow.stages.history_entries import entries_of
-from compwright.workflow.stages.result_folders import ResultFolder
+from compwright.workflow.history import result_folders
+from compwright.workflow.history.history_entries import entries_of
+from compwright.workflow.history.result_folders import ResultFolder
 
 EMPTY: dict[str, Any] = {
     "schema": "compwright/record/1",

@@ -36,7 +36,7 @@ ROOMS = (
         "prediction",
         "planning",
     ),
-    *("verification", "simulation", "documents", "reporting", "jobs", "workflow"),
+    *("verification", "simulation", "documents", "reporting", "jobs", "controls", "workflow"),
 )
 MAY_IMPORT: dict[str, set[str]] = {
     "foundations": set(),
@@ -56,6 +56,10 @@ MAY_IMPORT: dict[str, set[str]] = {
     "documents": {"foundations", "records"},
     "reporting": {"foundations"},
     "jobs": {"foundations", "records"},
+    "controls": {
+        *("foundations", "records", "formats", "controllers", "prediction", "planning"),
+        *("evaluation", "verification", "documents"),
+    },
     "workflow": set(ROOMS) - {"workflow"},
     "cli": {"foundations", "workflow"},
     "__main__": {"cli"},
@@ -227,6 +231,41 @@ def test_rooms_import_only_what_the_table_allows() -> None:
     assert wrong == []
 
 
+#: The rooms of `workflow` and which of them each may import.
+ROOMS_OF_WORKFLOW: dict[str, set[str]] = {
+    "inputs": set(),
+    "run": {"inputs"},
+    "results": {"inputs", "run"},
+    "verify": {"inputs", "run", "results"},
+    "history": {"results"},
+    "redact": set(),
+    "commands": {"inputs", "run", "results", "verify", "history", "redact"},
+}
+
+
+def test_rooms_of_workflow_import_only_what_their_table_allows() -> None:
+    assert {
+        name.split(".")[1] for name in trees() if name.count(".") > 1 and in_workflow(name)
+    } == set(ROOMS_OF_WORKFLOW)
+    wrong = []
+    for found in all_imports():
+        target = inside(found) or ""
+        if not (in_workflow(found.by) and in_workflow(target)) or target == START:
+            continue
+        by, to = found.by.split(".")[1], target.split(".")[1]
+        if by != to and to not in ROOMS_OF_WORKFLOW[by]:
+            wrong.append(str(found))
+    assert wrong == []
+
+
+#: What another process loads first; it stands beside the rooms.
+START = "workflow.ready"
+
+
+def in_workflow(module: str) -> bool:
+    return module.startswith("workflow.")
+
+
 #: Knows every family, and so no family knows it.
 LIST_OF_FAMILIES = "formats.families.shapes"
 #: The one family that extends another.
@@ -359,7 +398,7 @@ def is_storage(module: str) -> bool:
     return module == STORAGE or module.startswith(f"{STORAGE}.")
 
 
-DATABASE = "workflow.stages.history_index"
+DATABASE = "workflow.history.history_index"
 
 
 def test_the_database_lives_in_memory() -> None:
@@ -404,10 +443,10 @@ def reaching(function: ast.expr) -> Iterator[str]:
             yield ast.unparse(function)
 
 
-def test_only_workflow_calls_storage_and_only_by_its_door() -> None:
+def test_only_workflow_and_controls_call_storage_and_only_by_its_door() -> None:
     calls = [found for found in all_imports() if is_storage(inside(found) or "")]
     outside = [found for found in calls if not is_storage(found.by)]
-    assert {found.room for found in outside} <= {"workflow"}
+    assert {found.room for found in outside} <= {"workflow", "controls"}
     assert {inside(found) for found in outside} == {STORAGE}
 
 
@@ -506,12 +545,12 @@ FAMILIES = {
     "T": {"evaluation"},
     "C": {"evaluation"},
     "J": {"jobs"},
-    "S": {"workflow", "formats", "controllers"},
+    "S": {"workflow", "controls", "formats", "controllers"},
     "D": {"estimation"},
     "E": {"estimation"},
     "F": {"fitting"},
-    "X": {"formats", "controllers", "workflow"},
-    "P": {"planning", "prediction", "workflow"},
+    "X": {"formats", "controllers", "controls", "workflow"},
+    "P": {"planning", "prediction", "controls", "workflow"},
     "V": {"verification", "workflow"},
 }
 

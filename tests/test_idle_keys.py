@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from compwright.controls.control import open_control
 from compwright.jobs.idle_keys import idle_keys
 from compwright.jobs.reading import read_job
-from compwright.workflow.stages.control import open_control
 
 
 @pytest.mark.parametrize(

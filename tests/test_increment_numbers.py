@@ -11,13 +11,13 @@ from __future__ import annotations
 import pytest
 
 from compwright.controllers.virtual import virtual_control
+from compwright.controls.control import decode, open_control
+from compwright.controls.decoded import DecodedState
 from compwright.formats.families.increments.numbering import NoRoom, Place, find_place, used_numbers
 from compwright.foundations.errors import InputError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts, IncrementFacts
-from compwright.workflow.stages.control import decode, open_control
-from compwright.workflow.stages.decoded import DecodedState
 
 SAMPLE = IncrementFacts(
     reference_number=23, first_number=20, last_number=27, negative_first=30, two_sets=True

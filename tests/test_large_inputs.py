@@ -13,6 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from compwright.controls import control
+from compwright.controls.control import read_files
 from compwright.estimation.circle import _thinned
 from compwright.evaluation.copies import same_runs, same_runs_findings
 from compwright.evaluation.readings import drift, suspect_traverses
@@ -28,8 +30,6 @@ from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.circular import CircularRun
 from compwright.records.correction import ControlFile
 from compwright.records.positioning import PositioningTest
-from compwright.workflow.stages import control
-from compwright.workflow.stages.control import read_files
 from format_samples import DEFINITIONS
 from one_test import read_positioning
 

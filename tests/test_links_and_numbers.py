@@ -9,7 +9,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.foundations import storage
 from compwright.foundations.errors import StorageError
-from compwright.workflow.stages.result_folders import result_folders
+from compwright.workflow.history.result_folders import result_folders
 
 pytestmark = pytest.mark.brief
 

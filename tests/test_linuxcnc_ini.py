@@ -11,10 +11,10 @@ import pytest
 import yaml
 
 from compwright.cli import run as compwright
+from compwright.controls.control import decode, open_control
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import InputError
 from compwright.records.correction import ControlFile
-from compwright.workflow.stages.control import decode, open_control
 from format_samples import DEFINITIONS
 from loop import Machine, csv_of
 

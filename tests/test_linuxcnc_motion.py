@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
+from compwright.controls.control import decode, open_control
 from compwright.prediction.dead_zone import as_applied
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.facts import AxisFacts
-from compwright.workflow.stages.control import decode, open_control
 from loop import Machine, csv_of
 
 pytestmark = pytest.mark.brief

@@ -26,7 +26,7 @@ from compwright.verification.likelihood import (
 )
 from compwright.verification.loading import judge_loading
 from compwright.verification.views import View, measurement_views, of_other_axis, unit_views
-from compwright.workflow.stages.verified_axis import _looks
+from compwright.workflow.verify.verified_axis import _looks
 from loadings import known, means_of
 
 UM = 1e-3  # mm

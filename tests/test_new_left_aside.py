@@ -10,11 +10,11 @@ import pytest
 import yaml
 
 from compwright.cli import run as compwright
+from compwright.controls.control import decode, open_control, read_files
+from compwright.controls.definitions import definition_named
 from compwright.formats.text.other_files import says_nothing, without_others
 from compwright.foundations.errors import InputError
 from compwright.records.correction import ControlFile
-from compwright.workflow.stages.control import decode, open_control, read_files
-from compwright.workflow.stages.definitions import definition_named
 from fanuc_backup import parameters, pitch_data
 
 #: As a control lists its hardware and software, between its own marks.

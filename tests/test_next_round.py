@@ -31,16 +31,16 @@ from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.workflow.commands import verify
 from compwright.workflow.commands.compare import compare_plan
-from compwright.workflow.stages.handed_over import files_of_job, kept
-from compwright.workflow.stages.jobs import read_job_file
-from compwright.workflow.stages.next_round import (
+from compwright.workflow.inputs.handed_over import files_of_job, kept
+from compwright.workflow.inputs.jobs import read_job_file
+from compwright.workflow.verify.next_round import (
     Round,
     Verified,
     known_with_rounds,
     next_round,
     refuse_later_rounds,
 )
-from compwright.workflow.stages.verified_axis import verified_axis
+from compwright.workflow.verify.verified_axis import verified_axis
 from frames import unpaint
 from loop import Floats, Machine, accuracy, allowed, csv_of
 

@@ -17,7 +17,7 @@ from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
 from compwright.verification.old_table import OldTable
-from compwright.workflow.stages.old_tables import judged_old_table
+from compwright.workflow.run.old_tables import judged_old_table
 from loop import Floats, Machine, csv_of
 
 pytestmark = pytest.mark.remembered

@@ -13,14 +13,14 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import KNOWN
+from compwright.controls import definitions
+from compwright.controls.control import open_control
+from compwright.controls.read_once import ReadOnce
 from compwright.documents.plan import read_plan
 from compwright.formats.definition.extends import found_in, merged, texts_of
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlState, CrossCompensation
 from compwright.workflow.commands.formats import list_formats, show_format
-from compwright.workflow.stages import definitions
-from compwright.workflow.stages.control import open_control
-from compwright.workflow.stages.read_once import ReadOnce
 from format_samples import CONTENT, CONTROLS, DEFINITIONS
 from loop import Machine, csv_of
 from places import PROJECT
@@ -479,13 +479,13 @@ def test_export_compare_and_verify_work_from_the_plan(
 
 
 def _carried(plan: Path) -> Any:
-    from compwright.workflow.stages.control import plan_origin
+    from compwright.controls.control import plan_origin
 
     return plan_origin(read_plan(plan.read_bytes(), str(plan)), plan)
 
 
 def _files(folder: Path) -> list[Any]:
-    from compwright.workflow.stages.control import read_files
+    from compwright.controls.control import read_files
 
     return list(read_files([folder]))
 

@@ -12,7 +12,7 @@ import pytest
 
 from compwright.documents.file_list import LIST
 from compwright.foundations.errors import StorageError
-from compwright.workflow.stages.own_files import write_listed
+from compwright.workflow.results.own_files import write_listed
 from test_inputs_stay import tree
 
 pytestmark = pytest.mark.brief

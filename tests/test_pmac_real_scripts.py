@@ -14,11 +14,11 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
+from compwright.controls.control import decode, open_control
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile, ControlState
-from compwright.workflow.stages.control import decode, open_control
 from format_samples import DEFINITIONS
 from loop import Machine, csv_of
 

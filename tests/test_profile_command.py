@@ -11,7 +11,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.foundations.errors import InputError
 from compwright.workflow.commands.evaluate import evaluate_files
-from compwright.workflow.stages.inputs import read_measurement
+from compwright.workflow.inputs.job_inputs import read_measurement
 from loop import Machine
 
 pytestmark = pytest.mark.brief

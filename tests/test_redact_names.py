@@ -12,7 +12,7 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.foundations.redaction import Names, left_over
-from compwright.workflow.stages.redacted_names import names_of_copies
+from compwright.workflow.redact.redacted_names import names_of_copies
 
 _TEST = "# axis: X\n# unit: um\ntarget_mm,+1,-1\n0,1,2\n100,1,3\n"
 

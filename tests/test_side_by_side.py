@@ -23,7 +23,7 @@ from compwright.cli import run
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.foundations.processors import keep_free_memory
 from compwright.workflow.commands.run import run_job
-from compwright.workflow.stages.jobs import read_job_file
+from compwright.workflow.inputs.jobs import read_job_file
 
 SOURCE = Path(__file__).resolve().parents[1] / "src"
 

@@ -12,10 +12,10 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.controllers.sinumerik.container import active_files
+from compwright.controls.control import decode, open_control
 from compwright.formats.families.pairs.archive_values import contradictions
 from compwright.foundations.errors import InputError
 from compwright.records.correction import ControlFile
-from compwright.workflow.stages.control import decode, open_control
 from sinumerik_archive import ARCHIVE, needs_archive
 from sinumerik_container import ACTIVE, container
 

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from compwright.controls.control import decode, open_control
 from compwright.formats.control_format import control_format
 from compwright.formats.families.activity import Activity
 from compwright.formats.text.diff import compare_files
@@ -20,7 +21,6 @@ from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Encoder
 from compwright.records.correction import ControlState
 from compwright.workflow.commands.new import new_job
-from compwright.workflow.stages.control import decode, open_control
 from format_samples import SIEMENS, axis_of, codes, files, table
 
 NAMES = '$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"\n$MN_AXCONF_MACHAX_NAME_TAB[1]="Y1"\n'

@@ -12,13 +12,13 @@ from pathlib import Path
 import pytest
 
 from compwright.cli import run as compwright
+from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import DOUBTS_FIRST
 from compwright.records.correction import ControlFile
 from compwright.records.facts import AxisFacts
-from compwright.workflow.stages.control import decode, open_control
 from format_samples import SIEMENS, axis_of, table
 from test_siemens_honoured import NAMES, OPTIONS, TWO, cec, eec, pair_into
 from virtual_sinumerik import VirtualSinumerik

@@ -13,7 +13,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.foundations.errors import StorageError
 from compwright.reporting.evaluation_table import table_bytes
-from compwright.workflow.stages.single_files import kind_of, refuse_other_kinds
+from compwright.workflow.results.single_files import kind_of, refuse_other_kinds
 from laser_files import laser_file
 
 pytestmark = pytest.mark.brief

@@ -16,7 +16,7 @@ from compwright.instruments.drift_csv import read_drift
 from compwright.jobs.reading import read_job
 from compwright.records.axis import AxisKind
 from compwright.records.drift import DriftRequest, DriftTest
-from compwright.workflow.stages.jobs import read_job_file
+from compwright.workflow.inputs.jobs import read_job_file
 
 pytestmark = pytest.mark.brief
 

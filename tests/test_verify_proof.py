@@ -23,8 +23,8 @@ from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.verification.measurement import noise_odds
 from compwright.verification.same_job import stale_plan
-from compwright.workflow.stages.after_tests import read_again
-from compwright.workflow.stages.jobs import read_job_file
+from compwright.workflow.inputs.after_tests import read_again
+from compwright.workflow.inputs.jobs import read_job_file
 from loop import Floats, Machine, csv_of
 
 pytestmark = pytest.mark.remembered

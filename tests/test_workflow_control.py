@@ -7,9 +7,9 @@ from collections.abc import Mapping
 
 import pytest
 
+from compwright.controls.control import open_control
 from compwright.foundations import storage
 from compwright.foundations.errors import UsageError
-from compwright.workflow.stages.control import open_control
 from format_samples import DEFINITIONS
 
 

@@ -18,7 +18,7 @@ from compwright.workflow.commands.evaluate import (
     evaluation_renderables,
     write_evaluation,
 )
-from compwright.workflow.showing.answers import document_text
+from compwright.workflow.results.answers import document_text
 from places import PROJECT
 
 pytestmark = pytest.mark.painted
@@ -206,7 +206,7 @@ def test_hostile_text_is_shown_as_it_is(tmp_path: Path) -> None:
 def test_the_evaluate_path_loads_nothing_heavy(tmp_path: Path) -> None:
     path = csv_file(tmp_path, "a.csv")
     code = (
-        "import sys; from pathlib import Path; from compwright.workflow.showing.answers import"
+        "import sys; from pathlib import Path; from compwright.workflow.results.answers import"
         " document_text;from compwright.workflow.commands.evaluate import"
         f" evaluate_files;document_text(evaluate_files([Path({str(path)!r})]).document);print([m"
         " for m in ('scipy', 'cvxpy', 'osqp', 'matplotlib', 'pydantic', 'rich') if m in"

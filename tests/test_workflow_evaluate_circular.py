@@ -610,7 +610,7 @@ def test_the_terminal_shows_what_the_instrument_printed() -> None:
 def test_positioning_loads_nothing_circular_and_circles_nothing_heavy(tmp_path: Path) -> None:
     put(tmp_path, x=POSITIONING, xy=csv_of())
     code = (
-        "import sys; from pathlib import Path; from compwright.workflow.showing.answers import"
+        "import sys; from pathlib import Path; from compwright.workflow.results.answers import"
         " document_text;from compwright.workflow.commands.evaluate import"
         " evaluate_files;document_text(evaluate_files([Path(sys.argv[1])]).document);print(sorted(m"
         " for m in sys.modules if m.startswith('compwright.') and 'circ' in m or m in ('scipy',"

@@ -44,7 +44,7 @@ def decode(
 ) -> int:
     """Say what a control would do with these files."""
     from compwright.workflow.commands.decode import decode_files
-    from compwright.workflow.showing.answers import decode_summary
+    from compwright.workflow.results.answers import decode_summary
 
     document = decode_files(paths, format_id, pairs(options), axis=axis, at=at)
     deliver(document, json_path, lambda: decode_summary(document), force=force)
@@ -103,7 +103,7 @@ def compare(
     """Hold what is really in the control against the plan."""
     from compwright.workflow.commands.compare import compare_plan
     from compwright.workflow.commands.verify import plan_path
-    from compwright.workflow.showing.answers import compare_summary
+    from compwright.workflow.results.answers import compare_summary
 
     outcome = compare_plan(plan_path(plan, plan), loaded)
     deliver(outcome.document, json_path, lambda: compare_summary(outcome.document), force=force)
@@ -136,7 +136,7 @@ def diff(
 ) -> int:
     """Say what differs between two backups of one machine."""
     from compwright.workflow.commands.diff import diff_files
-    from compwright.workflow.showing.answers import diff_summary
+    from compwright.workflow.results.answers import diff_summary
 
     outcome = diff_files(old, new, format_id, pairs(options))
     deliver(outcome.document, json_path, lambda: diff_summary(outcome.document), force=force)

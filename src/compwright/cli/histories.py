@@ -35,7 +35,7 @@ def history(
     beyond the uncertainty.
     """
     from compwright.workflow.commands.history import history_of
-    from compwright.workflow.showing.answers import history_summary
+    from compwright.workflow.results.answers import history_summary
 
     outcome = history_of(
         folders,

@@ -58,9 +58,9 @@ def run_command(
 ) -> int:
     """Evaluate, fit, export, predict and report: the whole job."""
     from compwright.workflow.commands.run import run_job
+    from compwright.workflow.inputs.jobs import job_of
     from compwright.workflow.ready import ready_for_axes
-    from compwright.workflow.showing.answers import run_summary
-    from compwright.workflow.stages.jobs import job_of
+    from compwright.workflow.results.answers import run_summary
 
     asked = job_of(
         [str(path) for path in inputs],
@@ -175,9 +175,9 @@ def verify(
 ) -> int:
     """Judge the test after loading against the plan."""
     from compwright.workflow.commands.verify import plan_path, verify_job
+    from compwright.workflow.inputs.jobs import default_folder, read_job_file
     from compwright.workflow.ready import ready_for_axes
-    from compwright.workflow.showing.answers import verify_summary
-    from compwright.workflow.stages.jobs import default_folder, read_job_file
+    from compwright.workflow.results.answers import verify_summary
 
     folder = default_folder(job_file)
     plan_file = plan_path(plan, folder)

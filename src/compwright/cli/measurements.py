@@ -84,7 +84,7 @@ def evaluate(
         many_renderables,
         write_evaluation,
     )
-    from compwright.workflow.showing.progress import progress
+    from compwright.workflow.results.progress import progress
 
     with progress(shown=json_path is None and on_terminal()) as watch:
         outcome = evaluate_files(
@@ -208,7 +208,7 @@ def simulate(
 def demo(crew: Crew, /, out: Path, force: bool) -> int:  # noqa: FBT001 - a flag of the command line
     """Play the whole loop on a virtual machine."""
     from compwright.workflow.commands.demo import run_demo
-    from compwright.workflow.showing.answers import demo_summary, show
+    from compwright.workflow.results.answers import demo_summary, show
 
     outcome = run_demo(out, force=force, crew=crew)
     print_safely(lambda: show(demo_summary(outcome)))

@@ -36,7 +36,7 @@ def answer(
     document: Mapping[str, Any], json_path: Path | None, renderables: Callable[[], list[Any]]
 ) -> None:
     """Print the answer of a command: as JSON for ``--json -``, else for people."""
-    from compwright.workflow.showing.answers import document_text, show
+    from compwright.workflow.results.answers import document_text, show
 
     if _on_output(json_path):
         text = document_text(document).encode()  # always UTF-8, whatever the terminal speaks
@@ -55,7 +55,7 @@ def deliver(
     """Write the document that is all a command makes where ``--json`` asks for a file, and print
     its answer. Raises StorageError.
     """
-    from compwright.workflow.showing.answers import write_document
+    from compwright.workflow.results.answers import write_document
 
     to_file = json_file(json_path)
     if to_file is not None:

@@ -56,7 +56,7 @@ def _matched(kind: click.ParamType[Any], values: Iterable[object]) -> Iterator[A
         if not {"*", "?"} & set(text):
             yield value
             continue
-        from compwright.workflow.stages.matching import files_matching
+        from compwright.workflow.inputs.matching import files_matching
 
         yield from (kind.convert(name, None, None) for name in files_matching(text))
 

@@ -9,6 +9,20 @@ from typing import Any
 
 import numpy as np
 
+from compwright.controls.acting import correction_of
+from compwright.controls.control import (
+    Control,
+    decode,
+    open_control,
+    plan_origin,
+    read_files,
+)
+from compwright.controls.cross_tables import write_planned
+from compwright.controls.decoded import DecodedState
+from compwright.controls.differences import Side, side
+from compwright.controls.partial_loads import PartialLoad, partial_load
+from compwright.controls.read_back import not_read_back, read_back_differences
+from compwright.controls.two_readers import probe_positions
 from compwright.documents.compare import ComparedAxis, Difference, compare_document
 from compwright.documents.plan import read_plan
 from compwright.formats.families.between import in_place
@@ -23,21 +37,7 @@ from compwright.records.correction import ControlFile
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedAxis
 from compwright.verification.read_back import SAME, judge_read_back
-from compwright.workflow.stages.acting import correction_of
-from compwright.workflow.stages.control import (
-    Control,
-    decode,
-    open_control,
-    plan_origin,
-    read_files,
-)
-from compwright.workflow.stages.cross_tables import write_planned
-from compwright.workflow.stages.decoded import DecodedState
-from compwright.workflow.stages.differences import Side, side
-from compwright.workflow.stages.partial_loads import PartialLoad, partial_load
-from compwright.workflow.stages.read_back import not_read_back, read_back_differences
-from compwright.workflow.stages.two_readers import probe_positions
-from compwright.workflow.stages.written import deliver, write_fitted
+from compwright.workflow.run.written import deliver, write_fitted
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from compwright.controls.acting import judged_cross
+from compwright.controls.decoded import judged
 from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.foundations.errors import Fault, UsageError
 from compwright.jobs.command_line import stated_activity
 from compwright.records.axis import Direction, FloatArray
-from compwright.workflow.stages.acting import judged_cross
-from compwright.workflow.stages.axis_kinds import decode_kinds
-from compwright.workflow.stages.decoded import judged
+from compwright.workflow.inputs.axis_kinds import decode_kinds
 
 MOST_POSITIONS = 1_000_000
 

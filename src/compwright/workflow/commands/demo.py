@@ -15,7 +15,7 @@ from compwright.workflow.commands.run import RunOutcome, run_job
 from compwright.workflow.commands.simulate import load_machine, simulate_files
 from compwright.workflow.commands.verify import VerifyOutcome, verify_job
 from compwright.workflow.ready import ready_for_axes
-from compwright.workflow.stages.own_files import write_listed
+from compwright.workflow.results.own_files import write_listed
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from compwright.controls.control import open_control, read_files
+from compwright.controls.differences import CorrectionChange, Placed, differences, side
 from compwright.documents.diff import Changed, EntryDifference, diff_document
-from compwright.workflow.stages.control import open_control, read_files
-from compwright.workflow.stages.differences import CorrectionChange, Placed, differences, side
 
 
 @dataclass(frozen=True, slots=True)

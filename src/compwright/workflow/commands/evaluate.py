@@ -26,7 +26,7 @@ from compwright.foundations.input_sizes import MEASUREMENT
 from compwright.foundations.own_faults import OWN_FAULT
 from compwright.foundations.side_by_side import Crew, alone, in_order
 from compwright.foundations.utf8 import encoded, shown_path
-from compwright.workflow.stages.evaluated import (
+from compwright.workflow.inputs.evaluated import (
     Asked,
     CirclesEvaluator,
     Evaluated,
@@ -36,7 +36,7 @@ from compwright.workflow.stages.evaluated import (
     Why,
     ready,
 )
-from compwright.workflow.stages.measurement_files import (
+from compwright.workflow.inputs.measurement_files import (
     Found,
     load_profile,
     measurement_files,
@@ -215,7 +215,7 @@ def write_evaluation(
                 *(fault.within(option).in_file(shown_path(path)) for fault in error.faults)
             ) from error
     if files:
-        from compwright.workflow.stages.single_files import refuse_other_kinds
+        from compwright.workflow.results.single_files import refuse_other_kinds
 
         refuse_other_kinds(files, force=force)
     return storage.write_files(Path(), {}, elsewhere=files, force=force)
@@ -334,7 +334,7 @@ def _with_circles(
     watch: Watch,
 ) -> tuple[list[Evaluated], list[Noted]]:
     """Return the tests with the circular ones joined and evaluated, each in its place."""
-    from compwright.workflow.stages.circles import pairs_joined
+    from compwright.workflow.inputs.circles import pairs_joined
 
     joined = pairs_joined(found)
     circles = [test for test in joined if not isinstance(test, Evaluated)]

@@ -6,6 +6,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from compwright.controls.control import (
+    COMMAND_LINE,
+    Control,
+    decode,
+    open_control,
+    read_files,
+)
+from compwright.controls.cross_tables import write_planned
+from compwright.controls.decoded import DecodedState
+from compwright.controls.settled import settled_axis
 from compwright.documents.plan import read_plan
 from compwright.foundations import storage
 from compwright.foundations.errors import (
@@ -26,19 +36,9 @@ from compwright.records.correction import Assumption, ControlFile
 from compwright.records.fitted import FittedTable
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedCross
-from compwright.workflow.stages.control import (
-    COMMAND_LINE,
-    Control,
-    decode,
-    open_control,
-    read_files,
-)
-from compwright.workflow.stages.cross_tables import write_planned
-from compwright.workflow.stages.decoded import DecodedState
-from compwright.workflow.stages.own_files import write_listed
-from compwright.workflow.stages.own_output import refuse_added_again
-from compwright.workflow.stages.settled import settled_axis
-from compwright.workflow.stages.written import deliver, write_fitted
+from compwright.workflow.inputs.own_output import refuse_added_again
+from compwright.workflow.results.own_files import write_listed
+from compwright.workflow.run.written import deliver, write_fitted
 
 #: ``--option address.X=0``: how the control names axis X of the plan.
 ADDRESS = "address."

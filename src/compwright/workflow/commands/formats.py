@@ -9,6 +9,15 @@ from functools import partial
 from pathlib import Path
 
 from compwright.controllers.virtual import KNOWN, virtual_control
+from compwright.controls.control import READ_BACK
+from compwright.controls.definitions import (
+    definition_named,
+    definitions_at,
+    is_base,
+    is_path,
+    own_definition,
+    taken,
+)
 from compwright.formats.definition.extends import Find, found_in
 from compwright.formats.definition.options import describe_options, resolve_options
 from compwright.formats.definition.schema import (
@@ -29,15 +38,6 @@ from compwright.formats.gate.gate import check_definition, disagreements
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, raise_all
 from compwright.records.correction import ControlFile
-from compwright.workflow.stages.control import READ_BACK
-from compwright.workflow.stages.definitions import (
-    definition_named,
-    definitions_at,
-    is_base,
-    is_path,
-    own_definition,
-    taken,
-)
 
 NOT_JUDGED = "not independently judged: there is no virtual control for it"
 _PAIRINGS = {

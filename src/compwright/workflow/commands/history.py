@@ -15,10 +15,10 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, collect
 from compwright.foundations.utf8 import shown_path
 from compwright.records.history import HistoryEntry
-from compwright.workflow.stages.history_entries import entries_of
-from compwright.workflow.stages.history_index import HistoryIndex, opened
-from compwright.workflow.stages.result_folders import read_folder, result_folders
-from compwright.workflow.stages.single_files import refuse_other_kinds
+from compwright.workflow.history.history_entries import entries_of
+from compwright.workflow.history.history_index import HistoryIndex, opened
+from compwright.workflow.history.result_folders import read_folder, result_folders
+from compwright.workflow.results.single_files import refuse_other_kinds
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,6 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from compwright.controls.control import Control, decode, open_control, read_files
+from compwright.controls.definitions import is_path
+from compwright.controls.one_by_one import axis_by_axis
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.family import LeftOpen
 from compwright.formats.text.other_files import says_nothing
@@ -17,10 +20,7 @@ from compwright.jobs.writing import AxisDraft, Prefilled, job_text
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts
-from compwright.workflow.stages.control import Control, decode, open_control, read_files
-from compwright.workflow.stages.definitions import is_path
-from compwright.workflow.stages.one_by_one import axis_by_axis
-from compwright.workflow.stages.single_files import refuse_other_kinds
+from compwright.workflow.results.single_files import refuse_other_kinds
 
 #: Findings of the control's files that a new job is told of: what its contents rest on.
 _TOLD = ("CW-S072",)

@@ -9,7 +9,7 @@ from compwright.foundations import storage
 from compwright.foundations.input_sizes import MEASUREMENT
 from compwright.foundations.utf8 import encoded, shown_path
 from compwright.instruments.profile_of_file import proposed_profile
-from compwright.workflow.stages.single_files import refuse_other_kinds
+from compwright.workflow.results.single_files import refuse_other_kinds
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

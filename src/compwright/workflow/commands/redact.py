@@ -17,12 +17,12 @@ from compwright.instruments.profile import Profile
 from compwright.instruments.redaction.measurement import holds_table, is_measurement
 from compwright.instruments.workbook import is_workbook
 from compwright.records.correction import ControlFile
-from compwright.workflow.stages.measurement_files import load_profile
-from compwright.workflow.stages.own_files import write_listed
-from compwright.workflow.stages.redacted_controls import control_copies, texts_in
-from compwright.workflow.stages.redacted_measurements import measurement_copy
-from compwright.workflow.stages.redacted_names import names_of_copies
-from compwright.workflow.stages.single_files import refuse_other_kinds
+from compwright.workflow.inputs.measurement_files import load_profile
+from compwright.workflow.redact.redacted_controls import control_copies, texts_in
+from compwright.workflow.redact.redacted_measurements import measurement_copy
+from compwright.workflow.redact.redacted_names import names_of_copies
+from compwright.workflow.results.own_files import write_listed
+from compwright.workflow.results.single_files import refuse_other_kinds
 
 SCHEMA: Final = "compwright/redaction/1"
 #: Before the words that say where texts of a kind stood.

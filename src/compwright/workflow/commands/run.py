@@ -17,14 +17,14 @@ from compwright.foundations.utf8 import encoded
 from compwright.jobs.assumed_job import assumed_job, assumed_of
 from compwright.records.correction import Assumption
 from compwright.records.job import Job
-from compwright.workflow.showing.recorded import folders_of_copies, known_results, recorded_run
-from compwright.workflow.showing.results import NO_STATE, PLAN, result_files
-from compwright.workflow.stages.finished import Finished
-from compwright.workflow.stages.handed_over import files_of_job, given_job
-from compwright.workflow.stages.next_files import JOB
-from compwright.workflow.stages.next_round import FOLDER as ROUND
-from compwright.workflow.stages.single_files import refuse_other_kinds
-from compwright.workflow.stages.worked_through import worked_through
+from compwright.workflow.inputs.handed_over import files_of_job, given_job
+from compwright.workflow.results.recorded import folders_of_copies, known_results, recorded_run
+from compwright.workflow.results.result_files import NO_STATE, PLAN, result_files
+from compwright.workflow.results.single_files import refuse_other_kinds
+from compwright.workflow.run.finished import Finished
+from compwright.workflow.run.worked_through import worked_through
+from compwright.workflow.verify.next_files import JOB
+from compwright.workflow.verify.next_round import FOLDER as ROUND
 
 NO_STATE_OPTION = (
     "--state: no table is written without the state of the control; add --state none, or --state"

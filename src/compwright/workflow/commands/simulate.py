@@ -7,6 +7,13 @@ from pathlib import Path
 
 import numpy as np
 
+from compwright.controls.acting import acting
+from compwright.controls.control import (
+    Origin,
+    decode,
+    open_control,
+    read_files,
+)
 from compwright.formats.text.addresses import normal_address
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -20,14 +27,7 @@ from compwright.simulation.circular_files import to_b5r, to_circular_csv
 from compwright.simulation.files import to_csv
 from compwright.simulation.machine import VirtualMachine
 from compwright.simulation.reading import read_machine
-from compwright.workflow.stages.acting import acting
-from compwright.workflow.stages.control import (
-    Origin,
-    decode,
-    open_control,
-    read_files,
-)
-from compwright.workflow.stages.own_files import write_listed
+from compwright.workflow.results.own_files import write_listed
 
 #: What every simulated CSV says of itself: it proves nothing of a machine.
 SIMULATED = {"simulated": "by compwright, not measured on a machine"}

@@ -8,6 +8,17 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from compwright.controls.control import (
+    Control,
+    decode,
+    open_control,
+    origin_of,
+    plan_origin,
+    read_files,
+)
+from compwright.controls.decoded import DecodedState
+from compwright.controls.read_back import not_read_back
+from compwright.controls.settled import named_axes, settled_by_files, with_counted_turns
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import read_plan
 from compwright.documents.record import RECORD
@@ -27,26 +38,16 @@ from compwright.verification.acceptance import OverallVerdict, overall_verdict
 from compwright.verification.proof import changed_limits, copies, not_measured, old_circles
 from compwright.verification.same_job import stale, stale_plan
 from compwright.workflow.commands.compare import compare_plan
-from compwright.workflow.showing.proven import FOLDER as PROVEN
-from compwright.workflow.showing.proven import proven_files
-from compwright.workflow.showing.recorded import (
+from compwright.workflow.inputs.after_tests import after_tests, read_again
+from compwright.workflow.inputs.handed_over import BY_VERIFY, INPUTS, files_of_verify
+from compwright.workflow.results.recorded import (
     RunResult,
     known_results,
     recorded_verification,
 )
-from compwright.workflow.showing.view import evaluations, verify_view
-from compwright.workflow.stages.after_tests import after_tests, read_again
-from compwright.workflow.stages.control import (
-    Control,
-    decode,
-    open_control,
-    origin_of,
-    plan_origin,
-    read_files,
-)
-from compwright.workflow.stages.decoded import DecodedState
-from compwright.workflow.stages.handed_over import BY_VERIFY, INPUTS, files_of_verify
-from compwright.workflow.stages.next_round import (
+from compwright.workflow.results.single_files import refuse_other_kinds
+from compwright.workflow.results.view import evaluations, verify_view
+from compwright.workflow.verify.next_round import (
     FOLDER,
     Round,
     Verified,
@@ -55,11 +56,10 @@ from compwright.workflow.stages.next_round import (
     next_round,
     refuse_later_rounds,
 )
-from compwright.workflow.stages.read_back import not_read_back
-from compwright.workflow.stages.settled import named_axes, settled_by_files, with_counted_turns
-from compwright.workflow.stages.single_files import refuse_other_kinds
-from compwright.workflow.stages.verified_axis import verified_axis
-from compwright.workflow.stages.verify_circles import (
+from compwright.workflow.verify.proven import FOLDER as PROVEN
+from compwright.workflow.verify.proven import proven_files
+from compwright.workflow.verify.verified_axis import verified_axis
+from compwright.workflow.verify.verify_circles import (
     split_after,
     squareness_decisions,
     verify_circles,

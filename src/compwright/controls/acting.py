@@ -1,0 +1,81 @@
+"""What a state does to the axes of a job and between them, by the judge's reading."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from compwright.controls.decoded import DecodedState, judged
+from compwright.prediction.acting import IDLE, Acting, Correction, nothing
+from compwright.prediction.dead_zone import as_applied
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.correction import CrossCompensation
+
+
+def correction_of(decoded: DecodedState | None, axis: Axis) -> Correction:
+    """Return the correction of an axis by the judge's reading of ``decoded``; zero where there are
+    no files.
+    """
+    return nothing if decoded is None else partial(judged, decoded, axis.address)
+
+
+def applied_of(decoded: DecodedState | None, axis: Axis) -> Correction:
+    """Return what the control applies of `correction_of`: less the steps that it never applies."""
+    correction = correction_of(decoded, axis)
+    held = None if decoded is None else decoded.state.axes.get(axis.address)
+    if held is None or axis.unapplied_steps is None:
+        return correction
+    nodes = held.positions
+    judged_table = replace(
+        held,
+        positive=correction(nodes, Direction.POSITIVE),
+        negative=correction(nodes, Direction.NEGATIVE),
+    )
+    applied = as_applied(judged_table, axis)
+    return correction if applied is judged_table else applied.at
+
+
+def acting(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> Acting:
+    """Return what the judge says that a state does to the axes of a job and between them; nothing
+    where nobody said it.
+    """
+    if decoded is None or decoded.judge is None:
+        return IDLE
+    names = {axis.address: name for name, axis in axes.items()}
+    pairs = dict.fromkeys((entry.input, entry.output) for entry in decoded.state.cross)
+    return Acting(
+        along={name: applied_of(decoded, axis) for name, axis in axes.items()},
+        across={
+            (names[pair[0]], names[pair[1]]): _across(decoded, pair)
+            for pair in pairs
+            if pair[0] in names and pair[1] in names
+        },
+    )
+
+
+def _across(decoded: DecodedState, pair: tuple[str, str]) -> Correction:
+    return nothing if decoded.judge is None else partial(decoded.judge.cross_correction, *pair)
+
+
+def judged_cross(
+    decoded: DecodedState, at: FloatArray | None = None
+) -> tuple[CrossCompensation, ...]:
+    """Return what one axis adds to another by the judge's reading, by address: at the nodes of its
+    tables or at positions (k,).
+
+    Each pair of axes once, with everything that acts between them.
+    """
+    pairs: dict[tuple[str, str], list[CrossCompensation]] = {}
+    for entry in decoded.state.cross:
+        pairs.setdefault((entry.input, entry.output), []).append(entry)
+    found = []
+    for pair, entries in pairs.items():
+        where = (
+            np.unique(np.concatenate([entry.positions for entry in entries])) if at is None else at
+        )
+        positive, negative = (_across(decoded, pair)(where, direction) for direction in Direction)
+        found.append(replace(entries[0], positions=where, positive=positive, negative=negative))
+    return tuple(found)

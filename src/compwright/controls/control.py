@@ -1,0 +1,449 @@
+"""A control as the commands meet it: its definition, its options, and its files read twice.
+
+Every set of files is read by ``formats`` (from the definition) and by ``controllers`` (the judge).
+Where the two do not agree nothing is done with the files.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from compwright.controllers.virtual import virtual_control
+from compwright.controls.control_folders import control_entries
+from compwright.controls.decoded import DecodedState
+from compwright.controls.definitions import (
+    carried_definition,
+    definition_named,
+    is_path,
+    own_definition,
+)
+from compwright.controls.read_once import ReadOnce
+from compwright.controls.two_readers import disagreements
+from compwright.formats.control_format import control_format
+from compwright.formats.definition.options import (
+    KIND,
+    REFERENCE,
+    REFERENCE_RETURN,
+    TABLE_VALUES,
+)
+from compwright.formats.definition.schema import Definition
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.family import Family
+from compwright.formats.text.container import is_container
+from compwright.formats.text.other_files import without_others
+from compwright.foundations import storage
+from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
+from compwright.foundations.findings import Finding
+from compwright.foundations.input_sizes import (
+    CONTROL,
+    IN_FOLDER,
+    MOST_CONTROL_TEXT,
+    MOST_CONTROL_TEXTS,
+    MOST_DIGITS,
+    in_words,
+)
+from compwright.records.axis import Axis
+from compwright.records.correction import Assumption, ControlFile, ControlState
+from compwright.records.job import Job
+from compwright.records.plan import Plan, Texts
+from compwright.records.serial_line import from_line, whole
+
+#: What has to be known of everything that a definition of one's own, by its id, says.
+READ_BACK = (
+    "Read back, not independently judged: only your own definition of {} says what its files do"
+)
+#: Every digit as 0, every other byte as a blank.
+_DIGITS = bytes(ord("0") if chr(byte) in "0123456789" else ord(" ") for byte in range(256))
+_PROVE_IT = (
+    "A sign or a unit that is wrong in it is wrong in all of this. Prove it on the machine, at one"
+    " position and from both sides, before the whole table acts"
+)
+NOT_WORKED = "The corrections worked by hand are those of {}: nobody worked one out for {}"
+#: Options of decode that the axes of a job say themselves, and that the reading of files without a
+#: job lists itself.
+_SAID_ELSEWHERE = frozenset({KIND, REFERENCE, REFERENCE_RETURN})
+
+
+def _shown(value: object) -> str:
+    if value is None:
+        return "not given"
+    if isinstance(value, tuple | list):
+        return ", ".join(str(entry) for entry in value) or "none"
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """Where a control's name and options were given, for messages: file, place of the name, what
+    stands before an option.
+
+    ``folder``: what the path of a definition is relative to; ``carried``: the one in the plan.
+    """
+
+    file: str = ""
+    format_place: str = "--format"
+    before_option: str = "--option "
+    folder: Path = Path()
+    carried: Texts = ()
+
+    def named(self, error: UsageError) -> UsageError:
+        """Return the error with every fault of an option placed where the option was given."""
+        return UsageError(
+            *(
+                replace(fault, place=f"{self.before_option}{fault.place}").in_file(self.file)
+                for fault in error.faults
+            )
+        )
+
+
+COMMAND_LINE = Origin()
+
+
+def origin_of(job: Job, folder: Path) -> Origin:
+    """Return where a job says which control it is for; ``folder``: what its paths are relative
+    to.
+    """
+    if not job.file:
+        return replace(COMMAND_LINE, folder=folder)
+    return Origin(job.file, "controller.format", "controller.options.", folder)
+
+
+def plan_origin(plan: Plan, file: Path) -> Origin:
+    """Return where a plan says which control it is for."""
+    return Origin(str(file), "format", "options.", carried=plan.definition)
+
+
+@dataclass(frozen=True, slots=True)
+class Control:
+    """A control by its definition, with every option settled; ``notes``: what is to be said of the
+    definition.
+    """
+
+    format: Family
+    origin: Origin = COMMAND_LINE
+    notes: tuple[Finding, ...] = ()
+
+    @property
+    def definition(self) -> Definition:
+        """What is known about the control's files."""
+        return self.format.definition
+
+    @property
+    def options(self) -> Mapping[str, object]:
+        """Every option, settled."""
+        return self.format.options
+
+    @property
+    def given(self) -> Mapping[str, object]:
+        """The options that somebody gave."""
+        return self.format.given
+
+    @property
+    def id(self) -> str:
+        """The format's name."""
+        return self.definition.id
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What has to be known of results for this control: whether they were judged."""
+        if self.definition.judged == "independent":
+            return self.notes
+        said = f"{READ_BACK.format(self.id)}. {_PROVE_IT}"
+        if self.definition.worked_for:
+            said += f". {NOT_WORKED.format(self.definition.worked_for, self.id)}"
+        return (Finding("CW-S060", "warning", said), *self.notes)
+
+    def in_state(self, state: ControlState) -> Control:
+        """Return the control with the options that its own files answer (such as the machine's
+        unit) taken from them.
+
+        Raises UsageError where an option that was given contradicts the files.
+        """
+        try:
+            return replace(self, format=self.format.in_state(state, strict=True))
+        except UsageError as error:
+            raise self.origin.named(error) from error
+
+    def assumed(self, *states: ControlState, axes: Sequence[Axis] = ()) -> tuple[Assumption, ...]:
+        """Return every option that was left at its default and that no file of ``states`` answers.
+
+        ``axes``: those of a job; without one every axis of the states counts. An option that each
+        of them answers, by the job or by its files, is not left at its default.
+        """
+        answered = {
+            name for state in states for facts in state.facts.values() for name in facts.said
+        }
+        settled = {
+            name
+            for name, option in self.definition.options.items()
+            if option.settled_by in answered
+        }
+        said = set(self.given) | settled | _SAID_ELSEWHERE | self._said_by_axes(states, axes)
+        return tuple(
+            Assumption(f"option {name}", _shown(value), self._default_evidence(name))
+            for name, value in self.options.items()
+            if name not in said
+        )
+
+    def _said_by_axes(self, states: Sequence[ControlState], axes: Sequence[Axis]) -> set[str]:
+        named = [(self.format.address(axis)[0], set(axis.options)) for axis in axes] or [
+            (address, set[str]()) for state in states for address in state.axes
+        ]
+        each = [
+            own.union(*(state.facts_of(address).said for state in states)) for address, own in named
+        ]
+        return set.intersection(*each) if each else set()
+
+    def _default_evidence(self, name: str) -> str:
+        rule = self.definition.options.get(name)
+        if rule is None or rule.evidence.state != "unconfirmed":
+            return "default of the definition"
+        return f"default of the definition; {rule.evidence}"
+
+
+def open_control(
+    format_id: str, given: Mapping[str, object], origin: Origin = COMMAND_LINE
+) -> Control:
+    """Return a control by its id, or by the path of a definition of one's own. Raises UsageError
+    for an unknown name or option (saying which exist), and with every fault of such a definition.
+    """
+    try:
+        definition, notes = _definition(format_id, origin)
+    except UsageError as error:
+        faults = (
+            fault if fault.file else replace(fault, place=origin.format_place)
+            for fault in error.faults
+        )
+        raise UsageError(*(fault.in_file(origin.file) for fault in faults)) from error
+    try:
+        format_ = control_format(definition, dict(given))
+    except UsageError as error:
+        raise origin.named(error) from error
+    return Control(format=format_, origin=origin, notes=notes)
+
+
+def _definition(name: str, origin: Origin) -> tuple[Definition, tuple[Finding, ...]]:
+    """Return the definition of a control, and what has to be said of it. What a plan carries counts
+    before the file that it came from. Raises UsageError.
+    """
+    if not origin.carried:
+        found = definition_named(name, origin.folder)
+        return found, () if found.id == name or is_path(name) else (_taken_for(name, found),)
+    carried = carried_definition(origin.carried)
+    if name == carried.id:
+        return carried, ()
+    if not is_path(name):
+        return definition_named(name, origin.folder), ()
+    try:
+        found = own_definition(storage.named_from(origin.folder, name))
+    except InputError as error:
+        if Path(name).name != Path(carried.file).name:
+            raise UsageError(*error.faults) from error
+        return carried, (_not_as_planned(carried, f"{name} can no longer be read"),)
+    if found.id != carried.id:
+        return definition_named(name, origin.folder), ()
+    same = [text for _, text in found.own] == [text for _, text in carried.own]
+    return carried, () if same else (_not_as_planned(carried, f"{name} has changed since the run"),)
+
+
+def _taken_for(name: str, definition: Definition) -> Finding:
+    message = f"the control format {name} is taken for {definition.id}: {definition.title}"
+    return Finding("CW-S062", "info", message)
+
+
+def _not_as_planned(carried: Definition, what: str) -> Finding:
+    return Finding(
+        "CW-S061",
+        "warning",
+        f"{what}: {carried.id} is taken as the plan carries it; run the job again to plan with"
+        " another definition",
+    )
+
+
+def _endless_number(file: ControlFile) -> Fault | None:
+    """Return the fault of a file with a number that no control holds and no computer reads in
+    reasonable time.
+    """
+    place = file.content.translate(_DIGITS).find(b"0" * (MOST_DIGITS + 1))
+    if place < 0:
+        return None
+    line = 1 + file.content.count(b"\n", 0, place)
+    return Fault(
+        message="holds a number that no control does",
+        file=file.name,
+        place=f"line {line}",
+        expected=f"at most {MOST_DIGITS} digits",
+        found=f"more than {MOST_DIGITS}",
+    )
+
+
+def _long_text(file: ControlFile) -> Fault | None:
+    """Return the fault of a text that is longer than any of a control; archives may be longer."""
+    if len(file.content) <= MOST_CONTROL_TEXT or is_container(file):
+        return None
+    return Fault(
+        message="is too large",
+        file=file.name,
+        expected=f"a text of a control of at most {in_words(MOST_CONTROL_TEXT)}",
+        found=in_words(len(file.content)),
+    )
+
+
+def _long_together(files: Sequence[ControlFile]) -> Iterator[Fault]:
+    """Yield the fault of texts that are more than any control's together."""
+    sizes = [len(file.content) for file in files if not is_container(file)]
+    if sum(sizes) > MOST_CONTROL_TEXTS:
+        yield Fault(
+            message="the texts are too large together",
+            expected=f"texts of a control of at most {in_words(MOST_CONTROL_TEXTS)}",
+            found=f"{len(sizes)} files of {in_words(sum(sizes))}",
+        )
+
+
+def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
+    """Read control files; a folder stands for all files in it. Raises InputError with every file
+    that cannot be read.
+    """
+    faults: list[Fault] = []
+    files: list[ControlFile] = []
+    for path in paths:
+        try:
+            entries = control_entries(path)
+            own = entries == [path]
+            folder, kind = ("", CONTROL) if own else (str(entries[0].parent), IN_FOLDER)
+            files.extend(
+                from_line(entry.name, storage.read_bytes(entry, kind), folder) for entry in entries
+            )
+        except InputError as error:
+            faults.extend(error.faults)
+    faults.extend(
+        Fault(message="two files of this name were given", file=name, expected="each file once")
+        for name, times in Counter(file.name for file in files).items()
+        if times > 1
+    )
+    faults.extend(filter(None, map(_long_text, files)))
+    faults.extend(_long_together(files))
+    faults.extend(filter(None, map(_endless_number, files)))
+    raise_all(InputError, faults)
+    return tuple(files)
+
+
+def decode(
+    control: Control,
+    files: Sequence[ControlFile],
+    axes: Sequence[Axis] = (),
+    *,
+    address: str | None = None,
+    written: bool = False,
+    active: bool | None = None,
+    asking: bool = False,
+    carried_out: bool = False,
+) -> DecodedState:
+    """Read control files with both readers and hold them against each other; of a definition of
+    one's own with the one that there is.
+
+    ``axes``: those of a job; ``address``: the one axis that is asked for. Either names the axis of
+    a table that does not. ``written``: compwright wrote these files just now. ``active``: what the
+    job answers to whether the tables acted, where the files do not say it; ``asking``: that answer
+    is needed (UsageError without it). ``carried_out``: the files come from a state of which it is
+    known that all values of its programs were carried out. Raises InputError when the files cannot
+    be read, contradict themselves or can be read in two ways: what two readers understand
+    differently is not a state to build on. In files of our own making that is a fault of our own
+    (CompwrightError).
+    """
+    if not files:
+        return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
+    if active is False and not control.format.says_activity:
+        raise UsageError(
+            Fault(
+                message=(
+                    f"active: no is said of a state, but nothing in the files of {control.id}"
+                    " leaves open whether a table acts"
+                ),
+                expected="active left out, or the files as they were during the test",
+            )
+        )
+    carried_out = carried_out or written or active is True
+    if control.definition.limit("no_patching") is not None:
+        files = whole(files)
+    activity = Activity(said=active, asking=asking, carried_out=carried_out)
+    reading = control.format if axes else control.format.for_a_view()
+    files, beside = without_others(control.definition, files)
+    state = reading.read(files, axes, address=address, activity=activity)
+    state = replace(state, findings=(*state.findings, *beside))
+    if asking or not axes:
+        _check_meaning(control, state, axes)
+    named = [
+        (each, axis) for axis in axes for each in (axis.address, axis.gantry) if each is not None
+    ]
+    if control.definition.judged == "read_back":
+        return DecodedState(files, state, ReadOnce(state))
+    alone = address or (axes[0].address if len(axes) == 1 else None)
+    judge = virtual_control(
+        control.id,
+        files,
+        reference_return={address: axis.reference_return for address, axis in state.axes.items()},
+        kinds={address: axis.kind for address, axis in state.axes.items()},
+        encoder={
+            **_systems(state),
+            **{address: axis.encoder.system for address, axis in named if axis.encoder.stated},
+        },
+        active=active,
+        carried_out=carried_out,
+        modulo={address: axis.modulo for address, axis in named if axis.modulo is not None},
+        reference={address: axis.reference for address, axis in named},
+        axis_options={
+            address: {**axis.options, **control.format.judged_at(axis)} for address, axis in named
+        },
+        options={**reading.options, **({"axis": alone} if alone is not None else {})},
+        asked=tuple(state.axes),
+        axis_number={
+            axis.address: axis.axis_number for axis in axes if axis.axis_number is not None
+        },
+    )
+    raise_all(CompwrightError if written else InputError, disagreements(state, judge))
+    return DecodedState(files=files, state=state, judge=judge)
+
+
+def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) -> None:
+    """A control takes the values of an axis in one meaning: the option and an entry sheet of it
+    must not say two.
+    """
+    own = {axis.address: axis.options.get(TABLE_VALUES) for axis in axes}
+    faults = []
+    for address, facts in state.facts.items():
+        said, given = (
+            facts.said.get(TABLE_VALUES),
+            own.get(address) or control.given.get(TABLE_VALUES),
+        )
+        if None in (said, given) or said == given:
+            continue
+        faults.append(
+            Fault(
+                message=(
+                    f"axis {address}: the option {TABLE_VALUES} contradicts the entry sheet among"
+                    " the control's files; if the check of the sign showed the opposite of what"
+                    " the sheet says, change its line `# value`, or take the table out of the"
+                    " control first"
+                ),
+                place=control.origin.before_option + TABLE_VALUES,
+                file=control.origin.file,
+                expected=str(said),
+                found=str(given),
+            )
+        )
+    raise_all(UsageError, faults)
+
+
+def _systems(state: ControlState) -> dict[str, int]:
+    """Return the measuring system whose table was read, by address: the option or the files say it
+    where no job does.
+    """
+    return {
+        address: facts.encoder_system
+        for address, facts in state.facts.items()
+        if facts.encoder_system is not None
+    }

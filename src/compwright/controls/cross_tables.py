@@ -1,0 +1,166 @@
+"""Tables between axes into the control's files and back, and what the card says about them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+
+import numpy as np
+
+from compwright.controls.acting import judged_cross
+from compwright.controls.control import Control, decode
+from compwright.controls.decoded import DecodedState
+from compwright.formats.families.between import Asked, in_place, together
+from compwright.formats.families.control_texts import texts_of
+from compwright.foundations.errors import CompwrightError, Fault, raise_all
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.correction import ControlFile, ControlState, CrossCompensation
+from compwright.records.plan import PlannedCross
+
+#: Reading back may differ from what was planned by half a step of the value at either node, mm or
+#: deg.
+READ_BACK_WITHIN = 2e-6
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CrossOutcome:
+    """What was ``planned`` and whether the control holds it, all ``files`` that it loads, and what
+    is in it then.
+
+    ``after``: None where nothing was written: between the axes acts what acted before. ``totals``:
+    what then acts between the axes of ``planned``, read back by the judge, by the names of the job.
+    ``sheets``: what is typed in, beside the card.
+    """
+
+    files: tuple[ControlFile, ...]
+    planned: tuple[PlannedCross, ...] = ()
+    written: bool = False
+    after: DecodedState | None = None
+    totals: tuple[CrossCompensation, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    steps: tuple[Mapping[str, str], ...] = ()
+    sheets: tuple[ControlFile, ...] = ()
+
+
+def write_planned(
+    control: Control,
+    planned: Sequence[PlannedCross],
+    tables: tuple[ControlFile, ...],
+    as_found: DecodedState,
+    axes: Mapping[str, Axis],
+    tabled: Collection[str] = (),
+) -> CrossOutcome:
+    """Write the tables between axes beside ``tables`` (those of the single axes) and read
+    everything back.
+
+    ``control``: as it is in the state ``as_found``. ``tabled``: the axes (names of ``axes``) that
+    get a table of their own in ``tables``. What the control cannot hold is not written: a finding
+    and a step of the card say so, and what would help. Raises CompwrightError (a fault of our own)
+    when something else comes back than was written.
+    """
+    if not planned:
+        return CrossOutcome(files=tables)
+    between = {name for entry in planned for name in (entry.input, entry.output)}
+    own = texts_of(control.definition, as_found.files, [])  # read before
+    base = in_place(own, tables, [axes[name].address for name in tabled])
+
+    @cache  # the family reads what is compared here
+    def read(files: tuple[ControlFile, ...], *, written: bool = False) -> DecodedState:
+        # Of a control without files only the axes are known whose tables were written just now.
+        named = {*axes} if as_found.files else {*tabled, *(between if written else ())}
+        known = [axis for name, axis in axes.items() if name in named]
+        return decode(control, files, known, written=written, carried_out=True)
+
+    def state(files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
+        return read(files, written=written).state
+
+    answer = control.format.between(
+        Asked(
+            planned=tuple(planned),
+            axes=axes,
+            tabled=tabled,
+            tables=tables,
+            base=base,
+            read=state,
+            small=control.format.small_files(as_found.files),
+        )
+    )
+    outcome = CrossOutcome(
+        files=tables,
+        planned=tuple(replace(entry, written=False) for entry in planned),
+        findings=tuple(Finding("CW-P113", how, message) for how, message in answer.remarks),
+        steps=answer.steps,
+        sheets=answer.sheets,
+    )
+    if answer.files is None:
+        return outcome
+    after = read(together(base, answer.files), written=True)
+    held = tuple(planned) if answer.held is None else answer.held
+    raise_all(CompwrightError, _wrong(held, read(base), after, answer.quantum))
+    files, totals = together(tables, answer.files), _totals(held, after, axes)
+    pairs = {(entry.input, entry.output) for entry in held}
+    rest = [entry for entry in outcome.planned if (entry.input, entry.output) not in pairs]
+    return replace(
+        outcome, planned=(*held, *rest), written=True, files=files, after=after, totals=totals
+    )
+
+
+def _wrong(
+    planned: Sequence[PlannedCross], before: DecodedState, after: DecodedState, quantum: float
+) -> list[Fault]:
+    """Return a fault for every pair of axes that does not read back as before plus what was
+    planned, up to half a ``quantum``.
+    """
+    old, new = (
+        {(entry.input, entry.output): [entry] for entry in judged_cross(decoded)}
+        for decoded in (before, after)
+    )
+    added: dict[tuple[str, str], list[CrossCompensation]] = {}
+    for planned_entry in planned:
+        entry = planned_entry.added
+        added.setdefault((entry.input, entry.output), []).append(entry)
+    faults = []
+    for pair in dict.fromkeys((*old, *new, *added)):
+        wanted, found = [*old.get(pair, ()), *added.get(pair, ())], new.get(pair, [])
+        where = np.unique(np.concatenate([entry.positions for entry in (*wanted, *found)]))
+        for direction in Direction:
+            worst = float(
+                np.max(np.abs(_sum(found, where, direction) - _sum(wanted, where, direction)))
+            )
+            if worst > READ_BACK_WITHIN + 0.5 * quantum:
+                message = (
+                    f"what {pair[0]} does to {pair[1]} does not come back as it was written; please"
+                    " report this"
+                )
+                faults.append(
+                    Fault(
+                        message=message,
+                        place=f"direction {direction.value}",
+                        found=f"a difference of {worst:.3g}",
+                    )
+                )
+    return faults
+
+
+def _sum(
+    entries: Sequence[CrossCompensation], where: FloatArray, direction: Direction
+) -> FloatArray:
+    return sum((entry.at(where, direction) for entry in entries), np.zeros(where.size))
+
+
+def _totals(
+    planned: Sequence[PlannedCross], after: DecodedState, axes: Mapping[str, Axis]
+) -> tuple[CrossCompensation, ...]:
+    names = {axis.address: name for name, axis in axes.items()}
+    mine = {(entry.added.input, entry.added.output) for entry in planned}
+    return tuple(
+        replace(
+            entry,
+            input=names.get(entry.input, entry.input),
+            output=names.get(entry.output, entry.output),
+        )
+        for entry in judged_cross(after)
+        if (entry.input, entry.output) in mine
+    )

@@ -1,0 +1,295 @@
+"""What differs between two sets of a control's files: the corrections that come out, and every
+value that they enter, in the control's words.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from compwright.controls.control import Control, decode
+from compwright.controls.one_by_one import axis_by_axis
+from compwright.controls.two_readers import EVERYWHERE, probe_positions
+from compwright.formats.text.container import is_container
+from compwright.formats.text.entered import Entered, EnteredChange, Entries, changes
+from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError
+from compwright.foundations.findings import Finding
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+
+#: Two corrections are the same below this many mm or deg: far below every quantum of a control.
+SAME = 1e-6
+#: Faults of files that a finding names.
+_MOST_FAULTS = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Side:
+    """One set of files: everything that they enter, and what the control makes of it (None: that
+    cannot be read; ``findings`` say why). ``unread``: the axes that could not be read, while others
+    could.
+    """
+
+    files: tuple[ControlFile, ...]
+    entries: Entries
+    state: ControlState | None
+    findings: tuple[Finding, ...] = ()
+    unread: frozenset[str] = frozenset()
+
+    def tells(self, address: str) -> bool:
+        """Whether it is known what the control makes of an axis."""
+        return self.state is not None and address not in self.unread
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """One entry that differs, the axes that it belongs to (addresses), and the position of a value
+    of a table.
+    """
+
+    change: EnteredChange
+    axes: tuple[str, ...]
+    at: float | None
+
+    @property
+    def entry(self) -> Entered:
+        """The entry as it is, or was."""
+        return self.change.entry
+
+
+@dataclass(frozen=True, slots=True)
+class CorrectionChange:
+    """Where the correction of an axis changed most: ``at`` which position (of the axis that moves),
+    arriving in which ``direction``; what it ``was`` and is ``now``, mm or deg.
+    """
+
+    kind: AxisKind
+    was: float
+    now: float
+    at: float
+    direction: Direction
+
+    @property
+    def most(self) -> float:
+        """By how much, with its sign: new minus old."""
+        return self.now - self.was
+
+
+@dataclass(frozen=True, slots=True)
+class Differences:
+    """``entries``: every value that differs, those that compensate first. ``corrections`` by
+    address, of axes whose correction changed; ``cross`` by moving and corrected axis; ``told``:
+    both sides could be read whole, so that these are all; ``untold``: the axes with entries that
+    differ whose correction could not be compared.
+    """
+
+    entries: tuple[Placed, ...]
+    corrections: Mapping[str, CorrectionChange] = field(default_factory=dict)
+    cross: Mapping[tuple[str, str], CorrectionChange] = field(default_factory=dict)
+    told: bool = False
+    untold: frozenset[str] = frozenset()
+    findings: tuple[Finding, ...] = ()
+
+
+def side(
+    control: Control,
+    files: Sequence[ControlFile],
+    name: str,
+    naming: Sequence[ControlFile] = (),
+) -> Side:
+    """Return one set of files, read as far as it can be. ``name``: what it is called in findings;
+    ``naming``: the other set, which may say what the axes are called.
+
+    Raises InputError where the files enter nothing at all, or cannot be opened.
+    """
+    entries = control.format.entered(files, naming)
+    if not entries:
+        raise InputError(*_nothing(control, files))
+    files, idle = _with_data(control, files, entries)
+    left = (
+        (Finding("CW-S082", "info", f"{name}: no data of the control in {idle}"),) if idle else ()
+    )
+    try:
+        state, findings = _viewed(control, files, name)
+    except (InputError, UsageError) as error:
+        return _in_part(control, Side(files, entries, None, left), name, error)
+    return Side(files, entries, state, (*left, *findings))
+
+
+def _in_part(control: Control, unread: Side, name: str, error: InputError | UsageError) -> Side:
+    """Return a set of files of which the whole cannot be read, as far as single axes can be."""
+    named = {entry.axis for entry in unread.entries.values() if entry.acts}
+    seen: list[Finding] = []
+
+    def view(address: str) -> ControlState:
+        state, findings = _viewed(control, unread.files, name, address)
+        seen.extend(findings)
+        return state
+
+    found = axis_by_axis(control, unread.files, view, named, (InputError, UsageError))
+    if found.state is None:
+        return replace(unread, findings=(*unread.findings, _untold(name, "these files", error)))
+    told = [_untold(name, f"axis {each}", why) for each, why in found.refused.items()]
+    findings = tuple(dict.fromkeys((*unread.findings, *seen, *told)))
+    return replace(unread, state=found.state, findings=findings, unread=frozenset(found.refused))
+
+
+def _untold(name: str, what: str, error: InputError | UsageError) -> Finding:
+    faults = "; ".join(str(fault) for fault in error.faults[:_MOST_FAULTS])
+    more = len(error.faults) - _MOST_FAULTS
+    faults += f"; and {more} more" if more > 0 else ""
+    return Finding(
+        "CW-S080",
+        "warning",
+        f"{name}: what the control makes of {what} cannot be told, only the entries are compared"
+        f" ({faults})",
+    )
+
+
+def _with_data(
+    control: Control, files: Sequence[ControlFile], entries: Entries
+) -> tuple[tuple[ControlFile, ...], str]:
+    """Return the files that hold compensation, and the names of those that enter nothing at all: a
+    folder holds notes too. What a file enters may stand in a later one again.
+    """
+    acting = {entry.file for entry in entries.values() if entry.acts}
+    used = {entry.file for entry in entries.values()}
+    kept: list[ControlFile] = []
+    idle: list[str] = []
+    for file in files:
+        if file.name in acting or is_container(file):
+            kept.append(file)
+            continue
+        own = control.format.entered([file])
+        if any(one.acts for one in own.values()):
+            kept.append(file)
+        elif file.name not in used and not own:
+            idle.append(file.name)
+    return tuple(kept), ", ".join(idle)
+
+
+def _viewed(
+    control: Control, files: Sequence[ControlFile], name: str, address: str | None = None
+) -> tuple[ControlState, tuple[Finding, ...]]:
+    """Return what the files say, of one axis where that is asked for; by one reader alone where the
+    other refuses them.
+    """
+    try:
+        return decode(control, files, address=address).state, ()
+    except CompwrightError as error:
+        reading = control.format.for_a_view()
+        state = reading.read(files, address=address)
+        why = "; ".join(str(fault) for fault in error.faults[:1])
+        message = f"{name}: corrections are those of one reader alone; the second one says: {why}"
+        return state, (Finding("CW-S081", "warning", message),)
+
+
+def _nothing(control: Control, files: Sequence[ControlFile]) -> list[Fault]:
+    return [
+        Fault(
+            message=f"nothing in it is data of {control.id}",
+            file=", ".join(file.name for file in files),
+            expected="files as the control exports them",
+        )
+    ]
+
+
+def differences(control: Control, old: Side, new: Side) -> Differences:
+    """Return what differs between two sets of files."""
+    placed = [_placed(control, change, old, new) for change in changes(old.entries, new.entries)]
+    placed.sort(key=lambda one: not one.entry.acts)
+    corrections: dict[str, CorrectionChange] = {}
+    cross: dict[tuple[str, str], CorrectionChange] = {}
+    if old.state is not None and new.state is not None:
+        corrections = _corrections(old, new, old.state, new.state)
+        cross = _cross(old.state, new.state)
+    findings = (*old.findings, *new.findings)
+    named = {address for one in placed for address in one.axes}
+    untold = frozenset(one for one in named if not (old.tells(one) and new.tells(one)))
+    told = not (untold or old.unread or new.unread or None in (old.state, new.state))
+    return Differences(tuple(placed), corrections, cross, told, untold, findings)
+
+
+def _placed(control: Control, change: EnteredChange, old: Side, new: Side) -> Placed:
+    axes: tuple[str, ...] = ()
+    at = None
+    for one in (old, new):
+        named, position = control.format.whereabouts(change.entry, one.entries, one.state)
+        axes = tuple(dict.fromkeys((*axes, *named)))
+        at = position if position is not None else at
+    return Placed(change, axes, at)
+
+
+def _corrections(
+    before: Side, after: Side, old: ControlState, new: ControlState
+) -> dict[str, CorrectionChange]:
+    """Return what changed of axes of which both sides say something: missing is not zero."""
+    said = [
+        {entry.axis for entry in side.entries.values() if entry.acts} | set(state.axes)
+        for side, state in ((before, old), (after, new))
+    ]
+    found = {}
+    for address in dict.fromkeys((*old.axes, *new.axes)):
+        was, now = (state.axes.get(address) for state in (old, new))
+        known = now or was
+        if known is None or not all(address in axes for axes in said):
+            continue
+        if not (before.tells(address) and after.tells(address)):
+            continue
+        where = np.unique(np.concatenate([_probes(one) for one in (was, now) if one is not None]))
+        change = _most(known.kind, where, _curve(was, where), _curve(now, where))
+        if change is not None:
+            found[address] = change
+    return found
+
+
+def _probes(axis: AxisCompensation) -> FloatArray:
+    return probe_positions(axis.positions)
+
+
+def _curve(axis: AxisCompensation | None, where: FloatArray) -> dict[Direction, FloatArray]:
+    if axis is None:
+        return {side: np.zeros(where.size) for side in Direction}
+    return {side: axis.at(where, side) for side in Direction}
+
+
+def _most(
+    kind: AxisKind,
+    where: FloatArray,
+    was: Mapping[Direction, FloatArray],
+    now: Mapping[Direction, FloatArray],
+) -> CorrectionChange | None:
+    gaps = {side: now[side] - was[side] for side in Direction}
+    side = max(Direction, key=lambda one: float(np.max(np.abs(gaps[one]))))
+    index = int(np.argmax(np.abs(gaps[side])))
+    if abs(gaps[side][index]) <= SAME:
+        return None
+    values = float(was[side][index]), float(now[side][index])
+    return CorrectionChange(kind, *values, float(where[index]), side)
+
+
+def _cross(old: ControlState, new: ControlState) -> dict[tuple[str, str], CorrectionChange]:
+    pairs = dict.fromkeys((entry.input, entry.output) for entry in (*old.cross, *new.cross))
+    found = {}
+    for pair in pairs:
+        tables = [
+            [entry for entry in state.cross if (entry.input, entry.output) == pair]
+            for state in (old, new)
+        ]
+        known = [*tables[0], *tables[1]]
+        where = np.unique(
+            np.concatenate([EVERYWHERE, *(probe_positions(entry.positions) for entry in known)])
+        )
+        was, now = (
+            {
+                side: sum((entry.at(where, side) for entry in group), np.zeros(where.size))
+                for side in Direction
+            }
+            for group in tables
+        )
+        change = _most(known[0].output_kind, where, was, now)
+        if change is not None:
+            found[pair] = change
+    return found

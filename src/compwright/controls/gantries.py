@@ -1,0 +1,367 @@
+"""Gantries: what the synchronised axis gets that has a table, grid or backlash of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from compwright.controls.acting import correction_of
+from compwright.controls.control import Control
+from compwright.controls.decoded import DecodedState
+from compwright.controls.two_readers import probe_positions, table_positions
+from compwright.formats.families.gantry import SAME_TABLE, partner_of
+from compwright.foundations.errors import CapacityError, CompwrightError, Fault, raise_all
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.tables import fit_within
+from compwright.prediction.acting import difference
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation, ControlState, no_compensation
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.job import AS_FOUND, Job
+from compwright.verification.read_back import SAME
+
+FittedAxes = Sequence[tuple[Axis, FittedTable]]
+#: Positions over the travel at which two tables are compared.
+_DENSE = 401
+#: Nodes are the same below this many mm or deg.
+_SAME_NODE = 1e-6
+#: A skew that changes by more than this many mm or deg is a warning.
+_SKEW = 1e-3
+_ANSWERS = (
+    "gantry: {{axis: {address}, table: same}} (both get the same total) or {{axis: {address},"
+    " table: change}} (the same change is added to each one's own total)"
+)
+
+
+def partner_questions(
+    job: Job, states: Mapping[str, DecodedState]
+) -> tuple[list[Fault], list[Fault]]:
+    """Return where the job has to say what a synchronised axis with values of its own gets, and
+    where the states contradict each other about it.
+    """
+    questions: list[Fault] = []
+    faults: list[Fault] = []
+    for name, entry in job.axes.items():
+        axis = entry.axis
+        if axis.gantry is None or not (entry.before or name in job.apply.scale):
+            continue
+        measured_in = [request.measured_in for request in entry.before[:1]]
+        concerned = [one for one in dict.fromkeys((AS_FOUND, *measured_in)) if one in states]
+        found = {one: differing(axis, states[one].state) for one in concerned}
+        own = {one: words for one, words in found.items() if words}
+        place = f"axes.{name}.gantry"
+        if own and axis.gantry_table is None:
+            questions += [
+                Fault(
+                    message=(
+                        f"axis {axis.gantry} moves with axis {axis.address} and has values of its"
+                        f" own in the state {state}"
+                    ),
+                    file=job.file,
+                    place=place,
+                    expected=_ANSWERS.format(address=axis.gantry),
+                    found=f"differing: {', '.join(words)}",
+                )
+                for state, words in own.items()
+            ]
+        elif axis.gantry_table == "change" and _skews_differ(axis, states, measured_in):
+            faults.append(
+                Fault(
+                    message=(
+                        f"axis {axis.gantry} differs from axis {axis.address} by other values in"
+                        f" the state of the first test, {measured_in[0]}, than in {AS_FOUND}"
+                    ),
+                    file=job.file,
+                    place=place,
+                    expected=f"a first test that was measured in {AS_FOUND}, or table: same",
+                    found="table: change",
+                )
+            )
+    return questions, faults
+
+
+def differing(axis: Axis, state: ControlState) -> list[str]:
+    """Return what the synchronised axis of a gantry has of its own that differs from the leading
+    axis, in words; nothing where it has nothing of its own.
+    """
+    leading, partner = _both(axis, state)
+    facts, own_facts = (state.facts_of(address) for address in (axis.address, str(axis.gantry)))
+    grid, own_grid = _grid(leading, facts.grid), _grid(partner, own_facts.grid)
+    where = _where(axis, leading, partner)
+    if not (own_grid.size or any(np.any(partner.at(where, side)) for side in Direction)):
+        return []
+    gaps = [
+        (partner.at(where, side) - partner.backlash_at(side))
+        - (leading.at(where, side) - leading.backlash_at(side))
+        for side in Direction
+    ]
+    same_grid = grid.shape == own_grid.shape and np.allclose(grid, own_grid, atol=_SAME_NODE)
+    rapid = (facts.rapid_more, own_facts.rapid_more)
+    words = {
+        "table" if own_grid.size or grid.size else "backlash": np.max(np.abs(gaps)) > SAME_TABLE,
+        "grid": bool(own_grid.size) and not same_grid,
+        "backlash at rapid traverse": rapid[0] != rapid[1],
+    }
+    lost = abs(partner.backlash - leading.backlash) > SAME_TABLE
+    found = [word for word, differs in words.items() if differs]
+    return list(dict.fromkeys([*found, *(["backlash"] if lost else [])]))
+
+
+def with_partners(
+    control: Control, fitted: FittedAxes, as_found: DecodedState
+) -> list[tuple[Axis, FittedTable]]:
+    """Return the tables with those of synchronised axes that get the same change as the leading
+    one, each on its own grid.
+
+    Raises CapacityError where the control cannot hold one.
+    """
+    made = list(fitted)
+    faults: list[Fault] = []
+    for axis, table in fitted:
+        if axis.gantry is None or axis.gantry_table != "change":
+            continue
+        partner = partner_of(axis, axis.gantry)
+        try:
+            made.append((partner, _changed(control, axis, partner, table, as_found)))
+        except CapacityError as error:
+            faults.extend(fault.within(f"axis {partner.name}") for fault in error.faults)
+    raise_all(CapacityError, faults)
+    return made
+
+
+def check_partners(axes: Sequence[tuple[Axis, FittedTable]], loaded: DecodedState) -> None:
+    """Raise CompwrightError (a fault of our own) where the judge reads another table for the
+    synchronised axis of a gantry than was written. ``axes``: as `with_partners` returns them.
+    """
+    tables = {axis.address: table.compensation for axis, table in axes}
+    faults = []
+    for axis, table in axes:
+        if axis.gantry is None:
+            continue
+        own = tables.get(axis.gantry)
+        back = correction_of(loaded, partner_of(axis, axis.gantry))
+        if own is None:
+            meant = correction_of(loaded, axis)
+            where = probe_positions(table.compensation.positions)
+        else:
+            meant = own.at
+            where = table_positions(own.positions, axis.travel)
+        off = difference(meant, back)
+        if any(float(np.max(np.abs(off(where, side)))) > SAME for side in Direction):
+            message = f"axis {axis.gantry} reads otherwise than it was written; please report this"
+            faults.append(Fault(message=message, place=f"axis {axis.name}"))
+    raise_all(CompwrightError, faults)
+
+
+def skew_findings(
+    axes: Iterable[Axis],
+    as_found: DecodedState,
+    loaded: DecodedState | None,
+    gains: Mapping[str, float],
+) -> Iterator[Finding]:
+    """Yield by how much the tables of both axes of a gantry differ before and after loading, and
+    where the same change moves them apart by more than the leading axis gains.
+
+    ``gains``: by how much the parameter that judges tables falls, mm or deg, by name of the axis.
+    """
+    for axis in axes:
+        if axis.gantry is None or axis.gantry_table is None or loaded is None:
+            continue
+        unit = axis.kind.unit
+        factor, small = outside_factor(unit), shown_unit(unit)
+        where = np.linspace(*axis.travel, _DENSE)
+        was, now = (_skew(axis, state, where) for state in (as_found, loaded))
+        moved = float(np.max(np.abs(np.subtract(now, was)))) * factor
+        before, after = (float(np.max(np.abs(one))) * factor for one in (was, now))
+        gets = {"same": "the same total", "change": "the same change to its own total"}
+        yield Finding(
+            "CW-S036",
+            "warning" if moved > _SKEW * factor else "info",
+            f"Axis {axis.gantry} gets {gets[axis.gantry_table]} as axis {axis.name}, as the job"
+            f" says. The corrections of both differ by up to {after:.2f} {small} afterwards,"
+            f" {before:.2f} {small} before; at no position by more than {moved:.2f} {small}"
+            " otherwise than before",
+            (axis.address,),
+        )
+        gain = gains.get(axis.name, 0.0) * factor
+        if axis.gantry_table == "change" and moved > max(gain, _SKEW * factor):
+            yield Finding(
+                "CW-S038",
+                "warning",
+                f"Axes {axis.name} and {axis.gantry} move apart by up to {moved:.2f} {small}, more"
+                f" than axis {axis.name} gains ({gain:.2f} {small}): their grids do not fit"
+                " together. Give both axes the same grid in the control, or say table: same",
+                (axis.address,),
+            )
+
+
+def _skew(axis: Axis, state: DecodedState, where: FloatArray) -> list[FloatArray]:
+    """Return by how much the synchronised axis is corrected more than the leading one, by
+    direction.
+    """
+    own, leading = (
+        correction_of(state, partner_of(axis, str(axis.gantry))),
+        correction_of(state, axis),
+    )
+    return [own(where, side) - leading(where, side) for side in Direction]
+
+
+def _skews_differ(
+    axis: Axis, states: Mapping[str, DecodedState], measured_in: Sequence[str]
+) -> bool:
+    """Whether the axes differ in the state of the first test, and otherwise than they do now."""
+    test = [states[name] for name in measured_in if name in states and name != AS_FOUND]
+    if not test or AS_FOUND not in states:
+        return False
+    where = np.linspace(*axis.travel, _DENSE)
+    then, now = (np.array(_skew(axis, one, where)) for one in (test[0], states[AS_FOUND]))
+    return bool(np.max(np.abs(then)) > SAME and np.max(np.abs(then - now)) > SAME)
+
+
+def _both(axis: Axis, state: ControlState) -> tuple[AxisCompensation, AxisCompensation]:
+    leading, partner = (
+        state.axes.get(address, no_compensation(address, axis.kind, axis.reference_return))
+        for address in (axis.address, str(axis.gantry))
+    )
+    return leading, partner
+
+
+def _grid(table: AxisCompensation, idle: Sequence[float]) -> FloatArray:
+    """Return the nodes of a table, also of one that does not act; one node is a constant."""
+    return table.positions if table.positions.size > 1 else np.array(idle, dtype=np.float64)
+
+
+def _where(axis: Axis, *tables: AxisCompensation) -> FloatArray:
+    """Return positions over the travel and the nodes of tables."""
+    nodes = [other.positions for table in tables for other in (table, *table.others)]
+    return np.unique(np.concatenate([np.linspace(*axis.travel, _DENSE), *nodes]))
+
+
+def _changed(
+    control: Control, axis: Axis, partner: Axis, table: FittedTable, as_found: DecodedState
+) -> FittedTable:
+    """Return the table of the synchronised axis: its own total with the change of the leading axis
+    over the travel. Node by node where that is good enough, else the one of two that moves the axes
+    apart the least: node by node, or fitted. Raises CapacityError.
+    """
+    old, own = _both(axis, as_found.state)
+    new, capacity = table.compensation, control.format.capacity(partner)
+    idle = as_found.state.facts_of(partner.address).grid
+    where = np.linspace(*axis.travel, _DENSE)
+
+    def change(nodes: FloatArray, side: Direction) -> FloatArray:
+        return new.at(nodes, side) - old.at(nodes, side)
+
+    def apart(made: FittedTable) -> float:
+        held = made.compensation
+        gaps = [
+            held.at(where, side) - own.at(where, side) - change(where, side) for side in Direction
+        ]
+        return float(np.max(np.abs(gaps)))
+
+    by_node = _by_node(partner, old, own, new, capacity, idle)
+    made: list[FittedTable] = []
+    if by_node is not None:
+        try:
+            control.format.write([by_node], [partner], as_found.files)
+        except CapacityError:
+            pass
+        else:
+            made.append(replace(table, compensation=by_node))
+            if apart(made[0]) <= _SKEW:
+                return made[0]
+    within = _where(axis, new, old, own)
+    within = within[(within >= axis.travel[0]) & (within <= axis.travel[1])]
+    wanted = WantedCorrection(
+        kind=axis.kind,
+        positions=within,
+        positive=own.at(within, Direction.POSITIVE) + change(within, Direction.POSITIVE),
+        negative=own.at(within, Direction.NEGATIVE) + change(within, Direction.NEGATIVE),
+        reference=axis.reference,
+        reference_return=axis.reference_return,
+        noise=capacity.quantum,
+    )
+    request = TableRequest(mode=table.mode)
+    if not (own.positions.size > 1 or idle) and new.positions.size > 1:
+        spacing = float(new.positions[1] - new.positions[0])
+        start, end = float(new.positions[0]), float(new.positions[-1])
+        request = replace(request, start=start, end=end, spacing=spacing)
+    try:
+        made.append(fit_within(wanted, capacity, request, partner))
+    except CapacityError:
+        if not made:
+            raise
+    return min(made, key=apart)
+
+
+def _by_node(
+    partner: Axis,
+    old: AxisCompensation,
+    own: AxisCompensation,
+    new: AxisCompensation,
+    capacity: Capacity,
+    idle: Sequence[float],
+) -> AxisCompensation | None:
+    """Return the synchronised axis' ``own`` table with the change of the leading axis, from ``old``
+    to ``new``, added at its nodes; None where one curve cannot hold it.
+
+    Steps count as the lines between their nodes: a step at another place would move the axes apart
+    by the whole step. Beyond the nodes around the travel the change stays what it is there.
+    """
+    grid = _grid(own, idle)
+    if capacity.there and own.period is None:
+        nodes = np.array(capacity.there)
+    else:
+        nodes = grid if grid.size else new.positions
+    ahead, behind = (replace(one, interpolation="linear") for one in (new, old))
+    low, high = partner.travel
+    below, above = nodes[nodes <= low], nodes[nodes >= high]
+    held = np.clip(nodes, below[-1] if below.size else -np.inf, above[0] if above.size else np.inf)
+    curves = {
+        side: own.at(nodes, side)
+        + (ahead.at(held, side) - behind.at(held, side))
+        - sum(one.at(nodes, side) for one in capacity.stays)
+        for side in Direction
+    }
+    total = replace(
+        own,
+        address=partner.address,
+        positions=nodes,
+        positive=curves[Direction.POSITIVE],
+        negative=curves[Direction.NEGATIVE],
+        backlash=own.backlash + new.backlash - old.backlash,
+        slope=0.0 if nodes.size else own.slope + new.slope - old.slope,
+        interpolation=new.interpolation,
+        below=new.below,
+        above=new.above,
+        period=own.period if grid.size else new.period,
+        others=capacity.stays,
+    )
+    return _rounded(total, capacity)
+
+
+def _rounded(table: AxisCompensation, capacity: Capacity) -> AxisCompensation | None:
+    """Return a table whose curves are totals, as the control holds them: one curve and a backlash
+    where both directions agree so, else two curves; None where it has neither.
+    """
+    quantum, step = capacity.quantum, capacity.backlash_quantum
+    lost = 0.0 if step is None else round(table.backlash / step) * step
+    single = replace(table, backlash=lost)
+    curves = {side: table.curve(side) - single.backlash_at(side) for side in Direction}
+    if not table.positions.size:
+        return single
+    apart = float(np.max(np.abs(curves[Direction.POSITIVE] - curves[Direction.NEGATIVE])))
+    if apart > 0.5 * quantum:
+        if capacity.curves == 1:
+            return None
+        single = replace(table, backlash=0.0)
+        curves = {side: table.curve(side) for side in Direction}
+    positive, negative = (np.round(curves[side] / quantum) * quantum + 0.0 for side in Direction)
+    if apart <= 0.5 * quantum:
+        negative = positive
+    return replace(single, positive=positive, negative=negative)

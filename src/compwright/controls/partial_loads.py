@@ -1,0 +1,106 @@
+"""Files of one set of tables of which only some were loaded: what that does to an axis, for the
+card; and how it shows in what was read back, for `compare`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from compwright.controls.acting import correction_of
+from compwright.controls.control import Control, decode
+from compwright.evaluation.standards import evaluate
+from compwright.formats.families.between import in_place
+from compwright.formats.text.entered import Entries, same_text
+from compwright.foundations.errors import CompwrightError
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.axes import AxisWork
+from compwright.planning.outlook import yardstick
+from compwright.planning.tables import NEXT_TO_NOTHING
+from compwright.planning.wanted import with_change
+from compwright.prediction.acting import Correction, difference
+from compwright.records.axis import Direction
+from compwright.records.correction import ControlFile
+
+#: Of more files than these no parts are tried: each costs a reading of everything.
+_MOST_FILES = 6
+
+
+@dataclass(frozen=True, slots=True)
+class PartialLoad:
+    """The names of files that were loaded and of those that were not."""
+
+    loaded: tuple[str, ...]
+    missing: tuple[str, ...]
+
+
+def harmful_parts(
+    control: Control,
+    own: Sequence[ControlFile],
+    tables: Sequence[ControlFile],
+    works: Mapping[str, AxisWork],
+) -> tuple[str, ...]:
+    """Return, in words, each part of the ``tables`` that makes an axis worse than it is now when
+    nothing else is loaded; ``own``: the control's files before.
+    """
+    old = {file.name: file.content for file in own}
+    changed = [file for file in tables if old.get(file.name) != file.content]
+    if not own or not 2 <= len(changed) <= _MOST_FILES:
+        return ()
+    axes = [work.planned.axis for work in works.values()]
+    addresses = [axis.address for axis in axes]
+    found = []
+    for part in changed:
+        try:
+            state = decode(control, in_place(own, [part], addresses), axes)
+        except CompwrightError:
+            continue  # the values contradict each other: nobody knows what the control does
+        said = [
+            words
+            for work in works.values()
+            if (words := _worse(work, correction_of(state, work.planned.axis)))
+        ]
+        if said:
+            found.append(f"With {part.name} alone {', '.join(said)}.")
+    return tuple(found)
+
+
+def _worse(work: AxisWork, new: Correction) -> str:
+    """Return by how much ``new`` makes the first test of an axis worse; empty: it does not."""
+    first, axis = work.results[0], work.planned.axis
+    name = yardstick(first)
+    if name is None:
+        return ""
+    values = []
+    for active in (work.as_found, new):
+        change = difference(active, work.active)
+        moved = with_change(first.test, *(change(first.test.targets, side) for side in Direction))
+        values.append(abs(evaluate(moved, first.standard).parameters[name] or 0.0))
+    factor = outside_factor(axis.kind.unit)
+    was, becomes = (value * factor for value in values)
+    if becomes <= was + NEXT_TO_NOTHING:
+        return ""
+    unit = shown_unit(axis.kind.unit)
+    return f"axis {axis.name} has {name} {becomes:.0f} {unit} (now {was:.0f} {unit})"
+
+
+def partial_load(before: Entries, planned: Entries, back: Entries) -> PartialLoad | None:
+    """Return which files of a plan were loaded and which were not, where each was as a whole: by
+    what the control's files held ``before``, what is ``planned`` and what was read ``back``. None:
+    all were, none was, or something else is wrong.
+    """
+    new_in: dict[str, None] = {}
+    old_in: dict[str, None] = {}
+    for key, entry in planned.items():
+        old, found = ((side[key].text if key in side else None) for side in (before, back))
+        if old is not None and same_text(old, entry.text):
+            continue
+        if found is not None and same_text(found, entry.text):
+            new_in[entry.file] = None
+        elif found == old or (found and old and same_text(found, old)):
+            old_in[entry.file] = None
+        else:
+            return None
+    if not (new_in and old_in) or new_in.keys() & old_in.keys():
+        return None
+    return PartialLoad(tuple(new_in), tuple(old_in))

@@ -1,0 +1,150 @@
+"""What was read back from a control against everything that should be in it: the state that was
+patched, with the plan's files in their place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from compwright.controls.control import Control
+from compwright.controls.differences import (
+    CorrectionChange,
+    Differences,
+    Placed,
+    Side,
+    differences,
+)
+from compwright.documents.compare import Difference, Others
+from compwright.documents.diff import EntryDifference
+from compwright.formats.text.entered import same_text
+from compwright.foundations import storage
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, outside_unit
+
+
+@dataclass(frozen=True, slots=True)
+class ReadBackDifferences:
+    """``own``: values that differ, by the name of an axis of the plan; ``others``: all else."""
+
+    own: Mapping[str, tuple[Difference, ...]]
+    others: Others
+    findings: tuple[Finding, ...] = ()
+
+
+def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
+    """Yield what lies where `run` wrote the tables of this plan: it says nothing of the control."""
+    own = storage.resolved(plan_file.parent / "tables")
+    for path in loaded:
+        if own in (there := storage.resolved(path), *there.parents):
+            message = (
+                f"{path} is what run wrote, not what was read back: nothing here says what is in"
+                " the control; save it from the control and give that"
+            )
+            yield Finding("CW-S085", "warning", message)
+
+
+def read_back_differences(
+    control: Control, expected: Side, found: Side, names: Mapping[str, str]
+) -> ReadBackDifferences:
+    """Hold what was read back against what should be there. ``names``: the axes of the plan by
+    address, gantry partners too.
+
+    What was not read back is not looked at; nor is a value that stood in no file before, unless
+    its file did.
+    """
+    whole = differences(control, expected, found)
+    known = {entry.file for entry in expected.entries.values()}
+    acting = [one for one in whole.entries if one.entry.acts and _compared(one, known)]
+    own: dict[str, list[Difference]] = {}
+    others: list[Difference] = []
+    for one in acting:
+        mine = dict.fromkeys(names[address] for address in one.axes if address in names)
+        for name in mine:
+            own.setdefault(name, []).append(_difference(one, name))
+        if not mine:
+            others.append(_difference(one, one.axes[0] if one.axes else ""))
+    others += _corrections(whole, acting, names)
+    return ReadBackDifferences(
+        {name: tuple(found) for name, found in own.items()},
+        Others(tuple(others), tuple(_elsewhere(whole)), tuple(_not_read(whole))),
+        tuple(dict.fromkeys((*whole.findings, *_unsaid(whole, known)))),
+    )
+
+
+def _compared(placed: Placed, known: set[str]) -> bool:
+    """Whether a difference is one: both sides say it, or it is new in a file that was there."""
+    change = placed.change
+    if change.new is None:
+        return False
+    if change.old is not None:
+        return True
+    return change.new.file in known and not same_text(change.new.text, "0")
+
+
+def _difference(placed: Placed, axis: str) -> Difference:
+    entry, change = placed.entry, placed.change
+    was = change.old.text if change.old is not None else None
+    return Difference(axis, entry.name, was, change.new.text if change.new else None)
+
+
+def _corrections(
+    whole: Differences, acting: list[Placed], names: Mapping[str, str]
+) -> Iterator[Difference]:
+    """Yield by how much the corrections of neighbours changed, and those between axes, as far as
+    entries that were compared explain it.
+    """
+    touched = [set(one.axes) for one in acting]
+    for address, change in whole.corrections.items():
+        if address not in names and any(address in axes for axes in touched):
+            yield _largest(address, "correction", "", change)
+    for (moving, output), change in whole.cross.items():
+        if any({moving, output} <= axes for axes in touched):
+            what = f"correction of {names.get(output, output)} over {names.get(moving, moving)}"
+            yield _largest(names.get(output, output), what, f"{moving} ", change)
+
+
+def _largest(axis: str, what: str, moving: str, change: CorrectionChange) -> Difference:
+    unit = change.kind.unit
+    factor = outside_factor(unit)
+    quantity = (
+        f"{what}, largest change: at {moving}{change.at:.10g} arriving in {change.direction.value}"
+    )
+    return Difference(axis, quantity, change.was * factor, change.now * factor, outside_unit(unit))
+
+
+def _elsewhere(whole: Differences) -> Iterator[EntryDifference]:
+    for one in whole.entries:
+        change, entry = one.change, one.entry
+        if not entry.acts and change.old is not None and change.new is not None:
+            yield EntryDifference(
+                quantity=entry.name,
+                group=entry.group,
+                addresses=one.axes,
+                old=change.old.text,
+                new=change.new.text,
+                meaning=entry.meaning,
+                acts=False,
+                at=one.at,
+            )
+
+
+def _not_read(whole: Differences) -> Iterator[str]:
+    for one in whole.entries:
+        if one.entry.acts and one.change.new is None:
+            yield one.entry.name
+
+
+def _unsaid(whole: Differences, known: set[str]) -> Iterator[Finding]:
+    missing = len(list(_not_read(whole)))
+    new = sum(
+        one.entry.acts and one.change.old is None and not _compared(one, known)
+        for one in whole.entries
+    )
+    if missing:
+        text = f"{missing} values that compensate were not read back, and not looked at"
+        yield Finding("CW-S083", "info", text)
+    if new:
+        text = f"{new} values that compensate stood in no file of the plan, and were not looked at"
+        yield Finding("CW-S083", "info", text)

@@ -1,0 +1,163 @@
+"""Result folders read: their records, and whether the files in them are as they were written."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+from compwright.documents.json_text import no_number
+from compwright.documents.older_record import older_record
+from compwright.documents.record import RECORD, read_record
+from compwright.documents.record_reading import faults_of_record
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, InputError, raise_all
+from compwright.foundations.input_sizes import JSON
+from compwright.foundations.provenance import fingerprint
+from compwright.foundations.utf8 import shown_path
+from compwright.workflow.results.scatter import errors_of
+
+#: What tells a result folder; without a record, of an older version.
+_DOCUMENTS = ("evaluation.json", "plan.json", "verification.json")
+_MARKS = (RECORD, "plan.json", "verification.json")
+#: Folders of a result folder that hold copies, no results of their own.
+_NO_RESULTS = frozenset({"inputs", "tables", "rollback", "card", "proven"})
+
+
+@dataclass(frozen=True, slots=True)
+class ResultFolder:
+    """A result folder: its record, what has to be said of it, and the files that are not as they
+    were written (``changed`` or ``missing``). ``names``: all files that were looked at.
+    """
+
+    path: Path
+    record: Mapping[str, Any]
+    notes: tuple[str, ...]
+    files: tuple[tuple[str, str], ...]
+    names: tuple[str, ...]
+
+
+def result_folders(tops: Sequence[Path]) -> tuple[list[Path], list[Fault]]:
+    """Return the result folders in and below ``tops``, each once, and what could not be read."""
+    found: dict[Path, Path] = {}
+    faults: list[Fault] = []
+    for top in tops:
+        try:
+            folders, refused = storage.folders_holding(top, _MARKS)
+        except InputError as error:
+            faults.extend(error.faults)
+            continue
+        faults.extend(refused)
+        known = frozenset(folders)
+        own = [folder for folder in folders if not _is_part(folder, known)]
+        if not own and not refused:
+            faults.append(
+                Fault(
+                    message="holds no results",
+                    file=shown_path(top),
+                    expected=f"a folder of run or verify ({RECORD}), in it or below",
+                )
+            )
+        for folder in own:
+            found.setdefault(storage.resolved(folder), folder)
+    return list(found.values()), faults
+
+
+def _is_part(folder: Path, folders: Collection[Path]) -> bool:
+    """Whether a folder lies among the copies of another result folder."""
+    way = (folder, *folder.parents)
+    return any(above in folders and below.name in _NO_RESULTS for below, above in pairwise(way))
+
+
+def read_folder(path: Path) -> ResultFolder:
+    """Read a result folder. Raises InputError for a record or document that is damaged."""
+    file = path / RECORD
+    if not storage.is_there(file):
+        return _read_older(path)
+    content = storage.read_bytes(file, JSON)
+    record = read_record(content, shown_path(file))
+    expected = _expected(record)
+    return ResultFolder(
+        path=path,
+        record=record,
+        notes=(),
+        files=tuple(_not_as_written(path, expected)),
+        names=(RECORD, *expected),
+    )
+
+
+def _expected(record: Mapping[str, Any]) -> dict[str, str]:
+    """Return the files that a record lists, with the SHA-256 of each."""
+    listed = {str(entry["file"]): str(entry["sha256"]) for entry in record["files"]}
+    inputs = {
+        str(entry["copy"]): str(entry["sha256"])
+        for entry in record["inputs"]
+        if entry["copy"] is not None
+    }
+    return inputs | listed
+
+
+def _not_as_written(path: Path, expected: Mapping[str, str]) -> Iterator[tuple[str, str]]:
+    for name, digest in expected.items():
+        place = path / name
+        if not storage.is_there(place):
+            yield name, "missing"
+            continue
+        try:
+            same = fingerprint(storage.read_bytes(place)) == digest
+        except InputError:
+            yield name, "unreadable"
+            continue
+        if not same:
+            yield name, "changed"
+
+
+def _read_older(path: Path) -> ResultFolder:
+    documents = {name: _document(path / name) for name in _DOCUMENTS}
+    try:
+        record = older_record(
+            documents["evaluation.json"],
+            documents["plan.json"],
+            documents["verification.json"],
+            errors_of,
+        )
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
+        raise _misfit(path, error) from error
+    raise_all(InputError, [fault.in_file(shown_path(path)) for fault in faults_of_record(record)])
+    missing = [name for name, document in documents.items() if document is None]
+    told = "has no record (an older version): the files in it are not checked"
+    without = f", and {' and '.join(missing)} not there" if missing else ""
+    return ResultFolder(path, record, (f"{told}{without}",), (), _DOCUMENTS)
+
+
+def _document(path: Path) -> Mapping[str, Any] | None:
+    """Return a document of an older version, None where there is none. Raises InputError."""
+    if not storage.is_there(path):
+        return None
+    try:
+        text = storage.read_bytes(path, JSON).decode("utf-8")
+        data = json.loads(text, parse_constant=no_number)
+    except (ValueError, RecursionError) as error:
+        raise InputError(
+            Fault(message="is not JSON", file=shown_path(path), found=str(error))
+        ) from error
+    if not isinstance(data, dict):
+        raise InputError(
+            Fault(message="is no document of compwright", file=shown_path(path), found=str(data))
+        )
+    return data
+
+
+def _misfit(path: Path, error: Exception) -> InputError:
+    lacking = isinstance(error, KeyError)
+    return InputError(
+        Fault(
+            message="lacks a key" if lacking else "does not fit the schema",
+            file=shown_path(path),
+            expected=str(error.args[0]) if lacking else "",
+            found="" if lacking else str(error),
+        )
+    )

@@ -1,0 +1,1 @@
+"""What a job brings: the job file, measurements, states, circles."""

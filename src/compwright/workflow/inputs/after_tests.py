@@ -1,0 +1,293 @@
+"""Positioning tests after loading, read: which axis and which test of the job each repeats."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from compwright.evaluation.temperatures import temperatures_of
+from compwright.foundations import storage
+from compwright.foundations.errors import (
+    CompwrightError,
+    Fault,
+    InputError,
+    UsageError,
+    collect,
+    raise_all,
+)
+from compwright.records.job import AxisJob, Job, TestRequest
+from compwright.records.plan import Plan
+from compwright.records.positioning import PositioningTest
+from compwright.verification.measurement import files_apart
+from compwright.verification.proof import AfterTest
+from compwright.workflow.inputs.job_inputs import read_measurement, read_test
+from compwright.workflow.inputs.measurement_files import load_profile
+
+_OTHER_PROFILE = Fault(
+    message="no profile fits the test after loading",
+    place="--profile",
+    expected="--profile P.yaml for this file (compwright profile FILE --out P.yaml)",
+)
+
+
+def read_again(job: Job, entry: AxisJob, request: TestRequest) -> PositioningTest | None:
+    """Return a test of the job as its files say it now; None where they are not there any more."""
+    try:
+        return read_test(entry, request, Path(job.file).parent)
+    except CompwrightError:
+        return None
+
+
+def after_tests(
+    job: Job, plan: Plan, specs: Sequence[str], profile: Path | None = None
+) -> list[AfterTest]:
+    """Read the after tests; several files of one test become one. ``profile``: that of the tests
+    after loading, in the place of the job's. Raises with every fault at once.
+    """
+    profiles = _profiles(job) if profile is None else [profile]
+    errors: list[CompwrightError] = []
+    wanted: dict[tuple[str, str], list[str]] = {}
+    for spec in specs:
+        try:
+            key, path = _assign(job, spec, profiles)
+            wanted.setdefault(key, []).append(path)
+        except CompwrightError as error:
+            errors.append(error)
+    found = []
+    for (axis, name), paths in wanted.items():
+        entry = job.axes[axis]
+        request = next(item for item in entry.before if item.name == name)
+        try:
+            # a path of the command line is as it stands, that of the job's profile beside the job
+            folder = Path(job.file).parent
+            beside = storage.named_from(folder, request.profile) if request.profile else None
+            later = _later(request, paths)
+            used = profile or beside
+            later = replace(later, profile=str(used) if used else None)
+            test = read_test(entry, later, Path())
+            _refuse_files_apart(entry, later)
+        except CompwrightError as error:
+            errors.append(error)
+            continue
+        errors.extend(_without_temperature(request, plan, test, axis))
+        found.append(
+            AfterTest(
+                axis, replace(test, name=name), name, tuple(Path(path) for path in paths), profile
+            )
+        )
+    if errors:
+        raise max((type(error) for error in errors), key=lambda kind: kind.exit_code)(
+            *collect(errors)
+        )
+    raise_all(UsageError, list(_unfit(plan, [item.axis for item in found])))
+    return found
+
+
+def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
+    """Return ``request`` for the test after loading: with its own files, which state its
+    temperatures; those that the job states are of the test before.
+    """
+    return replace(request, files=tuple(paths), own_temperatures=())
+
+
+def _refuse_files_apart(entry: AxisJob, request: TestRequest) -> None:
+    """Raise where the files of one test do not go together: one of another state, or of another
+    set-up.
+    """
+    if len(request.files) < 2:
+        return
+    parts = [read_test(entry, replace(request, files=(file,)), Path()) for file in request.files]
+    found = files_apart(parts)
+    if found is not None:
+        part, words = found
+        raise InputError(
+            Fault(
+                message=(
+                    f"does not go together with {parts[0].sources[0].file}, and several files of an"
+                    f" axis are one test: the means lie apart by {words}"
+                ),
+                file=part.sources[0].file,
+                place=f"--after, test {request.name}",
+                expected="files of one set-up, or one test: that of the axis as it is now",
+            )
+        )
+
+
+def _without_temperature(
+    request: TestRequest, plan: Plan, test: PositioningTest, axis: str
+) -> Iterator[InputError]:
+    """Yield that the test before was referred to 20 °C from a temperature of its own, and the files
+    of the one after loading state none.
+    """
+    planned = plan.axes[axis].tests if axis in plan.axes else ()
+    before = next((each.test for each in planned if each.test.name == request.name), None)
+    if before is None or before.thermal is None or test.thermal is None:
+        return
+    of_first, now = (temperatures_of([each]) for each in (before, test))
+    for name, temperature, expands in (
+        ("T_m", before.thermal.T_m, True),
+        ("T_d", before.thermal.T_d, before.thermal.alpha_d != 0.0),
+    ):
+        own = name in request.own_temperatures or name in of_first
+        if own and expands and name not in now:
+            message = (
+                "states no temperature, and the test that it repeats was referred to 20 °C from a"
+                f" temperature of its own ({temperature:g} °C)"
+            )
+            yield InputError(
+                Fault(
+                    message=message,
+                    file=test.sources[0].file if test.sources else test.name,
+                    place=f"key {name}",
+                    expected=(
+                        f"a line such as '# {name}: 22.4' above the readings (°C), or {name}_start"
+                        f" and {name}_end"
+                    ),
+                )
+            )
+
+
+def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
+    """Yield why tests of these axes cannot be judged: two of one, none at all, or no axis of the
+    plan.
+    """
+    for axis in dict.fromkeys(axes):
+        if axes.count(axis) > 1:
+            yield Fault(
+                message=f"two tests of axis {axis} were given; verify judges one test per axis",
+                place="--after",
+            )
+    for axis in dict.fromkeys(axes):
+        if axis not in plan.axes:
+            yield Fault(
+                message=f"the plan holds no axis {axis}",
+                place="--after",
+                expected=", ".join(plan.axes),
+            )
+    if not axes:
+        yield Fault(
+            message="no test to verify",
+            place="--after",
+            expected="the tests made after loading",
+        )
+
+
+def _assign(job: Job, spec: str, profiles: Sequence[Path]) -> tuple[tuple[str, str], str]:
+    """Return (axis, test name) and the path of an ``--after`` value: ``TEST=FILE``, else by the
+    file's axis.
+    """
+    names = {request.name: axis for axis, entry in job.axes.items() for request in entry.before}
+    head, mark, tail = spec.partition("=")
+    if not spec or (mark and not tail):
+        raise UsageError(
+            Fault(
+                message="names no file",
+                place="--after",
+                expected="FILE or TEST=FILE",
+                found=repr(spec),
+            )
+        )
+    if mark and head in names:
+        return (_axis_of_name(job, head, tail, profiles), head), tail
+    if mark and not storage.is_there(Path(spec)):
+        known = " or ".join(names)
+        raise UsageError(
+            Fault(
+                message="is no test of the job",
+                place="--after",
+                expected=f"{known} before the =",
+                found=repr(spec),
+            )
+        )
+    axis = _axis_of_file(job, spec, list(names), profiles)
+    before = job.axes[axis].before
+    if not before:
+        raise UsageError(
+            Fault(
+                message=f"the job has no test of axis {axis} to hold it against",
+                place="--after",
+                expected=f"a test of {' or '.join(names.values()) or 'an axis with before'}",
+                found=spec,
+            )
+        )
+    return (axis, before[0].name), spec
+
+
+def _axis_of_file(job: Job, spec: str, names: Sequence[str], profiles: Sequence[Path]) -> str:
+    """Return the axis that a file says it measured, or the only one of the job. ``names``: of the
+    job's tests.
+    """
+    measured = _axis_in(spec, profiles)
+    if measured:
+        axis = next((name for name in job.axes if name.upper() == measured.upper()), None)
+        if axis is None:
+            raise UsageError(
+                Fault(
+                    message=f"is a test of axis {measured}, which the job does not have",
+                    file=spec,
+                    expected=", ".join(job.axes),
+                )
+            )
+        return axis
+    if len(job.axes) > 1:
+        raise UsageError(
+            Fault(
+                message="does not say which axis it measured",
+                file=spec,
+                place="--after",
+                expected=f"TEST=FILE with TEST one of {', '.join(names)}",
+            )
+        )
+    return next(iter(job.axes))
+
+
+def _axis_in(path: str, profiles: Sequence[Path]) -> str:
+    """Return the axis that a file names; a table of another program is read by one of
+    ``profiles``. Raises InputError: where none fits, with the reasons of each.
+    """
+    try:
+        return read_measurement(Path(path)).axis
+    except InputError:
+        if not profiles:
+            raise
+    faults: list[Fault] = []
+    for profile in profiles:
+        try:
+            return read_measurement(Path(path), load_profile(profile)).axis
+        except InputError as error:
+            faults += [fault.within(f"by the profile {profile}") for fault in error.faults]
+    raise InputError(*faults, _OTHER_PROFILE)
+
+
+def _profiles(job: Job) -> list[Path]:
+    """Return the profiles of a job; their paths are relative to the job's own file."""
+    requests = [request for entry in job.axes.values() for request in entry.before]
+    named = dict.fromkeys(request.profile for request in requests if request.profile)
+    return [storage.named_from(Path(job.file).parent, name) for name in named]
+
+
+def _axis_of_name(job: Job, name: str, path: str, profiles: Sequence[Path]) -> str:
+    """Return the axis of a test name; where several axes use the name, the file says which one it
+    is.
+    """
+    axes = [
+        axis
+        for axis, entry in job.axes.items()
+        if any(request.name == name for request in entry.before)
+    ]
+    if len(axes) == 1:
+        return axes[0]
+    measured = _axis_in(path, profiles).upper()
+    for axis in axes:
+        if axis.upper() == measured:
+            return axis
+    raise UsageError(
+        Fault(
+            message=f"several axes have a test {name}",
+            file=path,
+            place="key axis",
+            expected=" or ".join(axes),
+            found=measured,
+        )
+    )

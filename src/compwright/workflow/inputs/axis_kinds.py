@@ -1,0 +1,171 @@
+"""Whether the axes of a control's files are linear or rotary, where no job says it.
+
+The files say it, or ``--option kind``, or the plan of the run that wrote them. Else it is unknown:
+a correction of 0.001 is then 1 µm or 3.6 arcsec.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from compwright.controls.control import Control, decode, open_control, read_files
+from compwright.controls.decoded import DecodedState
+from compwright.documents.plan import read_plan
+from compwright.formats.definition.options import KIND
+from compwright.foundations import storage
+from compwright.foundations.errors import CompwrightError, Fault, UsageError
+from compwright.foundations.findings import Finding
+from compwright.records.axis import AxisKind
+from compwright.records.correction import Assumption, ControlFile
+from compwright.workflow.inputs.jobs import PLAN
+
+#: A run writes its tables so many folders below its plan (``tables/<format>/``), its entry sheets
+#: fewer.
+_LEVELS = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Kinds:
+    """The addresses of axes of ``unknown`` kind, and what is to be said of them and of kinds that
+    were taken from a plan.
+    """
+
+    unknown: tuple[str, ...] = ()
+    assumed: tuple[Assumption, ...] = ()
+    findings: tuple[Finding, ...] = ()
+
+
+def decode_kinds(
+    paths: Sequence[Path],
+    format_id: str,
+    options: Mapping[str, object],
+    address: str | None,
+    *,
+    active: bool | None = None,
+) -> tuple[Control, DecodedState, Kinds]:
+    """Return a control, what its files say, and of which axes the kind is unknown. ``active``:
+    whether the tables act.
+
+    Raises UsageError where the numbers themselves depend on an unknown kind, or a given kind
+    contradicts the files.
+    """
+    control = open_control(format_id, options)
+    files = read_files(paths)
+    planned = {} if KIND in options else _planned_kinds(paths, control.id)
+    if planned:
+        control = open_control(format_id, {**options, KIND: planned})
+    found = decode(control, files, address=address, active=active)
+    given = control.options[KIND]
+    _check(control, found, given)
+    unknown = _unknown(found, given)
+    if unknown:
+        rotary = {**planned, **dict.fromkeys(unknown, AxisKind.ROTARY)}
+        other = open_control(format_id, {**options, KIND: rotary})
+        _same_numbers(found, _readable(other, files, address, active=active))
+    assumed = tuple(
+        Assumption(f"axis {name}: kind", str(kind), f"{PLAN} above the files")
+        for name, kind in planned.items()
+        if name in found.state.axes and found.state.facts_of(name).kind is None
+    )
+    return control, found, Kinds(unknown, assumed, tuple(_finding(unknown)))
+
+
+def _unknown(found: DecodedState, given: object) -> tuple[str, ...]:
+    """Return the addresses of which neither the files nor ``given`` says the kind."""
+    if isinstance(given, str):
+        return ()
+    crossed = (end for entry in found.state.cross for end in (entry.input, entry.output))
+    return tuple(
+        name
+        for name in dict.fromkeys((*found.state.axes, *crossed))
+        if found.state.facts_of(name).kind is None
+        and not (isinstance(given, Mapping) and name in given)
+    )
+
+
+def _planned_kinds(paths: Sequence[Path], format_id: str) -> dict[str, AxisKind]:
+    """Return the kinds by address in the plan of the run that wrote these files."""
+    kinds: dict[str, AxisKind] = {}
+    for folder in dict.fromkeys(
+        above for path in paths for above in (path, *path.absolute().parents[:_LEVELS])
+    ):
+        content = storage.earlier_bytes(folder / PLAN)
+        if not content:
+            continue
+        try:
+            plan = read_plan(content, str(folder / PLAN))
+        except CompwrightError:
+            continue  # no plan: another program's file of this name
+        if plan.format != format_id:
+            continue
+        axes = (*(entry.axis for entry in plan.axes.values()), *plan.untested.values())
+        for axis in axes:
+            kinds.update(dict.fromkeys(filter(None, (axis.address, axis.gantry)), axis.kind))
+    return kinds
+
+
+def _check(control: Control, found: DecodedState, given: object) -> None:
+    """Raise where the kind that was given contradicts the files of the only axis."""
+    kinds = {found.state.facts_of(name).kind for name in found.state.axes}
+    if isinstance(given, str) and None not in kinds and AxisKind(given) not in kinds:
+        raise UsageError(
+            Fault(
+                message="contradicts the control's files",
+                place=f"{control.origin.before_option}{KIND}",
+                expected=" or ".join(sorted(kind for kind in kinds if kind)),
+                found=given,
+            )
+        )
+
+
+def _readable(
+    control: Control, files: Sequence[ControlFile], address: str | None, *, active: bool | None
+) -> DecodedState | None:
+    """Return what the files say, None where they cannot be read."""
+    try:
+        return decode(control, files, address=address, active=active)
+    except CompwrightError:
+        return None
+
+
+def _same_numbers(linear: DecodedState, rotary: DecodedState | None) -> None:
+    """Raise where the numbers of a table depend on the kind of its axis, as on an inch machine."""
+    if rotary is None:
+        return
+    faults = []
+    for name, table in linear.state.axes.items():
+        other = rotary.state.axes.get(name)
+        if other is not None and not all(
+            one.shape == two.shape and np.allclose(one, two, rtol=1e-9, atol=1e-12)
+            for one, two in (
+                (table.positions, other.positions),
+                (table.positive, other.positive),
+                (table.negative, other.negative),
+            )
+        ):
+            faults.append(
+                Fault(
+                    message=f"axis {name}: its numbers depend on whether it is linear or rotary",
+                    place=f"--option {KIND}",
+                    expected="linear or rotary, or the file that says it",
+                    found="nothing",
+                )
+            )
+    if faults:
+        raise UsageError(*faults)
+
+
+def _finding(unknown: Sequence[str]) -> list[Finding]:
+    if not unknown:
+        return []
+    axes = f"axis {unknown[0]} is" if len(unknown) == 1 else f"axes {', '.join(unknown)} are"
+    message = (
+        f"No file says whether {axes} linear or rotary. The unit of the corrections is unknown:"
+        " thousandths of a mm (µm) or of a degree (3.6 arcsec). Give --option kind=linear or"
+        " --option kind=rotary."
+    )
+    return [Finding("CW-S086", "warning", message)]

@@ -1,0 +1,94 @@
+"""Circular tests read from their files, and the two files of one test joined.
+
+``evaluate`` loads it only when a file is no positioning test: the way of a positioning test stays
+short.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TypeVar
+
+from compwright.foundations import storage
+from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
+from compwright.foundations.input_sizes import MEASUREMENT
+from compwright.foundations.utf8 import shown_path
+from compwright.instruments.circular_pairs import paired
+from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
+from compwright.records.circular import CircularTest
+from compwright.records.job import Job
+from compwright.workflow.inputs.measurement_files import measurement_files
+
+T = TypeVar("T")
+
+
+def read_if_circular(content: bytes, file: str) -> CircularTest | None:
+    """Return the circular test in ``content``; None when it is none. Raises InputError for a
+    circular test that is damaged.
+    """
+    return read_circular(content, file) if is_circular(content, file) else None
+
+
+def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:
+    """Return the tests with the two files of a circular test joined (`circular_pairs.paired`), in
+    the place of the first file; what is no circular test stands where it stood.
+    """
+    joined = paired([test for test in tests if isinstance(test, CircularTest)])
+    by_source = {source: test for test in joined for source in test.sources}
+    kept: dict[int, T | CircularTest] = {}
+    for test in tests:
+        whole = by_source[test.sources[0]] if isinstance(test, CircularTest) else test
+        kept.setdefault(id(whole), whole)
+    return list(kept.values())
+
+
+def read_circles(job: Job, folder: Path) -> tuple[CircularTest, ...]:
+    """Read the circular tests of a job in its order. Raises InputError with the faults of all their
+    files.
+    """
+    errors: list[CompwrightError] = []
+    tests = []
+    for request in job.circles:
+        try:
+            tests.append(
+                read_circle(
+                    [storage.named_from(folder, file) for file in request.files], request.name
+                )
+            )
+        except InputError as error:
+            errors.append(error)
+    raise_all(InputError, collect(errors))
+    return tuple(tests)
+
+
+def read_circle(paths: list[Path], name: str) -> CircularTest:
+    """Read the files of one circular test. Raises InputError."""
+    errors: list[CompwrightError] = []
+    parts = []
+    for given in paths:
+        try:
+            files = measurement_files(given).files
+        except InputError as error:
+            errors.append(error)
+            continue
+        for path in files:
+            try:
+                parts.append(_read_part(path))
+            except InputError as error:
+                errors.append(error)
+    raise_all(InputError, collect(errors))
+    return merge_circular(parts, name)
+
+
+def _read_part(path: Path) -> CircularTest:
+    content, file = storage.read_bytes(path, MEASUREMENT), shown_path(path)
+    if not is_circular(content, file):
+        raise InputError(
+            Fault(
+                message="is no circular test",
+                file=file,
+                expected="a .b5r file or CSV with angle_deg",
+            )
+        )
+    return read_circular(content, file)

@@ -1,0 +1,157 @@
+"""Measurement files evaluated one by one: what `evaluate` does with each, in whatever process.
+
+A file is handed over with its content, for only the first process touches the file system; what
+comes back is the entry of the JSON document and what the tests of a folder are held against each
+other by.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Literal, cast
+
+from compwright.documents.evaluation import in_short, result_document
+from compwright.evaluation.standards import evaluate
+from compwright.foundations.errors import Fault, InputError, UsageError
+from compwright.foundations.own_faults import own_fault
+from compwright.instruments.profile import Profile
+from compwright.instruments.reading import read_tests
+from compwright.records.positioning import PositioningTest
+
+if TYPE_CHECKING:  # positioning tests, the common case, start without the circular records
+    from compwright.records.circular import CircularTest
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Asked:
+    """What is asked of every test: the standards of positioning and circular tests, how s is
+    formed, the profile of foreign tables; ``whole``: whether entries carry targets and readings.
+    """
+
+    positioning: str
+    circular: str
+    spread: str
+    profile: Profile | None
+    whole: bool
+
+
+@dataclass(frozen=True, slots=True)
+class GivenFile:
+    """A file by its name for people, and its content; or why it could not be read."""
+
+    file: str
+    content: bytes = b""
+    faults: tuple[Fault, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluated:
+    """A positioning test with its entry of the document; ``test`` without what only that tells."""
+
+    entry: dict[str, Any]
+    test: PositioningTest | None = None
+
+
+#: Why a fault was noted: a file cannot be read, a test cannot be evaluated, the method asked for
+#: does not fit the test, compwright itself is at fault.
+Why = Literal["unread", "refused", "unfit", "own"]
+
+
+@dataclass(frozen=True, slots=True)
+class Noted:
+    """A fault of a file or of one of its tests."""
+
+    why: Why
+    fault: Fault
+
+
+@dataclass(frozen=True, slots=True)
+class FileTests:
+    """The tests of a file: positioning tests evaluated, circular ones as they were read, because
+    two files may be one of them; and what is wrong.
+    """
+
+    tests: tuple[Evaluated | CircularTest, ...] = ()
+    noted: tuple[Noted, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class FilesEvaluator:
+    """Evaluates a file as it was ``asked``; a copy of it does so in any process."""
+
+    asked: Asked
+
+    def __call__(self, given: GivenFile) -> FileTests:
+        """Return what is in a file; whatever is wrong with it is noted as a fault of this file."""
+        if given.faults:
+            return FileTests(noted=tuple(Noted("unread", fault) for fault in given.faults))
+        try:
+            tests = _read(given, self.asked.profile)
+        except Exception as error:  # noqa: BLE001 - the other files are evaluated all the same
+            return FileTests(noted=_noted(error, given.file, "unread"))
+        parts = [self._of(test) for test in tests]
+        return FileTests(
+            tuple(test for part in parts for test in part.tests),
+            tuple(noted for part in parts for noted in part.noted),
+        )
+
+    def _of(self, test: PositioningTest | CircularTest) -> FileTests:
+        if not isinstance(test, PositioningTest):
+            return FileTests((test,))
+        spread = cast("Literal['std', 'range']", self.asked.spread)
+        try:
+            entry = result_document(evaluate(test, self.asked.positioning, spread=spread))
+        except Exception as error:  # noqa: BLE001 - as above
+            return FileTests(noted=_noted(error, test.sources[0].file, "refused"))
+        bare = replace(test, header={}, findings=())
+        return FileTests((Evaluated(_kept(entry, self.asked), bare),))
+
+
+@dataclass(frozen=True, slots=True)
+class CirclesEvaluator:
+    """Evaluates and diagnoses a circular test as it was ``asked``."""
+
+    asked: Asked
+
+    def __call__(self, test: CircularTest) -> FileTests:
+        """Return the test evaluated; whatever is wrong with it is noted as a fault of its file."""
+        from compwright.documents.circular import circular_document
+        from compwright.planning.diagnosed import diagnosed_circle
+
+        try:
+            entry = circular_document(diagnosed_circle(test, self.asked.circular))
+        except Exception as error:  # noqa: BLE001 - the other tests are evaluated all the same
+            return FileTests(noted=_noted(error, test.sources[0].file, "refused"))
+        return FileTests((Evaluated(_kept(entry, self.asked)),))
+
+
+def ready() -> None:
+    """Load what the work on files needs: importing this module did."""
+
+
+def _kept(entry: dict[str, Any], asked: Asked) -> dict[str, Any]:
+    return entry if asked.whole else in_short(entry)
+
+
+def _noted(error: Exception, file: str, why: Why) -> tuple[Noted, ...]:
+    if isinstance(error, InputError):
+        return tuple(Noted(why, fault.in_file(file)) for fault in error.faults)
+    if isinstance(error, UsageError):  # the method does not fit this test; it may fit the others
+        return tuple(Noted("unfit", fault.in_file(file)) for fault in error.faults)
+    return (Noted("own", own_fault(error, file)),)
+
+
+def _read(given: GivenFile, profile: Profile | None) -> Sequence[PositioningTest | CircularTest]:
+    try:
+        return read_tests(given.content, given.file, profile)
+    except InputError as error:
+        refused = InputError(*error.faults)  # without the frames, which hold the lines of the file
+    from compwright.workflow.inputs.circles import (
+        read_if_circular,
+    )  # only now: the way of a positioning test stays short
+
+    test = read_if_circular(given.content, given.file)
+    if test is None:
+        raise refused
+    return (test,)

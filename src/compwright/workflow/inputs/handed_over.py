@@ -1,0 +1,203 @@
+"""What a result folder holds of the files that it was made from, so that it can be handed over
+alone: which they are, and where the copy of each lies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+
+from compwright.controls.control_folders import control_entries
+from compwright.foundations import storage
+from compwright.foundations.provenance import fingerprint
+from compwright.foundations.utf8 import shown_path
+from compwright.records.job import Job
+from compwright.records.plan import Texts
+from compwright.records.record import InputRole, RecordedInput
+from compwright.workflow.inputs.measurement_files import measurement_files
+
+INPUTS = "inputs"
+#: Copies of what ``verify`` was given, and of files that lie outside the folder of the job.
+BY_VERIFY, ELSEWHERE = "verify", "elsewhere"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GivenFile:
+    """A file that a command was given. ``name``: as the job or the command line names it;
+    ``of``: the test, circle or state that it belongs to.
+    """
+
+    role: InputRole
+    of: str
+    name: str
+    path: Path | None
+    content: bytes
+
+
+def files_of_job(job: Job, folder: Path, definition: Texts) -> list[GivenFile]:
+    """Return every file that a job was made from, the job's own first; ``definition``: the texts
+    of a definition of the user's own, by their files. Raises InputError for what cannot be read
+    (any more).
+    """
+    found = [] if not job.file else [_given("job", "", Path(job.file).name, Path(job.file))]
+    found += [_text_of_definition(Path(name), content) for name, content in definition]
+    for name, entry in job.axes.items():
+        for request in entry.before:
+            of = f"{name} {request.name}"
+            found += _measured("test", of, request.files, folder)
+            if request.profile:
+                found.append(
+                    _given(
+                        "profile", of, request.profile, storage.named_from(folder, request.profile)
+                    )
+                )
+    for circle in job.circles:
+        found += _measured("circle", circle.name, circle.files, folder)
+    for drift in job.drifts.values():
+        found.append(_given("drift", "", drift.file, storage.named_from(folder, drift.file)))
+    for state, texts in job.states.items():
+        found += [file for text in texts for file in files_at("state", state, text, folder)]
+    return found
+
+
+def _text_of_definition(path: Path, content: bytes) -> GivenFile:
+    """Return a text of a definition: it may come from a plan, or ship."""
+    there = storage.is_there(path) and storage.read_bytes(path) == content
+    return GivenFile(
+        role="definition", of="", name=path.name, path=path if there else None, content=content
+    )
+
+
+def given_job(name: str, path: Path, content: bytes) -> GivenFile:
+    """Return the file of a job, which may be written with its results."""
+    return GivenFile(role="job", of="", name=name, path=path, content=content)
+
+
+def _measured(role: InputRole, of: str, texts: Iterable[str], folder: Path) -> Iterator[GivenFile]:
+    for text in texts:
+        start = storage.named_from(folder, text)
+        for path in measurement_files(start).files:
+            yield _given(role, of, _named(text, path, start), path)
+
+
+def files_of_verify(
+    job: Job,
+    after: Sequence[str],
+    circles: Mapping[str, Sequence[Path]],
+    loaded: Sequence[Path],
+    profile: Path | None = None,
+) -> list[GivenFile]:
+    """Return every file that ``verify`` was given: ``after``: its values of positioning tests
+    (``FILE`` or ``TEST=FILE``), ``circles``: files by circle, ``loaded``: what was read back;
+    ``profile``: that of the tests. Raises InputError for what cannot be read (any more).
+    """
+    names = {request.name for entry in job.axes.values() for request in entry.before}
+    found: list[GivenFile] = []
+    for spec in after:
+        head, mark, tail = spec.partition("=")
+        named = bool(mark) and head in names
+        found += _measured("after", head if named else "", [tail if named else spec], Path())
+    for name, paths in circles.items():
+        found += _measured("after", name, [str(path) for path in paths], Path())
+    for path in loaded:
+        found += files_at("loaded", "", str(path), Path())
+    if profile is not None:
+        found.append(_given("profile", "", str(profile), profile))
+    return found
+
+
+def files_at(role: InputRole, of: str, text: str, folder: Path) -> Iterator[GivenFile]:
+    """Yield the file that ``text`` names, or those in the folder that it names."""
+    start = storage.named_from(folder, text)
+    for path in control_entries(start):
+        yield _given(role, of, _named(text, path, start), path)
+
+
+def _named(text: str, path: Path, start: Path) -> str:
+    """Return how the job names a file: by itself, or in a folder."""
+    name = Path(text).as_posix()
+    return name if path == start else f"{name}/{path.relative_to(start).as_posix()}"
+
+
+def _given(role: InputRole, of: str, name: str, path: Path) -> GivenFile:
+    return GivenFile(
+        role=role,
+        of=of,
+        name=shown_path(Path(name)),
+        path=path,
+        content=storage.read_bytes(path),
+    )
+
+
+def kept(
+    given: Iterable[GivenFile],
+    out: Path,
+    *,
+    by: str,
+    there: Mapping[str, bytes],
+    written: Collection[str],
+) -> tuple[tuple[RecordedInput, ...], dict[str, bytes]]:
+    """Return the inputs with the place of each in the result folder ``out``, and the copies that
+    have to be written there, by their relative names.
+
+    No bytes are kept twice: what is among the files ``there`` (relative name -> bytes: the way back
+    holds what was in the control), or lies in ``out`` (the inputs of a next round are written
+    there with it) and is none of those ``written``, is named where it lies.
+    """
+    places = {fingerprint(content): name for name, content in there.items()}
+    copies: dict[str, bytes] = {}
+    recorded = []
+    for file in given:
+        digest = fingerprint(file.content)
+        place = _inside(file.path, out, written) or places.get(digest)
+        if place is None:
+            place = _unused(_place(file.name, by), copies)
+            copies[place] = file.content
+        places[digest] = place
+        recorded.append(
+            RecordedInput(
+                role=file.role,
+                of=file.of,
+                file=file.name,
+                sha256=digest,
+                size=len(file.content),
+                copy=place,
+                by=by,
+            )
+        )
+    return tuple(dict.fromkeys(recorded)), copies
+
+
+def _inside(path: Path | None, out: Path, written: Collection[str]) -> str | None:
+    """Return the relative name of a file that lies in the result folder and is not replaced."""
+    if path is None:
+        return None
+    whole, root = storage.resolved(path), storage.resolved(out)
+    if root not in whole.parents:
+        return None
+    name = shown_path(Path(storage.relative(whole, root)))
+    return None if name in written else name
+
+
+def _place(name: str, by: str) -> str:
+    """Return where the copy of a file lies: as it lies beside the job, so that the copy of a job
+    finds its measurements.
+    """
+    parts = PurePosixPath(name).parts
+    if by == BY_VERIFY:
+        return f"{INPUTS}/{BY_VERIFY}/{parts[-1]}"
+    own = not Path(name).is_absolute() and ".." not in parts and "\\" not in name
+    if own and parts[0] not in (BY_VERIFY, ELSEWHERE):
+        return "/".join((INPUTS, *parts))
+    return f"{INPUTS}/{ELSEWHERE}/{Path(name).name}"
+
+
+def _unused(name: str, taken: Mapping[str, bytes]) -> str:
+    """Return ``name``, with a number where another file has it (in any case of its letters)."""
+    names = {other.casefold() for other in taken}
+    path, number, chosen = PurePosixPath(name), 1, name
+    while chosen.casefold() in names:
+        number += 1
+        chosen = str(path.with_name(f"{path.stem}-{number}{path.suffix}"))
+    return chosen

@@ -1,0 +1,372 @@
+"""The files of a job: tests and states, read with every fault collected."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from compwright.controls.control import Control, decode, read_files
+from compwright.controls.decoded import DecodedState
+from compwright.controls.gantries import partner_questions
+from compwright.evaluation.expansion import remove_differential_expansion
+from compwright.evaluation.temperatures import at_temperatures, temperatures_of
+from compwright.formats.families.family import Family
+from compwright.foundations import storage
+from compwright.foundations.errors import (
+    CompwrightError,
+    Fault,
+    InputError,
+    UsageError,
+    collect,
+    raise_all,
+)
+from compwright.foundations.input_sizes import MEASUREMENT
+from compwright.foundations.units import MILLIMETRES_PER_INCH
+from compwright.foundations.utf8 import shown_path
+from compwright.instruments.plausibility import skipped_finding
+from compwright.instruments.profile import Profile
+from compwright.instruments.reading import read_tests
+from compwright.instruments.reading_findings import sheets_finding
+from compwright.planning.motions import unknown_motions
+from compwright.records.axis import Axis, AxisKind, PositionMap
+from compwright.records.job import AS_FOUND, AxisJob, Job, TestRequest
+from compwright.records.plan import PlannedTest
+from compwright.records.positioning import PositioningTest, merge, to_machine
+from compwright.workflow.inputs.measurement_files import load_profile, measurement_files
+
+#: A table over the travel, read in the wrong unit, is 25.4 times too short or long; it may reach
+#: over 0.8 of the travel only.
+_SAME_RANGE = 1.25
+
+
+@dataclass(frozen=True, slots=True)
+class JobInputs:
+    """What the files of a job say: tests by axis name (machine coordinates), states by name (None
+    where not said).
+    """
+
+    tests: Mapping[str, tuple[PlannedTest, ...]]
+    states: Mapping[str, DecodedState]
+
+
+def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
+    """Read every file that a job names. Raises InputError with the faults of all of them."""
+    errors: list[CompwrightError] = []
+    tests: dict[str, tuple[PlannedTest, ...]] = {}
+    for name, entry in job.axes.items():
+        found = []
+        for request in entry.before:
+            try:
+                found.append(
+                    PlannedTest(
+                        test=read_test(entry, request, folder),
+                        measured_in=request.measured_in,
+                        motion=request.motion,
+                    )
+                )
+            except InputError as error:
+                errors.append(error)
+        tests[name] = tuple(found)
+    asked: list[Fault] = []
+    states: dict[str, DecodedState] = {}
+    axes = [entry.axis for entry in job.axes.values()]
+    for name, paths in job.states.items():
+        try:
+            files = read_files([storage.named_from(folder, path) for path in paths])
+            states[name] = decode(control, files, axes, active=job.active.get(name), asking=True)
+        except InputError as error:
+            errors.append(error)
+        except UsageError as error:
+            asked.extend(error.faults)
+    raise_all(InputError, collect(errors))
+    questions, contradicted = partner_questions(job, states)
+    raise_all(UsageError, [*asked, *questions])
+    raise_all(
+        InputError,
+        [
+            *contradicted,
+            *_missing_axes(job, states),
+            *_other_neighbours(job, states),
+            *_other_tables_between(job, control.format, states),
+            *_misnamed(job, control.format, states),
+            *unknown_motions(job, {name: decoded.state for name, decoded in states.items()}),
+        ],
+    )
+    raise_all(UsageError, list(_unsaid_units(job, control, states)))
+    return JobInputs(tests=tests, states=states)
+
+
+def read_measurement(path: Path, profile: Profile | None = None, axis: str = "") -> PositioningTest:
+    """Read the test in one measurement file, with a profile where there is one; of several that of
+    ``axis``. Raises InputError.
+    """
+    tests = read_tests(storage.read_bytes(path, MEASUREMENT), shown_path(path), profile)
+    if len(tests) == 1:
+        return tests[0]
+    ours = [test for test in tests if axis and test.axis.upper() == axis.upper()]
+    if len(ours) != 1:
+        raise InputError(
+            Fault(
+                message=f"holds {len(tests)} tests, and {len(ours) or 'none'} of axis {axis}"
+                if axis
+                else f"holds {len(tests)} tests",
+                file=shown_path(path),
+                expected="one test of the axis",
+                found=", ".join(test.axis or test.name for test in tests),
+            )
+        )
+    return _without_unnamed(ours[0], tests)
+
+
+def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) -> PositioningTest:
+    """Return the test that is taken, with a warning about those of which nobody says the axis: a
+    sheet that was copied may be the newer measurement.
+    """
+    unnamed = [test.name for test in tests if not test.axis]
+    if not unnamed:
+        return ours
+    finding = sheets_finding(
+        f"Tests in the same file of which nobody says the axis were left out: {', '.join(unnamed)}."
+        f" Only {ours.name} is used.",
+    )
+    return replace(ours, findings=(*ours.findings, finding))
+
+
+def read_test(entry: AxisJob, request: TestRequest, folder: Path) -> PositioningTest:
+    """Read the files of one test into one record in machine coordinates, expansion removed where
+    the job says so: at the temperature of the test's own keys, else of its files, else of the axis.
+    """
+    errors: list[CompwrightError] = []
+    parts = []
+    skipped: tuple[Path, ...] = ()
+    profile = load_profile(storage.named_from(folder, request.profile)) if request.profile else None
+    for text in request.files:
+        try:
+            found = measurement_files(storage.named_from(folder, text))
+        except InputError as error:
+            errors.append(error)
+            continue
+        skipped += found.skipped
+        for path in found.files:
+            try:
+                parts.append(read_measurement(path, profile, entry.axis.name))
+            except InputError as error:
+                errors.append(error)
+    raise_all(InputError, collect(errors))
+    for part in parts:
+        _check_axis(entry.axis, part)
+    _check_one_map(entry, request, parts)
+    test = to_machine(merge(parts, request.name), request.position_map)
+    if request.thermal is not None:
+        of_files = temperatures_of(parts).items()
+        stated = {name: T for name, T in of_files if name not in request.own_temperatures}
+        test = remove_differential_expansion(test, at_temperatures(request.thermal, stated))
+    finding = skipped_finding([shown_path(path) for path in skipped])
+    return replace(
+        test,
+        axis=entry.axis.name,
+        findings=test.findings if finding is None else (*test.findings, finding),
+    )
+
+
+def _check_one_map(entry: AxisJob, request: TestRequest, parts: Sequence[PositioningTest]) -> None:
+    """Raise where both the job and a profile say how the instrument's positions map."""
+    if request.position_map == PositionMap():
+        return
+    faults = [
+        Fault(
+            message="the positions are mapped twice, by the profile and by the job",
+            place=f"axes.{entry.axis.name}, test {request.name}",
+            expected="a position_map in one of them",
+            found=f"profile {request.profile}",
+        )
+        for part in parts
+        if part.frame == "machine"
+    ]
+    raise_all(UsageError, faults[:1])
+
+
+def _check_axis(axis: Axis, test: PositioningTest) -> None:
+    file = test.sources[0].file if test.sources else test.name
+    faults = []
+    if test.kind is not axis.kind:
+        faults.append(
+            Fault(
+                message=f"is a test of a {test.kind.value} axis",
+                file=file,
+                expected=f"a test of the {axis.kind.value} axis {axis.name}",
+                found=f"positions in {test.kind.unit}",
+            )
+        )
+    if test.axis and test.axis.upper() != axis.name.upper():
+        expected = f"{axis.name}, or the axis of the job under the name that the test gives it"
+        faults.append(
+            Fault(
+                message="is a test of another axis",
+                file=file,
+                place="key axis",
+                expected=expected,
+                found=test.axis,
+            )
+        )
+    raise_all(InputError, faults)
+
+
+def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
+    """What is left beside the tables must have acted alike in every state: it is in the readings,
+    and it stays.
+    """
+    faults = []
+    for name, entry in job.axes.items():
+        said = {
+            state: decoded.state.facts_of(entry.axis.address) for state, decoded in states.items()
+        }
+        # In a control without files (the word none) nothing acts; it has a measuring system.
+        filled = {state for state, decoded in states.items() if decoded.files}
+        between = {request.measured_in for request in job.circles} | {
+            request.measured_in for request in job.cross
+        }
+        own = {request.measured_in for request in entry.before}
+        concerned = {AS_FOUND} | own | between | filled
+        for quantity, what, asked in (
+            ("beside", "what acts beside its table", concerned),
+            ("encoder_system", "its measuring system", filled),
+        ):
+            found = {
+                state: str(getattr(facts, quantity) or "nothing")
+                for state, facts in said.items()
+                if state in asked
+            }
+            if len(set(found.values())) > 1:
+                found = _differing(found)
+                faults.append(
+                    Fault(
+                        message=f"axis {name}: {what} differs between the states",
+                        file=job.file,
+                        place="states",
+                        expected="the same in all of them",
+                        found="; ".join(f"{state}: {words}" for state, words in found.items()),
+                    )
+                )
+    return faults
+
+
+def _differing(found: Mapping[str, str]) -> dict[str, str]:
+    """Return of each text what does not stand in all of them, parts being set off by ``, ``."""
+    parts = {name: words.replace("; ", ", ").split(", ") for name, words in found.items()}
+    alike = set.intersection(*map(set, parts.values()))
+    return {
+        name: ", ".join(part for part in each if part not in alike) or "nothing"
+        for name, each in parts.items()
+    }
+
+
+def _other_tables_between(
+    job: Job, family: Family, states: Mapping[str, DecodedState]
+) -> Iterator[Fault]:
+    """Yield where tables between axes that cannot be counted with differ between a circle's state
+    and what is in the control.
+    """
+    now = states.get(AS_FOUND)
+    measured = {request.measured_in for request in job.circles} | {
+        request.measured_in for request in job.cross
+    }
+    for name, entry in job.axes.items():
+        for state in sorted((measured & states.keys()) - {AS_FOUND}):
+            if now is None:
+                continue
+            said = [
+                one.state.facts_of(entry.axis.address).pairs.untold or "none"
+                for one in (now, states[state])
+            ]
+            if said[0] != said[1]:
+                yield Fault(
+                    message=(
+                        f"tables from other axes act on axis {name}, differ between the states, and"
+                        f" cannot be counted with: a circle or a cross measurement in {state} says"
+                        " nothing of what is in the control"
+                    ),
+                    file=job.file,
+                    place=f"states.{state}",
+                    expected=f"{family.untold_help}, or a measurement in as_found",
+                    found=f"{AS_FOUND}: {said[0]}; {state}: {said[1]}",
+                )
+
+
+def _misnamed(job: Job, family: Family, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
+    """Yield where the control's files name an axis otherwise than the job, or drive it by more than
+    the job says.
+    """
+    for name, decoded in states.items():
+        for entry in job.axes.values():
+            facts = decoded.state.facts_of(entry.axis.address)
+            for fault in family.misnamed(entry.axis, facts, name):
+                yield fault.in_file(job.file)
+
+
+def _unsaid_units(
+    job: Job, control: Control, states: Mapping[str, DecodedState]
+) -> Iterator[Fault]:
+    """Yield where nobody says the machine's unit, and a table as read is as much too short or long
+    as inches read as mm are.
+    """
+    asked = control.format.length_unit
+    if asked is None or asked[0].name in control.given:
+        return
+    rule, whole_file = asked
+    for name, decoded in states.items():
+        for entry in job.axes.values():
+            axis, found = entry.axis, decoded.state.axes.get(entry.axis.address)
+            facts = decoded.state.facts_of(axis.address)
+            if (
+                found is None
+                or found.positions.size < 2
+                or axis.kind is not AxisKind.LINEAR
+                or rule.settled_by in facts.said
+            ):
+                continue
+            ratio = (axis.travel[1] - axis.travel[0]) / float(
+                found.positions[-1] - found.positions[0]
+            )
+            if max(ratio, 1 / ratio) > MILLIMETRES_PER_INCH / _SAME_RANGE:
+                yield Fault(
+                    message=(
+                        f"axis {axis.name}: nobody says the machine's unit, and its table in the"
+                        f" state {name}, read in {control.options[rule.name]}, does not fit the"
+                        " travel"
+                    ),
+                    file=job.file,
+                    place=f"controller.options.{rule.name}",
+                    expected=f"{' or '.join(rule.choices)}, or {whole_file}",
+                    found=(
+                        f"a table from {found.positions[0]:g} to {found.positions[-1]:g} mm, a"
+                        f" travel from {axis.travel[0]:g} to {axis.travel[1]:g} mm"
+                    ),
+                )
+
+
+def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
+    """Missing is not zero: files of a state must speak of every axis that is to get a table of its
+    own.
+    """
+    faults: list[Fault] = []
+    for name, decoded in states.items():
+        if not decoded.files:
+            continue
+        faults.extend(
+            Fault(
+                message=(
+                    f"the files of this state say nothing of axis {entry.axis.name} (address"
+                    f" {entry.axis.address})"
+                ),
+                file=job.file,
+                place=f"states.{name}",
+                expected="the file that holds its table or backlash, or the word none",
+                found=f"only {', '.join(sorted(decoded.state.axes)) or 'no axis at all'}",
+            )
+            for entry in job.axes.values()
+            if entry.axis.address not in decoded.state.axes
+            and (entry.before or entry.axis.name in job.apply.scale)
+        )
+    return faults

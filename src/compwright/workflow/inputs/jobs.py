@@ -1,0 +1,278 @@
+"""Where a job comes from: a file, or the words of the command line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from compwright.controls.control import Control, Origin, open_control
+from compwright.controls.definitions import is_path
+from compwright.documents.plan import carried_definition
+from compwright.documents.record import RECORD, copied_by_record
+from compwright.evaluation.drift import environmental_variation
+from compwright.formats.definition.options import KIND, REFERENCE, REFERENCE_RETURN, axis_options
+from compwright.foundations import storage
+from compwright.foundations.errors import (
+    CompwrightError,
+    Fault,
+    InputError,
+    UsageError,
+    collect,
+    raise_all,
+)
+from compwright.foundations.input_sizes import JOB, MEASUREMENT
+from compwright.instruments.drift_csv import read_drift
+from compwright.jobs.command_line import job_from_options
+from compwright.jobs.consistency import NONE_WORD
+from compwright.jobs.plain_data import Contradiction
+from compwright.jobs.reading import read_job
+from compwright.records.axis import Axis, AxisKind
+from compwright.records.job import Job
+from compwright.records.plan import Texts
+
+_YAML = {".yaml", ".yml"}
+PLAN = "plan.json"
+#: Stands for a travel that is missing, so that everything else is asked for too.
+_ANY_TRAVEL = "0:1"
+
+
+def read_job_file(path: Path, plan: Path | None = None) -> Job:
+    """Read a job file, with the stand-still tests that its uncertainty names. ``plan``: that of an
+    earlier run, whose definition of one's own counts.
+
+    Raises InputError when one of them cannot be read, UsageError with every fault of the job.
+    """
+    carried = () if plan is None else carried_definition(storage.earlier_bytes(plan))
+    further = partial(wrong_control, folder=path.parent, carried=carried)
+    return _with_drifts(read_job(storage.read_bytes(path, JOB), str(path), further), path.parent)
+
+
+def _with_drifts(job: Job, folder: Path) -> Job:
+    """Return the job with the range E_VE that its stand-still tests show."""
+    errors: list[CompwrightError] = []
+    for kind, request in job.drifts.items():
+        file = storage.named_from(folder, request.file)
+        try:
+            drift = read_drift(storage.read_bytes(file, MEASUREMENT), request.file, kind)
+        except InputError as error:
+            errors.append(error)
+            continue
+        E_VE, told = environmental_variation(drift, request.duration_min)
+        job = job.with_variation(kind, E_VE)
+        job = replace(job, findings=(*job.findings, *told), sources=(*job.sources, drift.source))
+    raise_all(InputError, collect(errors))
+    return job
+
+
+def wrong_control(
+    data: Mapping[str, Any], *, folder: Path = Path(), carried: Texts = ()
+) -> Iterator[Contradiction]:
+    """Yield what is wrong with the control's name and options in a job's data, so that it stands
+    beside the other faults. ``folder``: what the path of a definition is relative to.
+    """
+    controller = data.get("controller")
+    format_id = controller.get("format") if isinstance(controller, dict) else None
+    options = controller.get("options", {}) if isinstance(controller, dict) else {}
+    if not isinstance(format_id, str) or not isinstance(options, dict):
+        return  # the schema says so
+    try:
+        control = open_control(format_id, options, Origin("", "", "", folder, carried))
+    except UsageError as error:
+        for fault in error.faults:
+            if fault.file:  # a definition of one's own: its faults have places of their own
+                yield Contradiction(("controller", "format"), str(fault))
+                continue
+            path = ("options", fault.place) if fault.place else ("format",)
+            yield Contradiction(("controller", *path), fault.message, fault.expected, fault.found)
+        return
+    states = data.get("states")
+    given = list(states.values()) if isinstance(states, dict) else []
+    files = any(state and state not in (NONE_WORD, [NONE_WORD]) for state in given)
+    yield from _wrong_axis_options(data.get("axes"), control, unit_needed=not files)
+    yield from _questions(data.get("axes"), control, files=files, stated=bool(given))
+    yield from _unknown_diameter(data.get("axes"), control, files=files)
+    for name in (REFERENCE, REFERENCE_RETURN, KIND):
+        if name in options:
+            yield Contradiction(
+                ("controller", "options", name),
+                "belongs to an axis",
+                f"axes.NAME.{name}",
+                "a controller's option",
+            )
+
+
+def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterator[Contradiction]:
+    """Diameter programming is refused where nobody knows whether the control's tables then count in
+    radius or in diameter.
+
+    Everything in a job counts in radius, as the machine moves. A control whose files say how the
+    axis is programmed checks the job against them, without ``files`` there is nothing to check.
+    """
+    definition = control.definition
+    if definition.diameter.tables == "radius" or (files and "diameter" in definition.bindings):
+        return
+    for name, section in axes.items() if isinstance(axes, dict) else ():
+        if (
+            isinstance(section, dict)
+            and section.get("programmed") == "diameter"
+            and section.get("kind", "linear") == "linear"
+        ):
+            yield Contradiction(
+                ("axes", str(name), "programmed"),
+                f"whether a table of {control.id} counts an axis in diameter programming in radius"
+                " or in diameter is not confirmed",
+                "radius, once a single point entered by hand has shown that the table moves the"
+                " axis by its own value",
+                "diameter",
+            )
+
+
+def _questions(
+    axes: object, control: Control, *, files: bool, stated: bool
+) -> Iterator[Contradiction]:
+    """Yield what the control needs of each axis and nobody says: all before anything is read.
+    ``stated``: the job says what is in the control, so that tables are made.
+    """
+    sections = axes if isinstance(axes, dict) else {}
+    given = {
+        option
+        for section in sections.values()
+        if isinstance(section, dict) and isinstance(section.get("options"), dict)
+        for option, value in section["options"].items()
+        if value is not None
+    }
+    for name, section in sections.items():
+        if not isinstance(section, dict):
+            continue  # the schema says so
+        reference, options = section.get("reference", 0), section.get("options", {})
+        axis = Axis(
+            name=str(name),
+            kind=AxisKind.LINEAR,
+            travel=(0.0, 1.0),
+            address=str(section.get("address", name)),
+            reference=float(reference) if isinstance(reference, int | float) else 0.0,
+            options=options if isinstance(options, dict) else {},
+        )
+        found = list(control.format.questions(axis, files=files, given=given))
+        # without a state no table is made; what stops the run anyway asks for the rest too
+        for fault in found if stated or any(one.place == "address" for one in found) else ():
+            own = ("axes", str(name)) if fault.place == "address" else ("controller", "options")
+            yield Contradiction((*own, fault.place), fault.message, fault.expected, fault.found)
+
+
+def _wrong_axis_options(
+    axes: object, control: Control, *, unit_needed: bool
+) -> Iterator[Contradiction]:
+    for name, section in axes.items() if isinstance(axes, dict) else ():
+        options = section.get("options", {}) if isinstance(section, dict) else {}
+        if not isinstance(options, dict):
+            continue  # the schema says so
+        axis = Axis(name="", kind=AxisKind.LINEAR, travel=(0.0, 1.0), address="", options=options)
+        try:
+            axis_options(control.definition, control.options, axis, unit_needed=unit_needed)
+        except UsageError as error:
+            for fault in error.faults:
+                place = fault.place.rpartition(" ")[2]
+                own = ("axes", str(name)) if place in options else ("controller",)
+                yield Contradiction(
+                    (*own, "options", place), fault.message, fault.expected, fault.found
+                )
+
+
+def default_folder(job_file: Path) -> Path:
+    """Return the folder of a job's results: the job file's name without its ending, beside it. A
+    job that lies among the results of its own run, as that of a next round does, has them there; so
+    does the copy of a job in the folder of its results.
+    """
+    own = (
+        job_file.with_suffix("")
+        if job_file.suffix
+        else job_file.with_name(f"{job_file.name}-results")
+    )
+    above = job_file.parent.parent
+    copies = copied_by_record(storage.earlier_bytes(above / RECORD))
+    if f"{job_file.parent.name}/{job_file.name}" in copies and not storage.is_folder(own):
+        return above
+    among = any(storage.is_there(job_file.parent / name) for name in (PLAN, RECORD))
+    return job_file.parent if among and not storage.is_folder(own) else own
+
+
+@dataclass(frozen=True, slots=True)
+class JobToRun:
+    """A job, the folder that its paths are relative to, and the folder of its results; ``stated``:
+    what the command line says of a job without a file, in the form of one.
+    """
+
+    job: Job
+    folder: Path
+    out: Path
+    stated: Mapping[str, Any] | None = None
+
+
+def job_of(
+    inputs: Sequence[str],
+    *,
+    format_id: str | None,
+    axis: str | None,
+    travel: str | None,
+    states: Sequence[str],
+    options: Sequence[str],
+    profile: str | None = None,
+    out: Path | None = None,
+) -> JobToRun:
+    """Return the job of a run. ``out``: the folder of its results, where one was named.
+
+    One JOB file without ``--format`` is a job; anything else are measurement files of one test,
+    and the job is one that lies in the folder of its results. Raises UsageError with all faults.
+    """
+    first = Path(inputs[0])
+    needed = {"--format": format_id, "--axis": axis, "--travel": travel}
+    if len(inputs) == 1 and first.suffix.lower() in _YAML:
+        storage.read_bytes(first, JOB)
+        said = "does not go with a job file, which says it itself"
+        extra = {**needed, "--state": states, "--option": options, "--profile": profile}
+        faults = [
+            Fault(message=said, file=str(first), place=name)
+            for name, value in extra.items()
+            if value
+        ]
+        raise_all(UsageError, faults)
+        return JobToRun(read_job_file(first), first.parent, out or default_folder(first))
+    for text in inputs:
+        if not storage.is_folder(Path(text)):
+            storage.read_bytes(Path(text), MEASUREMENT)
+        elif storage.is_there(Path(text) / PLAN):
+            fault = Fault(message="is a folder of results", file=text, expected=JOB.help)
+            raise UsageError(fault)
+    expected = "a value, or one job file JOB.yaml instead of measurement files"
+    faults = [
+        Fault(message="is missing", place=name, expected=expected)
+        for name, value in needed.items()
+        if not value
+    ]
+    folder = out or default_folder(first)
+
+    def there(text: str) -> str:
+        return storage.way_to(Path(text), folder)
+
+    control = format_id or ""
+    if faults and not (format_id and axis):
+        raise UsageError(*faults)  # what the control needs of the axis cannot be asked yet
+    try:
+        stated = job_from_options(
+            [there(text) for text in inputs],
+            format=there(control) if is_path(control) else control,
+            axis=axis or "",
+            travel=travel or _ANY_TRAVEL,
+            states=[text if text == NONE_WORD else there(text) for text in states],
+            options=options,
+            profile=None if profile is None else there(profile),
+            further=partial(wrong_control, folder=folder),
+        )
+    except UsageError as error:
+        raise UsageError(*faults, *error.faults) from error
+    raise_all(UsageError, faults)
+    return JobToRun(stated.job, folder, folder, stated.data)

@@ -1,0 +1,266 @@
+"""A job must not count its own table twice: a test that was taken before a table was loaded says
+nothing of the machine with it.
+
+A fit adds the error that a test shows to what acted while it was taken. Where the state of that
+test is the table that an earlier run made *from this very test*, that table would be added once
+more, and again in every further run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from compwright.controls.decoded import DecodedState, judged
+from compwright.controls.two_readers import table_positions
+from compwright.documents.plan import read_plan
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.foundations.provenance import fingerprint, share_a_file
+from compwright.records.axis import Axis, Direction
+from compwright.records.circular import CircularTest
+from compwright.records.job import Job
+from compwright.records.plan import Plan, PlannedAxis, PlannedTest
+from compwright.records.positioning import SAME_READING, PositioningTest
+from compwright.verification.read_back import SAME
+from compwright.workflow.inputs.job_inputs import JobInputs
+
+PLAN = "plan.json"
+#: Folders of a result that a run replaces as a whole or fills: what lies there is what it makes,
+#: not what it starts from.
+_MADE = ("tables", "rollback", "card")
+#: From a file of the control up to the folder of the run that made it: tables/<format>/<file>.
+_LEVELS_UP = 3
+#: Of two tests that agree in so many readings to the last digit one was made from the other.
+_NEARLY_ALL = 0.9
+_AGAIN = "its correction would be added a second time"
+
+
+@dataclass(frozen=True, slots=True)
+class _Earlier:
+    """An earlier plan, its file, and the fingerprints of the files that it made for the control."""
+
+    plan: Plan
+    path: Path
+    made: frozenset[str]
+
+
+def refuse_own_output(
+    job: Job,
+    inputs: JobInputs,
+    circles: Sequence[tuple[CircularTest, str]],
+    folder: Path,
+    out: Path,
+) -> None:
+    """Raise UsageError (2) where a state of the job is what an earlier run made from a test that
+    the job gives for that state.
+
+    ``circles``: circular tests, each with the state it was measured in. ``folder``: what the job's
+    paths are relative to; ``out``: where this run writes. Also where ``as_found`` lies in a folder
+    that this run replaces.
+    """
+    faults = list(_inside_out(job, folder, out))
+    raise_all(UsageError, faults)
+    for earlier in earlier_plans(_near(job, folder, out)):
+        faults.extend(_counted_twice(job, inputs, circles, earlier))
+    raise_all(UsageError, list({fault.place: fault for fault in faults}.values()))
+
+
+def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
+    made = [storage.resolved(out / name) for name in _MADE]
+    for text in job.states.get("as_found", ()):
+        path = storage.resolved(storage.named_from(folder, text))
+        if any(below == path or below in path.parents for below in made):
+            yield Fault(
+                message="is what this run writes, and cannot be what it starts from",
+                file=job.file,
+                place="states.as_found",
+                expected=(
+                    "the control's files in a folder of their own (read back from the control, or a"
+                    " copy), with a test that was taken with them loaded"
+                ),
+                found=f"{text}, inside {out}",
+            )
+
+
+def _near(job: Job, folder: Path, out: Path) -> Iterator[Path]:
+    """Yield where plans of earlier runs may stand: where this run writes, above the files of a
+    state, beside job and results.
+    """
+    yield out / PLAN
+    yield storage.resolved(out).parent / PLAN  # that of the round before
+    for texts in job.states.values():
+        for text in texts:
+            path = storage.named_from(folder, text)
+            yield path / PLAN
+            yield from (above / PLAN for above in list(storage.resolved(path).parents)[:_LEVELS_UP])
+    yield from storage.in_folders_of(folder, PLAN)
+    yield from storage.in_folders_of(storage.resolved(out).parent, PLAN)
+
+
+def earlier_plans(paths: Iterable[Path]) -> Iterator[_Earlier]:
+    """Yield the plans that can be read at ``paths``, each once."""
+    seen: set[Path] = set()
+    for path in paths:
+        whole = storage.resolved(path)
+        if whole in seen:
+            continue
+        seen.add(whole)
+        content = storage.earlier_bytes(path)
+        try:
+            plan = read_plan(content, str(path)) if content else None
+        except InputError:
+            plan = None
+        if plan is not None:
+            yield _Earlier(plan, path, made_for_the_control(plan))
+
+
+def made_for_the_control(plan: Plan) -> frozenset[str]:
+    """Return the fingerprints of the files that a plan's run wrote for the control, less those that
+    were in it before.
+    """
+    before = {fingerprint(file.raw) for files in plan.states.values() for file in files}
+    return frozenset(
+        digest
+        for name, digest in plan.results.items()
+        if name.startswith("tables/") and digest not in before
+    )
+
+
+def _counted_twice(
+    job: Job, inputs: JobInputs, circles: Sequence[tuple[CircularTest, str]], earlier: _Earlier
+) -> Iterator[Fault]:
+    plan = earlier.plan
+    for name, tests in inputs.tests.items():
+        for planned in tests:
+            state = inputs.states.get(planned.measured_in)
+            pairs = [
+                (axis, old)
+                for axis in plan.axes.values()
+                for old in axis.tests
+                if _same(planned.test, old.test)
+            ]
+            if state is None or not pairs:
+                continue
+            made = any(fingerprint(file.raw) in earlier.made for file in state.files)
+            if any(_acts_again(*each, state, job.axes[name].axis, made=made) for each in pairs):
+                yield _fault(
+                    job, f"axes.{name}.before", planned.test.name, planned.measured_in, earlier
+                )
+    for test, measured_in in circles:
+        state = inputs.states.get(measured_in)
+        known = any(share_a_file(test.sources, old.test.sources) for old in plan.circles.values())
+        if (
+            state is not None
+            and known
+            and any(fingerprint(file.raw) in earlier.made for file in state.files)
+        ):
+            yield _fault(job, "circles", test.name, measured_in, earlier)
+
+
+def _same(test: PositioningTest, old: PositioningTest) -> bool:
+    """Whether two records are of one measurement: from the same bytes, or with nearly every reading
+    the same at its target.
+
+    Rows that were deleted or added make no new measurement. A test with the new table loaded shows
+    other readings.
+    """
+    if share_a_file(test.sources, old.sources):
+        return True
+    mine, theirs = _readings(test), _readings(old)
+    known = mine.keys() & theirs.keys()
+    same = sum(abs(mine[key] - theirs[key]) <= SAME_READING for key in known)
+    return len(known) > 0 and same >= _NEARLY_ALL * min(len(mine), len(theirs))
+
+
+def _readings(test: PositioningTest) -> dict[tuple[Direction, float, int], float]:
+    """Return the readings by direction, target and run."""
+    found = {}
+    for direction, runs in (
+        (Direction.POSITIVE, test.runs_positive),
+        (Direction.NEGATIVE, test.runs_negative),
+    ):
+        block = test.deviations(direction)
+        for row, column in np.argwhere(np.isfinite(block)):
+            run = int(runs[column]) if column < len(runs) else int(column) + 1
+            found[direction, round(float(test.targets[row]), 6), run] = float(block[row, column])
+    return found
+
+
+def _acts_again(
+    planned: PlannedAxis, test: PlannedTest, state: DecodedState, axis: Axis, *, made: bool
+) -> bool:
+    """Whether a state does something else to an axis than what acted while the plan's ``test`` was
+    taken, and what the plan asked for.
+
+    ``made``: the files of the state are the plan's own byte for byte; others may do the same in
+    another form (a whole backup).
+    """
+    if planned.fitted is None:
+        return False
+    new = planned.fitted.compensation
+    where = (
+        table_positions(new.positions, planned.axis.travel)
+        if new.positions.size > 1
+        else np.linspace(*planned.axis.travel, 11)
+    )
+    gaps = (
+        judged(state, axis.address, where, direction) - new.at(where, direction)
+        for direction in Direction
+    )
+    asked = max(float(np.max(np.abs(gap))) for gap in gaps)
+    return _fresh(planned, test, state, axis) > SAME and (made or asked <= SAME)
+
+
+def _fresh(planned: PlannedAxis, test: PlannedTest, state: DecodedState, axis: Axis) -> float:
+    """Return by how much a state does something else than what acted during the ``test`` of a plan,
+    mm or deg, at the targets of the test; nothing where the plan does not know what acted.
+    """
+    targets, acted, active = test.test.targets, test.acted, planned.active
+    if acted is None and active is not None and test.measured_in == planned.tests[0].measured_in:
+        acted = active.at(targets, Direction.POSITIVE), active.at(targets, Direction.NEGATIVE)
+    if acted is None:
+        return 0.0
+    return max(
+        float(np.max(np.abs(judged(state, axis.address, targets, direction) - then)))
+        for direction, then in zip(Direction, acted, strict=True)
+    )
+
+
+def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fault:
+    return Fault(
+        message=(
+            f"the files of the state {state} are the tables that an earlier run made from this very"
+            f" test: {_AGAIN}"
+        ),
+        file=job.file,
+        place=place,
+        expected=(
+            f"a test that was taken with these tables loaded, or the state in which {test} was"
+            " taken (measured_in, states)"
+        ),
+        found=f"{test}, the test of {earlier.path}",
+    )
+
+
+def refuse_added_again(plan: Plan, path: Path, state: DecodedState) -> None:
+    """Raise UsageError where a plan adds something between axes to a state that is what its own run
+    made.
+    """
+    made: Mapping[str, str] = {fingerprint(file.raw): file.name for file in state.files}
+    again = [made[digest] for digest in made_for_the_control(plan) if digest in made]
+    if again and any(entry.written for entry in plan.cross):
+        raise UsageError(
+            Fault(
+                message=(
+                    f"these files are what the run of this plan made: {_AGAIN} between the axes"
+                ),
+                file=str(path),
+                place="--state",
+                expected="the files that were in the control before, or the word none",
+                found=", ".join(again),
+            )
+        )

@@ -1,0 +1,365 @@
+"""Copies of a control's files without names: which control they are of is told by what is in them,
+and each copy is proven by the readers of its original.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cache
+from pathlib import Path, PurePath
+from typing import Any
+
+from compwright.controls.acting import judged_cross
+from compwright.controls.control import decode, open_control
+from compwright.controls.decoded import judged
+from compwright.controls.definitions import definition_named
+from compwright.documents.decode import DecodedAxis, decode_document
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definitions import definitions_from
+from compwright.formats.families.control_texts import texts_of
+from compwright.formats.families.kept_lines import STATE_TEXTS, begins, kept_lines, naming_lines
+from compwright.formats.text.container import is_container, opened, unknown_container
+from compwright.formats.text.entry_sheet import is_entry_sheet, parse_sheet
+from compwright.formats.text.redaction import (
+    definition_words,
+    redacted_sheet,
+    redacted_text,
+    same_statements,
+)
+from compwright.formats.text.texts import ReadText, text_reader
+from compwright.foundations import storage
+from compwright.foundations.errors import CompwrightError, Fault, InputError
+from compwright.foundations.redaction import Cuts
+from compwright.records.axis import Direction
+from compwright.records.correction import ControlFile
+from compwright.workflow.redact.redacted_measurements import not_the_same, refuse_left_over
+
+#: Where an option has no default: the numbers of a copy are those of its original in any unit.
+_ANY_UNIT = 0.001
+#: What is no state of one control alone.
+SHEET = "typed-entry sheet"
+#: Bytes of a file that tell which control it is of.
+_LOOKED_AT = 65536
+#: A table of bare numbers is a control's only by the ending of its name, or where another file
+#: names it.
+_BARE_TABLE = ".comp"
+
+
+@dataclass(frozen=True, slots=True)
+class ControlCopy:
+    """The copy of one file, the control that it is of, and the new names in it by the old ones."""
+
+    content: bytes
+    control: str
+    renamed: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class ControlCopies:
+    """Copies by the name of the file, what is wrong with the others, and which of them are of no
+    control that is known.
+    """
+
+    made: Mapping[str, ControlCopy]
+    faults: tuple[Fault, ...]
+    unknown: frozenset[str]
+
+
+def control_copies(
+    files: Sequence[ControlFile], cuts: Mapping[str, Cuts], format_id: str | None
+) -> ControlCopies:
+    """Return the proven copies of the files of controls; each file has ``cuts`` of its own, by its
+    name. ``format_id``: the control, where somebody says it.
+
+    Raises UsageError for a control that is not known.
+    """
+    faults: list[Fault] = []
+    likely = _likely(files, format_id)
+    copies: dict[str, ControlCopy] = {}
+    for file in files:
+        try:
+            copies[file.name] = _copy(file, likely[file.name], cuts[file.name])
+        except InputError as error:
+            faults.extend(fault.in_file(file.name) for fault in error.faults)
+    unknown = frozenset(
+        file.name for file in files if not (likely[file.name] or is_entry_sheet(file))
+    )
+    for name in _decoded_otherwise(files, copies):
+        del copies[name]
+        faults.extend(not_the_same(name, "another correction").faults)
+    return ControlCopies(copies, tuple(faults), unknown)
+
+
+def _decoded_otherwise(
+    files: Sequence[ControlFile], copies: Mapping[str, ControlCopy]
+) -> Iterator[str]:
+    """Yield the names of files whose copies, taken together, give another correction."""
+    shapes = {
+        name: _definitions()[copy.control].layout.shape
+        for name, copy in copies.items()
+        if copy.control in _definitions()
+    }
+    for shape in sorted(set(shapes.values())):
+        group = [file for file in files if shapes.get(file.name) == shape]
+        control = copies[group[0].name].control
+        renamed = {
+            old.upper(): new for file in group for old, new in copies[file.name].renamed.items()
+        }
+        named = {re.split(r"[/\\]", old)[-1]: new for old, new in renamed.items()}
+        made = [
+            ControlFile(named.get(file.name.upper(), file.name), copies[file.name].content)
+            for file in group
+        ]
+        if not _decoded_alike(control, group, made, renamed):
+            yield from [file.name for file in group]
+
+
+def _copy(file: ControlFile, likely: Sequence[Definition], cuts: Cuts) -> ControlCopy:
+    if is_entry_sheet(file):
+        return _sheet(file, cuts)
+    if not likely:
+        raise _unknown(file)
+    definition, read = _as_read(file, likely)
+    reader = text_reader(definition)
+    made = redacted_text(
+        reader, file, read, (kept_lines(definition), naming_lines(definition)), cuts
+    )
+    again = _read(made.file, definition)
+    if isinstance(again, tuple):
+        raise not_the_same(file.name, again[0].message)
+    if not same_statements(read, again, made.renamed):
+        raise not_the_same(file.name, "other values")
+    for other in likely:  # whatever another control would read in it stays too
+        if other.layout.shape != definition.layout.shape and _said_at_first(file, other):
+            first, second = _read(file, other), _read(made.file, other)
+            if isinstance(first, ReadText) and not (
+                isinstance(second, ReadText) and same_statements(first, second, made.renamed)
+            ):
+                raise not_the_same(file.name, f"other values for {other.id}")
+    allowed = definition_words(definition) | frozenset(made.words)
+    refuse_left_over(file.name, cuts, [made.file.content], allowed)
+    return ControlCopy(made.file.content, definition.id, made.renamed)
+
+
+def _as_read(file: ControlFile, likely: Sequence[Definition]) -> tuple[Definition, ReadText]:
+    """Return the first of the controls that reads a file without a fault, and what it says there.
+    Raises InputError with the faults of the first where none does.
+    """
+    first: tuple[Fault, ...] = ()
+    for definition in likely:
+        read = _read(file, definition)
+        if isinstance(read, ReadText):
+            return definition, read
+        first = first or read
+    raise InputError(*first)
+
+
+def _read(file: ControlFile, definition: Definition) -> ReadText | tuple[Fault, ...]:
+    """Return what a file says, or what is wrong with it."""
+    faults: list[Fault] = []
+    (text,) = texts_of(definition, [file], faults) or (file,)
+    read = text_reader(definition).read(text, faults)
+    return read if read is not None and not faults else tuple(faults)
+
+
+def _sheet(file: ControlFile, cuts: Cuts) -> ControlCopy:
+    faults: list[Fault] = []
+    old = parse_sheet(file, faults)
+    if faults or old is None:
+        raise InputError(*faults)
+    made = replace(file, content=redacted_sheet(file.content, cuts))
+    new = parse_sheet(made, faults)
+    if faults or new is None:
+        raise not_the_same(file.name, faults[0].message if faults else "nothing")
+    if old.rows != new.rows or old.axis != new.axis:
+        raise not_the_same(file.name, "other values")
+    refuse_left_over(file.name, cuts, [made.content], frozenset({"value", "axis", "points"}))
+    return ControlCopy(made.content, SHEET)
+
+
+def _likely(files: Sequence[ControlFile], format_id: str | None) -> dict[str, list[Definition]]:
+    """Return for each file the controls that it may be of, by what its beginning says: first that
+    of which it says most itself, then that of which those beside it do.
+
+    Statements without a word of their own are in files of many kinds: a file of nothing else is a
+    control's by its ending, where ``format_id`` says so, or as a text out of a container.
+    """
+    known = [definition_named(format_id, Path())] if format_id else list(_definitions().values())
+    counts = {
+        file.name: {definition.id: _said_at_first(file, definition) for definition in known}
+        for file in files
+        if not is_entry_sheet(file)
+    }
+    named = _named_by_others(files)
+    likely = {}
+    for file in files:
+        own = counts.get(file.name, {})
+        beside = [said for name, said in counts.items() if _set_of(name) == _set_of(file.name)]
+        totals = {one.id: sum(said[one.id] for said in beside) for one in known}
+        likely[file.name] = sorted(
+            (
+                one
+                for one in known
+                if own and (own[one.id] or format_id is not None or _bare(file, one, named))
+            ),
+            key=lambda one: (-own[one.id], -totals[one.id]),
+        )
+    return likely
+
+
+def _set_of(name: str) -> str:
+    """Return of which container a text is; empty for a file by itself."""
+    return name.rpartition("/")[0]
+
+
+def _named_by_others(files: Sequence[ControlFile]) -> frozenset[str]:
+    """Return the names of files that stand in the text of another one, as those of tables do in
+    settings.
+    """
+
+    def names(other: ControlFile, file: ControlFile) -> bool:
+        name = re.escape(file.name.lower().encode(errors="replace"))
+        return re.search(rb"(?<![\w.-])" + name + rb"(?![\w.-])", texts[other.name]) is not None
+
+    texts = {file.name: file.content.lower() for file in files}
+    return frozenset(
+        file.name
+        for file in files
+        if any(other is not file and names(other, file) for other in files)
+    )
+
+
+def _bare(file: ControlFile, definition: Definition, named: frozenset[str]) -> bool:
+    """Whether a file is a control's without a word that tells of it."""
+    if "/" in file.name or begins(definition, file.content):
+        return True
+    if not (file.name.lower().endswith(_BARE_TABLE) or file.name in named):
+        return False
+    read = _read(file, definition)
+    return isinstance(read, ReadText) and bool(read.occurrences)
+
+
+def _said_at_first(file: ControlFile, definition: Definition) -> int:
+    """Return how many statements with a word of their own stand at the beginning of a file."""
+    begins = file.content[:_LOOKED_AT]
+    if len(begins) < len(file.content):
+        begins = begins[: begins.rfind(b"\n") + 1]
+    reader = text_reader(definition)
+    read = reader.read(ControlFile(file.name, begins), [])
+    heads = {name for name, matcher in reader.matchers.items() if matcher.head}
+    return 0 if read is None else sum(one.statement in heads for one in read.occurrences)
+
+
+@cache
+def _definitions() -> Mapping[str, Definition]:
+    """Return what ships, by its id."""
+    return definitions_from(storage.definition_files())
+
+
+def _decoded_alike(
+    control_id: str,
+    old: Sequence[ControlFile],
+    new: Sequence[ControlFile],
+    renamed: Mapping[str, str],
+) -> bool:
+    """Whether both readers understand the copies of a control's files as the originals; True where
+    the originals alone do not make a state of a control. ``renamed``: new names of axes by the old
+    ones, in capitals.
+    """
+    for likely, options in _ways_to_read(control_id):
+        try:
+            first = _decoded(likely, options, old, renamed)
+        except CompwrightError:
+            continue
+        try:
+            return first == _decoded(likely, options, new, {})
+        except CompwrightError:
+            return False
+    return True
+
+
+def _ways_to_read(control_id: str) -> Iterator[tuple[str, dict[str, object]]]:
+    """Yield controls whose tables have the shape of this one's, itself first, with their options:
+    the beginning of a file does not tell relatives apart.
+    """
+    shape = _definitions()[control_id].layout.shape
+    relatives = [name for name, one in _definitions().items() if one.layout.shape == shape]
+    for name in sorted(relatives, key=lambda name: name != control_id):
+        for options in _options(name):
+            yield name, options
+
+
+def _options(control_id: str) -> Iterator[dict[str, object]]:
+    """Yield answers to what the files of a control leave open, until one lets them be read."""
+    rules = _definitions()[control_id].options
+    asked: dict[str, object] = {
+        name: _ANY_UNIT for name, rule in rules.items() if rule.asked is not None
+    }
+    yield {}
+    if asked:
+        yield asked
+    for name, rule in rules.items():
+        for choice in rule.choices:
+            if choice != rule.default:
+                yield {**asked, name: choice}
+
+
+def _decoded(
+    control_id: str,
+    options: dict[str, object],
+    files: Sequence[ControlFile],
+    renamed: Mapping[str, str],
+) -> dict[str, Any]:
+    def name(address: str) -> str:
+        return renamed.get(address.upper(), address).upper()
+
+    decoded = decode(open_control(control_id, options), files)
+    axes = {
+        name(address): DecodedAxis(
+            kind=entry.kind,
+            positions=entry.positions,
+            positive=judged(decoded, address, entry.positions, Direction.POSITIVE),
+            negative=judged(decoded, address, entry.positions, Direction.NEGATIVE),
+        )
+        for address, entry in decoded.state.axes.items()
+    }
+    cross = [
+        replace(entry, input=name(entry.input), output=name(entry.output))
+        for entry in judged_cross(decoded, None)
+    ]
+    return decode_document(axes, (), (), cross)
+
+
+def texts_in(file: ControlFile) -> tuple[ControlFile, ...]:
+    """Return the texts of a container that are the state of the control, each named by a path below
+    the name of the container; none for a file that is no container.
+
+    A copy of the container itself cannot be made: its checksum is not understood. Raises InputError
+    for one that cannot be opened.
+    """
+    if not is_container(file):
+        return ()
+    container, faults = opened(file)
+    if container is None:
+        hint = f"the texts in it, exported one by one: {STATE_TEXTS}"
+        raise InputError(*(replace(fault, expected=hint) for fault in faults))
+    stem = PurePath(file.name).stem
+    return tuple(
+        ControlFile(f"{stem}/{text.name.rpartition(': ')[2]}", text.content)
+        for text in container.state
+    )
+
+
+def _unknown(file: ControlFile) -> InputError:
+    what = unknown_container(file.content)
+    return InputError(
+        Fault(
+            message="is not known, so that nobody could say what in it is a name; it is not copied",
+            file=file.name,
+            expected="a measurement file or a text of a control that compwright reads; any other"
+            " table with --profile P.yaml (compwright profile FILE --out P.yaml)",
+            found=what.rstrip(","),
+        )
+    )

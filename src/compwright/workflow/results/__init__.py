@@ -1,0 +1,1 @@
+"""What a command writes and shows: results, card, record, answers."""

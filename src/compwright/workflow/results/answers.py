@@ -1,0 +1,130 @@
+"""What the commands say: documents to text and tables, written where the command line asks for
+it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from compwright.documents.json_text import to_json
+from compwright.foundations import storage
+
+
+def document_text(document: Mapping[str, Any]) -> str:
+    """Return a document as the text that ``--json -`` prints."""
+    return to_json(document)
+
+
+def write_document(document: Mapping[str, Any], path: Path, *, force: bool) -> None:
+    """Write a document to a file of its own. Raises StorageError."""
+    content = to_json(document).encode()
+    from compwright.workflow.results.single_files import (
+        refuse_other_kinds,
+    )  # only now: `evaluate` of a positioning test loads no reader of circles
+
+    refuse_other_kinds({path: content}, force=force)
+    storage.write_file(path, content, force=force)
+
+
+def show(renderables: list[Any]) -> None:
+    """Print renderables on standard output."""
+    from compwright.reporting.shown import print_renderables
+
+    print_renderables(renderables)
+
+
+def run_summary(outcome: Any) -> list[Any]:
+    """Return what ``run`` says: assumptions first, then each axis, then the files."""
+    from compwright.reporting import summaries
+
+    doubts = outcome.prediction["doubts"]
+    listed = [
+        *doubts,
+        *outcome.prediction["acknowledged"],
+        *(finding for axis in outcome.prediction["axes"].values() for finding in axis["findings"]),
+    ]
+    told = {(finding["code"], finding["message"]) for finding in listed}
+    tests = [
+        {**finding, "message": f"{_words(result)}: {finding['message']}"}
+        for result in outcome.evaluation["results"]
+        for finding in result["findings"]
+    ]
+    rest = [
+        finding
+        for finding in (*outcome.findings, *tests)
+        if (finding["code"], finding["message"]) not in told
+    ]
+    return [
+        *summaries.doubt_lines(doubts),
+        *summaries.acknowledged_lines(outcome.prediction["acknowledged"]),
+        *summaries.assumed_table(outcome.assumed),
+        *summaries.prediction_tables(outcome.prediction),
+        *summaries.finding_lines(rest),
+        *summaries.file_lines("Written", [str(path) for path in outcome.files]),
+    ]
+
+
+def _words(result: Mapping[str, Any]) -> str:
+    """Return how a result of an evaluation is called."""
+    return (
+        f"Axis {result['axis']}, test {result['name']}"
+        if result["kind"] == "positioning"
+        else f"Circle {result['name']}"
+    )
+
+
+def decode_summary(document: Mapping[str, Any]) -> list[Any]:
+    """Return what ``decode`` says."""
+    from compwright.reporting import summaries
+
+    return summaries.decode_tables(document)
+
+
+def compare_summary(document: Mapping[str, Any]) -> list[Any]:
+    """Return what ``compare`` says."""
+    from compwright.reporting import differing
+
+    return differing.compare_tables(document)
+
+
+def diff_summary(document: Mapping[str, Any]) -> list[Any]:
+    """Return what ``diff`` says."""
+    from compwright.reporting import differing
+
+    return differing.diff_tables(document)
+
+
+def verify_summary(outcome: Any) -> list[Any]:
+    """Return what ``verify`` says."""
+    from compwright.reporting import summaries
+
+    return [
+        *summaries.doubt_lines(outcome.document["doubts"]),
+        *summaries.acknowledged_lines(outcome.document["acknowledged"]),
+        *summaries.verification_tables(outcome.document),
+        *summaries.next_lines(outcome.document.get("next")),
+        *summaries.file_lines("Written", [str(path) for path in outcome.files]),
+    ]
+
+
+def history_summary(document: Mapping[str, Any]) -> list[Any]:
+    """Return what ``history`` says."""
+    from compwright.reporting.history import history_tables
+
+    return history_tables(document)
+
+
+def demo_summary(outcome: Any) -> list[Any]:
+    """Return what ``demo`` says: the predictions, the verification, and where the pages are."""
+    from compwright.reporting import summaries
+
+    pages = [
+        path for path in (*outcome.run.files, *outcome.verification.files) if path.suffix == ".html"
+    ]
+    return [
+        *summaries.prediction_tables(outcome.run.prediction),
+        *summaries.verification_tables(outcome.verification.document),
+        *summaries.file_lines("Reports", [str(path) for path in pages]),
+    ]

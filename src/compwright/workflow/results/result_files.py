@@ -1,0 +1,191 @@
+"""The files of a run: documents, tables, the way back, card and report."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from compwright.controls.gantries import with_partners
+from compwright.controls.partial_loads import harmful_parts
+from compwright.documents.decode import assumed_documents, finding_documents
+from compwright.documents.json_text import to_json
+from compwright.documents.plan import plan_document
+from compwright.documents.prediction import prediction_document
+from compwright.foundations.errors import UsageError
+from compwright.foundations.provenance import fingerprint
+from compwright.foundations.side_by_side import Each, in_turn
+from compwright.foundations.utf8 import encoded
+from compwright.records.correction import ControlFile
+from compwright.workflow.results.card import card_document, changes_csv
+from compwright.workflow.results.view import evaluations, run_view
+from compwright.workflow.run.finished import Finished
+from compwright.workflow.run.written import tables_of
+
+NO_STATE = (
+    "no table is written: the job does not say what is active in the control; "
+    "add states: {as_found: none} or states: {as_found: [files of the control]}"
+)
+
+PLAN = "plan.json"
+
+
+@dataclass(frozen=True, slots=True)
+class Results:
+    """Every file of a run by its relative name, the documents that they show, and what the user
+    should know about missing ones.
+    """
+
+    files: Mapping[str, bytes]
+    evaluation: Mapping[str, Any]
+    prediction: Mapping[str, Any]
+    notes: tuple[str, ...] = ()
+
+
+def result_files(finished: Finished, each: Each = in_turn) -> Results:
+    """Return every file of a run, in the order in which they are listed."""
+    tests = [result for work in finished.works.values() for result in work.results]
+    evaluation = evaluations(tests, [work.result for work in finished.wanted.circles])
+    prediction = prediction_document(
+        finished.measured.control.id,
+        finished.predicted.axes,
+        finished.written.cross.totals,
+        finished.predicted.circles,
+        finished.first,
+        finished.doubts.acknowledged,
+        judged=finished.measured.control.definition.judged,
+    )
+    files = {
+        "evaluation.json": to_json(evaluation).encode(),
+        "prediction.json": to_json(prediction).encode(),
+        **_control_files(finished),
+    }
+    card = _card(finished, prediction)
+    files |= _card_files(finished, card)
+    notes: tuple[str, ...] = ()
+    try:
+        if card is not None:
+            from compwright.reporting.card import card_html
+
+            files["card/card.html"] = card_html(dict(card))
+        names = [*files, "report.html"]
+        files["report.html"] = _report(finished, card, names, evaluation, prediction, each)
+    except UsageError as error:
+        notes = (f"report.html is not written: {error}",)
+    if finished.stated:
+        made = {
+            encoded(name).decode(): fingerprint(content)
+            for name, content in files.items()
+            if name != PLAN
+        }
+        files[PLAN] = to_json(plan_document(finished.plan(made))).encode()
+    return Results(files, evaluation, prediction, notes)
+
+
+def _control_files(finished: Finished) -> dict[str, bytes]:
+    """Return the tables and the copies of what was in the control, behind the plan, which lists
+    them and is made last.
+    """
+    as_found, format_id = finished.measured.as_found, finished.fitted.control.id
+    if as_found is None:
+        return {}
+    written = finished.written
+    sets = {"tables": written.tables, "rollback": (*as_found.files, *written.back)}
+    return {
+        PLAN: b"",
+        **{
+            f"{folder}/{format_id}/{file.name}": file.raw
+            for folder, files in sets.items()
+            for file in files
+        },
+    }
+
+
+def _card(finished: Finished, prediction: Mapping[str, Any]) -> Mapping[str, Any] | None:
+    """Return the card as plain data; None where there is nothing to do at the control."""
+    written = finished.written
+    if not (written.tables or written.cross.steps):
+        return None
+    card = card_document(
+        finished.measured.job,
+        finished.fitted.control,
+        finished.works,
+        written.loaded,
+        finished.measured.inputs,
+        finished.assumed,
+        entered=written.entered,
+        back=written.back,
+        harmful=_harmful(finished),
+    )
+    return {
+        **card,
+        "steps": [*card["steps"], *written.cross.steps],
+        "doubts": prediction["doubts"],
+        "acknowledged": prediction["acknowledged"],
+        "limits": prediction["axes"],
+    }
+
+
+def _harmful(finished: Finished) -> tuple[str, ...]:
+    """Return what some of the written files do without the others."""
+    written, as_found = finished.written, finished.measured.as_found
+    works = {name: work for name, work in finished.works.items() if work.planned.fitted is not None}
+    own = () if as_found is None else as_found.files
+    return harmful_parts(finished.fitted.control, own, written.tables, works)
+
+
+def _card_files(finished: Finished, card: Mapping[str, Any] | None) -> dict[str, bytes]:
+    """Return the card as text, the changed entries, and what is typed in."""
+    if card is None:
+        return {}
+    from compwright.reporting.card import card_markdown
+
+    sheets = (*_second_forms(finished), *finished.written.cross.sheets)
+    changes = {} if card["changes"] is None else {"card/changes.csv": changes_csv(card["changes"])}
+    return {
+        "card/card.md": encoded(card_markdown(dict(card))),
+        **changes,
+        **{f"card/{file.name}": file.content for file in sheets},
+    }
+
+
+def _second_forms(finished: Finished) -> tuple[ControlFile, ...]:
+    control, as_found = finished.fitted.control, finished.measured.as_found
+    if as_found is None:
+        return ()
+    every = with_partners(control, tables_of(finished.works, {}), as_found)
+    return control.format.sheets(
+        [table.compensation for _, table in every], [axis for axis, _ in every]
+    )
+
+
+def _report(
+    finished: Finished,
+    card: Mapping[str, Any] | None,
+    names: list[str],
+    evaluation: Mapping[str, Any],
+    prediction: Mapping[str, Any],
+    each: Each,
+) -> bytes:
+    """Return the report; ``names``: every file of the run. Raises UsageError without the report
+    extra.
+    """
+    from compwright.reporting.run_report import run_report
+
+    as_found = finished.measured.as_found
+    view = run_view(
+        finished.measured.job,
+        finished.fitted.control,
+        finished.works,
+        finished.written.loaded,
+        evaluation=evaluation,
+        prediction=prediction,
+        assumed=assumed_documents(finished.assumed),
+        findings=finding_documents(finished.findings),
+        files=names,
+        changes=None if card is None else card["changes"],
+        no_tables=None if finished.stated else NO_STATE,
+        stated=finished.stated,
+        state_files=[] if as_found is None else [file.name for file in as_found.files],
+    )
+    return run_report(view, each)

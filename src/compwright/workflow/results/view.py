@@ -1,0 +1,147 @@
+"""What the report shows: the documents of a run, with the curves behind them, in µm or arcsec."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from compwright import __version__
+from compwright.controls.control import Control
+from compwright.controls.decoded import DecodedState
+from compwright.documents.circular import circular_document
+from compwright.documents.decode import finding_documents
+from compwright.documents.evaluation import evaluation_document
+from compwright.foundations.units import outside_factor, outside_unit
+from compwright.planning.axes import AxisWork
+from compwright.prediction.acting import difference
+from compwright.records.axis import Direction
+from compwright.records.circular import CircularResult
+from compwright.records.job import Job
+from compwright.records.result import PositioningResult
+from compwright.workflow.run.predicted import after_loading
+
+
+def evaluations(
+    tests: Sequence[PositioningResult], circles: Sequence[CircularResult]
+) -> dict[str, Any]:
+    """Return the evaluation document of positioning and circular tests."""
+    document = evaluation_document(tests)
+    return {
+        **document,
+        "results": [*document["results"], *(circular_document(circle) for circle in circles)],
+    }
+
+
+def run_view(
+    job: Job,
+    control: Control,
+    works: Mapping[str, AxisWork],
+    loaded: DecodedState | None,
+    *,
+    stated: bool,
+    state_files: Sequence[str],
+    **documents: Any,
+) -> dict[str, Any]:
+    """Return the view that the report of a run is rendered from. ``documents`` are passed on under
+    their own names.
+    """
+    state: str | list[str] | None = None
+    if stated:
+        state = list(state_files) or "none"
+    return {
+        "title": (
+            f"Compensation of {', '.join(works)}"
+            if len(works) < 6
+            else f"Compensation of {len(works)} axes"
+        ),
+        "machine": dict(job.machine),
+        "format": {"id": control.id, "title": control.definition.title},
+        "axes": {name: {**axis_view(work, loaded), "state": state} for name, work in works.items()},
+        "version": __version__,
+        **documents,
+    }
+
+
+def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
+    """Return one axis: its estimate, the wanted totals, the fit, and what its first test is
+    expected to show.
+    """
+    planned = work.planned
+    estimate, wanted, fitted = planned.estimate, planned.wanted, planned.fitted
+    factor = outside_factor(planned.axis.kind.unit)
+
+    def scaled(values: Any) -> list[float]:
+        return [float(value) for value in values * factor]
+
+    return {
+        "address": planned.axis.address,
+        "kind": planned.axis.kind.value,
+        "unit": outside_unit(planned.axis.kind.unit),
+        "position_unit": planned.axis.kind.unit,
+        "estimate": {
+            "positions": estimate.positions.tolist(),
+            "mean_positive": scaled(estimate.mean_positive),
+            "mean_negative": scaled(estimate.mean_negative),
+            "std_positive": scaled(estimate.std_positive),
+            "std_negative": scaled(estimate.std_negative),
+        },
+        "wanted": (
+            None
+            if wanted is None
+            else {
+                "positions": wanted.positions.tolist(),
+                "positive": scaled(wanted.positive),
+                "negative": scaled(wanted.negative),
+            }
+        ),
+        "mode": fitted.mode if fitted else None,
+        "mode_reason": fitted.mode_reason if fitted else None,
+        "certificate": dict(fitted.certificate) if fitted else {},
+        "refused": work.refused,
+        "predicted_targets": expected_targets(work, loaded),
+        "findings": finding_documents(work.findings),
+    }
+
+
+def expected_targets(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
+    """Return the deviations that a fresh test is expected to show at the first test's targets, and
+    the scatter of one reading.
+    """
+    test = work.results[0].test
+    factor = outside_factor(test.kind.unit)
+    change = difference(after_loading(work, loaded), work.active)
+    estimate = work.estimate_at(test.targets)
+    measured = {direction: bool(test.readings(direction).any()) for direction in Direction}
+    expected = {
+        direction: (
+            ((estimate.mean(direction) + change(test.targets, direction)) * factor).tolist()
+            if measured[direction]
+            else []
+        )
+        for direction in Direction
+    }
+    return {
+        "positions": test.targets.tolist(),
+        "positive": expected[Direction.POSITIVE],
+        "negative": expected[Direction.NEGATIVE],
+        "s": estimate.noise * factor,
+    }
+
+
+def verify_view(
+    job: Job, control: Control, axes: Mapping[str, Mapping[str, Any]], **documents: Any
+) -> dict[str, Any]:
+    """Return the view that the report of a verification is rendered from; ``axes`` are those of the
+    verification document.
+    """
+    return {
+        "title": f"Verification of {', '.join(axes)}",
+        "machine": dict(job.machine),
+        "format": {"id": control.id, "title": control.definition.title},
+        "axes": {
+            name: {"unit": axis["unit"], "predicted_targets": axis["expected"]}
+            for name, axis in axes.items()
+        },
+        "version": __version__,
+        **documents,
+    }

@@ -1,0 +1,181 @@
+"""A job worked through: what its stages handed on, and what is to be said of all of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from compwright import __version__
+from compwright.foundations.findings import RESULTS, Finding, doubts_of
+from compwright.jobs.idle_keys import unused_acknowledgements
+from compwright.planning.axes import AxisWork
+from compwright.planning.circles import worse_circles
+from compwright.planning.doubts import Doubts, Noticed, doubts_among, undecided
+from compwright.records.correction import Assumption
+from compwright.records.plan import Plan
+from compwright.workflow.run.fitted import Fitted
+from compwright.workflow.run.measured import Measured
+from compwright.workflow.run.predicted import Predicted
+from compwright.workflow.run.wanted import Wanted
+from compwright.workflow.run.written import Written
+
+
+@dataclass(frozen=True, slots=True)
+class Finished:
+    """Everything that the files of a run are made from."""
+
+    measured: Measured
+    wanted: Wanted
+    fitted: Fitted
+    written: Written
+    predicted: Predicted
+
+    @property
+    def stated(self) -> bool:
+        """Whether somebody said what is in the control now."""
+        return self.measured.as_found is not None
+
+    @property
+    def works(self) -> Mapping[str, AxisWork]:
+        """Every axis that was tested, with its table where it gets one."""
+        return self.written.works
+
+    @property
+    def assumed(self) -> tuple[Assumption, ...]:
+        """What was in no file and had to be assumed."""
+        states = self.measured.states.values()
+        capacities = [work.capacity for work in self.works.values() if work.capacity is not None]
+        return (
+            *self.fitted.control.assumed(*states, axes=list(self.measured.axes.values())),
+            *self.measured.named,
+            *(entry for state in states for entry in state.assumed),
+            *(entry for capacity in capacities for entry in capacity.assumed),
+        )
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What was noticed, beside the findings of each test."""
+        return (
+            *(one.finding for one in self._noticed()),
+            *unused_acknowledgements(self.doubts.unused),
+        )
+
+    @property
+    def doubts(self) -> Doubts:
+        """What has to be clear before anything is decided, with the axes that it concerns; findings
+        of tests say which test they are of.
+        """
+        return doubts_among(
+            [*self._noticed(), *self._of_tests(), *self._of_circles()],
+            self.measured.job.acknowledged,
+        )
+
+    @property
+    def first(self) -> tuple[Finding, ...]:
+        """What stands before everything else: the open doubts, and results like them."""
+        still = (one.finding for one in self.doubts.open)
+        return doubts_of([*still, *(one for one in self.findings if one.code in RESULTS)])
+
+    def decided(self) -> Finished:
+        """Return the job without a decision about the axes of which a doubt is open."""
+        doubts = self.doubts
+        axes = {
+            name: replace(axis, accept=undecided(axis.accept)) if doubts.about(name) else axis
+            for name, axis in self.predicted.axes.items()
+        }
+        return replace(self, predicted=replace(self.predicted, axes=axes))
+
+    def _noticed(self) -> list[Noticed]:
+        """Return what was noticed beside the findings of tests and circles."""
+        states = self.measured.states.values()
+        return [
+            *map(Noticed, self.measured.job.findings),
+            *(self._of_control(finding) for state in states for finding in state.findings),
+            *(
+                Noticed(finding, frozenset({name}))
+                for name, prediction in self.predicted.axes.items()
+                for finding in prediction.findings
+            ),
+            *(
+                Noticed(finding, frozenset(finding.axes) or None)
+                for finding in self.wanted.findings
+            ),
+            *map(Noticed, self.written.findings),
+            *map(self._of_control, self.predicted.findings),
+            *map(Noticed, worse_circles(self.predicted.circles)),
+        ]
+
+    def _of_control(self, finding: Finding) -> Noticed:
+        """Return a finding of the control's files with the axes of the job that it is about.
+
+        That no file holds an axis's own table puts nothing in doubt where none is made: what acts
+        stays.
+        """
+        own = frozenset(
+            name
+            for name, axis in self.measured.axes.items()
+            if {axis.address, axis.gantry} & set(finding.axes)
+        )
+        if finding.code == "CW-S008" and own and own.isdisjoint({*self.works, *self.fitted.scales}):
+            finding = replace(finding, severity="info")
+        return Noticed(finding, own or None)
+
+    def _of_tests(self) -> list[Noticed]:
+        return [
+            Noticed(
+                replace(
+                    finding, message=f"Axis {name}, test {result.test.name}: {finding.message}"
+                ),
+                frozenset({name}),
+            )
+            for name, work in self.works.items()
+            for result in work.results
+            for finding in result.findings
+        ]
+
+    def _of_circles(self) -> list[Noticed]:
+        """Return the findings of circles with the axes that take something from circles."""
+        apply = self.measured.job.apply
+        taking = {*apply.squareness.values(), *apply.scale}
+        if apply.backlash_from == "circle":
+            taking |= self.works.keys()
+        return [
+            Noticed(
+                replace(finding, message=f"Circle {work.name}: {finding.message}"),
+                frozenset(taking & set(work.result.test.axes)),
+            )
+            for work in self.wanted.circles
+            for finding in work.result.findings
+        ]
+
+    def plan(self, results: Mapping[str, str]) -> Plan:
+        """Return the plan. ``results``: the other files of the run by name, with their
+        fingerprints.
+        """
+        job, inputs, circles = self.measured.job, self.measured.inputs, self.wanted.circles
+        read = [
+            *(entry.test.sources for tests in inputs.tests.values() for entry in tests),
+            *(work.planned.test.sources for work in circles),
+            job.sources,
+        ]
+        axes = {name: work.planned for name, work in self.works.items()} | self.fitted.scales
+        crossing = {name for entry in self.written.cross.planned for name in entry.pair}
+        return Plan(
+            version=__version__,
+            format=job.format,
+            definition=self.measured.control.definition.carried,
+            options=self.fitted.control.options,
+            standard=job.standard,
+            decision_rule=job.decision_rule,
+            budgets=job.budgets,
+            axes=axes,
+            untested={name: job.axes[name].axis for name in job.axes if name in crossing - {*axes}},
+            states={name: decoded.files for name, decoded in inputs.states.items()},
+            active={name: job.active[name] for name in inputs.states if name in job.active},
+            machine=job.machine,
+            sources=tuple(source for sources in read for source in sources),
+            assumed=self.assumed,
+            cross=self.written.cross.planned,
+            circles={work.name: work.planned for work in circles},
+            results=results,
+        )

@@ -1,0 +1,48 @@
+"""Third stage of a job: tables under the limits of the control."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from compwright.controls.control import Control
+from compwright.foundations.side_by_side import Each, in_turn
+from compwright.planning.axes import AxisWork, fit_all
+from compwright.planning.scale import Scaled, scaled_axes
+from compwright.records.plan import PlannedAxis
+from compwright.workflow.run.measured import Measured
+from compwright.workflow.run.wanted import Wanted
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fitted:
+    """The axes with their tables, those whose scale comes from circles, and the control with what
+    its own files answer.
+    """
+
+    control: Control
+    works: Mapping[str, AxisWork]
+    scaled: tuple[Scaled, ...] = ()
+
+    @property
+    def scales(self) -> dict[str, PlannedAxis]:
+        """The axes whose table comes from circles, by name."""
+        return {entry.name: entry.planned for entry in self.scaled if entry.planned is not None}
+
+
+def fitted(measured: Measured, wanted: Wanted, each: Each = in_turn) -> Fitted:
+    """Return the tables that the control can hold; none where nobody said what is in it.
+
+    Raises UsageError where an option contradicts the control's files, CapacityError with the faults
+    of all axes.
+    """
+    job, as_found = measured.job, measured.as_found
+    if as_found is None:
+        return Fitted(control=measured.control, works=wanted.works)
+    control = measured.control.in_state(as_found.state)
+    capacity_of = control.format.capacity
+    return Fitted(
+        control=control,
+        works=fit_all(wanted.works, capacity_of, job.file, each, job.decision_rule),
+        scaled=scaled_axes(job, wanted.circles, wanted.checks, capacity_of, as_found.state),
+    )

@@ -1,0 +1,123 @@
+"""First stage of a job: the control opened, every file read and believed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from compwright.controls.acting import acting
+from compwright.controls.control import Control, open_control, origin_of, read_files
+from compwright.controls.decoded import DecodedState
+from compwright.controls.settled import (
+    named_axes,
+    settled_by_files,
+    unknown_zeros,
+    with_counted_turns,
+)
+from compwright.evaluation.repeats import Named
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.foundations.findings import Finding
+from compwright.jobs.idle_keys import idle_keys
+from compwright.prediction.acting import Acting
+from compwright.records.axis import Axis
+from compwright.records.circular import CircularTest
+from compwright.records.correction import Assumption, ControlState
+from compwright.records.job import AS_FOUND, Job
+from compwright.workflow.inputs.circles import read_circles
+from compwright.workflow.inputs.job_inputs import JobInputs, read_job_inputs
+from compwright.workflow.inputs.own_output import refuse_own_output
+from compwright.workflow.inputs.plausible import given_twice, impossible_tests, named_tests
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measured:
+    """What a job starts from: its files, with the axes as the control names them.
+
+    ``acting``: what acts in each state, by its name. ``named``: what had to be assumed of names;
+    ``findings``: who read the control's files, keys of the job on which nothing acts.
+    """
+
+    job: Job
+    control: Control
+    inputs: JobInputs
+    circles: tuple[CircularTest, ...]
+    acting: Mapping[str, Acting]
+    named: tuple[Assumption, ...]
+    findings: tuple[Finding, ...]
+
+    @property
+    def axes(self) -> dict[str, Axis]:
+        """Every axis of the job by its name."""
+        return {name: entry.axis for name, entry in self.job.axes.items()}
+
+    @property
+    def as_found(self) -> DecodedState | None:
+        """What is in the control now; None where nobody said."""
+        return self.inputs.states.get(AS_FOUND)
+
+    @property
+    def states(self) -> dict[str, ControlState]:
+        """What the files of each state say, by its name."""
+        return {name: decoded.state for name, decoded in self.inputs.states.items()}
+
+
+def measured(job: Job, folder: Path, out: Path) -> Measured:
+    """Open the control of a job and read all its files, relative to ``folder``.
+
+    Raises UsageError and InputError: what cannot be read, contradicts itself, is no measurement of
+    this machine, or was made by an earlier run from the same tests.
+    """
+    control = open_control(job.format, job.options, origin_of(job, folder))
+    own = [storage.named_from(folder, path) for path in job.states.get(AS_FOUND, ())]
+    job, named = named_axes(job, control, lambda: control.format.addresses_by_name(read_files(own)))
+    idle = idle_keys(
+        job,
+        systems=control.format.counts_systems,
+        numbers=control.format.counts_axes,
+        motions=control.format.knows_motion,
+    )
+    inputs, circles = _inputs(job, control, folder)
+    job = settled_by_files(job, inputs.states, AS_FOUND)
+    job, turns = with_counted_turns(job, control, inputs.tests)
+    now = inputs.states.get(AS_FOUND)
+    raise_all(UsageError, list(unknown_zeros(job, control, None if now is None else now.state)))
+    axes = {name: entry.axis for name, entry in job.axes.items()}
+    taken_in = [
+        (test, request.measured_in) for test, request in zip(circles, job.circles, strict=True)
+    ]
+    refuse_own_output(job, inputs, taken_in, folder, out)
+    return Measured(
+        job=job,
+        control=control,
+        inputs=inputs,
+        circles=circles,
+        acting={name: acting(decoded, axes) for name, decoded in inputs.states.items()},
+        named=(*named, *turns),
+        findings=(*control.findings, *idle),
+    )
+
+
+def _inputs(job: Job, control: Control, folder: Path) -> tuple[JobInputs, tuple[CircularTest, ...]]:
+    """Read the files of a job. Raises InputError with the faults of all of them."""
+    tests: tuple[CircularTest, ...] = ()
+    faults: tuple[Fault, ...] = ()
+    try:
+        tests = read_circles(job, folder)
+    except InputError as error:
+        faults = error.faults
+    try:
+        inputs = read_job_inputs(job, control, folder)
+    except InputError as error:
+        raise InputError(*error.faults, *faults) from error
+    raise_all(InputError, list(faults))
+    circles = [Named(f"circle {test.name}", test.sources) for test in tests]
+    raise_all(
+        InputError,
+        [
+            *impossible_tests(job, inputs.tests),
+            *given_twice([*named_tests(inputs.tests), *circles]),
+        ],
+    )
+    return inputs, tests

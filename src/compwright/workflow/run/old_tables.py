@@ -1,0 +1,157 @@
+"""Did the tables that were in the control act in the tests? Asked before anything is written, where
+an axis has tests in two known states.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from compwright.formats.look_at import look_at
+from compwright.foundations.findings import Finding
+from compwright.foundations.side_by_side import Each
+from compwright.planning.axes import AxisWork
+from compwright.planning.motions import with_backlash
+from compwright.planning.wanted import (
+    UNDECLARED_SLOPE,
+    held_by,
+    measured_error,
+    observed_tests,
+)
+from compwright.records.axis import Axis, AxisKind, Direction
+from compwright.records.correction import AxisCompensation, ControlState
+from compwright.records.plan import PlannedTest
+from compwright.verification.hypotheses import loading_hypotheses
+from compwright.verification.hypothesis import Loading
+from compwright.verification.likelihood import after_means, belief_of, draws_for
+from compwright.verification.loading import judge_loading
+from compwright.verification.old_table import OldTable
+from compwright.verification.views import View, measurement_views
+from compwright.workflow.run.measured import Measured
+
+#: Two corrections are the same below this many mm or deg.
+_SAME = 1e-6
+_Task = tuple[Axis, PlannedTest, PlannedTest, Mapping[str, ControlState], tuple[Axis, ...]]
+
+
+def with_old_tables(
+    measured: Measured, works: Mapping[str, AxisWork], each: Each
+) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
+    """Return the axes, those without a table whose tests say that something else acted than the
+    files say: the total of old and new would be wrong; and what was found of the others.
+    """
+    tasks = [
+        (name, task)
+        for name, work in works.items()
+        for task in _tasks(work, measured.states, tuple(measured.axes.values()))
+    ]
+    judged = each(_judged, [task for _, task in tasks])
+    found: dict[str, AxisWork] = dict(works)
+    findings: list[Finding] = []
+    for (name, task), old in zip(tasks, judged, strict=True):
+        said = old.finding()
+        if said is not None:
+            findings.append(replace(said, message=f"Axis {name}: {said.message}"))
+            continue
+        table = held_by(measured.states[task[2].measured_in], task[0])
+        sentences = look_at(measured.control.format, task[0], table)
+        names = dict.fromkeys((old.verdict.verdict, *(one.verdict for one in old.likely)))
+        look = [sentence for name in names for sentence in sentences.get(name, ())]
+        why = old.refusal(look)
+        found[name] = replace(found[name], refused=why)
+    return found, tuple(findings)
+
+
+def _tasks(
+    work: AxisWork, states: Mapping[str, ControlState], axes: tuple[Axis, ...]
+) -> list[_Task]:
+    """Return the pairs of tests of an axis, of each known state the first one: that in which least
+    acted before each other one in which something else did.
+    """
+    axis = work.planned.axis
+    first: dict[str, PlannedTest] = {}
+    for planned in work.planned.tests:
+        if planned.measured_in in states:
+            first.setdefault(planned.measured_in, planned)
+    if len(first) < 2:
+        return []
+    off = min(first.values(), key=lambda one: _size(held_by(states[one.measured_in], axis), one))
+    least = held_by(states[off.measured_in], axis)
+    return [
+        (axis, off, on, states, axes)
+        for on in first.values()
+        if on is not off and _apart(least, held_by(states[on.measured_in], axis), on) > _SAME
+    ]
+
+
+def _size(table: AxisCompensation, planned: PlannedTest) -> float:
+    curves = [table.at(planned.test.targets, direction) for direction in Direction]
+    return float(np.std(curves))
+
+
+def _apart(one: AxisCompensation, other: AxisCompensation, planned: PlannedTest) -> float:
+    targets = planned.test.targets
+    gaps = [one.at(targets, direction) - other.at(targets, direction) for direction in Direction]
+    return float(np.ptp(gaps))
+
+
+def _judged(task: _Task) -> OldTable:
+    return judged_old_table(*task)
+
+
+def judged_old_table(
+    axis: Axis,
+    off: PlannedTest,
+    on: PlannedTest,
+    states: Mapping[str, ControlState],
+    axes: Sequence[Axis],
+) -> OldTable:
+    """Return what the test ``on`` says beside the one ``off``: what the table of its state did.
+
+    ``states`` by name; ``axes``: all of the job, whose tables may act in the place of this one.
+    """
+    least, table = (held_by(states[one.measured_in], axis) for one in (off, on))
+    tests = with_backlash((replace(off, acted=None),), axis, states)
+    error = measured_error(tests, observed_tests(tests, least), axis, least)
+    test = on.test
+    draws = error.draw(test.targets, draws_for(test.targets.size), np.random.default_rng(0))
+    loading = Loading(
+        new=table,
+        old=least,
+        acted=least,
+        others=_of_others(axis, axes, states[on.measured_in]),
+        reference=axis.reference,
+    )
+    view = View(
+        belief=belief_of(draws.positive, draws.negative),
+        hypotheses=loading_hypotheses(loading, test.targets),
+    )
+    verdict = judge_loading(
+        after_means(test, draws.noise),
+        [view, *measurement_views(view, both=test.bidirectional)],
+        declared_slope=_slope(off, on) if test.kind is AxisKind.LINEAR else None,
+    )
+    return OldTable(on.test.name, off.test.name, on.measured_in, verdict)
+
+
+def _of_others(
+    axis: Axis, axes: Sequence[Axis], state: ControlState
+) -> dict[str, AxisCompensation]:
+    return {
+        other.name: state.axes[other.address]
+        for other in axes
+        if other.name != axis.name
+        and other.kind is axis.kind
+        and other.address in state.axes
+        and other.address != axis.gantry
+    }
+
+
+def _slope(off: PlannedTest, on: PlannedTest) -> float:
+    """Return the standard deviation of the slope between two tests, mm/mm: what is declared, or
+    what a day easily brings (`planning.wanted`).
+    """
+    return max(math.hypot(off.slope_std, on.slope_std), UNDECLARED_SLOPE)

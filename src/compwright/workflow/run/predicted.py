@@ -1,0 +1,94 @@
+"""Last stage of a job: what the next tests will show."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from compwright.controls.acting import acting, applied_of
+from compwright.controls.decoded import DecodedState
+from compwright.controls.gantries import skew_findings
+from compwright.foundations.findings import Finding
+from compwright.foundations.side_by_side import Each, in_turn
+from compwright.planning import axis_tasks
+from compwright.planning.axes import AxisWork
+from compwright.planning.circles import CircleWork, predicted_circle
+from compwright.planning.outlook import yardstick
+from compwright.prediction.acting import IDLE, Acting, Correction
+from compwright.records.job import AS_FOUND
+from compwright.records.prediction import AxisPrediction, CirclePrediction, TestPrediction
+from compwright.workflow.run.fitted import Fitted
+from compwright.workflow.run.measured import Measured
+from compwright.workflow.run.wanted import Wanted
+from compwright.workflow.run.written import Written, tables_of
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Predicted:
+    """What fresh tests of the axes and circles will show, by their names; ``findings``: what the
+    tables do to the two axes of a gantry.
+    """
+
+    axes: Mapping[str, AxisPrediction]
+    circles: Mapping[str, CirclePrediction]
+    findings: tuple[Finding, ...] = ()
+
+
+def predicted(
+    measured: Measured, wanted: Wanted, fitted: Fitted, written: Written, each: Each = in_turn
+) -> Predicted:
+    """Return what fresh tests will show with the tables as read back, or with what is in the
+    control now where there are none.
+    """
+    loaded, job = written.loaded, measured.job
+    tasks = []
+    for work in written.works.values():
+        planned = work.planned
+        has = planned.fitted is not None and loaded is not None
+        table = loaded.state.axes[planned.axis.address] if has and loaded is not None else None
+        tasks.append((work, after_loading(work, loaded), table, job))
+    axes = dict(zip(written.works, each(axis_tasks.predicted, tasks), strict=True))
+    then = _acting_then(measured, fitted, written) if wanted.circles else IDLE
+    skews: tuple[Finding, ...] = ()
+    if measured.as_found is not None:
+        tabled = [axis for axis, _ in tables_of(written.works, fitted.scales)]
+        gains = {name: _gain(prediction.tests[0]) for name, prediction in axes.items()}
+        skews = tuple(skew_findings(tabled, measured.as_found, loaded, gains))
+    return Predicted(
+        axes=axes,
+        circles={work.name: _circle(work, measured, then) for work in wanted.circles},
+        findings=skews,
+    )
+
+
+def _gain(test: TestPrediction) -> float:
+    """Return by how much the parameter that judges tables falls, mm or deg."""
+    name = yardstick(test.before)
+    was = None if name is None else test.before.parameters[name]
+    if name is None or was is None:
+        return 0.0
+    return abs(was) - abs(test.predicted[name].median)
+
+
+def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
+    """Return what acts on an axis after loading: its table as read back, or what acts now."""
+    return work.as_found if work.planned.fitted is None else applied_of(loaded, work.planned.axis)
+
+
+def _circle(work: CircleWork, measured: Measured, then: Acting) -> CirclePrediction:
+    """Predict a circle from the state it was measured in to what acts after loading."""
+    during = measured.acting.get(work.planned.measured_in, IDLE)
+    return predicted_circle(work.result, work.planned, during, then)
+
+
+def _acting_then(measured: Measured, fitted: Fitted, written: Written) -> Acting:
+    """Return what acts after loading, on the axes and between them."""
+    now, after = measured.acting.get(AS_FOUND, IDLE), written.cross.after
+    along = {
+        axis.name: applied_of(written.loaded, axis)
+        for axis, _ in tables_of(written.works, fitted.scales)
+    }
+    return Acting(
+        {**now.along, **along},
+        now.across if after is None else acting(after, measured.axes).across,
+    )

@@ -1,0 +1,97 @@
+"""Second stage of a job: tests evaluated, errors estimated, and laser and circles held against each
+other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from compwright.controls.acting import applied_of
+from compwright.evaluation.same_error import same_error_findings
+from compwright.foundations.findings import Finding
+from compwright.foundations.side_by_side import Each, in_turn
+from compwright.planning import axis_tasks
+from compwright.planning.axes import AxisWork
+from compwright.planning.checks import Checks
+from compwright.planning.circles import CircleWork, checked_axes, start_circles
+from compwright.planning.mirrored import MIRRORED
+from compwright.records.job import Job
+from compwright.records.positioning import PositioningTest
+from compwright.workflow.run.measured import Measured
+from compwright.workflow.run.old_tables import with_old_tables
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wanted:
+    """The axes with their errors and the circles with their causes; ``checks`` tells what one says
+    of the other.
+    """
+
+    works: Mapping[str, AxisWork]
+    circles: tuple[CircleWork, ...]
+    checks: Checks
+    findings: tuple[Finding, ...]
+
+
+def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
+    """Return what the tests of a job ask of its control.
+
+    Raises UsageError for limits that fit no test, InputError for tests that cannot be evaluated or
+    leave most of the travel open.
+    """
+    job, axes = measured.job, measured.axes
+    entries = {name: entry for name, entry in job.axes.items() if entry.before}
+    tests = measured.inputs.tests
+    started = each(
+        axis_tasks.started,
+        [(job, entry, tests[name], measured.states) for name, entry in entries.items()],
+    )
+    works = {
+        name: replace(work, as_found=applied_of(measured.as_found, work.planned.axis))
+        for name, work in zip(entries, started, strict=True)
+    }
+    works, old_tables = with_old_tables(measured, works, each)
+    works = {name: _not_twice(job, work) for name, work in works.items()}
+    circles = start_circles(job, measured.circles, axes)
+    checks = Checks(job, works, measured.acting)
+    with_circles, taken = checks.with_circle_backlash(circles)
+    places = (
+        finding for work in circles for finding in (*work.findings, *checked_axes(work, axes))
+    )
+    return Wanted(
+        works=with_circles,
+        circles=circles,
+        checks=checks,
+        findings=(
+            *measured.findings,
+            *same_error_findings(_not_alike(measured)),
+            *old_tables,
+            *places,
+            *checks.findings(circles),
+            *taken,
+        ),
+    )
+
+
+def _not_twice(job: Job, work: AxisWork) -> AxisWork:
+    """Return an axis without a table where the one in the control was made from the same test, as
+    long as the job does not acknowledge that.
+    """
+    name = work.planned.axis.name
+    said = [each.message for each in work.doubts if each.code == MIRRORED]
+    if not said or job.acknowledgement(MIRRORED, name) is not None:
+        return work
+    return replace(work, refused=said[0].rstrip("."))
+
+
+def _not_alike(measured: Measured) -> dict[str, list[PositioningTest]]:
+    """Return the tests by axis; without the synchronised axes of gantries, which are measured as
+    one.
+    """
+    followers = {axis.gantry for axis in measured.axes.values() if axis.gantry is not None}
+    return {
+        name: [entry.test for entry in tests]
+        for name, tests in measured.inputs.tests.items()
+        if measured.axes[name].address not in followers
+    }

@@ -1,0 +1,31 @@
+"""All stages of a job, one after the other."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from compwright.foundations.side_by_side import Each, in_turn
+from compwright.records.job import Job
+from compwright.workflow.run.finished import Finished
+from compwright.workflow.run.fitted import fitted
+from compwright.workflow.run.measured import measured
+from compwright.workflow.run.predicted import predicted
+from compwright.workflow.run.wanted import wanted
+from compwright.workflow.run.written import written
+
+
+def worked_through(
+    job: Job, folder: Path, out: Path, *, accept_worse: bool = False, each: Each = in_turn
+) -> Finished:
+    """Return a job measured, wanted, fitted, written and read back, and predicted; nothing is on
+    the disk yet.
+
+    ``folder``: what the job's paths are relative to; ``out``: where its results go; ``each`` works
+    on the axes. Raises UsageError, InputError and CapacityError.
+    """
+    start = measured(job, folder, out)
+    wish = wanted(start, each)
+    table = fitted(start, wish, each)
+    files = written(start, wish, table, accept_worse=accept_worse, each=each)
+    then = predicted(start, wish, table, files, each)
+    return Finished(start, wish, table, files, then).decided()

@@ -1,0 +1,201 @@
+"""Fourth stage of a job: tables as the control's files, read back by both readers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from compwright.controls.acting import applied_of
+from compwright.controls.changes import changed_neighbours
+from compwright.controls.control import Control, decode
+from compwright.controls.cross_tables import CrossOutcome, write_planned
+from compwright.controls.decoded import DecodedState, judged
+from compwright.controls.gantries import check_partners, with_partners
+from compwright.controls.two_readers import probe_positions
+from compwright.formats.families.delivery import Delivery
+from compwright.foundations.errors import CompwrightError, Fault, UsageError, raise_all
+from compwright.foundations.findings import Finding
+from compwright.foundations.side_by_side import Each, in_turn
+from compwright.planning import axis_tasks
+from compwright.planning.axes import AxisWork
+from compwright.planning.cross import plan_cross
+from compwright.planning.scale import scale_steps
+from compwright.records.axis import Axis, Direction
+from compwright.records.correction import ControlFile
+from compwright.records.fitted import FittedTable
+from compwright.records.job import AS_FOUND
+from compwright.records.plan import PlannedAxis
+from compwright.records.serial_line import as_on_line
+from compwright.verification.read_back import SAME
+from compwright.workflow.run.fitted import Fitted
+from compwright.workflow.run.measured import Measured
+from compwright.workflow.run.wanted import Wanted
+
+_NOTHING_BETWEEN = CrossOutcome(files=())
+FittedAxes = Sequence[tuple[Axis, FittedTable]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Written:
+    """The files of the tables (``tables``) and what they do (``loaded``; None without tables).
+
+    ``entered``: the control's own files as patched, and new ones, whatever is delivered of them;
+    ``back``: small files that bring the old values back. ``works``: the axes, without the tables
+    that would not improve them; ``cross``: what became of the corrections between axes.
+    """
+
+    works: Mapping[str, AxisWork]
+    tables: tuple[ControlFile, ...] = ()
+    entered: tuple[ControlFile, ...] = ()
+    back: tuple[ControlFile, ...] = ()
+    loaded: DecodedState | None = None
+    cross: CrossOutcome = _NOTHING_BETWEEN
+    findings: tuple[Finding, ...] = ()
+
+
+def written(
+    measured: Measured,
+    wanted: Wanted,
+    fitted: Fitted,
+    *,
+    accept_worse: bool,
+    each: Each = in_turn,
+) -> Written:
+    """Write the tables of a job and read them back; leave out those that would not improve their
+    axis, unless ``accept_worse``.
+
+    Raises CapacityError where the control cannot hold something, CompwrightError (a fault of our
+    own) where other things come back than were written.
+    """
+    as_found, control = measured.as_found, fitted.control
+    if as_found is None:
+        return Written(works=fitted.works)
+    works = fitted.works
+    tables, loaded = write_fitted(control, tables_of(works, fitted.scales), as_found)
+    if loaded is not None and not accept_worse:
+        works = _improving(works, loaded, each)
+    if works is not fitted.works:
+        tables, loaded = write_fitted(control, tables_of(works, fitted.scales), as_found)
+    kept = tables_of(works, fitted.scales)
+    plan = plan_cross(measured.job, wanted.circles, measured.acting, measured.acting[AS_FOUND])
+    tabled = [axis.name for axis, table in kept if table.compensation.positions.size]
+    cross = write_planned(control, plan.planned, tables, as_found, measured.axes, tabled)
+    axes = [axis for axis, _ in kept]
+    if cross.written:
+        loaded = decode(control, cross.files, axes, carried_out=True)
+    delivery = deliver(control, cross.files, as_found, axes, loaded)
+    return Written(
+        works=works,
+        tables=delivery.files,
+        entered=cross.files,
+        back=delivery.back,
+        loaded=loaded if delivery.own else decode(control, delivery.files, axes, written=True),
+        cross=replace(cross, steps=(*scale_steps(fitted.scaled), *cross.steps)),
+        findings=(
+            *(finding for entry in fitted.scaled for finding in entry.findings),
+            *plan.findings,
+            *cross.findings,
+        ),
+    )
+
+
+def tables_of(
+    works: Mapping[str, AxisWork], scales: Mapping[str, PlannedAxis]
+) -> list[tuple[Axis, FittedTable]]:
+    """Return every axis that gets a table, those of tests before those of circles."""
+    planned = (*(work.planned for work in works.values()), *scales.values())
+    return [(entry.axis, entry.fitted) for entry in planned if entry.fitted is not None]
+
+
+def _improving(
+    works: Mapping[str, AxisWork], loaded: DecodedState, each: Each
+) -> Mapping[str, AxisWork]:
+    """Return the axes without the tables that would not improve them, with the reason; ``works``
+    itself where all would.
+    """
+    tasks = {
+        name: (work, applied_of(loaded, work.planned.axis))
+        for name, work in works.items()
+        if work.planned.fitted is not None
+    }
+    reasons = zip(tasks, each(axis_tasks.why_no_gain, list(tasks.values())), strict=True)
+    refused = {name: why for name, why in reasons if why}
+    if not refused:
+        return works
+    return {
+        name: (
+            replace(work, refused=refused[name], planned=replace(work.planned, fitted=None))
+            if name in refused
+            else work
+        )
+        for name, work in works.items()
+    }
+
+
+def write_fitted(
+    control: Control, fitted: FittedAxes, as_found: DecodedState
+) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
+    """Write fitted tables as the control's files and read them back with both readers; (), None
+    where there are none.
+
+    What is in the control (``as_found``) is patched. Raises CapacityError where something cannot be
+    held, and CompwrightError (a fault of our own) when a table of an axis that was not asked for
+    reads otherwise than before.
+    """
+    if not fitted:
+        return (), None
+    axes = [axis for axis, _ in fitted]
+    every = with_partners(control, fitted, as_found)
+    compensations = [table.compensation for _, table in every]
+    try:
+        files = control.format.write(compensations, [axis for axis, _ in every], as_found.files)
+    except UsageError as error:  # an option that the control's files do not answer
+        named = all(fault.place in control.definition.options for fault in error.faults)
+        raise (control.origin.named(error) if named else error) from error
+    raise_all(CompwrightError, changed_neighbours(control, as_found.files, files, axes))
+    loaded = decode(control, files, axes, written=True)
+    check_partners(every, loaded)
+    return files, loaded
+
+
+def deliver(
+    control: Control,
+    files: tuple[ControlFile, ...],
+    as_found: DecodedState,
+    axes: Sequence[Axis],
+    image: DecodedState | None,
+) -> Delivery:
+    """Return what the control loads of the ``files`` that were written for ``axes``.
+
+    Raises UsageError for a form of files that these have not, and CompwrightError (a fault of our
+    own) where small files do something else than the whole ``image``, which they stand for.
+    """
+    try:
+        delivery = control.format.delivered(files, as_found.files, axes)
+    except UsageError as error:
+        raise control.origin.named(error) from error
+    delivery = replace(delivery, files=as_on_line(delivery.files, as_found.files))
+    if delivery.own or image is None:
+        return delivery
+    small = decode(control, delivery.files, axes, written=True)
+    faults = [
+        Fault(
+            message=(
+                "the small files do something else than the archive would; please report this"
+            ),
+            place=f"axis {axis.address}, direction {direction.value}",
+        )
+        for axis in axes
+        for direction in Direction
+        if not _same(small, image, axis.address, direction)
+    ]
+    raise_all(CompwrightError, faults)
+    return delivery
+
+
+def _same(one: DecodedState, other: DecodedState, address: str, direction: Direction) -> bool:
+    where = probe_positions(other.state.axes[address].positions)
+    mine, theirs = (judged(state, address, where, direction) for state in (one, other))
+    return bool(np.all(np.abs(mine - theirs) <= SAME))

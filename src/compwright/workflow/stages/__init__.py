@@ -1,1 +1,0 @@
-"""The stages of a job: measured, wanted, fitted, written and read once, predicted."""

@@ -1,0 +1,1 @@
+"""What the test after loading proves, and the next round."""

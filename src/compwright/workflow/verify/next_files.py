@@ -1,0 +1,312 @@
+"""The inputs of the next round: its job, and copies of all that it names, so that its folder stands
+alone.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath, PureWindowsPath
+from typing import Any
+
+from compwright.controls.definitions import is_path
+from compwright.formats.definition.extends import EXTENDS
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.input_sizes import JOB as JOB_FILE
+from compwright.foundations.yaml_reader import read_yaml
+from compwright.instruments.circular_reading import read_circular
+from compwright.jobs.next_job import (
+    TEMPERATURES,
+    NextAxis,
+    NextRound,
+    earlier_test,
+    name_of_round,
+    next_job,
+    test_after,
+    test_sections,
+)
+from compwright.jobs.writing import data_text
+from compwright.records.correction import ControlFile
+from compwright.records.job import AS_FOUND, Job
+from compwright.records.plan import Plan
+from compwright.records.positioning import PositioningTest
+from compwright.verification.proof import AfterTest
+from compwright.workflow.inputs.measurement_files import measurement_files
+
+JOB = "job.yaml"
+#: Folders of the next round that hold nothing but its inputs.
+STATES, MEASUREMENTS, DEFINITION = "control", "measurements", "definition"
+_HEADING = (
+    "The next round, written by compwright verify --update. It stands alone: all that it names is",
+    "a copy in this folder. as_found is what was read back from the control after loading; the",
+    "tests after loading come first, those before count with them, each without what acted in it.",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Looped:
+    """What a round has shown, for the next one.
+
+    ``axes``: the tests after loading of those that may be corrected further; ``beside``: axes that
+    circles speak of; ``files``: what is in the control, ``active``: its tables acted, as measured;
+    ``circles``: the files of circles after loading by name; ``squareness``: planes that may be
+    corrected further.
+    """
+
+    axes: Mapping[str, AfterTest]
+    files: Sequence[ControlFile]
+    active: bool | None = None
+    beside: Sequence[str] = ()
+    circles: Mapping[str, Sequence[Path]] = field(default_factory=dict)
+    squareness: Sequence[str] = ()
+
+
+@dataclass(slots=True)
+class _Copies:
+    """Copies by their names in the folder of the round; no two are one on any file system."""
+
+    files: dict[str, bytes] = field(default_factory=dict)
+
+    def add(self, folder: str, name: str, content: bytes) -> str:
+        """Return the name of the copy of a file."""
+        plain = PurePosixPath("".join(each if _writable(each) else "_" for each in name) or "_")
+        taken = {each.casefold() for each in self.files}
+        number, found = 1, f"{folder}/{plain}"
+        while found.casefold() in taken:
+            number += 1
+            found = f"{folder}/{plain.stem}_{number}{plain.suffix}"
+        self.files[found] = content
+        return found
+
+
+def _writable(character: str) -> bool:
+    return character.isprintable() and character not in '/\\:*?"<>|'
+
+
+def _folder(*names: str) -> str:
+    """Return names as those of folders, one below the other."""
+    plain = (re.sub(r"[^\w+-]", "_", name) or "_" for name in names)
+    return "/".join(plain)
+
+
+def next_files(job: Job, plan: Plan, then: Looped) -> dict[str, bytes]:
+    """Return every input of the next round by its relative name, the job first.
+
+    Raises InputError where a measurement of the last round is not there any more.
+    """
+    file = Path(job.file)
+    data = read_yaml(storage.read_bytes(file, JOB_FILE), job.file).data
+    copies = _Copies()
+    was = name_of_round([*job.states, *plan.states])
+    paths = _beside_tests(data, file.parent, copies)
+    round_ = NextRound(
+        format=_definition(data["controller"]["format"], plan, copies),
+        states=_states(job, plan, then, was, copies),
+        axes={
+            **{
+                name: _axis(data["axes"][name], job, after, was, paths, copies)
+                for name, after in then.axes.items()
+            },
+            **{name: _untested(data["axes"][name], job, name) for name in then.beside},
+        },
+        circles=_circles(job, plan, then, was, copies),
+        squareness=then.squareness,
+        paths=paths,
+    )
+    text = data_text(next_job(data, round_), _HEADING)
+    return {JOB: text.encode(), **copies.files}
+
+
+def _states(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> dict[str, Any]:
+    """Return the states with copies of their files: what is in the control now, what was in it
+    until now (``was``), and those of the earlier tests.
+    """
+    found: dict[str, Any] = {AS_FOUND: _state(then.files, AS_FOUND, copies, active=then.active)}
+    for name, files in plan.states.items():
+        now = was if name == AS_FOUND else name
+        found[now] = _state(files, now, copies, active=job.active.get(name))
+    return found
+
+
+def _state(files: Sequence[ControlFile], name: str, copies: _Copies, *, active: bool | None) -> Any:
+    if not files:
+        return "none"
+    folder = f"{STATES}/{_folder(name)}"
+    listed = [copies.add(folder, file.name, file.raw) for file in files]
+    if active is None:
+        return listed
+    return {"files": listed, "active": "yes" if active else "no"}
+
+
+def _axis(
+    section: Mapping[str, Any],
+    job: Job,
+    after: AfterTest,
+    was: str,
+    paths: Mapping[str, str],
+    copies: _Copies,
+) -> NextAxis:
+    """Return an axis that may be corrected further: the test after loading takes the name of the
+    one that it repeats.
+    """
+    sections = test_sections(section)
+    names = [str(each["name"]) for each in sections]
+    old = f"{after.repeats}_{was}"
+    while old in names:
+        old += "_"
+    tests: list[Mapping[str, Any]] = []
+    for each, name in zip(sections, names, strict=True):
+        now = old if name == after.repeats else name
+        folder = f"{MEASUREMENTS}/{_folder(after.axis, now)}"
+        files = [storage.named_from(Path(job.file).parent, text) for text in each["files"]]
+        tests.append(earlier_test(each, _measured(files, folder, copies), now, was, paths))
+    repeated = sections[names.index(after.repeats)]
+    folder = f"{MEASUREMENTS}/{_folder(after.axis, after.repeats)}"
+    first = test_after(
+        repeated, _measured(after.files, folder, copies), _temperatures(after.test), paths
+    )
+    if after.profile is not None:
+        content = storage.read_bytes(after.profile)
+        first["profile"] = copies.add(MEASUREMENTS, after.profile.name, content)
+    limits = section.get("accept")
+    moved = limits is not None and "test" not in limits and names[0] != after.repeats
+    return NextAxis(
+        before=[first, *tests],
+        settled=_settled(section, job, after.axis),
+        limited=names[0] if moved else None,
+    )
+
+
+def _measured(paths: Iterable[Path], folder: str, copies: _Copies) -> list[str]:
+    """Return copies of measurement files; of a folder those that are measurements."""
+    found = [path for given in paths for path in measurement_files(given).files]
+    return [copies.add(folder, path.name, storage.read_bytes(path)) for path in found]
+
+
+def _temperatures(test: PositioningTest) -> dict[str, tuple[float, float]]:
+    """Return the temperatures with which expansion was removed from a test, °C, at the start and at
+    the end.
+    """
+    thermal = test.thermal
+    if thermal is None:
+        return {}
+    means, rises = (thermal.T_m, thermal.T_d), (thermal.rise_m, thermal.rise_d)
+    return {
+        name: (mean - rise / 2.0, mean + rise / 2.0)
+        for name, mean, rise in zip(TEMPERATURES, means, rises, strict=True)
+    }
+
+
+def _settled(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]:
+    """Return what the files of the last round answered of an axis and the job leaves open: what was
+    read back may not say it again.
+    """
+    axis = job.axes[name].axis
+    found: dict[str, Any] = {}
+    if str(section.get("address", name)) != axis.address:
+        found["address"] = axis.address
+    if axis.options:
+        found["options"] = dict(axis.options)
+    if axis.encoder.stated and "system" not in section.get("encoder", {}):
+        found["encoder"] = {"system": axis.encoder.system}
+    if axis.zero_at_reference:
+        found["reference"] = axis.reference
+        found["reference_return"] = axis.reference_return.value
+    return found
+
+
+def _untested(section: Mapping[str, Any], job: Job, name: str) -> NextAxis:
+    """Return an axis that keeps what is in the control, and that circles speak of."""
+    return NextAxis(before=(), settled=_settled(section, job, name))
+
+
+def _circles(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> list[dict[str, Any]]:
+    """Return the circles: after loading, and those before that were not measured again, in their
+    states.
+
+    A correction between axes that is in no file of the control acts on none of the older ones: they
+    are left out.
+    """
+    unseen = [entry.pair for entry in plan.cross if not entry.written]
+    found = []
+    for request in job.circles:
+        axes = frozenset(plan.circles[request.name].test.axes)
+        again = then.circles.get(request.name)
+        if not axes <= {*then.axes, *then.beside} or (again is None and axes in unseen):
+            continue
+        state = was if request.measured_in == AS_FOUND else request.measured_in
+        files = (
+            [storage.named_from(Path(job.file).parent, text) for text in request.files]
+            if again is None
+            else list(again)
+        )
+        found.append(
+            {
+                **_runs(files, f"{MEASUREMENTS}/{_folder(request.name)}", copies),
+                "name": request.name,
+                "measured_in": state if again is None else AS_FOUND,
+                **({} if request.centre is None else {"centre": list(request.centre)}),
+            }
+        )
+    return found
+
+
+def _runs(paths: Iterable[Path], folder: str, copies: _Copies) -> dict[str, str]:
+    """Return the files of a circle: one with all runs, or one for each direction."""
+    files = [path for given in paths for path in measurement_files(given).files]
+    contents = [storage.read_bytes(path) for path in files]
+    names = [
+        copies.add(folder, path.name, content)
+        for path, content in zip(files, contents, strict=True)
+    ]
+    if len(names) == 1:
+        return {"file": names[0]}
+    senses = [
+        {run.sense for run in read_circular(content, str(path)).runs}
+        for path, content in zip(files, contents, strict=True)
+    ]
+    if sorted(map(sorted, senses)) != [["ccw"], ["cw"]]:
+        message = "are more than a file for each direction, which no job holds as one circle"
+        raise InputError(Fault(message=message, file=", ".join(map(str, files))))
+    return {next(iter(sense)): name for sense, name in zip(senses, names, strict=True)}
+
+
+def _beside_tests(data: Mapping[str, Any], folder: Path, copies: _Copies) -> dict[str, str]:
+    """Return where profiles and stand-still tests are copied to, by their paths in the job."""
+    tests = [test for axis in data["axes"].values() for test in test_sections(axis)]
+    named = [test["profile"] for test in tests if "profile" in test]
+    of_job = data.get("uncertainty", {})
+    for section in (of_job, of_job.get("rotary", {})):
+        variation = section.get("E_VE")
+        text = variation.get("file") if isinstance(variation, dict) else variation
+        named += [text] if isinstance(text, str) else []
+    return {
+        text: copies.add(
+            MEASUREMENTS,
+            PureWindowsPath(text).name,
+            storage.read_bytes(storage.named_from(folder, text)),
+        )
+        for text in dict.fromkeys(named)
+    }
+
+
+def _definition(name: str, plan: Plan, copies: _Copies) -> str:
+    """Return the name of the control's format: of one's own definition that of its copy, as the
+    plan carries it, with what it extends where it looks for it.
+
+    Raises InputError where that lies outside of the definition's own folder.
+    """
+    if not plan.definition:
+        return name
+    listed = PureWindowsPath(plan.definition[0][0]).name
+    for file, content in plan.definition:
+        copies.files[f"{DEFINITION}/{listed}"] = content
+        listed = str(read_yaml(content, file).data.get(EXTENDS, ""))
+        if not is_path(listed):  # one that ships
+            break
+        if PureWindowsPath(listed).anchor or ".." in PureWindowsPath(listed).parts:
+            message = "extends a definition outside of its folder, which no copy can"
+            raise InputError(Fault(message=message, file=file, place=EXTENDS, found=listed))
+    return f"{DEFINITION}/{PureWindowsPath(plan.definition[0][0]).name}"

@@ -1,0 +1,408 @@
+"""The next round after loading: which axes may be corrected further, and the result folder of the
+job that does it.
+
+A table is added to what is in the control only where a measurement has shown that what is there
+acts as it should, and where what was read back is what was to be loaded. Everything else keeps what
+is in the control: a fault of loading would be added to, a flipped sign made larger.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+from typing import Any, Final
+
+from compwright.controls.control import Control, decode
+from compwright.documents.next_round import NextAxis, next_document
+from compwright.documents.record import RECORD, copied_by_record
+from compwright.documents.verification import VerifiedAxis, VerifiedCircle
+from compwright.formats.families.between import together
+from compwright.formats.text.container import is_container
+from compwright.foundations import storage
+from compwright.foundations.errors import (
+    CapacityError,
+    Fault,
+    InputError,
+    StorageError,
+    UsageError,
+)
+from compwright.foundations.findings import Finding
+from compwright.foundations.foreseen import foreseen
+from compwright.foundations.provenance import fingerprint, share_a_file
+from compwright.foundations.side_by_side import Each, in_turn
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.foundations.utf8 import encoded
+from compwright.records.axis import Axis
+from compwright.records.correction import ControlFile
+from compwright.records.job import AS_FOUND, Job, other_axis
+from compwright.records.limits import Limiting
+from compwright.records.plan import Plan
+from compwright.verification.proof import AfterTest
+from compwright.workflow.inputs.handed_over import files_of_job
+from compwright.workflow.inputs.jobs import read_job_file
+from compwright.workflow.results.recorded import known_results, recorded_run
+from compwright.workflow.results.result_files import result_files
+from compwright.workflow.run.finished import Finished
+from compwright.workflow.run.worked_through import worked_through
+from compwright.workflow.verify.next_files import JOB, Looped, next_files
+
+#: The folder of the next round, in that of the results.
+FOLDER: Final = "next"
+#: Findings of an axis that say what its test does not prove, beside doubts.
+LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024"})
+_KEEPS: Final = "it keeps what is in the control"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Verified:
+    """What ``verify`` found, as far as the next round rests on it.
+
+    ``specs``: the values of ``--after`` that are positioning tests, and ``tests`` what they are;
+    ``circles``: what circles after loading show, ``circle_files`` the files of each by name;
+    ``read_back``: what was read back from the control.
+    """
+
+    job: Job
+    plan: Plan
+    control: Control
+    specs: Sequence[str]
+    tests: Sequence[AfterTest]
+    axes: Mapping[str, VerifiedAxis]
+    circles: Mapping[str, VerifiedCircle]
+    circle_files: Mapping[str, Sequence[Path]]
+    findings: Sequence[Finding]
+    read_back: tuple[ControlFile, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Round:
+    """The next round: its files below the results (none where it is not written), and what is said
+    of it. ``whole``: folders that hold exactly these files afterwards; ``renewed``: those in which
+    the user may keep files of his own.
+    """
+
+    document: Mapping[str, Any]
+    files: Mapping[str, bytes] = field(default_factory=dict)
+    whole: Sequence[str] = ()
+    renewed: Sequence[str] = ()
+    notes: tuple[str, ...] = ()
+
+
+def next_round(
+    found: Verified, compared: Mapping[str, Any] | str, out: Path, each: Each = in_turn
+) -> Round:
+    """Return the next round of a verified job, to be written into ``out``; without files where no
+    axis may be corrected further, with the reasons.
+
+    ``compared``: the document of ``compare``, or why there is none.
+    """
+    told = {name: NextAxis(reason=why) for name, why in _refused(found, compared)}
+    general = _general(found, compared)
+    well = [test for test in found.tests if test.axis not in told]
+    if general or not well:
+        return Round(document=next_document(general or _nobody(found), told))
+    try:
+        looped = _looped(found, well)
+        inputs = next_files(found.job, found.plan, looped)
+        finished, results, notes = _worked(inputs, out / FOLDER, each)
+    except (InputError, UsageError, CapacityError) as error:
+        reason = "; ".join(str(fault) for fault in error.faults)
+        return Round(document=next_document(f"the next round cannot be made: {reason}", told))
+    told |= {test.axis: _told(finished, test.axis) for test in well}
+    if not any(axis.updated for axis in told.values()):
+        return Round(document=next_document(_nobody(found), told))
+    told = {name: told[name] for name in found.plan.axes if name in told}
+    files = {**inputs, **results}
+    return Round(
+        document=next_document(
+            _result(told, between=any(entry.written for entry in finished.written.cross.planned)),
+            told,
+            list(_between(found, looped)),
+            written=True,
+        ),
+        files={f"{FOLDER}/{name}": content for name, content in files.items()},
+        whole=[f"{FOLDER}/{name}" for name in _whole(out, inputs, found.plan.format)],
+        renewed=[f"{FOLDER}/card"],
+        notes=notes,
+    )
+
+
+# ---------------------------------------------------------------- may it be corrected further
+
+
+def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
+    """Return why nothing may be corrected further, or an empty text."""
+    changed = [one.message for one in found.findings if one.code == "CW-V022"]
+    if changed:
+        return changed[0]
+    if isinstance(compared, str):
+        return f"what was read back cannot be held against the plan: {compared}"
+    beside = [one for one in compared["differences"] if one["axis"] not in compared["axes"]]
+    off = {name: one for name, one in compared["axes"].items() if one["verdict"] != "loaded"}
+    if off and beside and not any(one["axis"] for one in beside):
+        # values that name no axis: those of a table that is not the plan's, as far as anyone knows
+        told = "; ".join(f"axis {name}: {one['message']}" for name, one in off.items())
+        return (
+            f"what was read back differs from the plan: {told} ({beside[0]['quantity']}"
+            f"{f' and {len(beside) - 1} more' if len(beside) > 1 else ''}; compwright compare lists"
+            " all). Read back what is in the control now, load what is missing, and verify again"
+        )
+    if beside:
+        of = f" of axis {beside[0]['axis']}" if beside[0]["axis"] else ""
+        return (
+            f"something else was changed in the control since the run: {beside[0]['quantity']}{of}"
+            f"{f' and {len(beside) - 1} more' if len(beside) > 1 else ''} (compwright compare lists"
+            " all); settle that first, then run a new job"
+        )
+    return ""
+
+
+def _nobody(found: Verified) -> str:
+    """Return that there is nothing to go on from, and what becomes of squareness then."""
+    told = "no axis may be corrected further"
+    if not (found.circles and found.job.apply.squareness):
+        return told
+    if any(entry.fitted is not None and entry.tests for entry in found.plan.axes.values()):
+        return (
+            f"{told}, and squareness alone gets no next round: measure an axis that has a table"
+            " after loading too, and give it with --after beside the circles"
+        )
+    return (
+        f"{told}, and squareness alone gets no next round: for what is left of it run a new job,"
+        " with what was read back as as_found and with the circles after loading"
+    )
+
+
+def lacks_proof(finding: Finding) -> bool:
+    """Whether a finding of an axis says that its test after loading does not prove enough."""
+    return finding.code in LACKING or finding.is_doubt
+
+
+def _refused(found: Verified, compared: Mapping[str, Any] | str) -> Iterator[tuple[str, str]]:
+    """Yield the axes of the plan that may not be corrected further, with the reason."""
+    for name, entry in found.plan.axes.items():
+        if entry.fitted is None:
+            yield name, f"the plan holds no table for it, none was loaded: {_KEEPS}"
+        elif not entry.tests:
+            yield name, f"its table came from circles, which do not tell how it acts: {_KEEPS}"
+        elif name not in found.axes:
+            yield name, f"it was not measured after loading: {_KEEPS}"
+        elif why := _doubted(found.axes[name]) or _differs(name, compared):
+            yield name, f"{why}: {_KEEPS}, and gets no further table"
+
+
+def _doubted(axis: VerifiedAxis) -> str:
+    """Return why the test after loading does not show that the table acts as it should."""
+    verdict = axis.loading["verdict"]
+    if verdict != "loaded":
+        of = f" ({axis.loading['of']})" if axis.loading.get("of") else ""
+        return f"the verdict is {verdict.replace('_', ' ')}{of}, not loaded"
+    doubts = [one for one in axis.findings if lacks_proof(one) or one.severity == "error"]
+    if doubts:
+        return f"its test after loading is in doubt ({doubts[0].code}: {doubts[0].message})"
+    return ""
+
+
+def _differs(name: str, compared: Mapping[str, Any] | str) -> str:
+    """Return in what the files that were read back differ from the plan for an axis."""
+    if isinstance(compared, str):
+        return ""
+    axis = compared["axes"][name]
+    mine = [one["quantity"] for one in compared["differences"] if one["axis"] == name]
+    if axis["verdict"] == "loaded" and not mine:
+        return ""
+    named = f" ({mine[0]})" if mine else ""
+    return f"what was read back differs from the plan: {axis['message']}{named}"
+
+
+# ---------------------------------------------------------------- the job and what it makes
+
+
+def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
+    """Return what the next job starts from."""
+    axes = {test.axis: test for test in well}
+    measured = {
+        name: files
+        for name, files in found.circle_files.items()
+        if not share_a_file(
+            found.plan.circles[name].test.sources, found.circles[name].after.test.sources
+        )
+    }
+    beside = {
+        axis
+        for circle in found.plan.circles.values()
+        if axes.keys() & set(circle.test.axes)
+        for axis in circle.test.axes
+        if axis in found.job.axes
+    }
+    files = _in_the_control(found)
+    return Looped(
+        axes=axes,
+        files=files,
+        active=_active(found, files, list(axes)),
+        beside=[name for name in found.job.axes if name in beside - axes.keys()],
+        circles=measured,
+        squareness=list(_squareness(found, measured, axes)),
+    )
+
+
+def _in_the_control(found: Verified) -> tuple[ControlFile, ...]:
+    """Return what is in the control: what was read back, over the archive into which it was loaded
+    where that was not read back again.
+    """
+    back, before = found.read_back, found.plan.states.get(AS_FOUND, ())
+    if any(map(is_container, before)) and not any(map(is_container, back)):
+        return together(before, back)
+    return back
+
+
+def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) -> bool | None:
+    """Return that the tables acted, where the files that were read back leave it open: the test
+    after loading has shown it.
+    """
+    asked = [found.job.axes[name].axis for name in axes]
+    try:
+        decode(found.control, files, asked, asking=True)
+    except UsageError:
+        return True
+    return None
+
+
+def _squareness(found: Verified, measured: Collection[str], axes: Collection[str]) -> Iterator[str]:
+    """Yield the planes whose squareness may be corrected further: measured again, with no axis
+    whose table is in doubt, and where something was corrected before, as it was expected.
+    """
+    doubted = {
+        name
+        for name, entry in found.plan.axes.items()
+        if entry.fitted is not None and name not in axes
+    }
+    for plane, bent in found.job.apply.squareness.items():
+        pair = frozenset({bent, other_axis(plane, bent)})
+        again = [
+            found.circles[name]
+            for name in measured
+            if frozenset(found.plan.circles[name].test.axes) == pair
+        ]
+        corrected = [entry for entry in found.plan.cross if entry.pair == pair]
+        proven = all(
+            circle.squareness is not None and circle.squareness.decision == "accept"
+            for circle in again
+        )
+        if again and not pair & doubted and (proven or not corrected):
+            yield plane
+
+
+def _worked(
+    inputs: Mapping[str, bytes], folder: Path, each: Each
+) -> tuple[Finished, Mapping[str, bytes], tuple[str, ...]]:
+    """Return the next job worked through as if its folder stood there already, and its files."""
+    with foreseen(folder, inputs):
+        job = read_job_file(folder / JOB)
+        finished = worked_through(job, folder, folder, each=each)
+        results = result_files(finished, each)
+        given = files_of_job(job, folder, finished.measured.control.definition.own)
+    record, _ = recorded_run(finished, results, given, folder)
+    return finished, {**results.files, **record}, results.notes
+
+
+def _told(finished: Finished, name: str) -> NextAxis:
+    """Return what became of an axis in the next round."""
+    work, prediction = finished.works[name], finished.predicted.axes[name]
+    if work.planned.fitted is not None:
+        return NextAxis(
+            updated=True, table=True, reason=_gained(prediction.limits, work.planned.axis)
+        )
+    if not work.stops:
+        return NextAxis(reason=f"no further table: {work.refused}")
+    stopped = [one.message for one in prediction.findings if one.code == "CW-P155"]
+    reason = next(iter(stopped), f"stop here: {work.refused}")
+    return NextAxis(updated=True, reason=reason.removeprefix(f"Axis {name}: "))
+
+
+def _gained(limits: Limiting | None, axis: Axis) -> str:
+    """Return what a further table is expected to gain."""
+    if limits is None:
+        return "a further table is written"
+    factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
+    return (
+        f"a further table is written: {limits.parameter} from {limits.now * factor:.2f} to"
+        f" {limits.then * factor:.2f} {unit} at new targets"
+    )
+
+
+def _result(told: Mapping[str, NextAxis], *, between: bool) -> str:
+    """Return what to do with the next round; ``between``: it corrects something between axes."""
+    tabled = [name for name, axis in told.items() if axis.table]
+    tabled += ["squareness"] if between else []
+    if tabled:
+        return (
+            f"a further table for {', '.join(tabled)}: load all of {FOLDER}/tables, measure again,"
+            " and verify that round"
+        )
+    stopped = [name for name, axis in told.items() if axis.updated]
+    return f"stop here: no further table for {', '.join(stopped)} would gain what a test can show"
+
+
+def _between(found: Verified, looped: Looped) -> Iterator[str]:
+    """Yield what becomes of the corrections between axes."""
+    again = [
+        frozenset({bent, other_axis(plane, bent)})
+        for plane, bent in found.job.apply.squareness.items()
+        if plane in looped.squareness
+    ]
+    for entry in found.plan.cross:
+        what = f"{entry.output} over {entry.input}"
+        yield (
+            f"{what}: looked at again, from the circles after loading"
+            if entry.pair in again
+            else f"{what}: {_KEEPS}"
+        )
+
+
+# ---------------------------------------------------------------- its folder
+
+
+def refuse_later_rounds(out: Path) -> None:
+    """Raise StorageError where the next round in ``out`` has been verified: what came of it would
+    lie beside another one.
+    """
+    gone_on = out / FOLDER / "verification.json"
+    if storage.is_there(gone_on):
+        raise StorageError(
+            Fault(
+                message=(
+                    "is the verification of the round that lies there, which is not replaced, not"
+                    " even with --force"
+                ),
+                file=str(gone_on),
+                expected=f"another --out, or {FOLDER} moved elsewhere",
+            )
+        )
+
+
+def known_with_rounds(out: Path, known: storage.Known) -> storage.Known:
+    """Return what tells results in ``out`` from what the user has put or changed there; ``known``
+    tells it of all but the folder of the next round.
+    """
+    inputs = copied_by_record(storage.earlier_bytes(out / FOLDER / RECORD))
+    of_round = known_results(out / FOLDER)
+
+    def known_below(name: str, content: bytes) -> bool:
+        if not name.startswith(f"{FOLDER}/"):
+            return known(name, content)
+        below = encoded(name.removeprefix(f"{FOLDER}/")).decode()
+        return of_round(below, content) or inputs.get(below) == fingerprint(content)
+
+    return known_below
+
+
+def _whole(out: Path, inputs: Mapping[str, bytes], format_id: str) -> list[str]:
+    """Return the folders of the next round that hold exactly its files: those of its inputs, of an
+    earlier round too, and of what the control loads.
+    """
+    earlier = copied_by_record(storage.earlier_bytes(out / FOLDER / RECORD))
+    folders = {str(PurePosixPath(name).parent) for name in (*inputs, *earlier)}
+    sets = {f"{name}/{format_id}" for name in ("tables", "rollback")}
+    return sorted((folders | sets) - {"."})

@@ -1,0 +1,288 @@
+"""One axis after loading: what its test shows beside what the plan expects of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from compwright.controls.acting import applied_of, correction_of
+from compwright.controls.control import Control
+from compwright.controls.decoded import DecodedState
+from compwright.controls.gantries import with_partners
+from compwright.controls.two_readers import SINGLE_PRECISION, table_positions
+from compwright.documents.verification import ExpectedMeans, VerifiedAxis
+from compwright.estimation.cells import folded_findings
+from compwright.formats.families.gantry import partner_of
+from compwright.formats.look_at import look_at
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.axes import evaluated
+from compwright.planning.declared import fresh_slope
+from compwright.planning.fresh import Like
+from compwright.planning.guard import guard_bands
+from compwright.planning.limits import lacking_guard, measured_decisions
+from compwright.planning.motions import with_motion
+from compwright.planning.outlook import predict_same_targets
+from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
+from compwright.prediction.acting import Correction, difference, nothing
+from compwright.prediction.dead_zone import as_applied
+from compwright.records.axis import Axis, Direction
+from compwright.records.correction import AxisCompensation
+from compwright.records.fitted import FittedTable
+from compwright.records.job import Acknowledged, Job
+from compwright.records.plan import PlannedAxis, PlannedTest
+from compwright.records.prediction import AcceptDecision
+from compwright.records.result import PositioningResult
+from compwright.records.settled import LOGARITHM, settled_number
+from compwright.records.verification import LoadingName, LoadingVerdict
+from compwright.verification.hypotheses import OF_VALUES
+from compwright.verification.measurement import NamedFault, measurement_fault, proof_lacking
+from compwright.verification.proof import AfterTest, doubted, doubts_after
+from compwright.workflow.verify.judged_loading import judged_loading
+
+
+def verified_axis(
+    job: Job,
+    control: Control,
+    planned: PlannedAxis,
+    after: AfterTest,
+    as_found: DecodedState,
+    read_back: DecodedState | None,
+    twice: NamedFault | None,
+    others: Mapping[str, PlannedAxis],
+    *,
+    ours: bool,
+) -> VerifiedAxis:
+    """Return what the test after loading shows of an axis, beside what was expected.
+
+    ``as_found``: what was in the control before; ``read_back``: what was read back from it since,
+    if anything; ``twice``: that the test is a copy of another one; ``others``: the other axes of
+    the plan; ``ours``: ``read_back`` is what `run` wrote, and says nothing of the control.
+    """
+    axis = planned.axis
+    names = [entry.test.name for entry in planned.tests]
+    place = names.index(after.repeats) if after.repeats in names else 0
+    repeated = planned.tests[place]
+    before, result = (evaluated(job, axis, test) for test in (repeated.test, after.test))
+    observed = observed_tests(planned.tests, planned.active)
+    posterior = measured_error(planned.tests, observed, axis, planned.active)
+    change = _change(planned, as_found, repeated)
+    fault = twice or measurement_fault(after.test, repeated.test, axis.travel)
+    compared = _compare_loaded(control, planned, as_found, read_back)
+    if ours:
+        compared = tuple(finding for finding in compared if finding.code != "CW-V010")
+    as_planned = any(finding.code == "CW-V010" for finding in compared)
+    loading = (
+        judged_loading(
+            job,
+            planned,
+            after.test,
+            place,
+            observed,
+            posterior,
+            as_found.state,
+            others,
+            read_back=as_planned,
+        )
+        if fault is None
+        else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
+    )
+    given = read_back.state.findings if read_back is not None and not ours else ()
+    files = tuple(each for each in given if each.is_doubt and not each.axes)
+    accept, findings, acknowledged = _judged(job, axis, before, result, loading, fault, files)
+    like = Like(place, fresh_slope(job.decision_rule, repeated))
+    guarded = job.decision_rule == "guarded"
+    return VerifiedAxis(
+        before=before,
+        predicted=predict_same_targets(result, posterior, change, axis, like),
+        expected=_expected(result, posterior, change),
+        after=result,
+        loading=_told(loading, _sentences(control, planned), read_back=as_planned),
+        accept=accept,
+        acknowledged=acknowledged,
+        guard=guard_bands(job, planned, place, before, posterior, change) if guarded else None,
+        findings=(*loading.findings, *_named(loading), *findings, *compared),
+    )
+
+
+def _change(planned: PlannedAxis, as_found: DecodedState, repeated: PlannedTest) -> Correction:
+    """Return by what the correction differs, where all went well, from what acted in the test that
+    the one after loading repeats, at whose motion it was taken.
+    """
+    active = nothing if planned.active is None else planned.active.at
+    table = (
+        None if planned.fitted is None else as_applied(planned.fitted.compensation, planned.axis).at
+    )
+    wanted = table or applied_of(as_found, planned.axis)
+    return difference(with_motion(wanted, planned.axis, repeated.backlash_more), active)
+
+
+def _judged(
+    job: Job,
+    axis: Axis,
+    before: PositioningResult,
+    result: PositioningResult,
+    loading: LoadingVerdict,
+    fault: NamedFault | None,
+    files: Sequence[Finding],
+) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
+    """Return the decisions of an axis after loading, by parameter, what speaks against its test,
+    and the doubts that the job acknowledges: of a test that is certainly no measurement (``fault``)
+    nothing more than that. ``files``: doubts about what was read back.
+    """
+    guarded = job.decision_rule == "guarded"
+    waves = folded_findings(result.test.targets, axis.screw_pitch, axis.kind.unit)
+    readings = () if fault else doubts_after(result)
+    by = {each: job.acknowledgement(each.code, axis.name) for each in (*readings, *waves, *files)}
+    acknowledged = {each: given for each, given in by.items() if given is not None}
+    still = tuple(each for each in (*waves, *files) if each not in acknowledged)
+    lacking = (
+        *(() if fault else proof_lacking(result.test, before.test)),
+        *(() if fault else doubted(result, before, acknowledged, guarded=guarded)),
+        *still,
+    )
+    accept = measured_decisions(
+        job.axes[axis.name],
+        result,
+        job.decision_rule,
+        believed=loading.verdict != "measurement"
+        and not still
+        and all(each in acknowledged for each in readings),
+        proven=not lacking,
+    )
+    unknown = [name for name, entry in accept.items() if guarded and entry.U is None]
+    return (
+        accept,
+        (*lacking, *lacking_guard(axis, result.standard, unknown)),
+        tuple(Acknowledged(each, given) for each, given in acknowledged.items()),
+    )
+
+
+def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, tuple[str, ...]]:
+    """Return, by verdict, what to look at on the control."""
+    if planned.fitted is None:
+        return {}
+    return look_at(control.format, planned.axis, planned.fitted.compensation)
+
+
+def _looks(
+    loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
+) -> list[str]:
+    """Return what to look at for a verdict: for one that is open, of every candidate, the likeliest
+    first; for a loaded table, only what tells it from its equivalents, and nothing where the values
+    that were ``read_back`` (the plan's) have told it.
+    """
+    names: list[LoadingName] = [loading.verdict]
+    if loading.verdict == "undecided":
+        names = [each.verdict for each in loading.candidates if each.verdict != "loaded"]
+    elif loading.verdict == "loaded":
+        told = OF_VALUES if read_back else frozenset[LoadingName]()
+        names = names if set(loading.equivalent) - told else []
+    return list(dict.fromkeys(text for name in names for text in sentences.get(name, ())))
+
+
+def _told(
+    loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
+) -> dict[str, Any]:
+    """Return the verdict about the loading as the document holds it."""
+    return {
+        "verdict": loading.verdict,
+        **({"of": loading.of} if loading.of is not None else {}),
+        "equivalent": list(loading.equivalent),
+        "near": list(loading.near),
+        "factor": settled_number(loading.factor),
+        "shift_nodes": loading.shift_nodes,
+        "margin": settled_number(loading.margin, LOGARITHM),
+        "detail": loading.detail,
+        "candidates": [
+            {
+                "verdict": each.verdict,
+                "probability": settled_number(each.probability, LOGARITHM),
+                "detail": each.detail,
+            }
+            for each in loading.candidates
+        ],
+        **({"slope": _slope_told(*loading.slope)} if loading.slope is not None else {}),
+        "message": loading.message,
+        "look_at": _looks(loading, sentences, read_back=read_back),
+    }
+
+
+def _slope_told(slope: float, error: float) -> dict[str, Any]:
+    value, std_error = (settled_number(one * 1e6, LOGARITHM) for one in (slope, error))
+    return {"value": value, "std_error": std_error, "unit": "um/m"}
+
+
+def _expected(
+    result: PositioningResult, posterior: MeasuredError, change: Correction
+) -> ExpectedMeans:
+    targets = result.test.targets
+    estimate = posterior.summary(targets)
+    positive, negative = (
+        (
+            estimate.mean(direction) + change(targets, direction)
+            if result.test.readings(direction).any()
+            else np.empty(0)
+        )
+        for direction in Direction
+    )
+    return ExpectedMeans(positions=targets, positive=positive, negative=negative, s=estimate.noise)
+
+
+def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
+    """Return the finding of a fault of measurement (CW-V026)."""
+    return (
+        (Finding("CW-V026", "warning", loading.message),)
+        if loading.verdict == "measurement"
+        else ()
+    )
+
+
+def _compare_loaded(
+    control: Control, planned: PlannedAxis, as_found: DecodedState, read_back: DecodedState | None
+) -> tuple[Finding, ...]:
+    """Compare what was read back from the control with the plan's table, by its correction over the
+    table and the travel; of a gantry for both axes.
+    """
+    if read_back is None or planned.fitted is None:
+        return ()
+    every = with_partners(control.in_state(as_found.state), _tables(planned), as_found)
+    found = tuple(_compared(axis, table.compensation, read_back) for axis, table in every)
+    differing = tuple(one for one in found if one.code == "CW-V011")
+    return differing or found[:1]
+
+
+def _tables(planned: PlannedAxis) -> list[tuple[Axis, FittedTable]]:
+    """Return the planned table of an axis, and of a gantry the same one for the other axis, which
+    `with_partners` replaces where it has its own.
+    """
+    axis, fitted = planned.axis, planned.fitted
+    if fitted is None:
+        return []
+    own = [(axis, fitted)]
+    if axis.gantry is not None and axis.gantry_table != "change":
+        own.append((partner_of(axis, axis.gantry), fitted))
+    return own
+
+
+def _compared(axis: Axis, table: AxisCompensation, read_back: DecodedState) -> Finding:
+    where = table_positions(table.positions, axis.travel)
+    off = difference(table.at, correction_of(read_back, axis))
+    worst = max(float(np.max(np.abs(off(where, direction)))) for direction in Direction)
+    largest = max(float(np.max(np.abs(table.at(where, direction)))) for direction in Direction)
+    factor = outside_factor(axis.kind.unit)
+    unit = shown_unit(axis.kind.unit)
+    if worst <= 1e-3 / factor + SINGLE_PRECISION * largest:
+        return Finding(
+            "CW-V010",
+            "info",
+            f"Axis {axis.name}: what was read back from the control is the plan's table.",
+        )
+    return Finding(
+        "CW-V011",
+        "error",
+        f"Axis {axis.name}: what was read back from the control differs from the plan by up to"
+        f" {worst * factor:.2f} {unit}.",
+    )

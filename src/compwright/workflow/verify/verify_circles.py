@@ -1,0 +1,181 @@
+"""Circular tests after loading against the plan: which circle they repeat, what they show, and
+whether squareness is gone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from compwright.controls.acting import acting
+from compwright.controls.decoded import DecodedState
+from compwright.documents.verification import SquarenessCheck, VerifiedCircle
+from compwright.evaluation.decision import Decision
+from compwright.foundations import storage
+from compwright.foundations.errors import (
+    CompwrightError,
+    Fault,
+    InputError,
+    UsageError,
+    collect,
+    raise_all,
+)
+from compwright.foundations.input_sizes import MEASUREMENT
+from compwright.foundations.utf8 import shown_path
+from compwright.instruments.circular_reading import is_circular, read_circular
+from compwright.planning.circles import (
+    CIRCULAR_STANDARD,
+    effect_of,
+    in_job_names,
+    predicted_circle,
+)
+from compwright.planning.diagnosed import diagnosed_circle
+from compwright.planning.stated import SIGNIFICANT
+from compwright.prediction.acting import Acting, added
+from compwright.records.axis import Axis
+from compwright.records.circular import CircularTest
+from compwright.records.plan import Plan, PlannedCircle
+from compwright.workflow.inputs.circles import read_circle
+
+
+def split_after(plan: Plan, specs: Sequence[str]) -> tuple[list[str], dict[str, list[Path]]]:
+    """Return the ``--after`` values that are no circular tests, and the files of those that are, by
+    the circle they repeat.
+
+    ``TEST=FILE`` names the circle; else the plane decides, and of several circles of one plane the
+    radius. Raises UsageError where the plan holds no such circle, InputError for circular files
+    that cannot be read.
+    """
+    others: list[str] = []
+    circles: dict[str, list[Path]] = {}
+    errors: list[CompwrightError] = []
+    for spec in specs:
+        try:
+            found = _circle(plan, spec)
+        except CompwrightError as error:
+            errors.append(error)
+            continue
+        if found is None:
+            others.append(spec)
+        else:
+            circles.setdefault(found[0], []).append(found[1])
+    if errors:
+        raise max((type(error) for error in errors), key=lambda kind: kind.exit_code)(
+            *collect(errors)
+        )
+    return others, circles
+
+
+def _circle(plan: Plan, spec: str) -> tuple[str, Path] | None:
+    head, mark, tail = spec.partition("=")
+    named = bool(mark and tail) and head in plan.circles
+    path = Path(tail if named else spec)
+    if not storage.is_there(path) or storage.is_folder(path):
+        return (head, path) if named else None
+    content = storage.read_bytes(path, MEASUREMENT)
+    file = shown_path(path)
+    if not is_circular(content, file):
+        return None
+    return (head if named else _repeated(plan, read_circular(content, file), spec)), path
+
+
+def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
+    """Return the name of the circle that a test repeats, by its plane, then by its radius."""
+
+    def apart(name: str) -> float:
+        return abs(plan.circles[name].test.nominal_radius - test.nominal_radius)
+
+    axes = {name.upper() for name in test.axes}
+    known = [
+        name
+        for name, circle in plan.circles.items()
+        if {axis.upper() for axis in circle.test.axes} == axes
+    ]
+    if not known:
+        planes = (
+            ", ".join(f"{name} ({circle.test.plane})" for name, circle in plan.circles.items())
+            or "no circle"
+        )
+        raise UsageError(
+            Fault(
+                message=f"is a circular test in {test.plane}; the plan holds none of this plane",
+                file=spec,
+                place="--after",
+                expected=planes,
+            )
+        )
+    return min(known, key=apart)
+
+
+def verify_circles(
+    plan: Plan,
+    files: Mapping[str, Sequence[Path]],
+    as_found: DecodedState,
+    states: Mapping[str, DecodedState],
+) -> dict[str, VerifiedCircle]:
+    """Evaluate the circular tests after loading beside what the plan expects. Raises InputError
+    with the faults of all files.
+    """
+    axes = {name: entry.axis for name, entry in plan.axes.items()}
+    then = _planned(plan, as_found, axes)
+    errors: list[CompwrightError] = []
+    verified: dict[str, VerifiedCircle] = {}
+    for name, paths in files.items():
+        try:
+            test = in_job_names(read_circle(list(paths), name), plan.circles[name].test.axes)
+            during = acting(states.get(plan.circles[name].measured_in), axes)
+            verified[name] = _verified(plan, plan.circles[name], test, during, then)
+        except InputError as error:
+            errors.append(error)
+    raise_all(InputError, collect(errors))
+    return verified
+
+
+def _verified(
+    plan: Plan, circle: PlannedCircle, after: CircularTest, during: Acting, then: Acting
+) -> VerifiedCircle:
+    before = diagnosed_circle(circle.test, CIRCULAR_STANDARD)
+    prediction = predicted_circle(before, circle, during, then)
+    result = diagnosed_circle(replace(after, name=circle.test.name), CIRCULAR_STANDARD)
+    corrected = (entry for entry in plan.cross if entry.written and entry.source == "circle")
+    bent = next((entry for entry in corrected if entry.pair == frozenset(circle.test.axes)), None)
+    check = None
+    if bent is not None:
+        was, now = effect_of(prediction.expected, "squareness"), effect_of(result, "squareness")
+        if was is not None:
+            error = was.std_error if now is None else float(np.hypot(was.std_error, now.std_error))
+            check = SquarenessCheck(
+                value=None if now is None else now.value,
+                expected=was.value,
+                U=SIGNIFICANT * error,
+                corrected=1e6 * bent.squareness,
+            )
+    return VerifiedCircle(prediction=prediction, after=result, squareness=check)
+
+
+def squareness_decisions(circles: Mapping[str, VerifiedCircle]) -> list[Decision]:
+    """Return the decisions about squareness of all circles whose plane was corrected."""
+    return [
+        circle.squareness.decision for circle in circles.values() if circle.squareness is not None
+    ]
+
+
+def _planned(plan: Plan, as_found: DecodedState, axes: Mapping[str, Axis]) -> Acting:
+    """Return what the control does once the plan's tables are loaded."""
+    now = acting(as_found, axes)
+    along = {
+        name: entry.fitted.compensation.at
+        for name, entry in plan.axes.items()
+        if entry.fitted is not None
+    }
+    then = Acting({**now.along, **along}, dict(now.across))
+    for entry in plan.cross:
+        if entry.written:
+            pair = (entry.input, entry.output)
+            then = replace(
+                then, across={**then.across, pair: added(then.between(*pair), entry.added.at)}
+            )
+    return then
