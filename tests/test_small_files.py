@@ -11,11 +11,11 @@ import pytest
 
 from compwright.formats.control_format import control_format
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.delivery import Delivery
 from compwright.formats.families.family import Family
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile
+from compwright.records.delivery import Delivery
 from format_samples import SIEMENS
 from sinumerik_archive import (
     ARCHIVE,

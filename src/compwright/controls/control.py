@@ -23,17 +23,12 @@ from compwright.controls.definitions import (
 from compwright.controls.read_once import ReadOnce
 from compwright.controls.two_readers import disagreements
 from compwright.formats.control_format import control_format
-from compwright.formats.definition.options import (
-    KIND,
-    REFERENCE,
-    REFERENCE_RETURN,
-    TABLE_VALUES,
-)
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
+from compwright.formats.look_at import look_at
 from compwright.formats.text.container import is_container
-from compwright.formats.text.other_files import without_others
+from compwright.formats.text.other_files import says_nothing, without_others
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
@@ -46,10 +41,17 @@ from compwright.foundations.input_sizes import (
     in_words,
 )
 from compwright.records.axis import Axis
-from compwright.records.correction import Assumption, ControlFile, ControlState
+from compwright.records.correction import (
+    Assumption,
+    AxisCompensation,
+    ControlFile,
+    ControlState,
+)
 from compwright.records.job import Job
+from compwright.records.options import KIND, REFERENCE, REFERENCE_RETURN, TABLE_VALUES
 from compwright.records.plan import Plan, Texts
 from compwright.records.serial_line import from_line, whole
+from compwright.records.verification import LoadingName
 
 #: What has to be known of everything that a definition of one's own, by its id, says.
 READ_BACK = (
@@ -155,6 +157,12 @@ class Control:
         if self.definition.worked_for:
             said += f". {NOT_WORKED.format(self.definition.worked_for, self.id)}"
         return (Finding("CW-S060", "warning", said), *self.notes)
+
+    def look_at(self, axis: Axis, table: AxisCompensation) -> Mapping[LoadingName, tuple[str, ...]]:
+        """Return, by verdict of loading, what to look at on the control where a ``table`` of an
+        axis does not do what was planned.
+        """
+        return look_at(self.format, axis, table)
 
     def in_state(self, state: ControlState) -> Control:
         """Return the control with the options that its own files answer (such as the machine's
@@ -303,6 +311,11 @@ def _long_together(files: Sequence[ControlFile]) -> Iterator[Fault]:
         )
 
 
+def holds_archive(files: Sequence[ControlFile]) -> bool:
+    """Return whether one of the files is an archive, over which small files are loaded."""
+    return any(map(is_container, files))
+
+
 def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     """Read control files; a folder stands for all files in it. Raises InputError with every file
     that cannot be read.
@@ -329,6 +342,26 @@ def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     faults.extend(filter(None, map(_endless_number, files)))
     raise_all(InputError, faults)
     return tuple(files)
+
+
+def set_aside(control: Control, files: Sequence[Path]) -> tuple[list[Path], tuple[str, ...]]:
+    """Return the files that a job takes, and what it leaves of folders because nothing in it is
+    the control's, one line each. A folder of which all is taken stays a folder; a file that is
+    named is always taken. Raises InputError.
+    """
+    taken: list[Path] = []
+    aside: list[Path] = []
+    for path in files:
+        inside = [one for one in storage.list_files(path) if one != path]
+        read = read_files([path]) if inside else ()
+        others = {file.name for file in read if says_nothing(control.definition, file)}
+        left = [one for one in inside if one.name in others]
+        whole = not left or len(left) == len(inside)
+        taken += [path] if whole else [one for one in inside if one not in left]
+        aside += [] if whole else left
+    return taken, tuple(
+        f"{path} is left aside: no line of it is a statement of {control.id}" for path in aside
+    )
 
 
 def decode(

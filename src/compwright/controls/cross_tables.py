@@ -9,9 +9,10 @@ from functools import cache
 import numpy as np
 
 from compwright.controls.acting import judged_cross
+from compwright.controls.changes import in_place
 from compwright.controls.control import Control, decode
 from compwright.controls.decoded import DecodedState
-from compwright.formats.families.between import Asked, in_place, together
+from compwright.formats.families.between import Asked, together
 from compwright.formats.families.control_texts import texts_of
 from compwright.foundations.errors import CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding

@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from difflib import get_close_matches
 from functools import cache
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 
-from compwright.formats.definition.extends import BASE_ENDING, Find, found_in
+from compwright.formats.definition.extends import BASE_ENDING, EXTENDS, Find, found_in
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import (
     definition_of,
@@ -19,6 +19,7 @@ from compwright.formats.gate.gate import check_definition
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.input_sizes import DEFINITION
+from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.plan import Texts
 
 _YAML = (".yaml", ".yml")
@@ -57,6 +58,13 @@ def own_definition(path: Path) -> Definition:
     return definition
 
 
+def shipped_definitions() -> dict[str, Definition]:
+    """Return every definition that ships, by its id. Raises InputError for one that cannot be
+    read.
+    """
+    return definitions_from(storage.definition_files())
+
+
 def taken(definition: Definition) -> tuple[Fault, ...]:
     """Return the fault of a definition under the id of a control that ships, whatever its case."""
     stems = (Path(name).stem for name, _ in storage.definition_files())
@@ -80,6 +88,25 @@ def carried_definition(texts: Texts) -> Definition:
     definition = definition_of(texts, own=True)
     raise_all(InputError, taken(definition))
     return definition
+
+
+def files_of_definition(texts: Texts) -> dict[str, bytes]:
+    """Return the files of a definition that a plan carries, with what it extends under the names
+    by which it looks for it; its own file first. What ships is left out.
+
+    Raises InputError where one lies outside of the definition's folder.
+    """
+    name = PureWindowsPath(texts[0][0]).name
+    found = {}
+    for file, content in texts:
+        found[name] = content
+        name = str(read_yaml(content, file).data.get(EXTENDS, ""))
+        if not is_path(name):  # one that ships
+            break
+        if PureWindowsPath(name).anchor or ".." in PureWindowsPath(name).parts:
+            message = "extends a definition outside of its folder, which no copy can"
+            raise InputError(Fault(message=message, file=file, place=EXTENDS, found=name))
+    return found
 
 
 def definitions_at(path: Path) -> list[tuple[str, bytes, Find]]:
@@ -134,7 +161,7 @@ def _shipped(format_id: str) -> Definition:
         named = load_definition(files[own], own, found_in(files))
         if named.id == format_id:
             return named
-    definitions = definitions_from(files.items())
+    definitions = shipped_definitions()
     if format_id in definitions:
         return definitions[format_id]
     meant = [one for one in definitions.values() if _plain(format_id) in _names(one)]

@@ -11,13 +11,13 @@ from compwright.controls.acting import correction_of
 from compwright.controls.control import Control
 from compwright.controls.decoded import DecodedState
 from compwright.controls.two_readers import probe_positions, table_positions
-from compwright.formats.families.gantry import SAME_TABLE, partner_of
+from compwright.formats.families.gantry import SAME_TABLE
 from compwright.foundations.errors import CapacityError, CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.tables import fit_within
 from compwright.prediction.acting import difference
-from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.axis import Axis, Direction, FloatArray, partner_of
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState, no_compensation
 from compwright.records.estimate import WantedCorrection

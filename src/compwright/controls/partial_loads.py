@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from compwright.controls.acting import correction_of
+from compwright.controls.changes import in_place
 from compwright.controls.control import Control, decode
 from compwright.evaluation.standards import evaluate
-from compwright.formats.families.between import in_place
 from compwright.formats.text.entered import Entries, same_text
 from compwright.foundations.errors import CompwrightError
 from compwright.foundations.units import outside_factor, shown_unit

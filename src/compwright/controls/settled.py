@@ -7,10 +7,6 @@ from dataclasses import replace
 
 from compwright.controls.control import Control
 from compwright.controls.decoded import DecodedState
-from compwright.formats.definition.options import (
-    DETECTION_UNIT,
-    TABLE_VALUES,
-)
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import Fault, UsageError, raise_all
@@ -18,6 +14,7 @@ from compwright.planning.wanted import LEAST_COVERED, covered
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import Assumption, ControlState
 from compwright.records.job import AxisJob, Job
+from compwright.records.options import DETECTION_UNIT, TABLE_VALUES
 from compwright.records.plan import PlannedTest
 
 #: Two places are one within this, mm or deg.

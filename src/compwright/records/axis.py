@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Literal
 
@@ -110,3 +110,17 @@ class Axis:
     unapplied_steps: tuple[float, float] | None = field(default=None, compare=False)
     zero_at_reference: bool = field(default=False, compare=False)
     counts_turns: bool = field(default=False, compare=False)
+
+
+def partner_of(axis: Axis, address: str) -> Axis:
+    """Return the synchronised axis of a gantry: everything but its address and its number is as the
+    leading axis has it.
+    """
+    return replace(
+        axis,
+        name=f"{axis.name} ({address})",
+        address=address,
+        gantry=None,
+        gantry_table=None,
+        axis_number=None,
+    )

@@ -13,19 +13,8 @@ from compwright.formats.definition.schema import Definition, OptionRule
 from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlState
+from compwright.records.options import KIND, REFERENCE, REFERENCE_RETURN
 
-#: What every control's files are read with where no job says more about the axis: the zero state.
-REFERENCE = "reference"
-REFERENCE_RETURN = "reference_return"
-#: Whether an axis is linear or rotary, for reading files that do not say it: a word for every axis,
-#: or kinds by address.
-KIND = "kind"
-#: The option that says how long a pulse is: asked for, never assumed.
-DETECTION_UNIT = "detection_unit"
-#: What the values of a table mean, where no manual says it; an entry sheet says it of its axis.
-TABLE_VALUES = "table_values"
-#: The option that names the measuring system to read where no job does.
-ENCODER_SYSTEM = "encoder_system"
 #: Least and largest number that an option may hold, beside 0: no length, count or feed of a machine
 #: tool lies outside, and products of two such stay numbers.
 _SIZES = (1e-9, 1e9)

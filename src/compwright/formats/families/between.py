@@ -10,7 +10,6 @@ from typing import Protocol
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import print_form
-from compwright.formats.text.entry_sheet import EntrySheet, is_entry_sheet, read_sheet
 from compwright.foundations.findings import Severity
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile, ControlState
@@ -79,21 +78,6 @@ def label(entry: PlannedCross) -> str:
 def together(first: Sequence[ControlFile], then: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
     """Return the files of both, those of ``then`` in place of others of their name."""
     return tuple({file.name: file for file in (*first, *then)}.values())
-
-
-def in_place(
-    own: Sequence[ControlFile], tables: Sequence[ControlFile], tabled: Collection[str]
-) -> tuple[ControlFile, ...]:
-    """Return the control's own files with new ``tables`` in their place. Entry sheets that these
-    supersede are left out: of an axis (address) that got a table, or of which a new sheet speaks.
-    """
-    new = {sheet.axis for file in tables if (sheet := _sheet(file)) is not None} | set(tabled)
-    kept = [file for file in own if (sheet := _sheet(file)) is None or sheet.axis not in new]
-    return together(kept, tables)
-
-
-def _sheet(file: ControlFile) -> EntrySheet | None:
-    return read_sheet(file, []) if is_entry_sheet(file) else None
 
 
 def in_turn(answers: Iterable[Between]) -> Between:

@@ -55,11 +55,11 @@ class Bound:
         """
         return normal_address(self.definition, axis)
 
-    def options_of(self, axis: Axis | None) -> Mapping[str, object]:
+    def options_of(self, axis: Axis | None, *, unit_needed: bool = True) -> Mapping[str, object]:
         """Return the options of an axis: its own over the controller's, which alone count for an
-        axis that no job knows. Raises UsageError.
+        axis that no job knows. ``unit_needed`` as `axis_options`. Raises UsageError.
         """
-        return axis_options(self.definition, self.options, axis)
+        return axis_options(self.definition, self.options, axis, unit_needed=unit_needed)
 
     def facts_of(self, address: str) -> AxisFacts:
         """Return what the control's own files say of an axis; nothing before they are read."""

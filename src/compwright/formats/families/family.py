@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Self
 
 import numpy as np
@@ -20,34 +20,20 @@ from compwright.formats.families.axis_tables import AxisTable, paired
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.bound import Bound
 from compwright.formats.families.card_words import file_names
-from compwright.formats.families.delivery import Delivery
-from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.entered import Entered, Entries, by_statements
 from compwright.foundations.errors import CapacityError, Fault, UsageError
-from compwright.records.axis import Axis, FloatArray
+from compwright.records.axis import Axis, FloatArray, partner_of
 from compwright.records.capacity import Capacity
 from compwright.records.correction import (
     AxisCompensation,
     ControlFile,
     ControlState,
 )
+from compwright.records.delivery import Delivery
 from compwright.records.facts import AxisFacts
 from compwright.records.numbering import NumberedSections
-
-
-@dataclass(frozen=True, slots=True)
-class LeftOpen:
-    """An option that a prefilled job leaves to the user where no file says it.
-
-    ``words``: what is expected; ``stand_in``: a value with which the files tell their axes all the
-    same. ``lengths``: the positions of a table count in it.
-    """
-
-    name: str
-    words: str
-    stand_in: float
-    lengths: bool
+from compwright.records.options import LeftOpen
 
 
 class Family(Bound, ABC):

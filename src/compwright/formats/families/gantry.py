@@ -5,33 +5,18 @@ same one.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import replace
 from decimal import Decimal
 
 import numpy as np
 
 from compwright.formats.text.gathering import Gathered, Key
 from compwright.formats.text.notes import Notes
-from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 
 #: Two axes of a gantry hold the same table when their corrections nowhere differ by more than this,
 #: mm or deg: the last decimal place of a table.
 SAME_TABLE = 1e-6
-
-
-def partner_of(axis: Axis, address: str) -> Axis:
-    """Return the synchronised axis of a gantry: everything but its address and its number is as the
-    leading axis has it.
-    """
-    return replace(
-        axis,
-        name=f"{axis.name} ({address})",
-        address=address,
-        gantry=None,
-        gantry_table=None,
-        axis_number=None,
-    )
 
 
 def find_partners(

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from decimal import Decimal
 from typing import cast
 
-from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.definition.schema import Definition, Measure, OptionValue
 from compwright.formats.definition.vocabulary import Sign
 from compwright.records.axis import AxisKind
+from compwright.records.options import DETECTION_UNIT
 
 _FACTORS = {
     "mm": Decimal(1),

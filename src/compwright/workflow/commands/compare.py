@@ -10,24 +10,24 @@ from typing import Any
 import numpy as np
 
 from compwright.controls.acting import correction_of
+from compwright.controls.changes import in_place
 from compwright.controls.control import (
     Control,
     decode,
+    holds_archive,
     open_control,
     plan_origin,
     read_files,
 )
 from compwright.controls.cross_tables import write_planned
 from compwright.controls.decoded import DecodedState
+from compwright.controls.delivered import deliver
 from compwright.controls.differences import Side, side
 from compwright.controls.partial_loads import PartialLoad, partial_load
 from compwright.controls.read_back import not_read_back, read_back_differences
 from compwright.controls.two_readers import probe_positions
 from compwright.documents.compare import ComparedAxis, Difference, compare_document
 from compwright.documents.plan import read_plan
-from compwright.formats.families.between import in_place
-from compwright.formats.look_at import look_at
-from compwright.formats.text.container import is_container
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.input_sizes import PLAN
@@ -37,7 +37,7 @@ from compwright.records.correction import ControlFile
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedAxis
 from compwright.verification.read_back import SAME, judge_read_back
-from compwright.workflow.run.written import deliver, write_fitted
+from compwright.workflow.run.written import write_fitted
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,7 +155,7 @@ def _written(
     tabled = [axis.name for axis, table in fitted if table.compensation.positions.size]
     cross = [entry for entry in plan.cross if entry.written]
     files = write_planned(control, cross, files, as_found, axes, tabled).files
-    if any(map(is_container, as_found.files)):
+    if holds_archive(as_found.files):
         # it stays one: small files lie over it, and are no contradiction
         files = deliver(control, files, as_found, [axis for axis, _ in fitted], None).files
     addresses = [axes[name].address for name in tabled]
@@ -211,7 +211,7 @@ def _look_at(control: Control, entry: PlannedAxis, verdict: str) -> tuple[str, .
     """
     if entry.fitted is None or verdict == "loaded":
         return ()
-    sentences = look_at(control.format, entry.axis, entry.fitted.compensation)
+    sentences = control.look_at(entry.axis, entry.fitted.compensation)
     return {str(name): said for name, said in sentences.items()}.get(verdict, ())
 
 

@@ -15,6 +15,7 @@ from compwright.controls.control import (
 )
 from compwright.controls.cross_tables import write_planned
 from compwright.controls.decoded import DecodedState
+from compwright.controls.delivered import deliver
 from compwright.controls.settled import settled_axis
 from compwright.documents.plan import read_plan
 from compwright.foundations import storage
@@ -38,7 +39,7 @@ from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedCross
 from compwright.workflow.inputs.own_output import refuse_added_again
 from compwright.workflow.results.own_files import write_listed
-from compwright.workflow.run.written import deliver, write_fitted
+from compwright.workflow.run.written import write_fitted
 
 #: ``--option address.X=0``: how the control names axis X of the plan.
 ADDRESS = "address."

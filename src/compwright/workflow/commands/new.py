@@ -6,12 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from compwright.controls.control import Control, decode, open_control, read_files
+from compwright.controls.control import Control, decode, open_control, read_files, set_aside
 from compwright.controls.definitions import is_path
 from compwright.controls.one_by_one import axis_by_axis
-from compwright.formats.definition.schema import Definition
-from compwright.formats.families.family import LeftOpen
-from compwright.formats.text.other_files import says_nothing
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.utf8 import encoded
@@ -20,6 +17,7 @@ from compwright.jobs.writing import AxisDraft, Prefilled, job_text
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts
+from compwright.records.options import LeftOpen
 from compwright.workflow.results.single_files import refuse_other_kinds
 
 #: Findings of the control's files that a new job is told of: what its contents rest on.
@@ -55,7 +53,7 @@ def new_job(
     control = open_control(format_id, options)
     unsaid = _unsaid(control)
     stands_in = False
-    files, aside = _set_aside(control.definition, files)
+    files, aside = set_aside(control, files)
     own = read_files(files)
     try:
         state, left_out = _read(control, own, active=active)
@@ -87,26 +85,6 @@ def new_job(
     said = (finding.message for finding in (*control.findings, *shown))
     told = (*aside, *left_out, *_idle(control, state, drafts), *said)
     return NewOutcome(out, tuple(_open(given, drafts)), told)
-
-
-def _set_aside(definition: Definition, files: Sequence[Path]) -> tuple[list[Path], tuple[str, ...]]:
-    """Return the files that the job takes, and what it leaves of folders because nothing in it is
-    the control's, one line each. A folder of which all is taken stays a folder; a file that is
-    named is always taken. Raises InputError.
-    """
-    taken: list[Path] = []
-    aside: list[Path] = []
-    for path in files:
-        inside = [one for one in storage.list_files(path) if one != path]
-        read = read_files([path]) if inside else ()
-        others = {file.name for file in read if says_nothing(definition, file)}
-        left = [one for one in inside if one.name in others]
-        whole = not left or len(left) == len(inside)
-        taken += [path] if whole else [one for one in inside if one not in left]
-        aside += [] if whole else left
-    return taken, tuple(
-        f"{path} is left aside: no line of it is a statement of {definition.id}" for path in aside
-    )
 
 
 def _unsaid(control: Control) -> LeftOpen | None:
@@ -179,7 +157,7 @@ def _drafts(control: Control, state: ControlState, unsaid: LeftOpen | None) -> I
     names: set[str] = set()
     for address in acting or list(state.axes):
         facts = state.facts_of(address)
-        name = _name(control.definition, address, facts)
+        name = _name(control, address, facts)
         partners = _partners(address, name, facts)
         if (name in names and partners) or facts.leading in state.axes:
             continue  # the second joint of an axis: it gets the table of the first
@@ -219,10 +197,7 @@ def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) ->
         for key, entry in draft.values.items()
         if key in ("address", "gantry")
     }
-    names = {
-        address: _name(control.definition, address, state.facts_of(address))
-        for address in state.axes
-    }
+    names = {address: _name(control, address, state.facts_of(address)) for address in state.axes}
     # Where the control's files name its axes, those without a name are places for axes that the
     # machine does not have.
     named = [address for address, facts in state.facts.items() if facts.name is not None]
@@ -240,11 +215,11 @@ def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) ->
         )
 
 
-def _name(definition: Definition, address: str, facts: AxisFacts) -> str:
+def _name(control: Control, address: str, facts: AxisFacts) -> str:
     """Return the axis' name: what the control's files call it, else its address."""
     if facts.name is not None:
         return facts.name
-    letters = definition.addresses.letters
+    letters = control.definition.addresses.letters
     if letters is not None and address.isdigit() and int(address) < len(letters):
         return letters[int(address)]
     return f"axis {address}" if address.isdigit() else address

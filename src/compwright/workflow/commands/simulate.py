@@ -14,7 +14,6 @@ from compwright.controls.control import (
     open_control,
     read_files,
 )
-from compwright.formats.text.addresses import normal_address
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.input_sizes import MACHINE
@@ -140,7 +139,7 @@ def _loaded(machine: VirtualMachine, tables: Path, file: str) -> Acting:
     origin = Origin(file, "controller.format", "controller.options.", Path(file).parent)
     control = open_control(machine.format, machine.options, origin)
     axes = {
-        name: replace(virtual.axis, address=normal_address(control.definition, virtual.axis)[0])
+        name: replace(virtual.axis, address=control.format.address(virtual.axis)[0])
         for name, virtual in machine.axes.items()
     }
     known = [axis.address for axis in axes.values()]

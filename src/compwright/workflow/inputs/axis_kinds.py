@@ -15,12 +15,12 @@ import numpy as np
 from compwright.controls.control import Control, decode, open_control, read_files
 from compwright.controls.decoded import DecodedState
 from compwright.documents.plan import read_plan
-from compwright.formats.definition.options import KIND
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, UsageError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind
 from compwright.records.correction import Assumption, ControlFile
+from compwright.records.options import KIND
 from compwright.workflow.inputs.jobs import PLAN
 
 #: A run writes its tables so many folders below its plan (``tables/<format>/``), its entry sheets

@@ -11,7 +11,6 @@ from compwright.controls.decoded import DecodedState
 from compwright.controls.gantries import partner_questions
 from compwright.evaluation.expansion import remove_differential_expansion
 from compwright.evaluation.temperatures import at_temperatures, temperatures_of
-from compwright.formats.families.family import Family
 from compwright.foundations import storage
 from compwright.foundations.errors import (
     CompwrightError,
@@ -88,8 +87,8 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
             *contradicted,
             *_missing_axes(job, states),
             *_other_neighbours(job, states),
-            *_other_tables_between(job, control.format, states),
-            *_misnamed(job, control.format, states),
+            *_other_tables_between(job, control, states),
+            *_misnamed(job, control, states),
             *unknown_motions(job, {name: decoded.state for name, decoded in states.items()}),
         ],
     )
@@ -263,7 +262,7 @@ def _differing(found: Mapping[str, str]) -> dict[str, str]:
 
 
 def _other_tables_between(
-    job: Job, family: Family, states: Mapping[str, DecodedState]
+    job: Job, control: Control, states: Mapping[str, DecodedState]
 ) -> Iterator[Fault]:
     """Yield where tables between axes that cannot be counted with differ between a circle's state
     and what is in the control.
@@ -289,19 +288,19 @@ def _other_tables_between(
                     ),
                     file=job.file,
                     place=f"states.{state}",
-                    expected=f"{family.untold_help}, or a measurement in as_found",
+                    expected=f"{control.format.untold_help}, or a measurement in as_found",
                     found=f"{AS_FOUND}: {said[0]}; {state}: {said[1]}",
                 )
 
 
-def _misnamed(job: Job, family: Family, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
+def _misnamed(job: Job, control: Control, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
     """Yield where the control's files name an axis otherwise than the job, or drive it by more than
     the job says.
     """
     for name, decoded in states.items():
         for entry in job.axes.values():
             facts = decoded.state.facts_of(entry.axis.address)
-            for fault in family.misnamed(entry.axis, facts, name):
+            for fault in control.format.misnamed(entry.axis, facts, name):
                 yield fault.in_file(job.file)
 
 

@@ -13,7 +13,6 @@ from compwright.controls.definitions import is_path
 from compwright.documents.plan import carried_definition
 from compwright.documents.record import RECORD, copied_by_record
 from compwright.evaluation.drift import environmental_variation
-from compwright.formats.definition.options import KIND, REFERENCE, REFERENCE_RETURN, axis_options
 from compwright.foundations import storage
 from compwright.foundations.errors import (
     CompwrightError,
@@ -31,6 +30,7 @@ from compwright.jobs.plain_data import Contradiction
 from compwright.jobs.reading import read_job
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import Job
+from compwright.records.options import KIND, REFERENCE, REFERENCE_RETURN
 from compwright.records.plan import Texts
 
 _YAML = {".yaml", ".yml"}
@@ -172,7 +172,7 @@ def _wrong_axis_options(
             continue  # the schema says so
         axis = Axis(name="", kind=AxisKind.LINEAR, travel=(0.0, 1.0), address="", options=options)
         try:
-            axis_options(control.definition, control.options, axis, unit_needed=unit_needed)
+            control.format.options_of(axis, unit_needed=unit_needed)
         except UsageError as error:
             for fault in error.faults:
                 place = fault.place.rpartition(" ")[2]

@@ -21,13 +21,12 @@ from compwright.formats.card import (
     typed_backlash,
 )
 from compwright.formats.definition.statements import print_form
-from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.units import outside_factor, outside_unit, shown_unit
 from compwright.foundations.utf8 import encoded, visible_lines
 from compwright.planning.axes import AxisWork
 from compwright.planning.quick_check import check_positions, moved_by, quick_check
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, partner_of
 from compwright.records.correction import Assumption, AxisCompensation, ControlFile
 from compwright.records.job import AS_FOUND, Job
 from compwright.workflow.inputs.job_inputs import JobInputs

@@ -10,7 +10,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.look_at import look_at
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each
 from compwright.planning.axes import AxisWork
@@ -57,7 +56,7 @@ def with_old_tables(
             findings.append(replace(said, message=f"Axis {name}: {said.message}"))
             continue
         table = held_by(measured.states[task[2].measured_in], task[0])
-        sentences = look_at(measured.control.format, task[0], table)
+        sentences = measured.control.look_at(task[0], table)
         names = dict.fromkeys((old.verdict.verdict, *(one.verdict for one in old.likely)))
         look = [sentence for name in names for sentence in sentences.get(name, ())]
         why = old.refusal(look)

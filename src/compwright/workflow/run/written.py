@@ -5,30 +5,25 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from compwright.controls.acting import applied_of
 from compwright.controls.changes import changed_neighbours
 from compwright.controls.control import Control, decode
 from compwright.controls.cross_tables import CrossOutcome, write_planned
-from compwright.controls.decoded import DecodedState, judged
+from compwright.controls.decoded import DecodedState
+from compwright.controls.delivered import deliver
 from compwright.controls.gantries import check_partners, with_partners
-from compwright.controls.two_readers import probe_positions
-from compwright.formats.families.delivery import Delivery
-from compwright.foundations.errors import CompwrightError, Fault, UsageError, raise_all
+from compwright.foundations.errors import CompwrightError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning import axis_tasks
 from compwright.planning.axes import AxisWork
 from compwright.planning.cross import plan_cross
 from compwright.planning.scale import scale_steps
-from compwright.records.axis import Axis, Direction
+from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile
 from compwright.records.fitted import FittedTable
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import PlannedAxis
-from compwright.records.serial_line import as_on_line
-from compwright.verification.read_back import SAME
 from compwright.workflow.run.fitted import Fitted
 from compwright.workflow.run.measured import Measured
 from compwright.workflow.run.wanted import Wanted
@@ -158,44 +153,3 @@ def write_fitted(
     loaded = decode(control, files, axes, written=True)
     check_partners(every, loaded)
     return files, loaded
-
-
-def deliver(
-    control: Control,
-    files: tuple[ControlFile, ...],
-    as_found: DecodedState,
-    axes: Sequence[Axis],
-    image: DecodedState | None,
-) -> Delivery:
-    """Return what the control loads of the ``files`` that were written for ``axes``.
-
-    Raises UsageError for a form of files that these have not, and CompwrightError (a fault of our
-    own) where small files do something else than the whole ``image``, which they stand for.
-    """
-    try:
-        delivery = control.format.delivered(files, as_found.files, axes)
-    except UsageError as error:
-        raise control.origin.named(error) from error
-    delivery = replace(delivery, files=as_on_line(delivery.files, as_found.files))
-    if delivery.own or image is None:
-        return delivery
-    small = decode(control, delivery.files, axes, written=True)
-    faults = [
-        Fault(
-            message=(
-                "the small files do something else than the archive would; please report this"
-            ),
-            place=f"axis {axis.address}, direction {direction.value}",
-        )
-        for axis in axes
-        for direction in Direction
-        if not _same(small, image, axis.address, direction)
-    ]
-    raise_all(CompwrightError, faults)
-    return delivery
-
-
-def _same(one: DecodedState, other: DecodedState, address: str, direction: Direction) -> bool:
-    where = probe_positions(other.state.axes[address].positions)
-    mine, theirs = (judged(state, address, where, direction) for state in (one, other))
-    return bool(np.all(np.abs(mine - theirs) <= SAME))

@@ -10,8 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
-from compwright.controls.definitions import is_path
-from compwright.formats.definition.extends import EXTENDS
+from compwright.controls.definitions import files_of_definition
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.input_sizes import JOB as JOB_FILE
@@ -294,19 +293,10 @@ def _beside_tests(data: Mapping[str, Any], folder: Path, copies: _Copies) -> dic
 
 def _definition(name: str, plan: Plan, copies: _Copies) -> str:
     """Return the name of the control's format: of one's own definition that of its copy, as the
-    plan carries it, with what it extends where it looks for it.
-
-    Raises InputError where that lies outside of the definition's own folder.
+    plan carries it. Raises InputError where what it extends lies outside of its own folder.
     """
     if not plan.definition:
         return name
-    listed = PureWindowsPath(plan.definition[0][0]).name
-    for file, content in plan.definition:
-        copies.files[f"{DEFINITION}/{listed}"] = content
-        listed = str(read_yaml(content, file).data.get(EXTENDS, ""))
-        if not is_path(listed):  # one that ships
-            break
-        if PureWindowsPath(listed).anchor or ".." in PureWindowsPath(listed).parts:
-            message = "extends a definition outside of its folder, which no copy can"
-            raise InputError(Fault(message=message, file=file, place=EXTENDS, found=listed))
-    return f"{DEFINITION}/{PureWindowsPath(plan.definition[0][0]).name}"
+    carried = files_of_definition(plan.definition)
+    copies.files |= {f"{DEFINITION}/{listed}": content for listed, content in carried.items()}
+    return f"{DEFINITION}/{next(iter(carried))}"

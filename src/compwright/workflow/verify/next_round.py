@@ -13,12 +13,11 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Any, Final
 
+from compwright.controls.changes import in_the_control
 from compwright.controls.control import Control, decode
 from compwright.documents.next_round import NextAxis, next_document
 from compwright.documents.record import RECORD, copied_by_record
 from compwright.documents.verification import VerifiedAxis, VerifiedCircle
-from compwright.formats.families.between import together
-from compwright.formats.text.container import is_container
 from compwright.foundations import storage
 from compwright.foundations.errors import (
     CapacityError,
@@ -236,7 +235,7 @@ def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
         for axis in circle.test.axes
         if axis in found.job.axes
     }
-    files = _in_the_control(found)
+    files = in_the_control(found.plan.states.get(AS_FOUND, ()), found.read_back)
     return Looped(
         axes=axes,
         files=files,
@@ -245,16 +244,6 @@ def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
         circles=measured,
         squareness=list(_squareness(found, measured, axes)),
     )
-
-
-def _in_the_control(found: Verified) -> tuple[ControlFile, ...]:
-    """Return what is in the control: what was read back, over the archive into which it was loaded
-    where that was not read back again.
-    """
-    back, before = found.read_back, found.plan.states.get(AS_FOUND, ())
-    if any(map(is_container, before)) and not any(map(is_container, back)):
-        return together(before, back)
-    return back
 
 
 def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) -> bool | None:

@@ -14,8 +14,6 @@ from compwright.controls.gantries import with_partners
 from compwright.controls.two_readers import SINGLE_PRECISION, table_positions
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis
 from compwright.estimation.cells import folded_findings
-from compwright.formats.families.gantry import partner_of
-from compwright.formats.look_at import look_at
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import evaluated
@@ -28,7 +26,7 @@ from compwright.planning.outlook import predict_same_targets
 from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
 from compwright.prediction.acting import Correction, difference, nothing
 from compwright.prediction.dead_zone import as_applied
-from compwright.records.axis import Axis, Direction
+from compwright.records.axis import Axis, Direction, partner_of
 from compwright.records.correction import AxisCompensation
 from compwright.records.fitted import FittedTable
 from compwright.records.job import Acknowledged, Job
@@ -164,7 +162,7 @@ def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, t
     """Return, by verdict, what to look at on the control."""
     if planned.fitted is None:
         return {}
-    return look_at(control.format, planned.axis, planned.fitted.compensation)
+    return control.look_at(planned.axis, planned.fitted.compensation)
 
 
 def _looks(

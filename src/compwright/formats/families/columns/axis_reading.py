@@ -7,7 +7,6 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, TABLE_VALUES
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.columns.table import SECOND, is_number
 from compwright.formats.families.columns.values import TableValues
@@ -18,6 +17,7 @@ from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 from compwright.records.facts import Fact
+from compwright.records.options import REFERENCE, REFERENCE_RETURN, TABLE_VALUES
 
 
 class AxisReader:

@@ -14,7 +14,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.columns.axis_reading import AxisReader
 from compwright.formats.families.columns.coupling import couplings_of
@@ -29,11 +28,10 @@ from compwright.formats.families.coupled_axes import (
     leader,
 )
 from compwright.formats.families.family import Family
-from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, partner_of
 from compwright.records.correction import (
     AxisCompensation,
     ControlFile,
@@ -41,6 +39,7 @@ from compwright.records.correction import (
     CrossCompensation,
 )
 from compwright.records.facts import AxisFacts
+from compwright.records.options import REFERENCE, REFERENCE_RETURN
 
 
 def read_columns(

@@ -10,7 +10,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.definition.options import TABLE_VALUES, known_kind
+from compwright.formats.definition.options import known_kind
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.columns.sources import Sources
 from compwright.formats.families.columns.table import POSITION, Row, UserTable, is_number
@@ -19,6 +19,7 @@ from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import Scale, in_range
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis, AxisKind, FloatArray
+from compwright.records.options import TABLE_VALUES
 
 #: Of a table of a rotary axis only the entries from 0 to 360 degrees are used (TNC 407 technical
 #: manual p156).

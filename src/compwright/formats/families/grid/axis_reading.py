@@ -10,12 +10,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.definition.options import (
-    ENCODER_SYSTEM,
-    REFERENCE,
-    REFERENCE_RETURN,
-    known_kind,
-)
+from compwright.formats.definition.options import known_kind
 from compwright.formats.definition.schema import Choice
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
@@ -35,6 +30,7 @@ from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation
 from compwright.records.facts import AxisFacts, Fact
+from compwright.records.options import ENCODER_SYSTEM, REFERENCE, REFERENCE_RETURN
 
 #: Software limits further away than this are none, in the unit of the files.
 _NO_LIMIT = 99999.0

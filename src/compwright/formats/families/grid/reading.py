@@ -12,13 +12,12 @@ from dataclasses import replace
 from decimal import Decimal
 
 from compwright.formats.definition.consistency import curves
-from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_names import axis_names
 from compwright.formats.families.control_texts import is_listing, texts_of
 from compwright.formats.families.coupled_axes import Coupling, check_couplings
 from compwright.formats.families.family import Family
-from compwright.formats.families.gantry import find_partners, partner_of
+from compwright.formats.families.gantry import find_partners
 from compwright.formats.families.grid.axis_reading import AskedAxis, AxisReader, AxisReading
 from compwright.formats.families.grid.basic_system import basic_system
 from compwright.formats.families.grid.beside import Beside
@@ -40,7 +39,7 @@ from compwright.formats.text.gathering import Found, Gathered, gather
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import BINARY, ReadText, no_text, text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, partner_of
 from compwright.records.correction import (
     AxisCompensation,
     ControlFile,
@@ -48,6 +47,7 @@ from compwright.records.correction import (
     CrossCompensation,
 )
 from compwright.records.facts import PairTables
+from compwright.records.options import REFERENCE, REFERENCE_RETURN
 
 #: A line of a listing in columns: a name, then one value for each axis; more than a few make one.
 _COLUMNS = re.compile(rb"^\$\w+(?:\[[0-9]+\])?\t[^\t\n]*\t", re.MULTILINE)

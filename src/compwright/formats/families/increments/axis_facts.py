@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import replace
 from decimal import Decimal
 
-from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.acting import second_tables
 from compwright.formats.families.increments.axis_values import INCH, AxisValues
@@ -25,6 +24,7 @@ from compwright.formats.families.increments.smooth import first_stage
 from compwright.formats.text.notes import Notes
 from compwright.records.axis import AxisKind
 from compwright.records.facts import AxisFacts, IncrementFacts
+from compwright.records.options import DETECTION_UNIT
 
 #: What `new` says of the limits of an axis in diameter programming.
 _HALVED = (

@@ -8,7 +8,6 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN
 from compwright.formats.families.increments import acting
 from compwright.formats.families.increments.against_job import (
     check_diameter,
@@ -30,6 +29,7 @@ from compwright.formats.text.gathering import Found
 from compwright.formats.text.scale import Scale
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
+from compwright.records.options import REFERENCE, REFERENCE_RETURN
 
 _NO_POINTS = np.empty(0)
 

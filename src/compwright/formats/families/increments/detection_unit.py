@@ -7,13 +7,14 @@ from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
 
-from compwright.formats.definition.options import DETECTION_UNIT, axis_options
+from compwright.formats.definition.options import axis_options
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.against_job import check_diameter
 from compwright.formats.families.increments.axis_values import AxisValues
 from compwright.formats.families.increments.parameters import AxisParameters, Value
 from compwright.foundations.errors import UsageError
 from compwright.records.axis import AxisKind
+from compwright.records.options import DETECTION_UNIT
 
 #: Settings of 1820: 2 x CMR for a CMR of 1/2 to 48, 100 + 1/CMR for a CMR of 1 to 1/27.
 _DOUBLED, _DIVIDED = range(1, 97), range(101, 128)

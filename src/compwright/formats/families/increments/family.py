@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Self
 
-from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, sound
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import sign_check
-from compwright.formats.families.family import Family, LeftOpen
+from compwright.formats.families.family import Family
 from compwright.formats.families.increments.against_job import points_question
 from compwright.formats.families.increments.between import straightness_between
 from compwright.formats.families.increments.capacity import AxisLimits
@@ -31,6 +30,7 @@ from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts
 from compwright.records.numbering import NumberedSections
+from compwright.records.options import DETECTION_UNIT, LeftOpen
 
 #: No control numbers more axes than this.
 _MOST_AXES = 40

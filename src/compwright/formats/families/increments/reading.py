@@ -14,12 +14,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.definition.options import (
-    DETECTION_UNIT,
-    REFERENCE,
-    REFERENCE_RETURN,
-    known_kind,
-)
+from compwright.formats.definition.options import known_kind
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.coupled_axes import (
     Coupling,
@@ -28,7 +23,6 @@ from compwright.formats.families.coupled_axes import (
     leader,
 )
 from compwright.formats.families.family import Family
-from compwright.formats.families.gantry import partner_of
 from compwright.formats.families.increments.acting import pointed_numbers
 from compwright.formats.families.increments.axis_facts import facts_of, name_of, with_beside
 from compwright.formats.families.increments.axis_reading import IncrementReader
@@ -46,7 +40,7 @@ from compwright.formats.text.gathering import gather
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import ReadText, text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, partner_of
 from compwright.records.correction import (
     AxisCompensation,
     ControlFile,
@@ -54,6 +48,7 @@ from compwright.records.correction import (
     CrossCompensation,
 )
 from compwright.records.facts import AxisFacts
+from compwright.records.options import DETECTION_UNIT, REFERENCE, REFERENCE_RETURN
 
 #: What makes an axis one that the files say something of: its limits, name and kind alone do not.
 _COMPENSATION = {*GRID, "turn", "negative_first", "negative_offset", "bidirectional", "backlash"}

@@ -14,7 +14,7 @@ from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, sound
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import sign_check, typed
-from compwright.formats.families.family import Family, LeftOpen
+from compwright.formats.families.family import Family
 from compwright.formats.families.lists.between import lists_between
 from compwright.formats.families.lists.reading import read_state
 from compwright.formats.families.lists.table import COUNTS, TENTH, VALUE_TYPES, counted
@@ -25,6 +25,7 @@ from compwright.records.axis import Axis, AxisKind, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts
+from compwright.records.options import LeftOpen
 
 RULES = ShapeRules(
     words="entries by index, at equal or at any spacing, in one list per axis",

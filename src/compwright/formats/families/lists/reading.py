@@ -11,16 +11,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.definition.options import (
-    REFERENCE,
-    REFERENCE_RETURN,
-    axis_options,
-    known_kind,
-)
+from compwright.formats.definition.options import axis_options, known_kind
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.coupled_axes import check_couplings, followers, leader
 from compwright.formats.families.family import Family
-from compwright.formats.families.gantry import compare_partners, note_twin, partner_of
+from compwright.formats.families.gantry import compare_partners, note_twin
 from compwright.formats.families.lists.axis import read_axis
 from compwright.formats.families.lists.beside import check_others
 from compwright.formats.families.lists.coupling import couplings_of
@@ -30,7 +25,7 @@ from compwright.formats.families.lists.said import AxisSaid
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.records.axis import Axis, AxisKind
+from compwright.records.axis import Axis, AxisKind, partner_of
 from compwright.records.correction import (
     AxisCompensation,
     ControlFile,
@@ -38,6 +33,7 @@ from compwright.records.correction import (
     CrossCompensation,
 )
 from compwright.records.facts import AxisFacts
+from compwright.records.options import REFERENCE, REFERENCE_RETURN
 
 
 def read_state(

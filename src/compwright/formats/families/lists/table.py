@@ -8,12 +8,12 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.families.lists.said import AxisSaid
 from compwright.formats.text.gathering import Found, same_value
 from compwright.formats.text.scale import Scale, in_range
 from compwright.foundations.errors import Fault
 from compwright.records.axis import FloatArray
+from compwright.records.options import DETECTION_UNIT
 
 #: What a whole number counts where the list does not count in increments, mm or deg.
 TENTH = 0.0001

@@ -17,7 +17,6 @@ from compwright.formats.families.axis_tables import AxisTable
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import CURVES
 from compwright.formats.families.control_texts import is_listing, texts_of
-from compwright.formats.families.delivery import Delivery
 from compwright.formats.families.grid.family import GridFamily
 from compwright.formats.families.pairs.between import pairs_between
 from compwright.formats.families.pairs.capacity import PairLimits
@@ -41,6 +40,7 @@ from compwright.foundations.errors import Fault, InputError, UsageError, raise_a
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.delivery import Delivery
 from compwright.records.facts import AxisFacts
 
 _ARCHIVE = (

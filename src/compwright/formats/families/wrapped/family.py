@@ -12,7 +12,7 @@ from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, sound
 from compwright.formats.families.between import Asked, Between, instead
 from compwright.formats.families.card_words import sign_check
-from compwright.formats.families.family import Family, LeftOpen
+from compwright.formats.families.family import Family
 from compwright.formats.families.wrapped.card import table_words
 from compwright.formats.families.wrapped.card_memory import MOST_MOTORS
 from compwright.formats.families.wrapped.counts import COUNTS, Counts, counts_of, counts_question
@@ -29,6 +29,7 @@ from compwright.records.correction import (
     ControlState,
 )
 from compwright.records.facts import AxisFacts
+from compwright.records.options import LeftOpen
 
 RULES = ShapeRules(
     words="parts of a count over a length that repeats, defined by a script",

@@ -12,12 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.definition.options import (
-    REFERENCE,
-    REFERENCE_RETURN,
-    axis_options,
-    known_kind,
-)
+from compwright.formats.definition.options import axis_options, known_kind
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.coupled_axes import check_couplings, followers, leader
@@ -44,6 +39,7 @@ from compwright.records.correction import (
     CrossCompensation,
 )
 from compwright.records.facts import AxisFacts
+from compwright.records.options import REFERENCE, REFERENCE_RETURN
 
 
 def read_wrapped(

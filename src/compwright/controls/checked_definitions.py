@@ -1,0 +1,101 @@
+"""Whether a definition keeps its word, by its gate and by the virtual control."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from compwright.controllers.virtual import KNOWN, virtual_control
+from compwright.controls.definitions import definitions_at, is_base, taken
+from compwright.formats.definition.extends import Find, found_in
+from compwright.formats.definition.options import resolve_options
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definitions import given_twice, load_definition
+from compwright.formats.gate.gate import check_definition, disagreements
+from compwright.foundations import storage
+from compwright.foundations.errors import CompwrightError, Fault
+from compwright.records.correction import ControlFile
+
+
+@dataclass(frozen=True, slots=True)
+class CheckedDefinition:
+    """The definition in a file, None where it cannot be read, and every fault of it; ``judged``:
+    there is a virtual control for it.
+    """
+
+    file: str
+    definition: Definition | None
+    faults: tuple[Fault, ...]
+    judged: bool = False
+
+
+def checked_definitions(paths: Sequence[Path]) -> Iterator[CheckedDefinition]:
+    """Yield the definitions in ``paths`` (files or folders; none: those that ship), each checked:
+    keys, corrections worked by hand by both readers, its sample. Raises InputError for what
+    cannot be read.
+    """
+    ids: dict[str, str] = {}
+    ships = set(dict(storage.definition_files()).values())
+    for file, content, find in _contents(paths):
+        try:
+            definition = load_definition(content, file, find)
+        except CompwrightError as error:
+            yield CheckedDefinition(file, None, error.faults)
+            continue
+        found = check_definition(definition)
+        judged = definition.id in KNOWN
+        if not found and judged:
+            found = tuple(_judge(definition))
+        if content not in ships:
+            found = (*found, *taken(definition))
+        name = definition.id.casefold()  # of folders, on some disks one
+        twice = (given_twice(definition, ids[name]),) if name in ids else ()
+        ids[name] = file
+        yield CheckedDefinition(file, definition, (*found, *twice), judged)
+
+
+def _contents(paths: Sequence[Path]) -> Iterator[tuple[str, bytes, Find]]:
+    if not paths:
+        files = dict(storage.definition_files())
+        for name, content in files.items():
+            if not is_base(Path(name)):
+                yield name, content, found_in(files)
+    for path in paths:
+        yield from definitions_at(path)
+
+
+def _judge(definition: Definition) -> Iterator[Fault]:
+    """Yield a fault for every hand-worked correction on which the virtual control does not
+    agree.
+    """
+    for index, expectation in enumerate(definition.expect):
+        files = [
+            ControlFile(name, text.encode("utf-8")) for name, text in expectation.files.items()
+        ]
+        try:
+            control = virtual_control(
+                definition.id,
+                files,
+                reference_return={expectation.axis: expectation.reference_return},
+                kinds={expectation.axis: expectation.kind},
+                options={
+                    **resolve_options(definition, expectation.options),
+                    "axis": expectation.axis,
+                },
+            )
+            yield from disagreements(
+                definition,
+                index,
+                partial(control.correction, expectation.axis),
+                "the virtual control does not agree at {}",
+            )
+        except CompwrightError as error:
+            place = f"expect, {expectation.name}"
+            yield from (
+                definition.text.fault(
+                    ("expect", index), f"the virtual control: {fault}", place=place
+                )
+                for fault in error.faults
+            )

@@ -1,0 +1,32 @@
+"""Options of a control that every definition has or may have, by name."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+#: What every control's files are read with where no job says more about the axis: the zero state.
+REFERENCE = "reference"
+REFERENCE_RETURN = "reference_return"
+#: Whether an axis is linear or rotary, for reading files that do not say it: a word for every axis,
+#: or kinds by address.
+KIND = "kind"
+#: The option that says how long a pulse is: asked for, never assumed.
+DETECTION_UNIT = "detection_unit"
+#: What the values of a table mean, where no manual says it; an entry sheet says it of its axis.
+TABLE_VALUES = "table_values"
+#: The option that names the measuring system to read where no job does.
+ENCODER_SYSTEM = "encoder_system"
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOpen:
+    """An option that a prefilled job leaves to the user where no file says it.
+
+    ``words``: what is expected; ``stand_in``: a value with which the files tell their axes all the
+    same. ``lengths``: the positions of a table count in it.
+    """
+
+    name: str
+    words: str
+    stand_in: float
+    lengths: bool
