@@ -1,87 +1,114 @@
 """How often is a sound test doubted, and a limit left undecided that the same targets would accept?
 
-    python benchmarks/bench_decisions.py [N] [--limits M] [--kind K]...
+    python benchmarks/bench_decisions.py [N] [--first F] [--limits M] [--kind K]...
 
-Machine ``number`` of each kind of ``machine_kinds.py`` in turn, N in all: a job without limits,
-``run``. Its test is what it says, so each doubt is a false one. The first M machines run once more
-with a limit on A of 1.3 times the predicted 95 % value at the same targets; what is not accepted
-then is open because of new targets. Prints each doubt, each such limit, and the counts.
+Machine ``number`` of each kind of ``machine_kinds.py`` in turn, N in all from the F-th: a job
+without limits, worked through without its pages. Its test is what it says, so each doubt is a
+false one. The first M machines run once more with a limit on A of 1.3 times the predicted 95 %
+value at the same targets; what is not accepted then is open because of new targets. Prints each
+doubt, each such limit, and the counts.
 """
 
 from __future__ import annotations
 
 import argparse
-import contextlib
-import io
 import json
 import tempfile
 from collections import Counter
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from machine_kinds import KINDS, machine_of
 from machines import Machine, name_seed
 from table_quality import csv_of, job_of, measured
 
+from compwright.foundations.errors import CompwrightError
+from compwright.foundations.units import outside_factor
+from compwright.workflow.inputs.jobs import read_job_file
+from compwright.workflow.run.finished import Finished
+from compwright.workflow.run.worked_through import worked_through
 
-def prediction(machine: Machine, text: str, limits: dict[str, float]) -> tuple[int, Any]:
-    """Run a job of one axis; return exit code and prediction (None without one)."""
-    from compwright.cli import run
 
+def prediction(
+    machine: Machine, text: str, limits: dict[str, float], folder: Path
+) -> tuple[Finished | None, str]:
+    """Return a job of one axis worked through, less its pages; None and why where it fails."""
     job = json.loads(job_of(machine))
-    job["axes"]["X"]["accept"] = limits
-    if not limits:
-        del job["axes"]["X"]["accept"]
-    said = io.StringIO()
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        (folder / "x.csv").write_text(text, encoding="utf-8")
-        (folder / "job.yaml").write_text(json.dumps(job), encoding="utf-8")
-        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
-            code = run(["run", str(folder / "job.yaml"), "--out", str(folder / "out")])
-        path = folder / "out" / "prediction.json"
-        return code, json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
+    if limits:
+        job["axes"]["X"]["accept"] = limits
+    (folder / "x.csv").write_text(text, encoding="utf-8")
+    (folder / "job.yaml").write_text(json.dumps(job), encoding="utf-8")
+    try:
+        return worked_through(read_job_file(folder / "job.yaml"), folder, folder / "out"), ""
+    except CompwrightError as error:
+        return None, str(error)
+
+
+@dataclass
+class Counts:
+    """What the runs came to."""
+
+    runs: int = 0
+    doubted: int = 0
+    doubts: Counter[str] = field(default_factory=Counter)
+    tried: int = 0
+    accepted: int = 0
+
+    def show(self) -> None:
+        """Print the counts."""
+        print(f"doubted {self.doubted} of {self.runs}: {dict(self.doubts)}")
+        print(
+            f"limits at 1.3 times the 95 % value: {self.accepted} of {self.tried} accepted",
+            flush=True,
+        )
+
+
+def count(kind: str, number: int, folder: Path, counts: Counts, limits: int) -> None:
+    """Run one machine, and once more with a limit while fewer than ``limits`` were tried."""
+    machine = machine_of(kind, number)
+    rng = name_seed(kind, number, 1)
+    readings = measured(machine, rng, machine.temperature(rng))
+    text = csv_of(machine, machine.targets, np.asarray(readings))
+    found, why = prediction(machine, text, {}, folder)
+    if found is None:
+        print(kind, number, why, flush=True)
+        return
+    counts.runs += 1
+    doubts = [one.finding for one in found.doubts.open]
+    counts.doubted += bool(doubts)
+    counts.doubts.update(one.code for one in doubts)
+    for one in doubts:
+        print(kind, number, one.code, one.message, flush=True)
+    shown = found.predicted.axes["X"].tests[0]
+    if "A" not in shown.predicted or counts.tried >= limits or doubts:
+        return
+    counts.tried += 1
+    factor = outside_factor(found.works["X"].planned.axis.kind.unit)
+    limit = 1.3 * shown.predicted["A"].p95 * factor
+    decided, _ = prediction(machine, text, {"A": limit}, folder)
+    decision = decided and decided.predicted.axes["X"].accept["A"].decision
+    counts.accepted += decision == "accept"
+    if decision != "accept":
+        new = shown.predicted_new_targets["A"].p95 * factor
+        print(kind, number, f"limit {limit:.2f}, new targets {new:.2f}: {decision}")
 
 
 def main() -> None:
     """Run and print."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("count", nargs="?", type=int, default=300)
+    parser.add_argument("--first", type=int, default=0, help="begin with this machine of all")
     parser.add_argument("--limits", type=int, default=60)
     parser.add_argument("--kind", action="append", default=[])
     options = parser.parse_args()
     kinds = options.kind or list(KINDS)
-    doubts: Counter[str] = Counter()
-    doubted = runs = tried = accepted = 0
-    for index in range(options.count):
-        kind, number = kinds[index % len(kinds)], index // len(kinds)
-        machine = machine_of(kind, number)
-        rng = name_seed(kind, number, 1)
-        readings = measured(machine, rng, machine.temperature(rng))
-        text = csv_of(machine, machine.targets, np.asarray(readings))
-        code, found = prediction(machine, text, {})
-        if found is None:
-            print(kind, number, "exit", code, flush=True)
-            continue
-        runs += 1
-        codes = [one["code"] for one in found["doubts"]]
-        doubted += bool(codes)
-        doubts.update(codes)
-        if codes:
-            print(kind, number, *codes, flush=True)
-        band = found["axes"]["X"]["predicted"].get("A")
-        if band is None or tried >= options.limits or codes:
-            continue
-        tried += 1
-        _, decided = prediction(machine, text, {"A": 1.3 * band["p95"]})
-        decision = decided["axes"]["X"]["accept"]["A"]["decision"]
-        accepted += decision == "accept"
-        if decision != "accept":
-            new = decided["axes"]["X"]["predicted_new_targets"]["A"]["p95"]
-            print(kind, number, f"limit {1.3 * band['p95']:.2f}, new targets {new:.2f}: {decision}")
-    print(f"doubted {doubted} of {runs}: {dict(doubts)}")
-    print(f"limits at 1.3 times the 95 % value: {accepted} of {tried} accepted")
+    counts = Counts()
+    with tempfile.TemporaryDirectory() as name:
+        for index in range(options.first, options.first + options.count):
+            kind, number = kinds[index % len(kinds)], index // len(kinds)
+            count(kind, number, Path(name), counts, options.limits)
+    counts.show()
 
 
 if __name__ == "__main__":

@@ -145,12 +145,23 @@ def test_an_acknowledgement_of_one_axis_leaves_the_others_in_doubt() -> None:
     both = Noticed(Finding("CW-S002", "warning", "both"), frozenset({"X", "Y"}))
     every = Noticed(Finding("CW-S002", "warning", "all"))
     info = Noticed(Finding("CW-T007", "info", "part of the travel"))
-    found = doubts_among([both, every, info], [of])
-    assert [one.axes for one in found.open] == [frozenset({"Y"}), None]
-    assert [one.by for one in found.acknowledged] == [of]
-    assert found.about("X")
-    assert not doubts_among([both], [of]).about("X")
+    axes = ("X", "Y")
+    found = doubts_among([both, every, info], [of], axes)
+    assert [one.axes for one in found.open] == [frozenset({"Y"}), frozenset({"Y"})]
+    assert [one.by for one in found.acknowledged] == [of, of]
+    assert not found.about("X")
+    assert found.about("Y")
+    other = Acknowledgement(code="CW-S002", reason="also", axis="Y")
+    found = doubts_among([both, every], [of, other], axes)
+    assert (found.open, found.unused) == ((), ())
     general = Acknowledgement(code="CW-S002", reason="whole")
-    assert doubts_among([both, every], [general]).open == ()
-    assert doubts_among([both], [of, of]).unused == ()
-    assert doubts_among([], [of]).unused == (of,)
+    assert doubts_among([both, every], [general], axes).open == ()
+    assert doubts_among([both], [of, of], axes).unused == ()
+    assert doubts_among([], [of], axes).unused == (of,)
+
+
+def test_the_only_axis_of_a_job_answers_a_doubt_about_all() -> None:
+    every = Noticed(Finding("CW-S002", "warning", "all"))
+    of = Acknowledgement(code="CW-S002", reason="whole", axis="X")
+    assert doubts_among([every], [of], ["X"]).open == ()
+    assert doubts_among([every], [], ["X"]).open == (every,)

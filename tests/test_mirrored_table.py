@@ -5,6 +5,7 @@ be corrected twice. Honest tests with a table that is active are not doubted.
 from __future__ import annotations
 
 import json
+import shutil
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -36,15 +37,16 @@ def run(folder: Path, state: str, readings: Readings, name: str, end: str = "") 
 
 @pytest.fixture(scope="module")
 def loaded(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the table that the first test led to."""
-    folder = tmp_path_factory.mktemp("mirror")
-    code, _ = run(folder, "none", MACHINE.measure(TARGETS, 1), "first")
+    """A folder with the table that the first test led to, read back, without its plan."""
+    first, folder = (tmp_path_factory.mktemp(name) for name in ("first", "mirror"))
+    code, _ = run(first, "none", MACHINE.measure(TARGETS, 1), "first")
     assert code == 0
+    shutil.copytree(first / "first" / "tables" / "siemens-840d-sl", folder / "control")
     return folder
 
 
 def tables(folder: Path) -> Path:
-    return folder / "first" / "tables" / "siemens-840d-sl"
+    return folder / "control"
 
 
 @pytest.mark.parametrize("what", ["rounded", "other datum", "three runs", "half the backlash"])
@@ -80,6 +82,17 @@ def test_a_test_with_an_active_table_is_no_mirror_image(loaded: Path, grown: flo
     readings = machine.measure(TARGETS, 7, sinumerik(tables(loaded)))
     _, found = run(loaded, f"[{tables(loaded)}]", readings, "honest")
     assert "CW-P161" not in {one["code"] for one in found["doubts"]}
+
+
+def test_noise_alone_is_no_mirror_image() -> None:
+    """Readings or tables whose shape is hardly more than the noise of a mean say nothing."""
+    targets = 40.0 * np.arange(21.0)
+    wave = np.sin(2 * np.pi * targets / 800.0)
+    for size, seen in ((3.0, False), (6.0, True)):
+        table = size * np.sqrt(2.0) * 1e-4 * wave  # root mean square: so many times the noise
+        assert is_mirror_image(table, -table, targets, 1e-4) is seen
+        assert not is_mirror_image(0.1 * table, -table, targets, 1e-4)
+        assert not is_mirror_image(table, -0.1 * table, targets, 1e-4)
 
 
 def test_tables_that_are_not_perfect_are_hardly_ever_mirror_images() -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,8 +18,10 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
-from compwright.records.axis import Direction
+from compwright.evaluation.rounded_copies import is_rounded_copy
+from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlFile
+from compwright.records.positioning import PositioningTest
 from loop import Floats, Machine, csv_of
 
 pytestmark = pytest.mark.brief
@@ -95,6 +98,28 @@ def table(out: Path) -> Any:
     )
 
 
+def positioning_test(targets: Floats, readings: dict[int, Floats]) -> PositioningTest:
+    runs = tuple(range(1, 6))
+    return PositioningTest(
+        name="x",
+        axis="X",
+        kind=AxisKind.LINEAR,
+        targets=targets,
+        positive=readings[1],
+        negative=readings[-1],
+        runs_positive=runs,
+        runs_negative=runs,
+    )
+
+
+def rounded(test: PositioningTest, digits: int) -> PositioningTest:
+    return replace(
+        test,
+        positive=np.round(test.positive, digits),
+        negative=np.round(test.negative, digits),
+    )
+
+
 def copied(folder: Path) -> str:
     shutil.copytree(folder / "job" / "tables" / "linuxcnc", folder / "control")
     return "[control]"
@@ -151,6 +176,54 @@ def test_the_same_readings_in_another_file_are_the_same_test(folder: Path) -> No
         )
         == 2
     )
+
+
+def written_again(folder: Path, what: str) -> str:
+    """Write the test of X once more: the control's files that go with it are its tables."""
+    targets = AXES["X"].targets()
+    readings = dict(AXES["X"].measure(targets, 0))
+    if what == "other zero":
+        readings = {sign: block + 0.0123 for sign, block in readings.items()}
+    if what == "other order":
+        readings = {sign: block[:, ::-1] for sign, block in readings.items()}
+    if what == "some runs":
+        readings = {sign: block[:, 1:4] for sign, block in readings.items()}
+    if what == "every second target":
+        targets, readings = targets[::2], {sign: block[::2] for sign, block in readings.items()}
+    step = 0.001 if what == "whole µm" else 0.0001
+    readings = {sign: step * np.round(block / step) for sign, block in readings.items()}
+    (folder / "again.csv").write_text(csv_of(targets, readings))
+    return copied(folder)
+
+
+@pytest.mark.parametrize(
+    "what",
+    ["rounded", "whole µm", "other zero", "other order", "some runs", "every second target"],
+)
+def test_readings_with_fewer_digits_are_the_same_test(
+    folder: Path, what: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    state = written_again(folder, what)
+    assert run(folder, "--force", as_found=state, axes="X", entry="again.csv") == 2
+    assert "a test that was taken with these tables loaded" in capsys.readouterr().err
+
+
+def test_the_plan_next_to_the_measurements_is_found(folder: Path, tmp_path: Path) -> None:
+    written_again(folder, "rounded")
+    (tmp_path / "today").mkdir()
+    entry = str(folder / "again.csv")
+    as_found = f"[{folder / 'control'}]"
+    assert run(tmp_path / "today", as_found=as_found, axes="X", entry=entry) == 2
+
+
+def test_a_machine_without_its_table_is_no_copy_of_the_first_test() -> None:
+    """Fresh readings of the same axis scatter by its noise; rounded ones are the same runs."""
+    targets = AXES["X"].targets()
+    first, other = (positioning_test(targets, AXES["X"].measure(targets, n)) for n in (0, 1))
+    assert is_rounded_copy(rounded(first, 4), first)
+    assert is_rounded_copy(rounded(first, 3), first)
+    assert not is_rounded_copy(other, first)
+    assert not is_rounded_copy(rounded(other, 4), first)
 
 
 def test_a_run_without_a_job(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -37,24 +37,27 @@ class Doubts:
         return any(one.concerns(axis) for one in self.open)
 
 
-def doubts_among(noticed: Iterable[Noticed], given: Sequence[Acknowledgement]) -> Doubts:
+def doubts_among(
+    noticed: Iterable[Noticed], given: Sequence[Acknowledgement], axes_of_job: Iterable[str]
+) -> Doubts:
     """Return the doubts among what was noticed, each once; ``given``: what the job acknowledges.
 
-    An acknowledgement of one axis leaves a doubt open that concerns others too.
+    An acknowledgement of one axis leaves a doubt open that concerns others too. A doubt about all
+    axes concerns those of the job.
     """
+    every = frozenset(axes_of_job)
     still: list[Noticed] = []
     done: list[Acknowledged] = []
     for one in dict.fromkeys(each for each in noticed if each.finding.is_doubt):
-        axes, by = one.axes, [each for each in given if each.code == one.finding.code]
-        covering = next((each for each in by if each.axis is None), None)
-        if covering is None and axes:
-            named = {each.axis: each for each in by}
-            covering = next((named[axis] for axis in sorted(axes) if axis in named), None)
-            axes -= named.keys()
-        if covering is not None:
-            done.append(Acknowledged(one.finding, covering))
-        if covering is None or (covering.axis is not None and axes):
-            still.append(replace(one, axes=axes))
+        axes = every if one.axes is None else one.axes
+        by = {each.axis: each for each in reversed(given) if each.code == one.finding.code}
+        covering = [by[None]] if None in by else [by[axis] for axis in sorted(axes & by.keys())]
+        done.extend(Acknowledged(one.finding, each) for each in covering)
+        left = axes - by.keys()
+        if not covering:
+            still.append(one)
+        elif None not in by and left:
+            still.append(replace(one, axes=left))
     used = {id(each.by) for each in done}
     unused = tuple(each for each in given if id(each) not in used)
     return Doubts(tuple(still), tuple(done), unused)

@@ -17,10 +17,11 @@ import numpy as np
 from compwright.controls.decoded import DecodedState, judged
 from compwright.controls.two_readers import table_positions
 from compwright.documents.plan import read_plan
+from compwright.evaluation.rounded_copies import is_rounded_copy, last_digit
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.provenance import fingerprint, share_a_file
-from compwright.records.axis import Axis, Direction
+from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularTest
 from compwright.records.job import Job
 from compwright.records.plan import Plan, PlannedAxis, PlannedTest
@@ -34,6 +35,13 @@ PLAN = "plan.json"
 _MADE = ("tables", "rollback", "card")
 #: From a file of the control up to the folder of the run that made it: tables/<format>/<file>.
 _LEVELS_UP = 3
+#: The last digit of a control's values, mm (deg), at its coarsest: its files may hold fewer digits
+#: than the plan.
+_CONTROL_DIGIT = 1e-4
+#: Two tables differ in shape where, but for a constant, they are so many steps of the readings
+#: apart at more than the rest of the targets.
+_MANY = 0.7
+_SEEN = 2.5
 #: Of two tests that agree in so many readings to the last digit one was made from the other.
 _NEARLY_ALL = 0.9
 _AGAIN = "its correction would be added a second time"
@@ -88,7 +96,7 @@ def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
 
 def _near(job: Job, folder: Path, out: Path) -> Iterator[Path]:
     """Yield where plans of earlier runs may stand: where this run writes, above the files of a
-    state, beside job and results.
+    state, beside job, measurements and results.
     """
     yield out / PLAN
     yield storage.resolved(out).parent / PLAN  # that of the round before
@@ -97,7 +105,15 @@ def _near(job: Job, folder: Path, out: Path) -> Iterator[Path]:
             path = storage.named_from(folder, text)
             yield path / PLAN
             yield from (above / PLAN for above in list(storage.resolved(path).parents)[:_LEVELS_UP])
-    yield from storage.in_folders_of(folder, PLAN)
+    measured = (
+        storage.named_from(folder, file).parent
+        for entry in job.axes.values()
+        for request in entry.before
+        for file in request.files
+    )
+    for place in dict.fromkeys((folder, *measured)):
+        yield place / PLAN
+        yield from storage.in_folders_of(place, PLAN)
     yield from storage.in_folders_of(storage.resolved(out).parent, PLAN)
 
 
@@ -138,10 +154,11 @@ def _counted_twice(
         for planned in tests:
             state = inputs.states.get(planned.measured_in)
             pairs = [
-                (axis, old)
+                (axis, old, 0.0 if same else last_digit(planned.test))
                 for axis in plan.axes.values()
                 for old in axis.tests
-                if _same(planned.test, old.test)
+                if (same := _same(planned.test, old.test))
+                or is_rounded_copy(planned.test, old.test)
             ]
             if state is None or not pairs:
                 continue
@@ -191,13 +208,21 @@ def _readings(test: PositioningTest) -> dict[tuple[Direction, float, int], float
 
 
 def _acts_again(
-    planned: PlannedAxis, test: PlannedTest, state: DecodedState, axis: Axis, *, made: bool
+    planned: PlannedAxis,
+    test: PlannedTest,
+    digit: float,
+    state: DecodedState,
+    axis: Axis,
+    *,
+    made: bool,
 ) -> bool:
     """Whether a state does something else to an axis than what acted while the plan's ``test`` was
     taken, and what the plan asked for.
 
-    ``made``: the files of the state are the plan's own byte for byte; others may do the same in
-    another form (a whole backup).
+    ``digit``: step of the readings, mm or deg, where the test of the job is a rounded copy: two
+    tests may agree so far, with tables that differ by less. ``made``: the files of the state are
+    the plan's own byte for byte; others may do the same in another form (a whole backup, fewer
+    digits, without the backlash value).
     """
     if planned.fitted is None:
         return False
@@ -207,27 +232,41 @@ def _acts_again(
         if new.positions.size > 1
         else np.linspace(*planned.axis.travel, 11)
     )
-    gaps = (
+    gaps = [
         judged(state, axis.address, where, direction) - new.at(where, direction)
         for direction in Direction
+    ]
+    change = _change(planned, test, state, axis)
+    bent = _bent(change, max(digit, _CONTROL_DIGIT))
+    changed = bent if digit else max(float(np.max(np.abs(gap))) for gap in change) > SAME
+    asked = max(float(np.max(np.abs(gap))) for gap in gaps) <= SAME
+    alike = bent and max(float(np.ptp(gap)) for gap in gaps) <= 2.0 * _CONTROL_DIGIT
+    return changed and (made or asked or alike)
+
+
+def _bent(curves: Sequence[FloatArray], step: float) -> bool:
+    """Whether one of the curves leaves a constant at many of its places, by many steps."""
+    return any(
+        float(np.quantile(np.abs(curve - np.median(curve)), _MANY)) > _SEEN * step
+        for curve in curves
     )
-    asked = max(float(np.max(np.abs(gap))) for gap in gaps)
-    return _fresh(planned, test, state, axis) > SAME and (made or asked <= SAME)
 
 
-def _fresh(planned: PlannedAxis, test: PlannedTest, state: DecodedState, axis: Axis) -> float:
-    """Return by how much a state does something else than what acted during the ``test`` of a plan,
-    mm or deg, at the targets of the test; nothing where the plan does not know what acted.
+def _change(
+    planned: PlannedAxis, test: PlannedTest, state: DecodedState, axis: Axis
+) -> list[FloatArray]:
+    """Return what a state does beyond what acted during the ``test`` of a plan, mm or deg, at the
+    targets of the test in + and in -; nothing where the plan does not know what acted.
     """
     targets, acted, active = test.test.targets, test.acted, planned.active
     if acted is None and active is not None and test.measured_in == planned.tests[0].measured_in:
         acted = active.at(targets, Direction.POSITIVE), active.at(targets, Direction.NEGATIVE)
     if acted is None:
-        return 0.0
-    return max(
-        float(np.max(np.abs(judged(state, axis.address, targets, direction) - then)))
+        return [np.zeros_like(targets)]
+    return [
+        judged(state, axis.address, targets, direction) - then
         for direction, then in zip(Direction, acted, strict=True)
-    )
+    ]
 
 
 def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fault:

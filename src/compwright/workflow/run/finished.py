@@ -68,6 +68,7 @@ class Finished:
         return doubts_among(
             [*self._noticed(), *self._of_tests(), *self._of_circles()],
             self.measured.job.acknowledged,
+            self.measured.axes,
         )
 
     @property

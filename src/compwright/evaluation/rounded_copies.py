@@ -1,0 +1,65 @@
+"""A test that was written down once more: with fewer digits, another zero of the instrument, its
+runs in another order, or some runs and targets only.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.positioning import PositioningTest
+
+#: Digits that a copy keeps at least: 0.1 µm (0.36 arcsec); a coarser step shows in its readings.
+_FINEST: Final = 1e-4
+#: Readings on a step are so to this part of it.
+_WHOLE: Final = 0.02
+#: Targets that two runs have in common at least: a constant between them is free.
+_TARGETS: Final = 5
+#: Positions in mm (deg) that are one target.
+_SAME_TARGET: Final = 1e-3
+#: Of the readings of a copy so many are in the original: some may have been corrected by hand.
+_NEARLY_ALL: Final = 0.9
+
+
+def last_digit(test: PositioningTest) -> float:
+    """Return the step on which all readings of a test lie, mm or deg, at least 0.1 µm."""
+    blocks = [test.deviations(direction).ravel() for direction in Direction]
+    values = np.concatenate(blocks)
+    gaps = np.diff(np.unique(np.round(values[np.isfinite(values)], 9)))
+    if gaps.size == 0:
+        return _FINEST
+    counts = gaps / np.min(gaps)
+    on_step = bool(np.all(np.abs(counts - np.round(counts)) <= _WHOLE))
+    return max(_FINEST, float(np.min(gaps))) if on_step else _FINEST
+
+
+def is_rounded_copy(test: PositioningTest, original: PositioningTest) -> bool:
+    """Return whether nearly every reading of ``test`` is one of ``original`` but for its last digit
+    and a constant for each run.
+    """
+    if test.kind is not original.kind:
+        return False
+    step = last_digit(test)
+    place = np.searchsorted(original.targets, test.targets - _SAME_TARGET)
+    place = np.minimum(place, original.targets.size - 1)
+    common = np.abs(original.targets[place] - test.targets) <= _SAME_TARGET
+    found = made = 0
+    for direction in Direction:
+        ours = test.deviations(direction)
+        theirs = original.deviations(direction)[place[common]]
+        for run in ours.T:
+            read = int(np.count_nonzero(np.isfinite(run)))
+            made += read
+            found += read * any(_agree(run[common], other, step) for other in theirs.T)
+    return made > 0 and found >= _NEARLY_ALL * made
+
+
+def _agree(run: FloatArray, other: FloatArray, step: float) -> bool:
+    gap = run - other
+    gap = gap[np.isfinite(gap)]
+    if gap.size < _TARGETS:
+        return False
+    alike = np.abs(gap - np.median(gap)) <= step
+    return int(np.count_nonzero(alike)) >= _NEARLY_ALL * gap.size
