@@ -12,11 +12,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from compwright.documents.checked_json import Reader
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import _wanted_out
-from compwright.documents.plan_reading import FORMS
-from compwright.documents.plan_rules import RULES
+from compwright.documents.plan_reading import plan_validator
 from compwright.fitting.fit import fit_table
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity, Lattice
@@ -186,7 +184,7 @@ def test_the_plan_holds_the_tests_by_which_a_goal_was_judged() -> None:
     """Read back from the plan's own text the same table comes out: export fits it again."""
     wanted = wish(BUMP, BUMP + 4 * UM, fresh_tests(24, 11))
     out = _wanted_out(wanted)
-    back = Reader("plans", FORMS, RULES).record(json.loads(to_json(out)), WantedCorrection, "")
+    back = plan_validator(WantedCorrection).validate_python(json.loads(to_json(out)))
     assert "scenarios" not in _wanted_out(replace(wanted, scenarios=None))
     one, other = (fit(each, CONTROL, spacing=100.0, goal="A") for each in (wanted, back))
     assert np.array_equal(one.compensation.positive, other.compensation.positive)

@@ -4,7 +4,6 @@ its path; a plan that carries one.
 
 from __future__ import annotations
 
-from difflib import get_close_matches
 from functools import cache
 from pathlib import Path, PureWindowsPath
 
@@ -19,6 +18,7 @@ from compwright.formats.gate.gate import check_definition
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.input_sizes import DEFINITION
+from compwright.foundations.key_faults import nearest
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.plan import Texts
 
@@ -172,12 +172,12 @@ def _shipped(format_id: str) -> Definition:
         expected = " or ".join(f"{one.id} ({_short(one.title)})" for one in meant)
     else:
         names = {name for one in definitions.values() for name in _names(one)}
-        near = get_close_matches(_plain(format_id), sorted(names), 1)
-        nearest = [one.id for one in definitions.values() if near and near[0] in _names(one)]
+        near = nearest(_plain(format_id), sorted(names))
+        alike = [one.id for one in definitions.values() if near in _names(one)]
         message = "no such control format"
         expected = " or ".join([*definitions, "the path of a file *.yaml"])
-        if nearest:
-            expected = f"{' or '.join(nearest)}, the nearest; all are {expected}"
+        if alike:
+            expected = f"{' or '.join(alike)}, the nearest; all are {expected}"
     raise UsageError(Fault(message=message, place="format", expected=expected, found=format_id))
 
 

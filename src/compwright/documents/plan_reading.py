@@ -1,18 +1,23 @@
-"""A plan from its JSON, checked like a job: see `checked_json`."""
+"""A plan from its JSON, checked like a job: see `record_schemas`."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 from statistics import mode
 from typing import Any, Final, cast
 
 import numpy as np
+from pydantic_core import SchemaValidator
+from pydantic_core import core_schema as cs
 
-from compwright.documents.checked_json import FAULTY, Form, Reader, below, is_number
+from compwright.documents.plain_values import PLAIN, is_number
 from compwright.documents.plan_rules import RULES, contradictions
-from compwright.foundations.errors import Fault
-from compwright.records.axis import Axis, Encoder
+from compwright.foundations.key_faults import KeyFault, shown
+from compwright.foundations.record_schemas import Form, RecordSchemas, mapping
+from compwright.foundations.validation import checked, refuse
+from compwright.records.axis import Axis, Encoder, FloatArray
 from compwright.records.circular import CircularTest
 from compwright.records.correction import ControlFile
 from compwright.records.estimate import AxisPeriod, ErrorEstimate, WantedCorrection
@@ -22,109 +27,107 @@ from compwright.records.plan import Plan, PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest
 
 
-def plan_of(data: Mapping[str, Any]) -> tuple[Plan | None, list[Fault]]:
+def plan_of(data: Mapping[str, Any]) -> tuple[Plan | None, list[KeyFault]]:
     """Return the plan that a document holds, and everything that is wrong with it; None where
     something is.
     """
-    reader = Reader("plans", FORMS, RULES)
-    plan = reader.record(data, Plan, "")
-    faults = reader.faults or list(contradictions(plan))
+    plan, faults = checked(plan_validator(Plan), data)
+    faults = faults or list(contradictions(plan))
     return (None if faults else cast("Plan", plan)), faults
 
 
-def _estimate(reader: Reader, data: Mapping[str, Any], place: str) -> Any:
+@cache
+def plan_validator(cls: type) -> SchemaValidator:
+    """Return what reads a record of a plan."""
+    return RecordSchemas(FORMS, RULES, PLAIN).validator(cls)
+
+
+def _periods(values: dict[str, Any]) -> dict[str, Any]:
     """The periods of an estimate stand beside it."""
-    periods: Any = ()
-    if "periods" in data:
-        beside = f"{place.removesuffix('estimate')}periods"
-        periods = reader.value(data["periods"], tuple[AxisPeriod, ...], beside)
-    estimate = reader.record(data["estimate"], ErrorEstimate, place)
-    if estimate is FAULTY or periods is FAULTY:
-        return FAULTY
-    return replace(estimate, periods=periods)
+    estimate = replace(values["estimate"], periods=values.get("periods", ()))
+    return {**values, "estimate": estimate}
 
 
-def _axis(reader: Reader, data: Mapping[str, Any], place: str) -> Any:
+def _unit(unit: Any, info: cs.ValidationInfo) -> None:
     """The unit beside an axis is that of its kind."""
-    axis = reader.record(data["axis"], Axis, place)
-    said = data.get("unit")
-    if axis is not FAULTY and said not in (None, axis.kind.unit):
-        return reader.wrong(f"{place.removesuffix('axis')}unit", axis.kind.unit, said)
-    return axis
+    axis = info.data.get("axis")
+    if axis is not None and unit not in (None, axis.kind.unit):
+        refuse(KeyFault((), "is not the unit of this axis", axis.kind.unit, shown(unit)))
 
 
-def _acted(reader: Reader, data: Mapping[str, Any], place: str) -> Any:
-    value = data["acted"]
-    if value is None:
-        return None
-    if not isinstance(value, dict) or set(value) != {"positive", "negative"}:
-        return reader.wrong(place, "null, or the keys positive and negative", value)
-    sides = tuple(
-        reader.value(value[key], np.ndarray[Any, Any], below(place, key))
-        for key in ("positive", "negative")
-    )
-    return FAULTY if any(side is FAULTY for side in sides) else sides
-
-
-def _positive(reader: Reader, data: Mapping[str, Any], place: str) -> Any:
-    return _readings(reader, data["positive"], place)
-
-
-def _negative(reader: Reader, data: Mapping[str, Any], place: str) -> Any:
-    return _readings(reader, data["negative"], place)
-
-
-def _readings(reader: Reader, rows: Any, place: str) -> Any:
+def _readings(rows: Any) -> FloatArray:
     """Rows of numbers, each as long; null is a reading that is missing."""
     if not isinstance(rows, list) or not all(isinstance(row, list) for row in rows):
-        return reader.wrong(place, "a list of rows, one for each target", rows)
+        refuse(KeyFault((), "is not a table", "a list of rows, one for each target", shown(rows)))
     width = mode(len(row) for row in rows) if rows else 0
     for index, row in enumerate(rows):
         odd = [one for one in row if one is not None and not is_number(one)]
         if odd or len(row) != width:
             expected = f"{width} readings, each a number or null"
-            return reader.wrong(f"{place}[{index}]", expected, odd[0] if odd else row)
+            found = shown(odd[0] if odd else row)
+            refuse(KeyFault((index,), "is not a row of readings", expected, found))
     filled = [[np.nan if one is None else float(one) for one in row] for row in rows]
     return np.array(filled, dtype=np.float64).reshape(len(rows), width)
 
 
-def _definition(reader: Reader, data: Mapping[str, Any], place: str) -> Any:
-    entries = data["definition"]
+def _definition(entries: Any) -> Any:
     if not isinstance(entries, list):
-        return reader.wrong(place, "a list of files with name and text", entries)
+        expected = "a list of files with name and text"
+        refuse(KeyFault((), "is not a list", expected, shown(entries)))
     for index, entry in enumerate(entries):
         texts = isinstance(entry, dict) and [entry.get(key) for key in ("name", "text")]
         if not texts or len(entry) > len(texts) or not all(isinstance(one, str) for one in texts):
-            return reader.wrong(f"{place}[{index}]", "the keys name and text, both text", entry)
+            expected = "the keys name and text, both text"
+            refuse(KeyFault((index,), "is not a file", expected, shown(entry)))
     try:
         return tuple((entry["name"], entry["text"].encode("utf-8")) for entry in entries)
     except UnicodeEncodeError as error:
-        return reader.wrong(place, "text that UTF-8 has", str(error))
+        return refuse(KeyFault((), "holds what is no text", "text that UTF-8 has", str(error)))
 
 
+def _both(sides: Any) -> Any:
+    """What was active in both directions: of other keys than these there is one fault."""
+    if not isinstance(sides, dict) or set(sides) != {"positive", "negative"}:
+        expected = "null, or the keys positive and negative"
+        refuse(KeyFault((), "is not an accepted value", expected, shown(sides)))
+    return sides
+
+
+_ARRAY: Final = PLAIN[np.ndarray]
+_READINGS: Final = cs.no_info_plain_validator_function(_readings)
+_ACTED: Final = cs.no_info_before_validator_function(
+    _both,
+    mapping(
+        {"positive": _ARRAY, "negative": _ARRAY}, lambda both: (both["positive"], both["negative"])
+    ),
+)
 #: How the JSON of each record of a plan is written.
 FORMS: Final[Mapping[type, Form]] = {
     Plan: Form(
         keys={"budgets": "uncertainty"},
-        beside=frozenset({"schema"}),
+        more={"schema": cs.any_schema()},
         absent=frozenset(
             {"decision_rule", "budgets", "definition", "active", "cross", "circles", "results"}
             | {"untested"}
         ),
-        read={"definition": _definition},
+        types={"definition": cs.no_info_plain_validator_function(_definition)},
     ),
     PlannedAxis: Form(
-        beside=frozenset({"unit", "periods"}), read={"axis": _axis, "estimate": _estimate}
+        more={
+            "unit": cs.with_info_plain_validator_function(_unit),
+            "periods": tuple[AxisPeriod, ...],
+        },
+        build=_periods,
     ),
     PlannedTest: Form(
         inline="test",
         absent=frozenset({"motion", "backlash_more", "slope_std", "acted"}),
-        read={"acted": _acted},
+        types={"acted": cs.nullable_schema(_ACTED)},
     ),
     PositioningTest: Form(
         constant={"frame": "machine"},
         absent=frozenset({"thermal"}),
-        read={"positive": _positive, "negative": _negative},
+        types={"positive": _READINGS, "negative": _READINGS},
     ),
     ControlFile: Form(
         keys={"content": "base64"}, constant={"folder": "", "leader": b"", "trailer": b""}

@@ -12,7 +12,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from compwright.foundations.errors import Fault
+from compwright.foundations.key_faults import KeyFault, KeyPath
 from compwright.foundations.plain_names import PLAIN_NAME, is_plain_name
 from compwright.foundations.provenance import fingerprint
 from compwright.records.axis import Axis, Encoder
@@ -25,62 +25,59 @@ from compwright.records.plan import Plan, PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest
 
 
-def contradictions(plan: Plan) -> Iterator[Fault]:
+def contradictions(plan: Plan) -> Iterator[KeyFault]:
     """Yield what does not hold together between the parts of a plan, each with its key path."""
     yield from _names(plan)
     yield from _between(plan)
     yield from _copies(plan)
 
 
-def _names(plan: Plan) -> Iterator[Fault]:
+def _names(plan: Plan) -> Iterator[KeyFault]:
     """Keys are names that belong to what they name; those of states stand in paths of files."""
-    named = [("axes", name, entry.axis.name) for name, entry in plan.axes.items()]
-    named += [("untested", name, axis.name) for name, axis in plan.untested.items()]
-    for where, name, own in named:
-        if own != name:
-            place = f"{where}.{name}.axis.name" if where == "axes" else f"{where}.{name}.name"
-            yield _fault(place, name, own)
+    for name, entry in plan.axes.items():
+        yield from _other(("axes", name, "axis", "name"), name, entry.axis.name)
+    for name, axis in plan.untested.items():
+        yield from _other(("untested", name, "name"), name, axis.name)
     for name, circle in plan.circles.items():
-        if circle.test.name != name:
-            yield _fault(f"circles.{name}.test.name", name, circle.test.name)
+        yield from _other(("circles", name, "test", "name"), name, circle.test.name)
     for name in plan.states:
         if not is_plain_name(name):
-            yield _fault(f"states.{name}", PLAIN_NAME, name)
+            yield _fault(("states", name), PLAIN_NAME, name)
 
 
-def _between(plan: Plan) -> Iterator[Fault]:
+def _other(path: KeyPath, name: str, own: str) -> Iterator[KeyFault]:
+    if own != name:
+        yield _fault(path, name, own)
+
+
+def _between(plan: Plan) -> Iterator[KeyFault]:
     axes = {*plan.axes, *plan.untested}
     for index, entry in enumerate(plan.cross):
         for key, name in (("input", entry.input), ("output", entry.output)):
             if name not in axes:
-                yield _fault(f"cross[{index}].{key}", f"an axis of the plan: {_list(axes)}", name)
+                yield _fault(("cross", index, key), f"an axis of the plan: {_list(axes)}", name)
     for name in plan.active:
         if name not in plan.states:
-            yield _fault(f"active.{name}", f"a state of the plan: {_list(plan.states)}", name)
+            yield _fault(("active", name), f"a state of the plan: {_list(plan.states)}", name)
     for name, axis in plan.axes.items():
         tests = [planned.test.name for planned in axis.tests]
         if axis.accept is not None and axis.accept.test not in (None, *tests):
             expected = f"a test of the axis: {_list(tests)}"
-            yield _fault(f"axes.{name}.accept.test", expected, str(axis.accept.test))
+            yield _fault(("axes", name, "accept", "test"), expected, str(axis.accept.test))
 
 
-def _copies(plan: Plan) -> Iterator[Fault]:
+def _copies(plan: Plan) -> Iterator[KeyFault]:
     """The copies of the control's own files are those that the run wrote for the way back."""
     for index, file in enumerate(plan.states.get(AS_FOUND, ())):
         listed = plan.results.get(f"rollback/{plan.format}/{file.name}")
         found = fingerprint(file.content)
         if listed is not None and listed != found:
-            place = f"states.{AS_FOUND}[{index}].base64"
-            yield _fault(place, f"bytes with the SHA-256 {listed} (results)", found)
+            path = ("states", AS_FOUND, index, "base64")
+            yield _fault(path, f"bytes with the SHA-256 {listed} (results)", found)
 
 
-def _fault(place: str, expected: str, found: str) -> Fault:
-    return Fault(
-        message="contradicts the rest of the plan",
-        place=place,
-        expected=expected,
-        found=ascii(found),
-    )
+def _fault(path: KeyPath, expected: str, found: str) -> KeyFault:
+    return KeyFault(path, "contradicts the rest of the plan", expected, ascii(found))
 
 
 def _list(names: Any) -> str:

@@ -1,28 +1,30 @@
-"""The keys of ``record.json`` that a later command reads, checked like a job (see `checked_json`):
-an edited record is refused with every key that does not fit. Other keys are left alone.
+"""The keys of ``record.json`` that a later command reads, checked like a job: an edited record is
+refused with every key that does not fit. Other keys are left alone.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any, Final, Literal
 
 import numpy as np
+from pydantic_core import SchemaValidator
 
-from compwright.documents.checked_json import FAULTY, Form, Reader
-from compwright.foundations.errors import Fault
+from compwright.documents.plain_values import PLAIN
+from compwright.foundations.key_faults import KeyFault
+from compwright.foundations.record_schemas import Form, RecordSchemas
+from compwright.foundations.validation import checked
 from compwright.records.axis import FloatArray
 from compwright.records.record import InputRole
 
 
-def faults_of_record(data: Mapping[str, Any]) -> list[Fault]:
+def faults_of_record(data: Mapping[str, Any]) -> list[KeyFault]:
     """Return what does not fit in a record, or in what an older version left in place of one, each
     with its key path.
     """
-    reader = Reader("records", _FORMS, _RULES)
-    reader.record(data, _Record, "")
-    return reader.faults
+    return checked(_validator(), data)[1]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -120,26 +122,6 @@ class _Record:
     verification: _Verification | None
 
 
-def _tests(reader: Reader, data: Mapping[str, Any], place: str) -> Any:
-    """Each test by its kind, so that what is wrong is told of that one."""
-    tests = data["tests"]
-    if not isinstance(tests, list):
-        return reader.wrong(place, "a list of tests", tests)
-    kinds = {"positioning": _AxisTest, "circular": _CircularTest}
-    found = []
-    for index, test in enumerate(tests):
-        at = f"{place}[{index}]"
-        kind = test.get("kind") if isinstance(test, dict) else None
-        known = kinds.get(kind) if isinstance(kind, str) else None
-        if not isinstance(test, dict):
-            found.append(reader.wrong(at, "keys with values", test))
-        elif known is None:
-            found.append(reader.wrong(f"{at}.kind", " or ".join(map(repr, kinds)), kind))
-        else:
-            found.append(reader.record(test, known, at))
-    return FAULTY if any(test is FAULTY for test in found) else tuple(found)
-
-
 def _error(error: _Error) -> Iterator[str]:
     if not (error.value >= 0 and error.dof > 0):
         yield "a standard error of 0 or more, with degrees of freedom above 0"
@@ -162,7 +144,7 @@ def _record(record: _Record) -> Iterator[str]:
 
 _ALONE: Final = Form(others=True)
 _FORMS: Final[Mapping[type, Form]] = {
-    _Record: Form(others=True, read={"tests": _tests}),
+    _Record: Form(others=True),
     _File: Form(others=True, absent=frozenset({"by"})),
     _Input: Form(others=True, absent=frozenset({"by"})),
     _AxisTest: Form(others=True, absent=frozenset({"targets", "uncertainty"})),
@@ -177,3 +159,8 @@ _RULES: Final[Mapping[type, Callable[[Any], Iterator[str]]]] = {
     _Uncertainty: _uncertainty,
     _Squareness: _squareness,
 }
+
+
+@cache
+def _validator() -> SchemaValidator:
+    return RecordSchemas(_FORMS, _RULES, PLAIN).validator(_Record)

@@ -16,8 +16,7 @@ import yaml
 
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.input_sizes import MOST_YAML_LEVELS, MOST_YAML_WORDS
-
-KeyPath = tuple[str | int, ...]
+from compwright.foundations.key_faults import KeyPath, key_path_text
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,14 +36,6 @@ class YamlDocument:
         line = self.lines.get(probe)
         name = key_path_text(path)
         return ", ".join(part for part in (f"line {line}" if line else "", name) if part)
-
-
-def key_path_text(path: KeyPath) -> str:
-    """Return a key path as ``axes.X.before[0]``."""
-    text = ""
-    for part in path:
-        text += f"[{part}]" if isinstance(part, int) else (f".{part}" if text else part)
-    return text
 
 
 _LONE_SURROGATE = re.compile("[\ud800-\udfff]")  # cannot be written to any file or terminal

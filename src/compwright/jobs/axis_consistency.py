@@ -7,10 +7,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from compwright.foundations.yaml_reader import KeyPath
-from compwright.jobs.faults import number_hint, shown, suggestion
+from compwright.foundations.key_faults import KeyFault, KeyPath, number_hint, shown, suggestion
 from compwright.jobs.plain_data import (
-    Contradiction,
     default_name,
     list_of,
     mapping_of,
@@ -31,7 +29,7 @@ _MOST_NODES = 100_000  # no control holds a tenth of that; a finer grid is a sli
 
 def axis_contradictions(
     section: Mapping[str, Any], path: KeyPath, states: Sequence[str], standard: Any, thermal: Any
-) -> Iterator[Contradiction]:
+) -> Iterator[KeyFault]:
     """Yield what does not hold together in the ``section`` of an axis at ``path``.
 
     ``states``: the names that its tests may be measured in; ``standard``, ``thermal``: those of the
@@ -43,11 +41,11 @@ def axis_contradictions(
     yield from _thermal(section, path, thermal)
 
 
-def _geometry(section: Mapping[str, Any], path: KeyPath) -> Iterator[Contradiction]:
+def _geometry(section: Mapping[str, Any], path: KeyPath) -> Iterator[KeyFault]:
     travel = [number_of(end) for end in list_of(section.get("travel"))]
     low, high = travel if len(travel) == 2 else (None, None)
     if low is not None and high is not None and low >= high:
-        yield Contradiction(
+        yield KeyFault(
             (*path, "travel"),
             "ends are not in order",
             "[low, high] with low < high",
@@ -56,7 +54,7 @@ def _geometry(section: Mapping[str, Any], path: KeyPath) -> Iterator[Contradicti
     table = mapping_of(section.get("table"))
     start, end, spacing = (number_of(table.get(key)) for key in ("start", "end", "spacing"))
     if start is not None and end is not None and start >= end:
-        yield Contradiction(
+        yield KeyFault(
             (*path, "table"),
             "ends are not in order",
             "start < end",
@@ -70,14 +68,14 @@ def _geometry(section: Mapping[str, Any], path: KeyPath) -> Iterator[Contradicti
         and 0 < spacing * _MOST_NODES < last - first
     ):
         expected = f"at least {(last - first) / _MOST_NODES:g} mm or deg"
-        yield Contradiction(
+        yield KeyFault(
             (*path, "table", "spacing"),
             f"asks for more than {_MOST_NODES} nodes",
             expected,
             f"{spacing:g}",
         )
     if section.get("kind") == "rotary" and section.get("programmed") == "diameter":
-        yield Contradiction(
+        yield KeyFault(
             (*path, "programmed"),
             "belongs to a linear axis",
             "radius",
@@ -102,14 +100,12 @@ def _test_sections(
         yield path, str(name) if isinstance(name, str | int) else None, test
 
 
-def _tests(
-    section: Mapping[str, Any], path: KeyPath, states: Sequence[str]
-) -> Iterator[Contradiction]:
+def _tests(section: Mapping[str, Any], path: KeyPath, states: Sequence[str]) -> Iterator[KeyFault]:
     seen: set[str] = set()
     for below, name, test in _test_sections(section):
         if name is not None and name in seen:
             expected = "a name of its own: {files: [..], name: ..}"
-            yield Contradiction(
+            yield KeyFault(
                 (*path, *below), "has the name of another test of this axis", expected, shown(name)
             )
         seen.add(name or "")
@@ -117,7 +113,7 @@ def _tests(
         yield from repeated_files(list_of(test.get("files")), (*path, *below, "files"))
 
 
-def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator[Contradiction]:
+def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator[KeyFault]:
     """Keys of an axis and of its tests go over those of the job: together they have to say
     coefficient and temperature. Angles do not expand.
     """
@@ -130,18 +126,18 @@ def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator
     for below, own, there in stated:
         here = (*path, *below, "thermal")
         if there and section.get("kind") == "rotary":
-            yield Contradiction(here, "belongs to a linear axis", "no thermal on a rotary axis")
+            yield KeyFault(here, "belongs to a linear axis", "no thermal on a rotary axis")
             continue
         yield from implausible(own, here)
         known = {*mapping_of(of_job), *mapping_of(of_axis), *mapping_of(own)}
         for key in ("alpha_m", "T_m"):
             if there and isinstance(own, dict) and key not in known:
-                yield Contradiction(
+                yield KeyFault(
                     (*here, key), "is missing", "here, or under thermal of the axis or of the job"
                 )
 
 
-def implausible(thermal: Any, path: KeyPath) -> Iterator[Contradiction]:
+def implausible(thermal: Any, path: KeyPath) -> Iterator[KeyFault]:
     """Temperatures in another unit than °C, and expansions that no metal, glass or ceramic has."""
     for key in ("T_m", "T_d"):
         value = mapping_of(thermal).get(key)
@@ -151,7 +147,7 @@ def implausible(thermal: Any, path: KeyPath) -> Iterator[Contradiction]:
             if number is None or low <= number <= high:
                 continue
             here = (*path, key, place) if isinstance(value, list) else (*path, key)
-            yield Contradiction(
+            yield KeyFault(
                 here,
                 "is no temperature of a test in °C",
                 f"{low:g} to {high:g}{_in_celsius(number)}",
@@ -160,7 +156,7 @@ def implausible(thermal: Any, path: KeyPath) -> Iterator[Contradiction]:
     for key in ("alpha_m", "alpha_d"):
         number, most = number_of(mapping_of(thermal).get(key)), MOST_EXPANSION
         if number is not None and not (number == 0.0 or LEAST_EXPANSION <= number <= most):
-            yield Contradiction(
+            yield KeyFault(
                 (*path, key),
                 "is no coefficient of expansion in µm/(m K)",
                 f"0, or {LEAST_EXPANSION:g} to {most:g}; steel has about 11.5",
@@ -176,9 +172,7 @@ def _in_celsius(number: float) -> str:
     return ""
 
 
-def _acceptance(
-    section: Mapping[str, Any], path: KeyPath, standard: Any
-) -> Iterator[Contradiction]:
+def _acceptance(section: Mapping[str, Any], path: KeyPath, standard: Any) -> Iterator[KeyFault]:
     accept = mapping_of(section.get("accept"))
     known = VDI_PARAMETERS if standard == "vdi3441" else ISO_PARAMETERS
     undefined = _NOT_IN_1988 if standard == "iso230-2:1988" else ()
@@ -187,13 +181,13 @@ def _acceptance(
         if key == "test":
             names = [name for _, name, _ in _test_sections(section) if name is not None]
             if not isinstance(limit, str | int) or str(limit) not in names:
-                yield Contradiction(
+                yield KeyFault(
                     here, "names no test of this axis", suggestion(str(limit), names), shown(limit)
                 )
         elif key not in known:
-            yield Contradiction(here, f"is no parameter of {standard}", suggestion(key, known))
+            yield KeyFault(here, f"is no parameter of {standard}", suggestion(key, known))
         elif key in undefined:
-            yield Contradiction(
+            yield KeyFault(
                 here,
                 f"is not defined by {standard}",
                 suggestion("", [n for n in known if n not in undefined]),
@@ -201,18 +195,18 @@ def _acceptance(
         else:
             yield from _limit(limit, here)
     if "accept" in section and not set(accept) - {"test"} and isinstance(section["accept"], dict):
-        yield Contradiction(
+        yield KeyFault(
             (*path, "accept"),
             "holds no limit",
             "a parameter with its limit in µm or arcsec: {A: 8}",
         )
 
 
-def _limit(limit: Any, path: KeyPath) -> Iterator[Contradiction]:
+def _limit(limit: Any, path: KeyPath) -> Iterator[KeyFault]:
     hint = number_hint(limit) if isinstance(limit, str) else ""
     if limit is None or (
         isinstance(limit, int | float) and not isinstance(limit, bool) and limit > 0
     ):
         return
     message = f"is text, not a number ({hint})" if hint else "is no limit"
-    yield Contradiction(path, message, "a number above 0, in µm or arcsec", shown(limit))
+    yield KeyFault(path, message, "a number above 0, in µm or arcsec", shown(limit))

@@ -7,11 +7,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from compwright.foundations.key_faults import KeyFault, KeyPath, shown
 from compwright.foundations.units import TO_INSIDE
-from compwright.foundations.yaml_reader import KeyPath
-from compwright.jobs.faults import shown
 from compwright.jobs.plain_data import (
-    Contradiction,
     default_name,
     list_of,
     mapping_of,
@@ -21,7 +19,7 @@ from compwright.jobs.plain_data import (
 from compwright.records.job import other_axis
 
 
-def circles(circles: Any, states: Sequence[str]) -> Iterator[Contradiction]:
+def circles(circles: Any, states: Sequence[str]) -> Iterator[KeyFault]:
     """Find circles without files or with the name of another."""
     seen: set[str] = set()
     for index, entry in enumerate(list_of(circles)):
@@ -29,18 +27,16 @@ def circles(circles: Any, states: Sequence[str]) -> Iterator[Contradiction]:
         given = [key for key in ("file", "ccw", "cw") if key in circle]
         if isinstance(entry, dict) and (not given or ("file" in given and len(given) > 1)):
             found = ", ".join(given) or "none of them"
-            yield Contradiction(path, "does not say which files", "file, or ccw and cw", found)
+            yield KeyFault(path, "does not say which files", "file, or ccw and cw", found)
         first = circle.get(given[0]) if given else None
         name = circle.get("name", default_name(first) if isinstance(first, str) else None)
         if isinstance(name, str) and name in seen:
-            yield Contradiction(
-                path, "has the name of another circle", "a name of its own", shown(name)
-            )
+            yield KeyFault(path, "has the name of another circle", "a name of its own", shown(name))
         seen.add(str(name))
         yield from unknown_state(circle, path, states)
 
 
-def cross_measurements(cross: Any, axes: Any, states: Sequence[str]) -> Iterator[Contradiction]:
+def cross_measurements(cross: Any, axes: Any, states: Sequence[str]) -> Iterator[KeyFault]:
     """Find measurements of a pair of axes again, of an axis over itself, or of unequal lengths."""
     seen: set[tuple[str, str]] = set()
     for index, entry in enumerate(list_of(cross)):
@@ -49,28 +45,28 @@ def cross_measurements(cross: Any, axes: Any, states: Sequence[str]) -> Iterator
         pair = (str(section.get("input")), str(section.get("output")))
         if section and pair in seen:
             expected = "one measurement for each pair of axes"
-            yield Contradiction(
+            yield KeyFault(
                 path, "measures the same pair of axes again", expected, f"{pair[0]} on {pair[1]}"
             )
         seen.add(pair)
         yield from _cross_unit(section, path, axes)
         if section and section.get("input") == section.get("output"):
-            yield Contradiction(
+            yield KeyFault(
                 (*path, "output"), "is the input axis", "another axis", shown(section.get("output"))
             )
         positions = [number_of(value) for value in list_of(section.get("positions"))]
         deviations = list_of(section.get("deviations"))
         if positions and deviations and len(positions) != len(deviations):
             expected = f"{len(positions)} deviations, one for each position"
-            yield Contradiction(
+            yield KeyFault(
                 (*path, "deviations"), "do not match the positions", expected, str(len(deviations))
             )
         known = [value for value in positions if value is not None]
         if len(known) != len(set(known)):
-            yield Contradiction((*path, "positions"), "hold a position twice", "each position once")
+            yield KeyFault((*path, "positions"), "hold a position twice", "each position once")
 
 
-def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterator[Contradiction]:
+def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterator[KeyFault]:
     """Deviations are lengths of a linear output axis and angles of a rotary one."""
     unit, output = section.get("unit"), mapping_of(mapping_of(axes).get(str(section.get("output"))))
     if not isinstance(unit, str) or unit not in TO_INSIDE or not output:
@@ -78,7 +74,7 @@ def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterato
     kind = "rotary" if output.get("kind") == "rotary" else "linear"
     if (TO_INSIDE[unit][0] == "deg") != (kind == "rotary"):
         expected = "um or mm" if kind == "linear" else "arcsec or deg"
-        yield Contradiction(
+        yield KeyFault(
             (*path, "unit"),
             f"does not fit the {kind} axis {section['output']}",
             expected,
@@ -86,13 +82,13 @@ def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterato
         )
 
 
-def applied(section: Any) -> Iterator[Contradiction]:
+def applied(section: Any) -> Iterator[KeyFault]:
     """Find planes that are named twice, and bent axes that they do not have."""
     seen: set[frozenset[str]] = set()
     for plane, bent in mapping_of(mapping_of(section).get("squareness")).items():
         pair = frozenset({str(bent), other_axis(str(plane), str(bent))})
         if pair in seen:
-            yield Contradiction(
+            yield KeyFault(
                 ("apply", "squareness", plane),
                 "names this plane again",
                 "each plane once",
@@ -103,7 +99,7 @@ def applied(section: Any) -> Iterator[Contradiction]:
             plane == bent or not (plane.startswith(bent) or plane.endswith(bent))
         ):
             found = shown(bent)
-            yield Contradiction(
+            yield KeyFault(
                 ("apply", "squareness", plane),
                 "is no axis of this plane",
                 f"the bent axis of {plane}",

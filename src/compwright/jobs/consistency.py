@@ -12,28 +12,27 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from compwright.foundations.findings import DOUBTS, REMARKS, RESULTS
+from compwright.foundations.key_faults import KeyFault, KeyPath, shown, suggestion, too_large
 from compwright.foundations.plain_names import PLAIN_NAME, is_plain_name
-from compwright.foundations.yaml_reader import KeyPath
 from compwright.jobs.axis_consistency import axis_contradictions, implausible
 from compwright.jobs.between_axes import applied, circles, cross_measurements
-from compwright.jobs.faults import shown, suggestion, too_large
-from compwright.jobs.plain_data import Contradiction, list_of, mapping_of, repeated_files
+from compwright.jobs.plain_data import list_of, mapping_of, repeated_files
 from compwright.records.job import AS_FOUND
 
 NONE_WORD = "none"
 _AXIS_NAME = re.compile(r"\w[\w+-]*")
 
 
-def contradictions(data: Mapping[str, Any]) -> list[Contradiction]:
+def contradictions(data: Mapping[str, Any]) -> list[KeyFault]:
     """Return everything that does not hold together in a job as read."""
     names = [AS_FOUND, *mapping_of(data.get("states"))]
     standard = data.get("standard", "iso230-2:2014")
-    found = [*_values(data, ()), *_states(data.get("states")), *_addresses(data.get("axes"))]
+    found = [*_states(data.get("states")), *_addresses(data.get("axes"))]
     for name, axis in mapping_of(data.get("axes")).items():
         path = ("axes", name)
         if not _AXIS_NAME.fullmatch(name):
             found.append(
-                Contradiction(
+                KeyFault(
                     path,
                     "is no name for an axis",
                     "letters and digits, such as X or B2",
@@ -52,39 +51,39 @@ def contradictions(data: Mapping[str, Any]) -> list[Contradiction]:
     return [*found, *applied(data.get("apply"))]
 
 
-def _values(value: Any, path: KeyPath) -> Iterator[Contradiction]:
+def unusable(value: Any, path: KeyPath = ()) -> Iterator[KeyFault]:
     """Find keys without a value and numbers too large, wherever they stand."""
     if isinstance(value, dict):
         for key, inner in value.items():
-            yield from _values(inner, (*path, key))
+            yield from unusable(inner, (*path, key))
     elif isinstance(value, list):
         for index, inner in enumerate(value):
-            yield from _values(inner, (*path, index))
+            yield from unusable(inner, (*path, index))
     elif value is None:
-        yield Contradiction(path, "has no value", "a value, or the key left out")
+        yield KeyFault(path, "has no value", "a value, or the key left out")
     elif too_large(value):
-        yield Contradiction(
+        yield KeyFault(
             path, "is too large for a number", "quotes around it if it is text", shown(value)
         )
 
 
-def _states(states: Any) -> Iterator[Contradiction]:
+def _states(states: Any) -> Iterator[KeyFault]:
     for name, state in mapping_of(states).items():
         path: KeyPath = ("states", name, "files") if isinstance(state, dict) else ("states", name)
         files = state.get("files") if isinstance(state, dict) else state
         if not name.strip():
-            yield Contradiction(
+            yield KeyFault(
                 ("states", name), "is a state without a name", "as_found, or a name of your own"
             )
         elif not is_plain_name(name):
-            yield Contradiction(("states", name), "is no name for a state", PLAIN_NAME, shown(name))
+            yield KeyFault(("states", name), "is no name for a state", PLAIN_NAME, shown(name))
         if len(list_of(files)) > 1 and NONE_WORD in list_of(files):
-            yield Contradiction(
+            yield KeyFault(
                 path, "names files and none at once", "the word none, or the control's files"
             )
         if files in (NONE_WORD, [NONE_WORD]) and "active" in mapping_of(state):
             found = shown(state["active"])
-            yield Contradiction(
+            yield KeyFault(
                 ("states", name, "active"),
                 "is said of a state in which nothing acts",
                 "no active beside none",
@@ -93,7 +92,7 @@ def _states(states: Any) -> Iterator[Contradiction]:
         yield from repeated_files(list_of(files), path)
 
 
-def _addresses(axes: Any) -> Iterator[Contradiction]:
+def _addresses(axes: Any) -> Iterator[KeyFault]:
     """Two axes under one address would be written into one table."""
     seen: dict[str, str] = {}
     for name, axis in mapping_of(axes).items():
@@ -103,7 +102,7 @@ def _addresses(axes: Any) -> Iterator[Contradiction]:
             continue
         path = ("axes", name, "address") if "address" in section else ("axes", name)
         if str(address) in seen:
-            yield Contradiction(
+            yield KeyFault(
                 path,
                 f"has the same address as axis {seen[str(address)]}",
                 "another address",
@@ -111,7 +110,7 @@ def _addresses(axes: Any) -> Iterator[Contradiction]:
             )
         gantry = section.get("gantry")
         if str(mapping_of(gantry).get("axis", gantry)) == str(address):
-            yield Contradiction(
+            yield KeyFault(
                 ("axes", name, "gantry"),
                 "is the axis itself",
                 "the synchronised axis",
@@ -120,7 +119,7 @@ def _addresses(axes: Any) -> Iterator[Contradiction]:
         seen.setdefault(str(address), name)
 
 
-def _untested(data: Mapping[str, Any]) -> Iterator[Contradiction]:
+def _untested(data: Mapping[str, Any]) -> Iterator[KeyFault]:
     """An axis without any test has no work to do, unless a circle or a cross measurement speaks of
     it.
     """
@@ -129,7 +128,7 @@ def _untested(data: Mapping[str, Any]) -> Iterator[Contradiction]:
     for name, axis in mapping_of(data.get("axes")).items():
         if mapping_of(axis).get("before") == []:
             path = ("axes", name, "before")
-            yield Contradiction(
+            yield KeyFault(
                 path,
                 "is too short",
                 "at least 1 in the list, or a test under circles or cross",
@@ -137,23 +136,23 @@ def _untested(data: Mapping[str, Any]) -> Iterator[Contradiction]:
             )
 
 
-def _acknowledged(section: Any, axes: Sequence[str]) -> Iterator[Contradiction]:
+def _acknowledged(section: Any, axes: Sequence[str]) -> Iterator[KeyFault]:
     """Only a doubt can be acknowledged, and only of an axis that exists."""
     for code, value in mapping_of(section).items():
         path: KeyPath = ("acknowledged", code)
         if code in REMARKS | RESULTS:
-            yield Contradiction(
+            yield KeyFault(
                 path,
                 "is no doubt: it keeps no decision open, and needs no acknowledgement",
                 "a code that stands as a doubt in docs/findings.md, or the line left out",
             )
         elif code not in DOUBTS:
-            yield Contradiction(path, "is no finding", suggestion(code, DOUBTS))
+            yield KeyFault(path, "is no finding", suggestion(code, DOUBTS))
         for index, entry in enumerate(value if isinstance(value, list) else [value]):
             axis = mapping_of(entry).get("axis")
             if isinstance(axis, str | int) and str(axis) not in axes:
                 within = (*path, index) if isinstance(value, list) else path
-                yield Contradiction(
+                yield KeyFault(
                     (*within, "axis"),
                     "names no axis of this job",
                     suggestion(str(axis), axes),

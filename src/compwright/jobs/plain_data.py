@@ -5,23 +5,11 @@ with it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import PureWindowsPath
 from typing import Any
 
-from compwright.foundations.yaml_reader import KeyPath
-from compwright.jobs.faults import shown, suggestion, too_large
+from compwright.foundations.key_faults import KeyFault, KeyPath, shown, suggestion, too_large
 from compwright.records.job import AS_FOUND
-
-
-@dataclass(frozen=True, slots=True)
-class Contradiction:
-    """A fault with its key path; the caller adds file and line."""
-
-    path: KeyPath
-    message: str
-    expected: str = ""
-    found: str = ""
 
 
 def default_name(file: str) -> str:
@@ -48,20 +36,20 @@ def number_of(value: Any) -> float | None:
     return float(value)
 
 
-def repeated_files(files: Sequence[Any], path: KeyPath) -> Iterator[Contradiction]:
+def repeated_files(files: Sequence[Any], path: KeyPath) -> Iterator[KeyFault]:
     """Find files that a list names twice."""
     for index, file in enumerate(files):
         if isinstance(file, str) and file in files[:index]:
-            yield Contradiction((*path, index), "is given twice", "each file once", shown(file))
+            yield KeyFault((*path, index), "is given twice", "each file once", shown(file))
 
 
 def unknown_state(
     section: Mapping[str, Any], path: KeyPath, states: Sequence[str]
-) -> Iterator[Contradiction]:
+) -> Iterator[KeyFault]:
     """Find a test measured in a state that the job does not know."""
     state = section.get("measured_in", AS_FOUND)
     if isinstance(state, str | int) and str(state) not in states:
-        yield Contradiction(
+        yield KeyFault(
             (*path, "measured_in"),
             "names no state of this job",
             suggestion(str(state), states),

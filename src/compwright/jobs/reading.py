@@ -11,12 +11,14 @@ from pydantic import ValidationError
 
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.findings import Finding
+from compwright.foundations.key_faults import KeyFault, shown
 from compwright.foundations.units import TO_INSIDE
+from compwright.foundations.validation import key_faults
 from compwright.foundations.yaml_reader import YamlDocument, read_yaml_with_faults
-from compwright.jobs.consistency import NONE_WORD, contradictions
-from compwright.jobs.faults import schema_faults, shown
-from compwright.jobs.plain_data import Contradiction, default_name
+from compwright.jobs.consistency import NONE_WORD, contradictions, unusable
+from compwright.jobs.plain_data import default_name
 from compwright.jobs.schema import (
+    MISSING,
     SCHEMA_VERSION,
     AxisSection,
     CircleSection,
@@ -26,6 +28,7 @@ from compwright.jobs.schema import (
     OwnThermalSection,
     PositionMapSection,
     TestSection,
+    known_keys,
 )
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, PositionMap
 from compwright.records.drift import DriftRequest
@@ -57,10 +60,10 @@ class CheckedJob:
 
 #: What else a job must keep to, from its plain data: the rooms that know the controls say what of
 #: it does not exist.
-Further = Callable[[Mapping[str, Any]], Iterable[Contradiction]]
+Further = Callable[[Mapping[str, Any]], Iterable[KeyFault]]
 
 
-def _nothing_further(_data: Mapping[str, Any]) -> Iterable[Contradiction]:
+def _nothing_further(_data: Mapping[str, Any]) -> Iterable[KeyFault]:
     return ()
 
 
@@ -99,23 +102,18 @@ def check(document: YamlDocument, file: str, further: Further = _nothing_further
             ),
         )
     section: JobSection | None = None
-    faults: list[Fault] = []
+    faults = list(unusable(data))
     try:
         section = JobSection.model_validate(data)
     except ValidationError as error:
-        faults += schema_faults(error, JobSection, document, file)
-    for contradiction in (*contradictions(data), *further(data)):
-        place = document.place(contradiction.path)
-        faults.append(
-            Fault(
-                message=contradiction.message,
-                file=file,
-                place=place,
-                expected=contradiction.expected,
-                found=contradiction.found,
-            )
-        )
-    return CheckedJob(section, tuple(faults))
+        without_use = {fault.path for fault in faults}
+        faults += [
+            fault
+            for fault in key_faults(error, data, known_keys, MISSING)
+            if fault.path not in without_use
+        ]
+    faults += (*contradictions(data), *further(data))
+    return CheckedJob(section, tuple(fault.in_file(file, document.place) for fault in faults))
 
 
 def _line(place: str) -> int:

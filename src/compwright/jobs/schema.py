@@ -9,12 +9,26 @@ explained key by key in ``docs/job-file.md``.
 from __future__ import annotations
 
 import re
-from typing import Annotated, Any, Literal
+from collections.abc import Iterator
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag
 from pydantic_core import PydanticCustomError
 
+from compwright.foundations.key_faults import KeyPath
+
 SCHEMA_VERSION = 1
+
+#: What is expected under a key that is missing.
+MISSING = {
+    "compwright": "1, the version of the schema",
+    "controller": "a mapping with the key format",
+    "format": "the id of a controller format, as `compwright formats list` shows it",
+    "axes": "at least one axis",
+    "travel": "[low, high] in machine coordinates, mm or deg",
+    "before": "at least one measurement file",
+    "files": "the measurement files of the test",
+}
 
 Standard = Literal[
     "iso230-2:1988", "iso230-2:1997", "iso230-2:2006", "iso230-2:2014", "gost27843:2006", "vdi3441"
@@ -365,3 +379,22 @@ class JobSection(Section):
     proven: list[ProvenSection] = []
     standard: Standard = "iso230-2:2014"
     report: ReportSection = ReportSection()
+
+
+def known_keys(location: KeyPath) -> list[str]:
+    """Return the keys of the section at ``location``; keys of free mappings and indices of lists
+    are passed over.
+    """
+    section: type[BaseModel] = JobSection
+    for part in location:
+        entry = section.model_fields.get(part) if isinstance(part, str) else None
+        if entry is not None:
+            section = next(_sections_in(entry.annotation), section)
+    return list(section.model_fields)
+
+
+def _sections_in(annotation: Any) -> Iterator[type[BaseModel]]:
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        yield annotation
+    for inner in get_args(annotation):
+        yield from _sections_in(inner)

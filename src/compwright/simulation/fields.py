@@ -9,7 +9,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from compwright.foundations.errors import Fault
-from compwright.foundations.yaml_reader import KeyPath, YamlDocument
+from compwright.foundations.key_faults import KeyPath
+from compwright.foundations.yaml_reader import YamlDocument
 
 # mm or deg, µm or arcsec: nothing on a machine is larger, or smaller and not 0
 _SMALLEST, _LARGEST = 1e-9, 1e9

@@ -19,7 +19,7 @@ from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.definition.statements import field_names
 from compwright.formats.definition.vocabulary import CHOICES, CROSS, LOOKED_AT, PLAIN
 from compwright.foundations.errors import Fault
-from compwright.foundations.yaml_reader import KeyPath
+from compwright.foundations.key_faults import KeyPath
 
 #: Quantities that stand alone, one value each.
 SINGLES = tuple(name for name in ("backlash", "slope", *CHOICES, *PLAIN) if name not in CROSS)

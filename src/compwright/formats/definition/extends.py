@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import cache, reduce
 from typing import Any
 
 from compwright.foundations.errors import Fault, InputError
-from compwright.foundations.yaml_reader import KeyPath, key_path_text, read_yaml
+from compwright.foundations.key_faults import KeyPath, key_path_text, nearest
+from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.plan import Texts
 
 EXTENDS = "extends"
@@ -125,7 +125,7 @@ def _left_out(under: DefinitionText, over: DefinitionText) -> set[KeyPath]:
         over.fault(
             (WITHOUT, index),
             f"{under.file} has no such key",
-            expected=next(iter(get_close_matches(str(name), names, 1)), "a key path such as a.b"),
+            expected=nearest(str(name), names) or "a key path such as a.b",
             found=str(name)[:60],
         )
         for index, name in enumerate(listed)

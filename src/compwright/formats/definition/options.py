@@ -6,11 +6,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from difflib import get_close_matches
 
 from compwright.formats.definition.required import Required
 from compwright.formats.definition.schema import Definition, OptionRule
 from compwright.foundations.errors import Fault, UsageError, raise_all
+from compwright.foundations.key_faults import nearest
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlState
 from compwright.records.options import KIND, REFERENCE, REFERENCE_RETURN
@@ -39,12 +39,12 @@ def resolve_options(
     known = [*definition.options, REFERENCE, REFERENCE_RETURN, KIND]
     for name in given:
         if name not in known:
-            near = get_close_matches(name, known, 1)
+            near = nearest(name, known)
             faults.append(
                 Fault(
                     message=f"{definition.id} has no such option",
                     place=name,
-                    expected=f"{near[0]}?" if near else f"one of {', '.join(known)}",
+                    expected=f"{near}?" if near else f"one of {', '.join(known)}",
                 )
             )
     values: dict[str, object] = {

@@ -15,7 +15,7 @@ from typing import Any, TypeVar, cast, get_args
 
 from compwright.formats.definition.extends import DefinitionText
 from compwright.foundations.errors import Fault
-from compwright.foundations.yaml_reader import KeyPath
+from compwright.foundations.key_faults import KeyPath
 
 Word = TypeVar("Word", bound=str)
 

@@ -23,10 +23,10 @@ from compwright.foundations.errors import (
     raise_all,
 )
 from compwright.foundations.input_sizes import JOB, MEASUREMENT
+from compwright.foundations.key_faults import KeyFault
 from compwright.instruments.drift_csv import read_drift
 from compwright.jobs.command_line import job_from_options
 from compwright.jobs.consistency import NONE_WORD
-from compwright.jobs.plain_data import Contradiction
 from compwright.jobs.reading import read_job
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import Job
@@ -69,7 +69,7 @@ def _with_drifts(job: Job, folder: Path) -> Job:
 
 def wrong_control(
     data: Mapping[str, Any], *, folder: Path = Path(), carried: Texts = ()
-) -> Iterator[Contradiction]:
+) -> Iterator[KeyFault]:
     """Yield what is wrong with the control's name and options in a job's data, so that it stands
     beside the other faults. ``folder``: what the path of a definition is relative to.
     """
@@ -83,10 +83,10 @@ def wrong_control(
     except UsageError as error:
         for fault in error.faults:
             if fault.file:  # a definition of one's own: its faults have places of their own
-                yield Contradiction(("controller", "format"), str(fault))
+                yield KeyFault(("controller", "format"), str(fault))
                 continue
             path = ("options", fault.place) if fault.place else ("format",)
-            yield Contradiction(("controller", *path), fault.message, fault.expected, fault.found)
+            yield KeyFault(("controller", *path), fault.message, fault.expected, fault.found)
         return
     states = data.get("states")
     given = list(states.values()) if isinstance(states, dict) else []
@@ -96,7 +96,7 @@ def wrong_control(
     yield from _unknown_diameter(data.get("axes"), control, files=files)
     for name in (REFERENCE, REFERENCE_RETURN, KIND):
         if name in options:
-            yield Contradiction(
+            yield KeyFault(
                 ("controller", "options", name),
                 "belongs to an axis",
                 f"axes.NAME.{name}",
@@ -104,7 +104,7 @@ def wrong_control(
             )
 
 
-def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterator[Contradiction]:
+def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterator[KeyFault]:
     """Diameter programming is refused where nobody knows whether the control's tables then count in
     radius or in diameter.
 
@@ -120,7 +120,7 @@ def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterato
             and section.get("programmed") == "diameter"
             and section.get("kind", "linear") == "linear"
         ):
-            yield Contradiction(
+            yield KeyFault(
                 ("axes", str(name), "programmed"),
                 f"whether a table of {control.id} counts an axis in diameter programming in radius"
                 " or in diameter is not confirmed",
@@ -130,9 +130,7 @@ def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterato
             )
 
 
-def _questions(
-    axes: object, control: Control, *, files: bool, stated: bool
-) -> Iterator[Contradiction]:
+def _questions(axes: object, control: Control, *, files: bool, stated: bool) -> Iterator[KeyFault]:
     """Yield what the control needs of each axis and nobody says: all before anything is read.
     ``stated``: the job says what is in the control, so that tables are made.
     """
@@ -160,12 +158,10 @@ def _questions(
         # without a state no table is made; what stops the run anyway asks for the rest too
         for fault in found if stated or any(one.place == "address" for one in found) else ():
             own = ("axes", str(name)) if fault.place == "address" else ("controller", "options")
-            yield Contradiction((*own, fault.place), fault.message, fault.expected, fault.found)
+            yield KeyFault((*own, fault.place), fault.message, fault.expected, fault.found)
 
 
-def _wrong_axis_options(
-    axes: object, control: Control, *, unit_needed: bool
-) -> Iterator[Contradiction]:
+def _wrong_axis_options(axes: object, control: Control, *, unit_needed: bool) -> Iterator[KeyFault]:
     for name, section in axes.items() if isinstance(axes, dict) else ():
         options = section.get("options", {}) if isinstance(section, dict) else {}
         if not isinstance(options, dict):
@@ -177,9 +173,7 @@ def _wrong_axis_options(
             for fault in error.faults:
                 place = fault.place.rpartition(" ")[2]
                 own = ("axes", str(name)) if place in options else ("controller",)
-                yield Contradiction(
-                    (*own, "options", place), fault.message, fault.expected, fault.found
-                )
+                yield KeyFault((*own, "options", place), fault.message, fault.expected, fault.found)
 
 
 def default_folder(job_file: Path) -> Path:

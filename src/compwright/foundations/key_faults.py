@@ -1,0 +1,110 @@
+"""A fault with its key path, and the words for what was found and for what was meant."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from compwright.foundations.errors import Fault
+
+KeyPath = tuple[str | int, ...]
+
+_NUMBER_HINTS = (
+    (
+        r"[-+]?0\d+(\.\d*)?",
+        "a leading zero is read as an octal number by some programs, write it without",
+    ),
+    (
+        r"[-+]?\d+(:\d+)+(\.\d*)?",
+        "a colon is read as base 60 by some programs, write one decimal number",
+    ),
+    (r"[-+]?\d*,\d+", "write a decimal point, not a comma"),
+    (r"[-+]?\d[\d_]*_[\d_.]*", "write it without underscores"),
+    (r"[-+]?(0[xXoObB][0-9a-fA-F]+)", "write it as a decimal number"),
+    (r"[-+]?\.?(inf|nan|Inf|NaN|INF|NAN|NaN)", "the number must be finite"),
+    (
+        r"[-+]?\d+(\.\d*)?\s*(mm|deg|°|um|µm|arcsec|K|in|inch)",
+        "write the number alone, the unit is fixed by the key",
+    ),
+    (r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", "write the number without quotes"),
+)
+_LONGEST_SHOWN = 60
+LARGEST_NUMBER = (
+    1e15  # beyond it a double no longer holds every micrometre of a kilometre in nanometres
+)
+
+
+def key_path_text(path: KeyPath) -> str:
+    """Return a key path as ``axes.X.before[0]``."""
+    text = ""
+    for part in path:
+        text += f"[{part}]" if isinstance(part, int) else (f".{part}" if text else part)
+    return text
+
+
+@dataclass(frozen=True, slots=True)
+class KeyFault:
+    """What is wrong under a key of a mapping; the caller adds file and line."""
+
+    path: KeyPath
+    message: str
+    expected: str = ""
+    found: str = ""
+
+    def in_file(self, file: str, place: Callable[[KeyPath], str] = key_path_text) -> Fault:
+        """Return the fault; ``place``: from a key path to the words for it."""
+        return Fault(
+            message=self.message,
+            file=file,
+            place=place(self.path),
+            expected=self.expected,
+            found=self.found,
+        )
+
+
+def too_large(value: Any) -> bool:
+    """Whether a number is infinite or beyond all use, so that it must be a slip or text without
+    quotes.
+    """
+    return isinstance(value, int | float) and not abs(value) <= LARGEST_NUMBER
+
+
+def shown(value: Any) -> str:
+    """Return what was found, short enough for one line."""
+    if isinstance(value, dict):
+        return "a mapping" if value else "an empty mapping"
+    if isinstance(value, list):
+        return f"a list of {len(value)}" if value else "an empty list"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if value is None:
+        return "nothing"
+    text = repr(value)
+    return text if len(text) <= _LONGEST_SHOWN else f"{text[: _LONGEST_SHOWN - 3]}..."
+
+
+def nearest(word: str, known: Iterable[str]) -> str | None:
+    """Return the known name that is most like a word, whatever its case; None where none is."""
+    lowered = {name.lower(): name for name in known}
+    near = difflib.get_close_matches(word.lower(), list(lowered), n=1)
+    return lowered[near[0]] if near else None
+
+
+def suggestion(word: str, known: Iterable[str]) -> str:
+    """Return the nearest known name, or where none is near the list of all."""
+    words = set(known)
+    if not words:
+        return "nothing, none is defined"
+    near = nearest(word, words)
+    return f"{near!r}, the nearest known name" if near else "one of " + ", ".join(sorted(words))
+
+
+def number_hint(text: str) -> str:
+    """Return why ``text`` was not read as a number, empty when it does not look like one."""
+    for pattern, hint in _NUMBER_HINTS:
+        if re.fullmatch(pattern, text.strip()):
+            return hint
+    return ""

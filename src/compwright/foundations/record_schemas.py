@@ -1,0 +1,190 @@
+"""Records from mappings: the types of a record's fields are its schema for pydantic.
+
+A `Form` says where the mapping is written otherwise. Lists give tuples, words give members of an
+enumeration; apart from that no value is converted.
+"""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import dataclass, field, fields, is_dataclass
+from enum import Enum
+from typing import Any, Literal, Union, cast, get_args, get_origin, get_type_hints
+
+from pydantic_core import SchemaValidator
+from pydantic_core import core_schema as cs
+
+from compwright.foundations.key_faults import KeyFault, shown
+from compwright.foundations.validation import refuse, unknown_key
+
+#: By class: what a record promises beyond the types of its fields and does not keep.
+Rules = Mapping[type, Callable[[Any], Iterator[str]]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Form:
+    """How the mapping of a record is written where it is not simply field by field.
+
+    ``keys``: the key of a field that is called otherwise. ``absent``: fields that may be missing;
+    they keep their default. ``constant``: fields that the mapping does not hold. ``inline``: the
+    field whose own keys stand in the mapping of the record. ``types``: other types or schemas
+    of fields. ``more``: types or schemas of keys that belong to no field and may be missing;
+    ``others``: every other key is left alone. ``build``: from the values by key to those of
+    the record.
+    """
+
+    keys: Mapping[str, str] = field(default_factory=dict)
+    absent: frozenset[str] = frozenset()
+    constant: Mapping[str, object] = field(default_factory=dict)
+    inline: str = ""
+    types: Mapping[str, Any] = field(default_factory=dict)
+    more: Mapping[str, Any] = field(default_factory=dict)
+    others: bool = False
+    build: Callable[[dict[str, Any]], dict[str, Any]] | None = None
+
+
+def listed(item: cs.CoreSchema) -> cs.CoreSchema:
+    """Return the schema of a list of any length; it gives a tuple."""
+    return cs.tuple_schema([item], variadic_item_index=0, strict=False)
+
+
+def mapping(
+    keys: Mapping[str, cs.CoreSchema],
+    build: Callable[[dict[str, Any]], Any],
+    *,
+    optional: Collection[str] = (),
+    others: bool = False,
+    ref: str | None = None,
+) -> cs.CoreSchema:
+    """Return the schema of a mapping with these keys, of which ``build`` makes a value; ``others``:
+    further keys are left alone.
+    """
+    known = cs.typed_dict_schema(
+        {
+            key: cs.typed_dict_field(schema, required=key not in optional)
+            for key, schema in keys.items()
+        },
+        strict=True,
+        extra_behavior="ignore" if others else "allow",
+        extras_schema=None if others else unknown_key(list(keys)),
+    )
+    return cs.no_info_after_validator_function(build, known, ref=ref)
+
+
+class RecordSchemas:
+    """Makes schemas of record classes. ``plain``: schemas by type of what is no record, beside
+    text, words of a closed list, lists and mappings.
+    """
+
+    def __init__(
+        self, forms: Mapping[type, Form], rules: Rules, plain: Mapping[Any, cs.CoreSchema]
+    ) -> None:
+        self._forms, self._rules, self._plain = forms, rules, plain
+        self._records: dict[str, cs.CoreSchema | None] = {}
+
+    def validator(self, cls: type) -> SchemaValidator:
+        """Return what makes a record of ``cls`` of a mapping."""
+        top = self.of(cls)
+        records = [schema for schema in self._records.values() if schema is not None]
+        return SchemaValidator(cs.definitions_schema(top, records))
+
+    def of(self, hint: Any) -> cs.CoreSchema:
+        """Return the schema of a type; a schema is its own."""
+        if isinstance(hint, dict):
+            return cast("cs.CoreSchema", hint)
+        origin, inner = get_origin(hint) or hint, get_args(hint)
+        if origin in self._plain:
+            return self._plain[origin]
+        if origin is Literal:
+            return cs.literal_schema(list(inner))
+        if origin in {Union, types.UnionType}:
+            return self._union(inner)
+        if origin is tuple and inner[-1] is Ellipsis:
+            return listed(self.of(inner[0]))
+        if origin is tuple:
+            return _of_length(len(inner), cs.tuple_schema([self.of(one) for one in inner]))
+        if inner:
+            return cs.dict_schema(self.of(inner[0]), self.of(inner[1]), strict=True)
+        if is_dataclass(hint):
+            return self._record(hint)
+        return _word(hint)
+
+    def _union(self, options: tuple[Any, ...]) -> cs.CoreSchema:
+        """Return the schema of a value that may be missing, or one of several kinds: records by
+        their ``kind``, else whichever fits.
+        """
+        kinds = [one for one in options if one is not types.NoneType]
+        if len(kinds) == 1:
+            schema = self.of(kinds[0])
+        elif all(is_dataclass(one) for one in kinds):
+            by_kind = {get_args(get_type_hints(one)["kind"])[0]: self.of(one) for one in kinds}
+            schema = cs.tagged_union_schema(by_kind, discriminator="kind")
+        else:
+            schema = cs.union_schema(
+                [self.of(one) for one in kinds],
+                custom_error_type="other_kind",
+                custom_error_message="is not an accepted value",
+            )
+        return cs.nullable_schema(schema) if types.NoneType in options else schema
+
+    def _record(self, cls: Any) -> cs.CoreSchema:
+        ref = f"{cls.__module__}.{cls.__qualname__}"
+        if ref not in self._records:
+            self._records[ref] = None  # a record may hold others of its class
+            self._records[ref] = self._mapping(cls, self._forms.get(cls, Form()), ref)
+        return cs.definition_reference_schema(ref)
+
+    def _mapping(self, cls: Any, form: Form, ref: str) -> cs.CoreSchema:
+        hints = get_type_hints(cls)
+        names = {
+            form.keys.get(one.name, one.name): one.name
+            for one in fields(cls)
+            if one.name not in form.constant
+        }
+        schemas = {key: self.of(form.types.get(name, hints[name])) for key, name in names.items()}
+        rule = self._rules.get(cls)
+
+        def record(values: dict[str, Any]) -> Any:
+            if form.build is not None:
+                values = form.build(values)
+            own = {name: values[key] for key, name in names.items() if key in values}
+            made = cls(**own, **form.constant)
+            broken = [] if rule is None else list(rule(made))
+            if broken:
+                refuse(*(KeyFault((), "contradicts itself", expected) for expected in broken))
+            return made
+
+        whole = mapping(
+            schemas | {key: self.of(more) for key, more in form.more.items()},
+            record,
+            optional={*form.more, *(key for key, name in names.items() if name in form.absent)},
+            others=form.others,
+            ref=None if form.inline else ref,
+        )
+        if not form.inline:
+            return whole
+        own = {*names, *form.more} - {form.inline}
+
+        def nested(data: Any) -> Any:
+            if not isinstance(data, dict):
+                return data
+            return {key: value for key, value in data.items() if key in own} | {
+                form.inline: {key: value for key, value in data.items() if key not in own}
+            }
+
+        return cs.no_info_before_validator_function(nested, whole, ref=ref)
+
+
+def _of_length(length: int, schema: cs.CoreSchema) -> cs.CoreSchema:
+    def same_length(data: Any) -> Any:
+        if not isinstance(data, list) or len(data) != length:
+            refuse(KeyFault((), "has the wrong form", f"a list of {length}", shown(data)))
+        return tuple(data)
+
+    return cs.no_info_before_validator_function(same_length, schema)
+
+
+def _word(enumeration: type[Enum]) -> cs.CoreSchema:
+    words = cs.literal_schema([member.value for member in enumeration])
+    return cs.no_info_after_validator_function(enumeration, words)

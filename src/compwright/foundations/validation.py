@@ -1,0 +1,146 @@
+"""What a user writes, checked by pydantic: every complaint as a fault with its key path, what was
+expected and what was found.
+
+Models of pydantic and the schemas of `record_schemas` give the same complaints. Slow to import:
+whoever checks nothing does without it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, NoReturn
+
+from pydantic_core import (
+    ErrorDetails,
+    InitErrorDetails,
+    PydanticCustomError,
+    SchemaValidator,
+    ValidationError,
+)
+from pydantic_core import core_schema as cs
+
+from compwright.foundations.key_faults import KeyFault, KeyPath, number_hint, shown, suggestion
+
+#: Complaints of our own: in plain words, and about a key that is not known.
+_STATED = "stated"
+_UNKNOWN = "unknown_key"
+_TAGS = ("union_tag_invalid", "union_tag_not_found")
+
+#: What is expected under a key that is missing, by its name.
+Missing = Mapping[str, str]
+#: The keys of the mapping at a location of a schema.
+Known = Callable[[KeyPath], list[str]]
+
+
+def refuse(*faults: KeyFault) -> NoReturn:
+    """Raise these faults inside a function that pydantic calls; paths start at the value that it
+    was given.
+    """
+    raise ValidationError.from_exception_data(
+        "",
+        [
+            InitErrorDetails(
+                type=PydanticCustomError(
+                    _STATED,
+                    "{message}",
+                    {"message": each.message, "expected": each.expected, "below": bool(each.path)},
+                ),
+                loc=each.path,
+                input=each.found,
+            )
+            for each in faults
+        ],
+    )
+
+
+def unknown_key(known: list[str]) -> cs.CoreSchema:
+    """Return the schema of what stands under any other key than ``known``: nothing is accepted."""
+
+    def refuse_key(_value: Any) -> NoReturn:
+        raise PydanticCustomError(_UNKNOWN, "unknown key", {"known": known})
+
+    return cs.no_info_plain_validator_function(refuse_key)
+
+
+def checked(validator: SchemaValidator, data: Any) -> tuple[Any, list[KeyFault]]:
+    """Return what a schema makes of ``data``, and everything that is wrong; None where something
+    is.
+    """
+    try:
+        return validator.validate_python(data), []
+    except ValidationError as error:
+        return None, list(key_faults(error, data))
+
+
+def key_faults(
+    error: ValidationError,
+    data: Any,
+    known: Known = lambda _location: [],
+    missing: Missing = {},  # noqa: B006  # only read
+) -> Iterator[KeyFault]:
+    """Yield one fault per complaint about ``data``."""
+    for complaint in error.errors(include_url=False):
+        path = _path_in(data, complaint)
+        if complaint["type"] == "missing":
+            yield KeyFault(path, "is missing", missing.get(str(path[-1]), "a value"))
+        elif complaint["type"] in ("extra_forbidden", _UNKNOWN):
+            names = complaint.get("ctx", {}).get("known") or known(complaint["loc"][:-1])
+            yield KeyFault(path, "unknown key", suggestion(str(complaint["loc"][-1]), names))
+        elif complaint["type"] == _STATED:
+            stated = complaint.get("ctx", {})
+            yield KeyFault(path, stated["message"], stated["expected"], complaint["input"])
+        else:
+            yield KeyFault(path, *_words(complaint), shown(complaint["input"]))
+
+
+def _path_in(data: Any, complaint: ErrorDetails) -> KeyPath:
+    """Return the part of a complaint's location that was really written: shorthand forms have fewer
+    levels than the schema. A key that is missing is part of the path.
+    """
+    location, context = complaint["loc"], complaint.get("ctx", {})
+    path: list[str | int] = []
+    here, written = data, False
+    for part in location:
+        written = (isinstance(here, dict) and part in here) or (
+            isinstance(here, list) and isinstance(part, int) and part < len(here)
+        )
+        if written:
+            here = here[part]
+            path.append(part)
+    named = complaint["type"] == "missing" or context.get("below")
+    if named and not written and isinstance(here, dict):
+        path.append(location[-1])
+    if complaint["type"] in _TAGS and isinstance(here, dict):
+        path.append(context["discriminator"].strip("'"))
+    return tuple(path)
+
+
+def _words(complaint: ErrorDetails) -> tuple[str, str]:
+    """Return message and expectation of one complaint."""
+    kind, found, context = complaint["type"], complaint["input"], complaint.get("ctx", {})
+    if kind in ("float_type", "int_type", "int_from_float"):
+        number = "a number" if kind == "float_type" else "a whole number"
+        hint = number_hint(found) if isinstance(found, str) else ""
+        return (f"is text, not a number ({hint})" if hint else "is not a number"), number
+    mapping = ("is not a mapping", "a mapping: {key: value}")
+    fixed = {
+        "literal_error": ("is not an accepted value", str(context.get("expected", ""))),
+        "union_tag_invalid": ("is not an accepted value", str(context.get("expected_tags", ""))),
+        "union_tag_not_found": ("is missing", "a value"),
+        "greater_than": ("is too small", f"more than {context.get('gt', 0):g}"),
+        "greater_than_equal": ("is too small", f"{context.get('ge', 0):g} or more"),
+        "less_than_equal": ("is too large", f"{context.get('le', 0):g} or less"),
+        "too_short": ("is too short", f"at least {context.get('min_length')} in the list"),
+        "too_long": ("is too long", f"at most {context.get('max_length')} in the list"),
+        "list_type": ("is not a list", "a list: [.., ..]"),
+        "tuple_type": ("is not a list", "a list: [.., ..]"),
+        "dict_type": mapping,
+        "model_type": mapping,
+        "model_attributes_type": mapping,
+        "bool_type": ("is neither true nor false", "true or false"),
+        "is_instance_of": ("is not text", "text, in quotes where it looks like a number"),
+        "text_in_quotes": ("is not text", "a word, or text in quotes"),
+        "one_line": ("is blank or holds control characters", "text on one line"),
+        "truth_value": ("is a truth value", "a number"),
+    }
+    return fixed.get(kind, (complaint["msg"].lower(), ""))
