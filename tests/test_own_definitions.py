@@ -523,7 +523,7 @@ def test_a_plan_with_a_broken_definition_is_refused(
         (text.replace("sign: correction", "sign: error"), "is not the one worked by hand"),
         (text.replace("sign: correction", "sign: perhaps"), "is not known here"),
         (text.replace("id: nc7", "id: linuxcnc"), "is the id of a control that ships"),
-        (7, "does not fit the schema"),
+        (7, "definition[0]: is not a file; expected the keys name and text, both text"),
     ):
         document["definition"][0]["text"] = broken
         plan.write_text(json.dumps(document), encoding="utf-8")
