@@ -38,7 +38,9 @@ def run(folder: Path, state: str, readings: Readings, name: str, end: str = "") 
 @pytest.fixture(scope="module")
 def loaded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the table that the first test led to, read back, without its plan."""
-    first, folder = (tmp_path_factory.mktemp(name) for name in ("first", "mirror"))
+    first = tmp_path_factory.mktemp("first") / "deeper" / "down"
+    first.mkdir(parents=True)
+    folder = tmp_path_factory.mktemp("mirror")
     code, _ = run(first, "none", MACHINE.measure(TARGETS, 1), "first")
     assert code == 0
     shutil.copytree(first / "first" / "tables" / "siemens-840d-sl", folder / "control")
