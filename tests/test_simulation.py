@@ -419,22 +419,22 @@ axes:
 """)
     expected = [
         r"line 1, virtual_machine: .*expected 1, found 2",
-        r"line 2, machine\.nme: unknown key; expected name",
-        r"line 5, axes\.X\.kind: .*expected linear, rotary, found 'linaer'",
+        r"line 2, machine\.nme: unknown key; expected 'name', the nearest",
+        r"line 5, axes\.X\.kind: .*expected 'linear' or 'rotary', found 'linaer'",
         r"line 6, axes\.X\.travel: does not ascend",
-        r"line 8, axes\.X\.error\.slop_um_per_m: unknown key; expected slope_um_per_m",
-        r"line 9, axes\.X\.error\.noise_um: .*at least 0, found -1",
+        r"line 8, axes\.X\.error\.slop_um_per_m: unknown key; expected 'slope_um_per_m'",
+        r"line 9, axes\.X\.error\.noise_um: .*expected 0 or more, found -1",
         r"line 10, axes\.X\.error\.smooth\.amplitude_um: .*found 'six'",
         r"line 11, axes\.X\.error\.screw: is not a list",
         r"line 12, axes\.X\.test\.targets: do not ascend",
-        r"line 12, axes\.X\.test\.runs: .*from 1 to 1000, found 0",
-        r"line 12, axes\.X\.test\.cycle: .*expected standard, step, found 'steps'",
+        r"line 12, axes\.X\.test\.runs: .*expected 1 or more, found 0",
+        r"line 12, axes\.X\.test\.cycle: .*expected 'standard' or 'step', found 'steps'",
         r"line 13, axes\.1st: is not the name of an axis",
-        r"line 14, axes\.Y\.travel: missing",
-        r"line 14, axes\.Y\.travle: unknown key; expected travel",
-        r"line 15, axes\.C\.error\.noise_um: unknown key; expected noise_arcsec",
-        r"line 15, axes\.C\.error\.screw\[0\]\.period_deg: .*above 0, found 0",
-        r"line 15, axes\.C\.error\.screw\[0\]\.amplitude_arcsec: missing",
+        r"line 14, axes\.Y\.travel: is missing",
+        r"line 14, axes\.Y\.travle: unknown key; expected 'travel', the nearest",
+        r"line 15, axes\.C\.error\.noise_um: unknown key; expected 'noise_arcsec'",
+        r"line 15, axes\.C\.error\.screw\[0\]\.period_deg: .*more than 0, found 0",
+        r"line 15, axes\.C\.error\.screw\[0\]\.amplitude_arcsec: is missing",
     ]
     for pattern in expected:
         assert sum(bool(re.search(f"^machine.yaml: {pattern}", fault)) for fault in faults) == 1, (

@@ -151,15 +151,18 @@ def test_a_rotary_axis_has_the_keys_in_its_own_units() -> None:
 @pytest.mark.parametrize(
     ("error", "message"),
     [
-        ("{outliers: {share_percent: 101, size_um: 1}}", "share_percent: is more than all"),
-        ("{outliers: {share_percent: 1}}", "size_um: missing"),
-        ("{outliers: {size_um: 1}}", "share_percent: missing"),
-        ("{tails_dof: 0}", "tails_dof: is not such a number"),
-        ("{noise_um: 1e-320}", "noise_um: is not such a number"),
-        ("{drift_um: 1.0e+10}", "drift_um: is not such a number"),
-        ("{growth_of_noise: -1}", "growth_of_noise: is not such a number"),
-        ("{noise_negative_um: -1}", "noise_negative_um: is not such a number"),
-        ("{traverses: {offset_um: -1}}", "offset_um: is not such a number"),
+        (
+            "{outliers: {share_percent: 101, size_um: 1}}",
+            "share_percent: is too large; expected 100 or less",
+        ),
+        ("{outliers: {share_percent: 1}}", "size_um: is missing"),
+        ("{outliers: {size_um: 1}}", "share_percent: is missing"),
+        ("{tails_dof: 0}", "tails_dof: is too small; expected more than 0"),
+        ("{noise_um: 1e-320}", "noise_um: is too small; expected 0, or 1e-09 or more"),
+        ("{drift_um: 1.0e+10}", "drift_um: is too large; expected 1e+09 or less"),
+        ("{growth_of_noise: -1}", "growth_of_noise: is too small; expected 0 or more"),
+        ("{noise_negative_um: -1}", "noise_negative_um: is too small; expected 0 or more"),
+        ("{traverses: {offset_um: -1}}", "offset_um: is too small; expected 0 or more"),
         ("{traverses: {shift_um: 1}}", "shift_um: unknown key"),
     ],
 )

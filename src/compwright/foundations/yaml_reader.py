@@ -9,6 +9,7 @@ bool, None.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,7 +17,7 @@ import yaml
 
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.input_sizes import MOST_YAML_LEVELS, MOST_YAML_WORDS
-from compwright.foundations.key_faults import KeyPath, key_path_text
+from compwright.foundations.key_faults import KeyFault, KeyPath, key_path_text
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,14 +29,24 @@ class YamlDocument:
     data: Any
     lines: dict[KeyPath, int] = field(default_factory=dict)
 
+    def line(self, path: KeyPath) -> int:
+        """Return the line of a key path, or of its nearest known ancestor; 0 where there is
+        none.
+        """
+        while path and path not in self.lines:
+            path = path[:-1]
+        return self.lines.get(path, 0)
+
     def place(self, path: KeyPath) -> str:
         """Return ``line N: a.b[2]`` for a key path, with the line of its nearest known ancestor."""
-        probe = path
-        while probe and probe not in self.lines:
-            probe = probe[:-1]
-        line = self.lines.get(probe)
+        line = self.line(path)
         name = key_path_text(path)
         return ", ".join(part for part in (f"line {line}" if line else "", name) if part)
+
+    def faults(self, found: Iterable[KeyFault], file: str) -> list[Fault]:
+        """Return faults with their places, in the order of the lines."""
+        ordered = sorted(found, key=lambda fault: self.line(fault.path))
+        return [fault.in_file(file, self.place) for fault in ordered]
 
 
 _LONE_SURROGATE = re.compile("[\ud800-\udfff]")  # cannot be written to any file or terminal

@@ -4,21 +4,25 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 from itertools import pairwise
-from typing import Final, Literal, cast
+from types import MappingProxyType
+from typing import Any, Final, cast
 
 import numpy as np
+from pydantic_core import SchemaValidator
+from pydantic_core import core_schema as cs
 
-from compwright.foundations.errors import Fault, UsageError, raise_all
+from compwright.foundations.errors import UsageError, raise_all
+from compwright.foundations.key_faults import KeyFault, KeyPath, shown
 from compwright.foundations.units import TO_INSIDE
+from compwright.foundations.validation import checked
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, FloatArray, Motion
-from compwright.records.positioning import Cycle
-from compwright.simulation.circles import read_circles
+from compwright.simulation.circles import VirtualCircle, circle_contradictions, circles_schema
 from compwright.simulation.curves import FLAT, Curve, PointCurve, RandomCurve
-from compwright.simulation.fields import Section
 from compwright.simulation.machine import (
     AxisError,
     ScrewError,
@@ -27,6 +31,20 @@ from compwright.simulation.machine import (
     VirtualMachine,
 )
 from compwright.simulation.scatter import Scatter, Traverses
+from compwright.simulation.values import (
+    TEXT,
+    Keys,
+    choice,
+    either,
+    number,
+    numbers,
+    part,
+    record,
+    same_but_for_case,
+    scaled,
+    usable,
+    whole,
+)
 
 SCHEMA: Final = 1
 # One stream of random numbers for each thing that is random, so that a change of one leaves the
@@ -34,10 +52,9 @@ SCHEMA: Final = 1
 _SMOOTH, _REVERSAL, _TARGETS = 1, 2, 3
 _AXIS_NAME: Final = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,31}")
 _TARGET_STEP: Final = 0.001  # mm or deg: targets as they would be programmed
-_NO_TRAVEL: Final = (
-    0.0,
-    0.0,
-)  # stands for a travel that was at fault: what depends on it is then not judged
+#: Travel of an axis whose own is at fault: what depends on it is then not judged.
+_NO_TRAVEL: Final = (0.0, 0.0)
+_UNKNOWN: Final = {"kind": AxisKind.LINEAR, "travel": _NO_TRAVEL}
 _SHORTEST, _LONGEST = (
     0.002,
     10.0,
@@ -62,6 +79,17 @@ _UNITS: Final = {
     AxisKind.ROTARY: _Units("deg", "arcsec", "arcsec_per_deg"),
 }
 _SLOPE: Final = {AxisKind.LINEAR: 1e-6, AxisKind.ROTARY: 1.0 / 3600.0}
+_SEED: Final = whole(0, 2**31 - 1)
+_DIRECTION: Final = cs.no_info_after_validator_function(Direction, choice("+", "-"))
+_VERSION: Final[Keys] = {"virtual_machine": ("version", whole(0, 10**9))}
+#: What everything else of an axis depends on.
+_AXIS: Final[Keys] = {
+    "kind": (
+        "kind",
+        cs.no_info_after_validator_function(AxisKind, choice(*(kind.value for kind in AxisKind))),
+    ),
+    "travel": ("travel", numbers(length=2, ascending=True)),
+}
 
 
 def read_machine(content: bytes, file: str) -> VirtualMachine:
@@ -71,294 +99,281 @@ def read_machine(content: bytes, file: str) -> VirtualMachine:
     path, expected, found) when it does not follow the schema.
     """
     document = read_yaml(content, file)
-    faults: list[Fault] = []
-    top = Section(document, file, (), document.data, faults)
-    raise_all(UsageError, faults)
-    if top.whole("virtual_machine", 0, least=0, most=10**9) != SCHEMA:
-        top.reject(
-            "virtual_machine", "is not a schema version that this compwright reads", str(SCHEMA)
+    data = document.data
+    axes = {
+        name: Axis(name=name, address=name, **{**_UNKNOWN, **usable(_AXIS, each)})
+        for name, each in part(data, "axes").items()
+    }
+    machine, faults = checked(SchemaValidator(_machine(data, axes)), data)
+    if isinstance(data, dict):
+        faults += _contradictions(data, axes)
+    raise_all(UsageError, document.faults(faults, file))
+    return cast("VirtualMachine", machine)
+
+
+def _machine(data: Any, axes: Mapping[str, Axis]) -> cs.CoreSchema:
+    """Return the schema of the whole; ``axes``: as much of them as can be known before."""
+    names = {"name": ("name", TEXT), "serial": ("serial", TEXT)}
+    control = {"format": ("format", TEXT), "options": ("options", cs.dict_schema(strict=True))}
+    each = {name: (name, _axis(axis)) for name, axis in axes.items()}
+
+    def built(
+        axes: Mapping[str, VirtualAxis] | None = None,
+        circles: Mapping[str, VirtualCircle] | None = None,
+        machine: Mapping[str, Any] | None = None,
+        controller: Mapping[str, Any] | None = None,
+        **_version: int,
+    ) -> VirtualMachine:
+        return VirtualMachine(
+            axes=axes or {}, circles=circles or {}, **(machine or {}), **(controller or {})
         )
-    name, serial = _identity(top)
-    format_id, options = _control(top)
-    circles = top.section("circles")
-    axes = _axes(top, needed=circles is None)
-    measured = (
-        read_circles(circles, {name: virtual.axis for name, virtual in axes.items()})
-        if circles is not None
-        else {}
-    )
-    if not axes and circles is not None and not circles.data:
-        top.reject(
-            "circles", "names no circle, and there is no axis", "a mapping of names to circles"
-        )
-    top.close()
-    raise_all(UsageError, faults)
-    return VirtualMachine(
-        axes=axes, circles=measured, name=name, serial=serial, format=format_id, options=options
+
+    return record(
+        built,
+        {
+            **_VERSION,
+            "machine": ("machine", record(dict, names)),
+            "controller": ("controller", record(dict, control)),
+            "axes": ("axes", record(dict, each, each)),
+            "circles": ("circles", circles_schema(part(data, "circles"))),
+        },
     )
 
 
-def _identity(top: Section) -> tuple[str, str]:
-    machine = top.section("machine")
-    if machine is None:
-        return "", ""
-    name, serial = machine.text("name", ""), machine.text("serial", "")
-    machine.close()
-    return name, serial
-
-
-def _control(top: Section) -> tuple[str, Mapping[str, object]]:
-    control = top.section("controller")
-    if control is None:
-        return "", {}
-    options = control.section("options")
-    format_id = control.text("format", "")
-    control.close()
-    return format_id, dict(options.data) if options is not None else {}
-
-
-def _axes(top: Section, *, needed: bool) -> dict[str, VirtualAxis]:
-    """Return the axes; ``needed`` is false where circles are to be measured, whose axes may go
-    without errors of their own.
-    """
-    axes = top.section("axes")
-    if axes is None and not needed:
-        return {}
-    if axes is None or not axes.data:
-        top.reject("axes", "names no axis", "a mapping of axis names to axes")
-        return {}
-    for name in axes.data:
+def _contradictions(data: Mapping[str, Any], axes: Mapping[str, Axis]) -> Iterator[KeyFault]:
+    """Yield what is wrong with the names, with the version, and between the values of a section."""
+    if usable(_VERSION, data).get("version") != SCHEMA:
+        expected, found = str(SCHEMA), shown(data.get("virtual_machine"))
+        message = "is not a schema version that this compwright reads"
+        yield KeyFault(("virtual_machine",), message, expected, found)
+    if not axes and ("axes" in data or "circles" not in data):
+        yield KeyFault(("axes",), "names no axis", "a mapping of axis names to axes")
+    if not axes and "circles" in data and not part(data, "circles"):
+        expected = "a mapping of names to circles"
+        yield KeyFault(("circles",), "names no circle, and there is no axis", expected)
+    for name in axes:
         if not _AXIS_NAME.fullmatch(name):  # it becomes part of file names
-            axes.reject(name, "is not the name of an axis", "a letter, then letters, digits or _")
-    if len({name.lower() for name in axes.data}) < len(axes.data):
-        top.reject(
-            "axes",
-            "has names that differ in upper and lower case only",
-            "names that make different file names",
+            expected = "a letter, then letters, digits or _"
+            yield KeyFault(("axes", name), "is not the name of an axis", expected, shown(name))
+    yield from same_but_for_case(("axes",), axes)
+    for name, axis in axes.items():
+        own = part(data, "axes", name)
+        if "modulo" in own and axis.kind is AxisKind.LINEAR:
+            message = "has no meaning on a linear axis"
+            yield KeyFault(("axes", name, "modulo"), message, "kind: rotary", shown(own["modulo"]))
+        yield from _targets_within(("axes", name, "test", "targets"), axis, own)
+        smooth, reversal = (part(own, "error", name) for name in ("smooth", "reversal"))
+        path = ("axes", name, "error")
+        if smooth.keys() & _points(axis).keys():
+            yield from _odd_points((*path, "smooth"), axis, smooth)
+        else:
+            yield from _odd_length((*path, "smooth"), axis, smooth)
+        yield from _odd_length((*path, "reversal"), axis, reversal)
+    yield from circle_contradictions(part(data, "circles"), axes)
+
+
+def _targets_within(path: KeyPath, axis: Axis, own: Mapping[str, Any]) -> Iterator[KeyFault]:
+    targets = usable({"targets": ("targets", numbers(at_least=2))}, part(own, "test"))
+    given: tuple[float, ...] = targets.get("targets", ())
+    yield from _unordered(path, given)
+    low, high = axis.travel
+    if given and axis.travel != _NO_TRAVEL and not low <= min(given) <= max(given) <= high:
+        expected = f"{low:g} to {high:g} {axis.kind.unit}"
+        yield KeyFault(path, "leave the travel", expected)
+
+
+def _odd_points(path: KeyPath, axis: Axis, data: Mapping[str, Any]) -> Iterator[KeyFault]:
+    keys = _points(axis)
+    given = usable(keys, data)
+    where, what = given.get("positions", ()), given.get("values", ())
+    positions, values = keys
+    if where and what and len(where) != len(what):
+        message, expected = "has not one value for each position", f"{len(where)} numbers"
+        yield KeyFault((*path, values), message, expected, shown(data[values]))
+    yield from _unordered((*path, positions), where)
+
+
+def _odd_length(path: KeyPath, axis: Axis, data: Mapping[str, Any]) -> Iterator[KeyFault]:
+    units, span = _UNITS[axis.kind], axis.travel[1] - axis.travel[0]
+    key = f"length_{units.position}"
+    length = usable({key: ("length", number(above=0.0))}, data).get("length", span)
+    low, high = _SHORTEST * span, _LONGEST * span
+    if span and not low <= length <= high:
+        expected = f"{low:g} to {high:g} {units.position}"
+        yield KeyFault((*path, key), "does not fit the travel", expected, shown(length))
+
+
+def _unordered(path: KeyPath, given: Sequence[float]) -> Iterator[KeyFault]:
+    if any(later <= earlier for earlier, later in pairwise(given)):
+        yield KeyFault(path, "do not ascend", "positions in ascending order, each once")
+
+
+def _axis(axis: Axis) -> cs.CoreSchema:
+    def built(
+        error: AxisError | None = None,
+        test: tuple[TestPlan, Motion] | None = None,
+        encoder: Encoder | None = None,
+        **own: Any,
+    ) -> VirtualAxis:
+        """Without ``encoder`` the control's files say by which measuring system the tables act."""
+        plan, motion = test or (
+            TestPlan(targets=_spread_targets(axis, _least_targets(axis), 0)),
+            "feed",
         )
+        own["encoder"] = encoder or Encoder(stated=False)
+        return VirtualAxis(
+            axis=replace(axis, motion=motion, **own), error=error or AxisError(), test=plan
+        )
+
+    keys = {
+        **_AXIS,
+        "address": ("address", TEXT),
+        "modulo": ("modulo", number(above=0.0)),
+        "reference": ("reference", number()),
+        "reference_return": ("reference_return", _DIRECTION),
+        "encoder": ("encoder", record(Encoder, {"system": ("system", whole(1, 2))})),
+        "error": ("error", _error(axis)),
+        "test": ("test", _test(axis)),
+    }
+    return record(built, keys, {"travel"})
+
+
+def _error(axis: Axis) -> cs.CoreSchema:
+    units, slope = _UNITS[axis.kind], _SLOPE[axis.kind]
+    outliers = {
+        "share_percent": ("share", number(lambda percent: percent / 100.0, above=0.0, most=100.0)),
+        f"size_{units.deviation}": ("size", scaled(units.inside, above=0.0)),
+    }
+    traverses = {
+        f"offset_{units.deviation}": ("offset", scaled(units.inside, least=0.0)),
+        f"slope_{units.slope}": ("slope", scaled(slope, least=0.0)),
+        f"walk_{units.deviation}": ("walk", scaled(units.inside, least=0.0)),
+    }
+    screw = {
+        f"period_{units.position}": ("period", number(above=0.0)),
+        f"amplitude_{units.deviation}": ("amplitude", scaled(units.inside)),
+        "phase_deg": ("phase", number(math.radians)),
+    }
+    screws = cs.list_schema(record(ScrewError, screw, [*screw][:2]), strict=True)
+    keys = {
+        f"slope_{units.slope}": ("slope", scaled(slope)),
+        "smooth": ("smooth", _smooth(axis)),
+        "screw": ("screw", screws),
+        "reversal": ("reversal", _reversal(axis)),
+        f"drift_{units.deviation}": ("drift", scaled(units.inside)),
+        f"expansion_{units.slope}": ("expansion", scaled(slope)),
+        f"noise_{units.deviation}": ("noise", scaled(units.inside, least=0.0)),
+        f"noise_negative_{units.deviation}": ("noise_negative", scaled(units.inside, least=0.0)),
+        "growth_of_noise": ("growth", number(least=0.0)),
+        "tails_dof": ("tails", number(above=0.0)),
+        "outliers": ("outliers", record(dict, outliers, outliers)),
+        "traverses": ("traverses", record(Traverses, traverses)),
+    }
+    return record(_axis_error, keys)
+
+
+def _axis_error(
+    slope: float = 0.0,
+    smooth: Curve = FLAT,
+    screw: Sequence[ScrewError] = (),
+    reversal: tuple[float, Curve] = (0.0, FLAT),
+    drift: float = 0.0,
+    expansion: float = 0.0,
+    outliers: Mapping[str, float] = MappingProxyType({"share": 0.0, "size": 0.0}),
+    **scatter: Any,
+) -> AxisError:
+    return AxisError(
+        slope=slope,
+        smooth=smooth,
+        screw=tuple(screw),
+        reversal=reversal[0],
+        reversal_variation=reversal[1],
+        scatter=Scatter(outlier_share=outliers["share"], outlier_size=outliers["size"], **scatter),
+        drift=drift,
+        expansion=expansion,
+    )
+
+
+def _points(axis: Axis) -> Keys:
+    """Return the keys of a curve through given points: positions, then values."""
+    units = _UNITS[axis.kind]
     return {
-        name: _axis(name, section)
-        for name in axes.data
-        if (section := axes.section(name)) is not None
+        f"positions_{units.position}": ("positions", numbers()),
+        f"deviations_{units.deviation}": ("values", numbers(units.inside)),
     }
 
 
-def _axis(name: str, section: Section) -> VirtualAxis:
-    kind = AxisKind(section.choice("kind", [kind.value for kind in AxisKind], "linear"))
-    travel = section.numbers("travel", length=2)
-    if travel and travel[0] >= travel[1]:
-        section.reject("travel", "does not ascend", "[low, high]")
-        travel = ()
-    test = section.section("test")
-    axis = Axis(
-        name=name,
-        kind=kind,
-        travel=(travel[0], travel[1]) if travel else _NO_TRAVEL,
-        address=section.text("address", name),
-        modulo=_modulo(section, kind),
-        reference=section.number("reference", 0.0),
-        reference_return=Direction(section.choice("reference_return", ["+", "-"], "+")),
-        encoder=_encoder(section),
-        motion=_motion(test),
-    )
-    error = section.section("error")
-    result = VirtualAxis(
-        axis=axis,
-        error=_error(axis, error) if error is not None else AxisError(),
-        test=(
-            _test(axis, test)
-            if test is not None
-            else TestPlan(targets=_spread_targets(axis, _least_targets(axis), 0))
-        ),
-    )
-    section.close()
-    return result
-
-
-def _modulo(section: Section, kind: AxisKind) -> float | None:
-    if not section.has("modulo"):
-        return None
-    if kind is AxisKind.LINEAR:
-        section.reject("modulo", "has no meaning on a linear axis", "kind: rotary")
-    return section.number("modulo", above=0.0)
-
-
-def _encoder(section: Section) -> Encoder:
-    """Return the measuring system by which the tables act; not said: the control's files decide."""
-    given = section.section("encoder")
-    if given is None:
-        return Encoder(stated=False)
-    encoder = Encoder(system=given.whole("system", 1, least=1, most=2))
-    given.close()
-    return encoder
-
-
-def _motion(test: Section | None) -> Motion:
-    if test is None:
-        return "feed"
-    return cast("Motion", test.choice("motion", ["feed", "rapid"], "feed"))
-
-
-def _error(axis: Axis, section: Section) -> AxisError:
-    units = _UNITS[axis.kind]
-    smooth = section.section("smooth")
-    reversal = section.section("reversal")
-    mean, variation = _reversal(axis, reversal) if reversal is not None else (0.0, FLAT)
-    error = AxisError(
-        slope=section.number(f"slope_{units.slope}", 0.0) * _SLOPE[axis.kind],
-        smooth=_smooth(axis, smooth) if smooth is not None else FLAT,
-        screw=tuple(_screw(axis, entry) for entry in section.sections("screw")),
-        reversal=mean,
-        reversal_variation=variation,
-        scatter=_scatter(axis, section),
-        drift=section.number(f"drift_{units.deviation}", 0.0) * units.inside,
-        expansion=section.number(f"expansion_{units.slope}", 0.0) * _SLOPE[axis.kind],
-    )
-    section.close()
-    return error
-
-
-def _scatter(axis: Axis, section: Section) -> Scatter:
-    units = _UNITS[axis.kind]
-    noise, other = f"noise_{units.deviation}", f"noise_negative_{units.deviation}"
-    outliers, traverses = section.section("outliers"), section.section("traverses")
-    share, size = _outliers(axis, outliers) if outliers is not None else (0.0, 0.0)
-    return Scatter(
-        noise=section.number(noise, 0.0, least=0.0) * units.inside,
-        noise_negative=(
-            section.number(other, least=0.0) * units.inside if section.has(other) else None
-        ),
-        growth=section.number("growth_of_noise", 1.0, least=0.0),
-        tails=section.number("tails_dof", above=0.0) if section.has("tails_dof") else None,
-        outlier_share=share,
-        outlier_size=size,
-        traverses=_traverses(axis, traverses) if traverses is not None else Traverses(),
+def _smooth(axis: Axis) -> cs.CoreSchema:
+    points = _points(axis)
+    amplitude = f"amplitude_{_UNITS[axis.kind].deviation}"
+    curve = partial(_random_curve, axis, _SMOOTH)
+    return cs.tagged_union_schema(
+        {
+            "points": record(PointCurve, points, points),
+            "random": record(curve, _random(axis, amplitude), {amplitude}),
+        },
+        lambda data: "points" if part(data).keys() & points.keys() else "random",
     )
 
 
-def _outliers(axis: Axis, section: Section) -> tuple[float, float]:
+def _random(axis: Axis, amplitude: str) -> Keys:
     units = _UNITS[axis.kind]
-    percent = section.number("share_percent", above=0.0)
-    if percent > 100.0:
-        section.reject("share_percent", "is more than all readings", "at most 100")
-    size = section.number(f"size_{units.deviation}", above=0.0) * units.inside
-    section.close()
-    return percent / 100.0, size
-
-
-def _traverses(axis: Axis, section: Section) -> Traverses:
-    units = _UNITS[axis.kind]
-    traverses = Traverses(
-        offset=section.number(f"offset_{units.deviation}", 0.0, least=0.0) * units.inside,
-        slope=section.number(f"slope_{units.slope}", 0.0, least=0.0) * _SLOPE[axis.kind],
-        walk=section.number(f"walk_{units.deviation}", 0.0, least=0.0) * units.inside,
-    )
-    section.close()
-    return traverses
-
-
-def _smooth(axis: Axis, section: Section) -> Curve:
-    units = _UNITS[axis.kind]
-    positions, values = f"positions_{units.position}", f"deviations_{units.deviation}"
-    curve: Curve
-    if section.has(positions) or section.has(values):
-        where = section.numbers(positions)
-        what = section.numbers(values)
-        if where and what and len(where) != len(what):
-            section.reject(values, "has not one value for each position", f"{len(where)} numbers")
-        if any(later <= earlier for earlier, later in pairwise(where)):
-            section.reject(positions, "do not ascend", "positions in ascending order, each once")
-        curve = PointCurve(where, tuple(value * units.inside for value in what))
-    else:
-        curve = _random_curve(axis, section, f"amplitude_{units.deviation}", _SMOOTH)
-    section.close()
-    return curve
+    return {
+        amplitude: ("amplitude", scaled(units.inside, least=0.0)),
+        f"length_{units.position}": ("length", number(above=0.0)),
+        "seed": ("seed", _SEED),
+    }
 
 
 def _random_curve(
-    axis: Axis, section: Section, amplitude: str, stream: int, default: float | None = None
-) -> Curve:
-    units = _UNITS[axis.kind]
-    span = axis.travel[1] - axis.travel[0]
-    key = f"length_{units.position}"
-    length = section.number(key, 0.25 * span, above=0.0)
-    if span and section.has(key) and not _SHORTEST * span <= length <= _LONGEST * span:
-        section.reject(
-            key,
-            "does not fit the travel",
-            f"{_SHORTEST * span:g} to {_LONGEST * span:g} {units.position}",
-        )
+    axis: Axis, stream: int, amplitude: float = 0.0, length: float | None = None, seed: int = 0
+) -> RandomCurve:
+    """The axis' name is part of the seed, so that two axes of one description do not get the same
+    curve.
+    """
     return RandomCurve(
-        amplitude=section.number(amplitude, default, least=0.0) * units.inside,
-        length=length,
-        seed=_seed(axis, section, stream),
+        amplitude=amplitude,
+        length=0.25 * (axis.travel[1] - axis.travel[0]) if length is None else length,
+        seed=(seed, stream, *axis.name.encode("utf-8", "replace")),
         travel=axis.travel,
     )
 
 
-def _seed(axis: Axis, section: Section, stream: int) -> tuple[int, ...]:
-    # The axis' name is part of it, so that two axes of one description do not get the same curve.
-    return (
-        section.whole("seed", 0, least=0, most=2**31 - 1),
-        stream,
-        *axis.name.encode("utf-8", "replace"),
-    )
-
-
-def _screw(axis: Axis, section: Section) -> ScrewError:
+def _reversal(axis: Axis) -> cs.CoreSchema:
     units = _UNITS[axis.kind]
-    screw = ScrewError(
-        period=section.number(f"period_{units.position}", above=0.0),
-        amplitude=section.number(f"amplitude_{units.deviation}") * units.inside,
-        phase=math.radians(section.number("phase_deg", 0.0)),
-    )
-    section.close()
-    return screw
+
+    def built(mean: float = 0.0, **curve: Any) -> tuple[float, Curve]:
+        return mean, _random_curve(axis, _REVERSAL, **curve)
+
+    mean = {f"mean_{units.deviation}": ("mean", scaled(units.inside))}
+    return record(built, mean | dict(_random(axis, f"varies_{units.deviation}")))
 
 
-def _reversal(axis: Axis, section: Section) -> tuple[float, Curve]:
+def _test(axis: Axis) -> cs.CoreSchema:
     units = _UNITS[axis.kind]
-    mean = section.number(f"mean_{units.deviation}", 0.0) * units.inside
-    curve = _random_curve(axis, section, f"varies_{units.deviation}", _REVERSAL, 0.0)
-    section.close()
-    return mean, curve
 
+    def built(
+        targets: int | tuple[float, ...] = _least_targets(axis),
+        seed: int = 0,
+        motion: Motion = "feed",
+        **plan: Any,
+    ) -> tuple[TestPlan, Motion]:
+        where = (
+            _spread_targets(axis, targets, seed) if isinstance(targets, int) else np.array(targets)
+        )
+        return TestPlan(targets=where, **plan), motion
 
-def _test(axis: Axis, section: Section) -> TestPlan:
-    units = _UNITS[axis.kind]
-    seed = section.whole("seed", 0, least=0, most=2**31 - 1)
-    plan = TestPlan(
-        targets=_targets(axis, section, seed),
-        runs=section.whole("runs", 5, least=1, most=1000),
-        cycle=cast("Cycle", section.choice("cycle", ["standard", "step"], "standard")),
-        directions=cast(
-            "Literal['both', '+', '-']", section.choice("directions", ["both", "+", "-"], "both")
-        ),
-        datum=section.number(f"datum_{units.deviation}", 0.0) * units.inside,
-        resolution=section.number(f"resolution_{units.deviation}", 0.0, least=0.0) * units.inside,
-    )
-    section.close()
-    return plan
-
-
-def _targets(axis: Axis, section: Section, seed: int) -> FloatArray:
-    if isinstance(section.data.get("targets"), list):
-        given = section.numbers("targets", at_least=2)
-        if any(later <= earlier for earlier, later in pairwise(given)):
-            section.reject("targets", "do not ascend", "positions in ascending order, each once")
-        if (
-            given
-            and axis.travel != _NO_TRAVEL
-            and not axis.travel[0] <= min(given) <= max(given) <= axis.travel[1]
-        ):
-            section.reject(
-                "targets",
-                "leave the travel",
-                f"{axis.travel[0]:g} to {axis.travel[1]:g} {axis.kind.unit}",
-            )
-        return np.array(given)
-    count = section.whole("targets", _least_targets(axis), least=2, most=10_000)
-    return _spread_targets(axis, count, seed)
+    keys = {
+        "targets": ("targets", either(whole(2, 10_000), numbers(at_least=2))),
+        "seed": ("seed", _SEED),
+        "motion": ("motion", choice("feed", "rapid")),
+        "runs": ("runs", whole(1, 1000)),
+        "cycle": ("cycle", choice("standard", "step")),
+        "directions": ("directions", choice("both", "+", "-")),
+        f"datum_{units.deviation}": ("datum", scaled(units.inside)),
+        f"resolution_{units.deviation}": ("resolution", scaled(units.inside, least=0.0)),
+    }
+    return record(built, keys)
 
 
 def _least_targets(axis: Axis) -> int:

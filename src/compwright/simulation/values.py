@@ -1,0 +1,134 @@
+"""Schemas of the values in a MACHINE.yaml: numbers, lists of numbers, texts, records by key."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping
+from itertools import pairwise
+from typing import Any, Final
+
+from pydantic_core import SchemaValidator
+from pydantic_core import core_schema as cs
+
+from compwright.foundations.key_faults import KeyFault, KeyPath, shown
+from compwright.foundations.record_schemas import mapping
+from compwright.foundations.validation import checked, refuse
+
+# mm or deg, µm or arcsec: nothing on a machine is larger, or smaller and not 0
+_SMALLEST, _LARGEST = 1e-9, 1e9
+
+#: By key: the name of what a record takes, and the schema of the value.
+Keys = Mapping[str, tuple[str, cs.CoreSchema]]
+
+
+def number(
+    convert: Callable[[float], Any] = float,
+    *,
+    least: float = -_LARGEST,
+    above: float | None = None,
+    most: float = _LARGEST,
+    below: float | None = None,
+) -> cs.CoreSchema:
+    """Return the schema of a number of a size that means something. ``least`` and ``most`` are
+    limits with, ``above`` and ``below`` without equality.
+    """
+
+    def converted(value: float) -> Any:
+        if 0.0 < abs(value) < _SMALLEST:
+            refuse(KeyFault((), "is too small", f"0, or {_SMALLEST:g} or more", shown(value)))
+        return convert(value)
+
+    plain = cs.float_schema(strict=True, allow_inf_nan=False, ge=least, gt=above, le=most, lt=below)
+    return cs.no_info_after_validator_function(converted, plain)
+
+
+def scaled(factor: float, *, least: float = -_LARGEST, above: float | None = None) -> cs.CoreSchema:
+    """Return the schema of a number that counts ``factor`` times inside."""
+    return number(lambda value: value * factor, least=least, above=above)
+
+
+def whole(least: int, most: int) -> cs.CoreSchema:
+    """Return the schema of a whole number."""
+    return cs.int_schema(strict=True, ge=least, le=most)
+
+
+def numbers(
+    factor: float = 1.0, *, length: int | None = None, at_least: int = 1, ascending: bool = False
+) -> cs.CoreSchema:
+    """Return the schema of a list of numbers, ``length`` of them or ``at_least`` so many; any
+    fault is one of the whole list.
+    """
+    one = SchemaValidator(number())
+    wanted = f"a list of {f'at least {at_least}' if length is None else length} numbers"
+
+    def listed(value: Any) -> tuple[float, ...]:
+        size = len(value) if isinstance(value, list) else -1
+        fits = size >= at_least if length is None else size == length
+        if not fits or any(checked(one, entry)[1] for entry in value):
+            refuse(KeyFault((), "is not such a list", wanted, shown(value)))
+        if ascending and any(later <= earlier for earlier, later in pairwise(value)):
+            refuse(KeyFault((), "does not ascend", "numbers in ascending order, each once"))
+        return tuple(entry * factor for entry in value)
+
+    return cs.no_info_plain_validator_function(listed)
+
+
+def _text(value: Any) -> str:
+    """Take a number as written, and blanks as one."""
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        refuse(KeyFault((), "is not a text", "a text", shown(value)))
+    text = " ".join(str(value).split())
+    if not text or not text.isprintable():
+        refuse(KeyFault((), "is not a text", "a text that can be printed", shown(value)))
+    return text
+
+
+TEXT: Final = cs.no_info_plain_validator_function(_text)
+
+
+def choice(*words: str) -> cs.CoreSchema:
+    """Return the schema of one of these words."""
+    return cs.no_info_before_validator_function(_text, cs.literal_schema(list(words)))
+
+
+def either(one: cs.CoreSchema, several: cs.CoreSchema) -> cs.CoreSchema:
+    """Return the schema of a value, or of a list of values."""
+    return cs.tagged_union_schema(
+        {"one": one, "several": several},
+        lambda value: "several" if isinstance(value, list) else "one",
+    )
+
+
+def record(build: Callable[..., Any], keys: Keys, needed: Collection[str] = ()) -> cs.CoreSchema:
+    """Return the schema of a mapping: ``build`` takes the values that are there by their names."""
+    return mapping(
+        {key: schema for key, (_, schema) in keys.items()},
+        lambda values: build(**{keys[key][0]: value for key, value in values.items()}),
+        optional=keys.keys() - set(needed),
+    )
+
+
+def usable(keys: Keys, data: Any) -> dict[str, Any]:
+    """Return by their names the values of a mapping that keep to their schemas; the others are
+    reported elsewhere.
+    """
+    given = data if isinstance(data, dict) else {}
+    found = {
+        name: checked(SchemaValidator(schema), given[key])
+        for key, (name, schema) in keys.items()
+        if key in given
+    }
+    return {name: value for name, (value, faults) in found.items() if not faults}
+
+
+def part(data: Any, *keys: str) -> Mapping[str, Any]:
+    """Return the mapping under these keys, an empty one where there is none."""
+    for key in keys:
+        data = data.get(key) if isinstance(data, dict) else None
+    return data if isinstance(data, dict) else {}
+
+
+def same_but_for_case(path: KeyPath, names: Collection[str]) -> Iterator[KeyFault]:
+    """Yield the fault of names that would make the same file."""
+    if len({name.lower() for name in names}) < len(names):
+        expected = "names that make different file names"
+        yield KeyFault(path, "has names that differ in upper and lower case only", expected)
