@@ -216,15 +216,6 @@ def test_the_plan_next_to_the_measurements_is_found(folder: Path, tmp_path: Path
     assert run(tmp_path / "today", as_found=as_found, axes="X", entry=entry) == 2
 
 
-def test_the_plan_of_yesterday_is_found_next_to_the_folder_of_today(folder: Path) -> None:
-    written_again(folder, "rounded")
-    today = folder.parent / "today"
-    today.mkdir()
-    for name in ("again.csv", "control"):
-        shutil.move(folder / name, today / name)
-    assert run(today, as_found="[control]", axes="X", entry="again.csv") == 2
-
-
 def test_a_machine_without_its_table_is_no_copy_of_the_first_test() -> None:
     """Fresh readings of the same axis scatter by its noise; rounded ones are the same runs."""
     targets = AXES["X"].targets()

@@ -11,7 +11,7 @@ import csv
 import html
 import json
 import zipfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from io import BytesIO
 from pathlib import Path
 from urllib.parse import unquote
@@ -22,7 +22,9 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.foundations.redaction import Cuts, Names, left_over
-from compwright.instruments.redaction.plain import redacted_plain
+from compwright.instruments.redaction import measurement
+from compwright.instruments.redaction.cutting import redacted_lines
+from compwright.instruments.spans import SpansOf
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.workflow.commands.redact import RedactedFile, RedactOutcome, redaction_lines
@@ -408,20 +410,17 @@ def test_a_copy_that_does_not_prove_right_is_not_written(
     capsys: pytest.CaptureFixture[str],
     broken: str,
 ) -> None:
-    from compwright.instruments.redaction import measurement
+    right = redacted_lines
 
-    right = redacted_plain
-
-    def wrong(lines: list[str], cuts: Cuts) -> list[str]:
-        made = right(lines, cuts)
+    def wrong(lines: Sequence[str], spans_of: SpansOf, cuts: Cuts) -> list[str]:
+        made = right(lines, spans_of, cuts)
         if broken == "a number":
             return [line.replace("2.1", "2.2") for line in made]
         if broken == "a cycle":
             return [made[0], "# cycle: step", *made[2:]]
         return [*made[:-1], "# m%C3%BChlbauer"]
 
-    for form in measurement._BY_FORM:
-        monkeypatch.setitem(measurement._BY_FORM, form, wrong)
+    monkeypatch.setattr(measurement, "redacted_lines", wrong)
     file = tmp_path / "a.csv"
     file.write_bytes(filled(PLAIN["long"]))
     assert compwright(["redact", str(file), "--out", str(tmp_path / "out")]) == 3

@@ -43,8 +43,8 @@ KEYS: Final = frozenset(
 )
 _NEWEST_FORM: Final = 1
 _VALUES: Final = ("radius_mm", "deviation_um")
-_COLUMNS: Final[tuple[str, ...]] = ("direction", "run", "angle_deg", *_VALUES)
-_PLANE: Final = re.compile(r"([A-Za-z][0-9]{0,2})[ ,/-]?([A-Za-z][0-9]{0,2})")
+COLUMNS: Final[tuple[str, ...]] = ("direction", "run", "angle_deg", *_VALUES)
+PLANE: Final = re.compile(r"([A-Za-z][0-9]{0,2})[ ,/-]?([A-Za-z][0-9]{0,2})")
 _FORM_KEY: Final = re.compile(r"circular\s+([0-9]{1,9})")
 _SENSES: Final[tuple[Sense, Sense]] = ("ccw", "cw")
 _YES: Final[Mapping[str, bool]] = {"yes": True, "true": True, "no": False, "false": False}
@@ -99,7 +99,7 @@ def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
     marks.check(comma_is_delimiter=table.delimiter == ",")
     faults.raise_if_any()
     sweeps, runs, arc = _assembled(samples, value, keys, faults)
-    left_out = [column for column in table.columns if column not in _COLUMNS]
+    left_out = [column for column in table.columns if column not in COLUMNS]
     findings = [
         assumed_finding(
             []
@@ -176,7 +176,7 @@ def axes_of_plane(text: str) -> tuple[str, str] | None:
     """Return first and second axis of a plane such as ``XY`` or ``X1-Y1``, None when ``text`` names
     no two axes.
     """
-    match = _PLANE.fullmatch(text.strip())
+    match = PLANE.fullmatch(text.strip())
     if match is None or match[1].upper() == match[2].upper():
         return None
     return match[1].upper(), match[2].upper()

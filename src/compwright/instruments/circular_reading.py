@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import codecs
 from collections import Counter
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -22,12 +22,15 @@ from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import source_of
 from compwright.instruments.b5r import read_b5r
+from compwright.instruments.b5r_elements import ELEMENTS
 from compwright.instruments.circular_arcs import check_same_arc
 from compwright.instruments.circular_csv import read_circular_csv
 from compwright.instruments.csv_table import header_names, split_lines
 from compwright.instruments.fault_list import FaultList
+from compwright.instruments.own_forms import spans_of_plain_csv
 from compwright.instruments.plausibility import LARGEST_PLAUSIBLE, SMALLEST_PLAUSIBLE
 from compwright.instruments.reading import stem
+from compwright.instruments.spans import Grammar
 from compwright.records.circular import CircularRun, CircularTest
 
 _ENDING: Final = ".b5r"
@@ -36,6 +39,28 @@ _SAME_RADIUS: Final = 1e-6  # mm, rounding of printed lengths
 #: Feeds of the runs of one test may differ by the override's last digit and by sampling, not more.
 _SAME_FEED: Final = 0.05
 _SAME_CENTRE: Final = 0.01  # mm
+
+
+@dataclass(frozen=True, slots=True)
+class CircularForm:
+    """``read`` takes content, name of the file and name of the test; ``grammar`` tells what stands
+    where, by which `redact` keeps and replaces.
+    """
+
+    name: str
+    read: Callable[[bytes, str, str], CircularTest]
+    grammar: Grammar
+
+
+BALLBAR: Final = CircularForm("a ballbar's file (.b5r)", read_b5r, ELEMENTS)
+PLAIN_CIRCLE: Final = CircularForm("plain CSV, circular", read_circular_csv, spans_of_plain_csv)
+CIRCULAR_FORMS: Final = (BALLBAR, PLAIN_CIRCLE)
+
+
+def circular_form(content: bytes) -> CircularForm:
+    """Return the form of a circular test, told by its first character."""
+    start = content[:64].lstrip(codecs.BOM_UTF8 + codecs.BOM_UTF16_LE + b" \t\r\n\x00")
+    return BALLBAR if start.startswith(b"<") else PLAIN_CIRCLE
 
 
 def is_circular(content: bytes, file: str) -> bool:
@@ -71,8 +96,7 @@ def read_circular(content: bytes, file: str) -> CircularTest:
     second, the feed is the true one where the file shows it. Raises InputError with every fault
     that could be found at once.
     """
-    start = content[:64].lstrip(codecs.BOM_UTF8 + codecs.BOM_UTF16_LE + b" \t\r\n\x00")
-    test = (read_b5r if start.startswith(b"<") else read_circular_csv)(content, file, stem(file))
+    test = circular_form(content).read(content, file, stem(file))
     return replace(
         test, sources=(source_of(file, content),), findings=(*test.findings, *_plausibility(test))
     )

@@ -7,8 +7,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import Final
 
 from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.spans import Span, Spans, by_key, whole
 from compwright.records.positioning import Cycle
 
 #: Keys that decide how a file is understood: they may not contradict themselves.
@@ -16,6 +18,33 @@ DECISIVE_KEYS = frozenset({"axis", "cycle", "deviation", "compensated_for", "uni
 #: All keys with a fixed spelling in the header; a file may write them in any case, with blanks or
 #: hyphens for the underscore.
 KNOWN_KEYS = DECISIVE_KEYS | {"machine", "serial", "date", "instrument", "operator"}
+#: Keys that say something in files of any program, in the spelling of `plain_key`, with what their
+#: values are. All others are free text.
+KEYS: Final = by_key(
+    {
+        "axis": ("axis",),
+        "date": (
+            *("date", "date_started", "date_completed", "time"),
+            *("datum", "messdatum", "uhrzeit", "datum/uhrzeit"),
+        ),
+        "quantity": (
+            *("temperature", "temperatur", "air_temperature"),
+            *("t_m", "t_m_start", "t_m_end", "t_d", "t_d_start", "t_d_end"),
+        ),
+        "keywords": (
+            *("unit", "units", "cycle", "deviation", "compensated_for"),
+            *("calibrated", "direction"),
+        ),
+        "numbers": ("nominal_radius_mm", "feed_mm_min", "centre", "targets", "runs"),
+        "form": ("compwright",),
+        "plane": ("plane",),
+        "machine": ("machine",),
+        "serial number": ("serial", "serial_no"),
+        "operator": ("operator", "by"),
+        "instrument": ("instrument",),
+        "remark": ("simulated",),
+    }
+)
 #: Under this key of the header stand the comment lines that are not ``key: value``.
 FREE_TEXT = "comment"
 
@@ -57,6 +86,20 @@ def comment_text(line: str) -> str | None:
     return stripped.lstrip("#").strip() if stripped.startswith("#") else None
 
 
+def plain_key(written: str) -> str:
+    """Return a key in its one spelling: small letters, ``_`` for blanks and hyphens."""
+    return re.sub(r"[ -]+", "_", written).lower()
+
+
+def spans_in_comment(text: str) -> Spans:
+    """Return what stands in the text of a comment line."""
+    match = _KEY_VALUE.fullmatch(text)
+    meaning = KEYS.get(plain_key(match["key"])) if match is not None else None
+    if match is None or meaning is None:
+        return whole(text, "remark")
+    return Span(*match.span("key"), "key"), Span(match.start("value"), len(text), meaning)
+
+
 def read_comments(
     lines: Iterable[tuple[int, str]],
     faults: FaultList,
@@ -76,7 +119,7 @@ def read_comments(
     for number, text in lines:
         match = _KEY_VALUE.fullmatch(text)
         written, value = (match["key"], match["value"].strip()) if match else (FREE_TEXT, text)
-        known = re.sub(r"[ -]+", "_", written).lower()
+        known = plain_key(written)
         if match and known in (KNOWN_KEYS | decisive) and (any_key or known != "unit"):
             written = known
             if known in decisive:

@@ -9,7 +9,7 @@ third parties and one record of a real table; no real file was at hand.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -26,15 +26,22 @@ from compwright.instruments.parsed import Parsed
 from compwright.instruments.reading_findings import stray_finding
 from compwright.instruments.readings import readings_at
 from compwright.instruments.sections import Line
+from compwright.instruments.spans import Span, Spans, by_key, whole
 from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction
 
-_KEYS: Final = (
-    *("compensation start", "compensation end", "compensation spacing", "compensation output"),
-    *("compensation type", "compensation resolution", "reference position", "backlash error"),
-    *("sign convention", "table type", "test name"),
+#: The keys, with what their values are.
+KEYS: Final = by_key(
+    {
+        "quantity": (
+            *("compensation start", "compensation end", "compensation spacing"),
+            *("compensation output", "compensation type", "compensation resolution"),
+            *("reference position", "backlash error", "sign convention", "table type"),
+        ),
+        "title": ("test name",),
+    }
 )
-_KEY = re.compile(rf"\s*(?P<key>{'|'.join(_KEYS)})\b\s*[:=]?\s*(?P<value>.*?)\s*", re.IGNORECASE)
+_KEY = re.compile(rf"\s*(?P<key>{'|'.join(KEYS)})\b\s*[:=]?\s*(?P<value>.*?)\s*", re.IGNORECASE)
 _OUTPUT = "compensation output"
 _SIGNS = {"as errors": 1.0, "errors": 1.0, "as corrections": -1.0, "corrections": -1.0}
 _NONE = frozenset({"", "n/a", "na", "none", "-"})
@@ -69,6 +76,27 @@ def is_compensation_text(text: Sequence[str]) -> bool:
     keys = (_KEY.fullmatch(line) for line in text if "compensation" in line.lower())
     found = {match["key"].lower() for match in keys if match is not None}
     return len(found & {"compensation start", "compensation end", "compensation spacing"}) >= 2
+
+
+def spans_of(text: Sequence[str]) -> Iterator[Spans]:
+    """Yield what stands in each line of a file: rows below ``Compensation output`` or a header
+    row.
+    """
+    rows = False
+    for line in text:
+        match = _KEY.fullmatch(line)
+        if match is not None:
+            key = match["key"].lower()
+            rows = rows or key == _OUTPUT
+            yield (
+                Span(*match.span("key"), "key"),
+                Span(match.start("value"), len(line), KEYS[key]),
+            )
+        elif _header(line.strip()):
+            rows = True
+            yield whole(line, "key")
+        else:
+            yield whole(line, "row" if rows else "remark")
 
 
 def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:

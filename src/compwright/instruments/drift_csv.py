@@ -6,6 +6,7 @@ for other tests, and other columns are left alone.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
@@ -21,10 +22,15 @@ from compwright.instruments.text_input import read_lines
 from compwright.records.axis import AxisKind
 from compwright.records.drift import DriftTest
 
-_TIME: Final = "time_min"
+TIME: Final = "time_min"
 _VALUE: Final = {AxisKind.LINEAR: "deviation_um", AxisKind.ROTARY: "deviation_arcsec"}
 #: Two readings tell a difference, not a range.
 _FEWEST: Final = 3
+
+
+def is_drift(text: Sequence[str]) -> bool:
+    """Whether the lines of a file are those of a stand-still test."""
+    return any(line.lower().lstrip('"').startswith(TIME) for line in text)
 
 
 def read_drift(content: bytes, file: str, kind: AxisKind) -> DriftTest:
@@ -36,22 +42,22 @@ def read_drift(content: bytes, file: str, kind: AxisKind) -> DriftTest:
     comments = read_comments(comment_lines, faults)
     if not lines:
         raise InputError(
-            Fault(message="holds no readings", file=file, expected=f"{_TIME}, {_VALUE[kind]}")
+            Fault(message="holds no readings", file=file, expected=f"{TIME}, {_VALUE[kind]}")
         )
     table = read_table(lines, faults)
-    lacking = [name for name in (_TIME, _VALUE[kind]) if name not in table.columns]
+    lacking = [name for name in (TIME, _VALUE[kind]) if name not in table.columns]
     if lacking:
         faults.add(
             f"is no stand-still test of a {kind.value} axis",
             place=f"line {table.line}",
-            expected=f"the columns {_TIME} and {_VALUE[kind]}",
+            expected=f"the columns {TIME} and {_VALUE[kind]}",
             found=shown(", ".join(table.columns)),
         )
         faults.raise_if_any()
     marks = DecimalMarks(faults)
     minutes, values = (
         marks.parse_all(table.of(name), table.lines, table.place(name), name).tolist()
-        for name in (_TIME, _VALUE[kind])
+        for name in (TIME, _VALUE[kind])
     )
     rows = list(zip(minutes, values, strict=True))
     marks.check(comma_is_delimiter=table.delimiter == ",")

@@ -1,12 +1,16 @@
-"""The forms of positioning files, each with how its content is recognised and how it is read."""
+"""The forms of positioning files, each with how its content is recognised and read, and what stands
+where in its lines.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 from compwright.foundations.errors import Fault, InputError
+from compwright.instruments import compensation_text, mean_blocks, sections, target_data
 from compwright.instruments.answers import Answers
+from compwright.instruments.comments import KEYS
 from compwright.instruments.compensation_text import is_compensation_text, read_compensation_text
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.laser_runs import is_laser_runs, read_laser_runs
@@ -15,30 +19,58 @@ from compwright.instruments.own_forms import (
     is_target_data_file,
     read_plain_csv,
     read_target_data_file,
+    spans_of_plain_csv,
+    spans_of_target_data,
 )
 from compwright.instruments.parsed import Parsed
+from compwright.instruments.spans import SpansOf
 
 
 @dataclass(frozen=True, slots=True)
 class Form:
     """``name`` stands in messages; ``read`` takes the lines of the file and what the user says of
-    it. ``code_pages``: text of users in it may be in an old code page.
+    it; ``spans_of`` tells what stands where in each line, by which `redact` keeps and replaces.
+
+    ``words``: names of its sections and keys, which may stand in a copy whatever was taken out.
+    ``code_pages``: text of users in it may be in an old code page.
     """
 
     name: str
     recognises: Callable[[Sequence[str]], bool]
     read: Callable[[Sequence[str], FaultList, Answers], Parsed]
+    spans_of: SpansOf
+    words: Collection[str]
     code_pages: bool = True
 
 
 FORMS = (
-    Form("the laser's runs (.rtl, .rta)", is_laser_runs, read_laser_runs),
-    Form("the laser's means (.pos)", is_mean_blocks, read_mean_blocks),
-    Form("a compensation text (.ren)", is_compensation_text, read_compensation_text),
+    Form(
+        "the laser's runs (.rtl, .rta)",
+        is_laser_runs,
+        read_laser_runs,
+        sections.spans_of,
+        sections.WORDS,
+    ),
+    Form(
+        "the laser's means (.pos)",
+        is_mean_blocks,
+        read_mean_blocks,
+        mean_blocks.spans_of,
+        sections.WORDS,
+    ),
+    Form(
+        "a compensation text (.ren)",
+        is_compensation_text,
+        read_compensation_text,
+        compensation_text.spans_of,
+        compensation_text.KEYS,
+    ),
     Form(
         "target data (TGT_DATA[1]=...)",
         is_target_data_file,
         lambda text, faults, _: read_target_data_file(text, faults),
+        spans_of_target_data,
+        target_data.KEYS,
         code_pages=False,
     ),
 )
@@ -49,6 +81,8 @@ PLAIN_CSV = Form(
     "plain CSV",
     lambda _: True,
     lambda text, faults, _: read_plain_csv(text, faults),
+    spans_of_plain_csv,
+    KEYS,
     code_pages=False,
 )
 

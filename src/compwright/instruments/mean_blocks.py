@@ -8,7 +8,7 @@ The readings themselves are not in such a file.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Final
 
@@ -27,15 +27,19 @@ from compwright.instruments.sections import (
     check_units,
     header_of,
     no_end_finding,
+    opens_section,
     sections_of,
+    spans_in,
     with_axis,
 )
+from compwright.instruments.sections import spans_of as spans_of_sections
+from compwright.instruments.spans import Span, Spans
 from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction
 
 _TITLE = re.compile(
     r"\s*Position\s+(?P<which>Bidirectional|Forward|Reverse|Backward)(?:\s+Directional)?"
-    r"\s+Avg\.?\s+Error.*",
+    r"\s+Avg\.?\s+Error\s*(?P<rest>.*)",
     re.IGNORECASE,
 )
 _BOTH, _FORWARD, _BACK = "both", "forward", "back"
@@ -52,6 +56,19 @@ _Block = dict[float, tuple[float, int]]
 def is_mean_blocks(text: Sequence[str]) -> bool:
     """Whether the lines of a file are of this form."""
     return any("Avg" in line and _TITLE.fullmatch(line) for line in text)
+
+
+def spans_of(text: Sequence[str]) -> Iterator[Spans]:
+    """Yield what stands in each line of a file: below a title rows do, up to the next section."""
+    block = False
+    for line, found in zip(text, spans_of_sections(text), strict=True):
+        title = _TITLE.fullmatch(line)
+        block = (block or title is not None) and not opens_section(line)
+        if title is not None:
+            rest = title.start("rest")
+            yield Span(0, rest, "key"), Span(rest, len(line), "remark")
+        else:
+            yield spans_in(line, rows=True) if block else found
 
 
 def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 from itertools import chain
 
+from compwright.instruments.circular_csv import COLUMNS as CIRCULAR_COLUMNS
 from compwright.instruments.comments import comment_text, cycle_of, read_comments
 from compwright.instruments.csv_table import (
+    COLUMNS,
+    column_name,
     first_row,
     header_names,
     read_table,
@@ -15,9 +20,11 @@ from compwright.instruments.csv_table import (
     split_lines,
     traverse_of,
 )
+from compwright.instruments.drift_csv import TIME
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.other_files import refuse_other_files
 from compwright.instruments.parsed import Parsed
+from compwright.instruments.parts import AXIS_COLUMN
 from compwright.instruments.plain_csv import VALUES, read_csv
 from compwright.instruments.reading_findings import (
     cut_finding,
@@ -27,7 +34,14 @@ from compwright.instruments.reading_findings import (
     measured_findings,
     stray_finding,
 )
+from compwright.instruments.spans import Meaning, Span, Spans, whole
 from compwright.instruments.target_data import is_target_data, read_target_data, split_target_data
+from compwright.instruments.target_data import spans_in as spans_in_target_data
+
+#: All columns that a plain CSV form reads, but for those of traverses.
+_COLUMNS = COLUMNS | {*CIRCULAR_COLUMNS, AXIS_COLUMN, TIME}
+#: What the name of a column is, by what its cells are, where it is no word of the form.
+_HEADS: Mapping[Meaning, Meaning] = {"other cell": "column"}
 
 
 def is_target_data_file(text: Sequence[str]) -> bool:
@@ -110,3 +124,53 @@ def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
         assumed=tuple(assumed),
         findings=tuple(findings),
     )
+
+
+def spans_of_plain_csv(text: Sequence[str]) -> Iterator[Spans]:
+    """Yield what stands in each line of a plain CSV file (positioning, circular, stand-still)."""
+    delimiter = ""
+    meanings: list[Meaning] = []
+    for line in text:
+        if comment_text(line) is not None:
+            yield whole(line, "comment")
+        elif not line.strip(" \t,;"):
+            yield ()
+        elif not delimiter:
+            delimiter, _, _ = header_names(line)
+            meanings = [_of_column(column_name(name)) for name in row_cells(line, delimiter) or ()]
+            yield _in_cells(line, delimiter, [_HEADS.get(one, "key") for one in meanings])
+        else:
+            yield _in_cells(line, delimiter, meanings)
+
+
+def spans_of_target_data(text: Sequence[str]) -> Iterator[Spans]:
+    """Yield what stands in each line of a file of the form ``TGT_DATA[1]=``."""
+    for line in text:
+        remark = comment_text(line) is not None
+        yield whole(line, "comment") if remark else spans_in_target_data(line)
+
+
+def _of_column(name: str) -> Meaning:
+    if name == AXIS_COLUMN:
+        return "axis"
+    known = name in _COLUMNS or traverse_of(name) is not None
+    return "cell" if known else "other cell"
+
+
+def _in_cells(line: str, delimiter: str, meanings: Sequence[Meaning]) -> Spans:
+    """Return the spans of the cells of a line, with their quotes and blanks; one of the whole line
+    where the cells are not told apart.
+    """
+    places = [match.span() for match in _cells(delimiter).finditer(line)]
+    if len(places) != len(row_cells(line, delimiter) or ()):
+        return whole(line, "other cell")
+    beyond: list[Meaning] = ["other cell"] * (len(places) - len(meanings))
+    return [
+        Span(*place, meaning) for place, meaning in zip(places, (*meanings, *beyond), strict=False)
+    ]
+
+
+@cache
+def _cells(delimiter: str) -> re.Pattern[str]:
+    mark = re.escape(delimiter)
+    return re.compile(rf'(?:^|(?<={mark}))(?: *"(?:[^"]|"")*"[^{mark}]*|[^{mark}]*)')

@@ -8,12 +8,14 @@ what six independent programs of third parties read and write.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Final
 
 from compwright.foundations.findings import Finding
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.reading_findings import cut_finding
+from compwright.instruments.spans import Span, Spans, by_key, whole
 
 #: A line of a file: its number from 1, and its text without blanks around it.
 Line = tuple[int, str]
@@ -21,6 +23,37 @@ Line = tuple[int, str]
 _SECTION = re.compile(r"\s*([A-Z][A-Z0-9 _-]*?)\s*::\s*", re.IGNORECASE)
 _KEY = re.compile(r"\s*(?P<key>[A-Za-z][\w .-]*?)\s*:(?!:)\s*(?P<value>.*?)\s*")
 _END = "EOF"
+#: The sections of these files, and whether rows of numbers stand in them.
+SECTIONS: Final[Mapping[str, bool]] = {
+    **dict.fromkeys(("TARGET DATA", "RUNS", "DEVIATIONS"), True),
+    **dict.fromkeys(("HEADER", "USER-TEXT", "EQUIPMENT", "ENVIRONMENT", "ANALYSIS"), False),
+    **dict.fromkeys(("ENVIRONMENT DATA", _END), False),
+}
+#: The keys in them, in small letters, with what their values are.
+KEYS: Final = by_key(
+    {
+        "keywords": ("file type", "filetype", "owner", "unit", "units"),
+        "numbers": ("target-count", "targets", "flags", "run-count"),
+        "quantity": (
+            *("air temp", "air press", "air pressure", "air humid", "air humidity"),
+            *("material temp", "mat temp", "mat temp 1", "mat temp 2", "mat temp 3"),
+            *("expansion coeff", "exp coeff", "env factor", "final data", "run target data"),
+        ),
+        "date": ("date", "time", "date time"),
+        "version": ("version no",),
+        "axis in words": ("axis",),
+        "machine": ("machine",),
+        "serial number": ("serial no",),
+        "operator": ("by",),
+        "place": ("location",),
+        "title": ("title",),
+    }
+)
+#: The names of the form. Those of the air and the material are no such: a machine may be a press.
+WORDS: Final = (
+    *SECTIONS,
+    *(key for key, meaning in KEYS.items() if meaning != "quantity"),
+)
 #: Keys of these files -> keys that the header of every test has.
 _KNOWN = {"machine": "machine", "serial no": "serial", "date": "date", "by": "operator"}
 _UNIT_KEY = re.compile(r"\bunits?\b", re.IGNORECASE)
@@ -53,6 +86,33 @@ class Sections:
             if match and match["key"].lower() == key.lower():
                 return match["value"], f"line {number}, {key}"
         return "", ""
+
+
+def spans_of(text: Sequence[str]) -> Iterator[Spans]:
+    """Yield what stands in each line of a file in sections."""
+    rows = False
+    for line in text:
+        match = _SECTION.fullmatch(line)
+        if match is None:
+            yield spans_in(line, rows=rows)
+            continue
+        known = match[1].upper() in SECTIONS
+        rows = SECTIONS.get(match[1].upper(), False)
+        yield (Span(*match.span(1), "key" if known else "section"),)
+
+
+def spans_in(line: str, *, rows: bool) -> Spans:
+    """Return what stands in a line of a section; ``rows``: rows of numbers do."""
+    match = _KEY.fullmatch(line)
+    meaning = KEYS.get(" ".join(match["key"].lower().split())) if match is not None else None
+    if match is None or meaning is None:
+        return whole(line, "row" if rows else "remark")
+    return Span(*match.span("key"), "key"), Span(match.start("value"), len(line), meaning)
+
+
+def opens_section(line: str) -> bool:
+    """Whether a line opens a section, whatever its name."""
+    return _SECTION.fullmatch(line) is not None
 
 
 def has_section(text: Sequence[str], names: Iterable[str]) -> bool:

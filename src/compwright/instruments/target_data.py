@@ -23,6 +23,7 @@ from compwright.instruments.comments import comment_text
 from compwright.instruments.fault_list import TOLD_PER_KIND, FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, parse_count
 from compwright.instruments.readings import IntArray, Readings, readings_at
+from compwright.instruments.spans import Span, Spans, by_key, whole
 from compwright.records.axis import AxisKind, Direction, FloatArray
 
 _TARGET, _FORWARD, _BACKWARD = "TGT_DATA", "REF_DATA_FWD", "REF_DATA_BWD"
@@ -31,10 +32,18 @@ _BEGINNINGS: Final = (f"{_TARGET}[", f"{_FORWARD}[", f"{_BACKWARD}[")
 _ASSIGNMENT = re.compile(
     r"\s*(?P<name>[A-Za-z_]\w*)\s*(?:\[(?P<indices>[^\]]*)\]\s*)?=(?P<value>.*)", re.ASCII
 )
-_DATA = re.compile(r"\s*(?:TGT_DATA|REF_DATA_FWD|REF_DATA_BWD)\s*\[")
-_KEYS_OF_FORM = re.compile(
-    r"\s*(?:UNIT|CYCLES|POSITIONS|TEST_DATA|REF_PV|TEST_PV|TGT_SET_PV|DEC)\s*="
+#: The keys of the form, with what their values are.
+KEYS: Final = by_key(
+    {
+        "row": (_TARGET, _FORWARD, _BACKWARD),
+        "keywords": ("UNIT",),
+        "numbers": ("CYCLES", "POSITIONS", "DEC"),
+        "name": ("TEST_DATA", "REF_PV", "TEST_PV", "TGT_SET_PV"),
+    }
 )
+_DATA = re.compile(rf"\s*(?:{_TARGET}|{_FORWARD}|{_BACKWARD})\s*\[")
+_OTHERS = "|".join(name for name, meaning in KEYS.items() if meaning != "row")
+_KEYS_OF_FORM = re.compile(rf"\s*(?:{_OTHERS})\s*=")
 _DIRECTIONS = {_FORWARD: Direction.POSITIVE, _BACKWARD: Direction.NEGATIVE}
 _DEGREES = {"degree": "deg", "degrees": "deg", "°": "deg"}
 
@@ -125,6 +134,22 @@ def is_target_data(lines: Iterable[str]) -> bool:
         _DATA.match(line) or (index == 0 and _KEYS_OF_FORM.match(line))
         for index, line in enumerate(lines)
     )
+
+
+def spans_in(line: str) -> Spans:
+    """Return what stands in a line that is no comment."""
+    match = _ASSIGNMENT.fullmatch(line)
+    if match is None:
+        return whole(line, "remark")
+    value, (begin, end) = match.start("value"), match.span("indices")
+    meaning = KEYS.get(match["name"])
+    if meaning is None or (begin >= 0) != (meaning == "row"):
+        return (
+            Span(match.start("name"), value - 1, "name"),
+            Span(value, len(line), "remark"),
+        )
+    indices = (Span(begin, end, meaning),) if begin >= 0 else ()
+    return Span(*match.span("name"), "key"), *indices, Span(value, len(line), meaning)
 
 
 def read_target_data(lines: Iterable[tuple[int, str]], faults: FaultList) -> TargetData:

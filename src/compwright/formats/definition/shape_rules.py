@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from compwright.formats.definition.kept_lines import KeptLines
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ShapeRules:
@@ -17,10 +19,12 @@ class ShapeRules:
     (``values``); None: each may stand in a statement of its own. ``by_axis``: a file belongs to one
     axis. ``columns``: every table has columns for other axes, so that nothing else is needed to
     correct between axes. ``afresh``: files are always written anew, never patched. ``parameters``:
-    those beside the table of which a definition says what they are.
+    those beside the table of which a definition says what they are. ``kept``: lines that `redact`
+    may leave as they are, beside the statements of the definition.
     """
 
     words: str
+    kept: KeptLines
     grid: tuple[str, ...]
     signs: Mapping[str, frozenset[str]] = field(default_factory=dict)
     row: str | None = "values"

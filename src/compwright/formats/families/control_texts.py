@@ -22,6 +22,8 @@ from compwright.formats.text.texts import ReadText, text_reader
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.records.correction import ControlFile
 
+#: What a user exports in the place of an archive in a container.
+STATE_TEXTS = "machine data of all axes, AX_EEC_INI, NC_CEC_INI"
 #: The quantity of a table's values, and that which says where it ends.
 _ROWS = {"value": "table_end", "cross_value": "cross_end"}
 #: A value with a decimal comma, one with a decimal point, and one that nobody knew.

@@ -10,9 +10,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
+from compwright.formats.definition.kept_lines import AXIS, KeptLines
 from compwright.formats.definition.schema import Definition, TextKind
 from compwright.formats.definition.statements import Occurrence, Token
-from compwright.formats.text.texts import AS_IT_IS, BY_HAND, Line, ReadText, TextReader
+from compwright.formats.text.texts import (
+    OPEN,
+    Line,
+    ReadText,
+    TextReader,
+    comment_start,
+    said_in_comment,
+)
 from compwright.foundations.redaction import Cuts
 from compwright.records.correction import ControlFile
 
@@ -21,7 +29,7 @@ LINE: Final = "line"
 #: Types of fields that hold texts of somebody's choice.
 _TEXTS: Final = frozenset({"name", "label", "word", "text"})
 _HARMLESS: Final = re.compile(
-    r"(?:[A-Za-z]{1,2}|AX|M[AXSC]_?[A-Z]?|CA_?[A-Z]|SP)[0-9]{0,2}"  # axes
+    rf"{AXIS}"
     r"|NO_AXIS|[%$]?[+-]?[0-9][0-9.,]*|\$[0-9A-Fa-f]+|'[HB][0-9A-Fa-f]+'"
     r"|mm|inch|in|um|deg|degree|arcsec|metric|mm/m|LINEAR|ANGULAR|error|correction"
     r"|[a-z]*kins(?:\s+coordinates=[A-Za-z]+)?(?:\s+kinstype=[A-Za-z0-9]+)?"
@@ -34,7 +42,6 @@ _QUOTED: Final = re.compile(r'"([^"\r\n]*)"')
 _ADDRESS: Final = re.compile(r"\$[A-Za-z]{1,4}_[A-Za-z0-9_]+|^[A-Za-z_][A-Za-z0-9_]*(?=\s*[\[=])")
 #: Blanks, but for those that keep two numbers apart.
 _BETWEEN: Final = re.compile(r"(?<![0-9.])[ \t]+|[ \t]+(?![0-9.])")
-_SECTION: Final = re.compile(r"\s*\[(?P<name>[^\[\]]*)\]\s*")
 _BEHIND: Final = re.compile(r"[\s)\]\"';,]*(?:'[0-9A-F]{4})?\s*", re.IGNORECASE)
 _LETTERS: Final = re.compile(r"[A-Za-z0-9]{4,}")
 
@@ -51,16 +58,12 @@ class RedactedText:
 
 
 def redacted_text(
-    reader: TextReader,
-    file: ControlFile,
-    read: ReadText,
-    kept: tuple[re.Pattern[str], re.Pattern[str]],
-    cuts: Cuts,
+    reader: TextReader, file: ControlFile, read: ReadText, kept: KeptLines, cuts: Cuts
 ) -> RedactedText:
     """Return a copy of a control's text without what is somebody's.
 
-    ``read``: the statements in it; ``kept`` matches other lines: those that may stay whole, and
-    those in which only names may be somebody's. File names in it lose their folders.
+    ``read``: the statements in it; ``kept``: other lines that may stay. File names in it lose their
+    folders.
     """
     return _Redactor(reader, file, read, kept, cuts).copy()
 
@@ -71,12 +74,12 @@ class _Redactor:
         reader: TextReader,
         file: ControlFile,
         read: ReadText,
-        kept: tuple[re.Pattern[str], re.Pattern[str]],
+        kept: KeptLines,
         cuts: Cuts,
     ) -> None:
-        self.reader, self.file, self.cuts = reader, file, cuts
-        self.kept, self.naming = kept
+        self.reader, self.file, self.kept, self.cuts = reader, file, kept, cuts
         self.kind: TextKind = reader.definition.texts[read.kind]
+        self.mark = next(iter(self.kind.comment_marks), "")
         self.by_line: dict[int, list[Occurrence]] = defaultdict(list)
         for one in read.occurrences:
             self.by_line[one.line].append(one)
@@ -95,44 +98,26 @@ class _Redactor:
 
     def line(self, line: Line) -> str:
         statements = self.by_line.get(line.number)
-        if statements and self._said_in_remark(line):
-            return self.statement(line, line.text, statements)
-        code, mark, remark = self._apart(line.text)
+        said = statements and said_in_comment(self.kind, line.text)
+        end = len(line.text) if said else comment_start(self.kind, line.text)
+        code = line.text[:end]
         if statements:
-            return self.statement(line, code, statements) + self.remark(mark, remark)
-        if not code.strip():
-            return code + self.remark(mark, remark)
-        return self.other(code) + self.remark(mark, remark)
+            code = self.statement(line, code, statements)
+        elif code.strip():
+            code = self.other(code)
+        return code + self.remark(line.text[end:])
 
-    def _said_in_remark(self, line: Line) -> bool:
-        return line.text.startswith(
-            tuple(m + said for m in self.kind.comment_marks for said in (BY_HAND, AS_IT_IS))
-        )
-
-    def _apart(self, text: str) -> tuple[str, str, str]:
-        """Return a line up to its remark, the mark of the remark, and the remark."""
-        marks = self.kind.comment_marks
-        if not self.kind.comments_anywhere and not text.lstrip(" \t").startswith(marks or ("\0",)):
-            return text, "", ""
-        places = [(place, mark) for mark in marks if (place := text.find(mark)) >= 0]
-        if not places:
-            return text, "", ""
-        place, mark = min(places)
-        remark = text[place + len(mark) :]
-        if mark == "(" and ")" in remark:
-            inside, _, behind = remark.partition(")")
-            return (
-                text[:place] + behind if not behind.strip() else text[:place],
-                mark,
-                (inside if not behind.strip() else remark),
-            )
-        return text[:place], mark, remark
-
-    def remark(self, mark: str, text: str) -> str:
-        said = self.cuts.remark(text)
-        if mark == "(":
-            return f"({said})"
-        return f"{mark} {said}".rstrip() if mark else ""
+    def remark(self, text: str) -> str:
+        """Return what stands in the place of a remark with its mark. What stands behind its end
+        goes with it.
+        """
+        mark = next((mark for mark in self.kind.comment_marks if text.startswith(mark)), "")
+        if mark != OPEN:
+            return f"{mark} {self.cuts.remark(text[len(mark) :])}".rstrip() if mark else ""
+        inside, _, behind = text[1:].partition(")")
+        if behind.strip():
+            inside, behind = text[1:], ""
+        return f"({self.cuts.remark(inside)}){behind}"
 
     def statement(self, line: Line, code: str, statements: Sequence[Occurrence]) -> str:
         """Return a line with statements; names in it that may be somebody's get others."""
@@ -185,30 +170,27 @@ class _Redactor:
     def other(self, code: str) -> str:
         """Return a line that no statement of ours stands on."""
         bare = code.strip()
-        if self._whole(bare):
+        if self._stays(bare):
             return self.literal(code)
-        if self.naming.fullmatch(bare):
+        if self.kept.holds_names(bare):
             return _NAME.sub(lambda found: self.token(found[0], "name"), code)
-        section = _SECTION.fullmatch(code) if self.kind.sections is not None else None
-        if section is not None:
-            return f"[{self.cuts.name(section['name'], 'section').upper()}]"
+        sections = self.reader.matchers.get(self.kind.sections or "")
+        section = None if sections is None else sections.forms[0].fullmatch(bare)
+        if section is not None and section.end("section") == len(bare) - 1:
+            return f"[{self.cuts.name(section['section'], 'section').upper()}]"
         if '"' in bare:
             empty = _QUOTED.sub('""', code)
-            if self._whole(empty.strip()):
+            if self._stays(empty.strip()):
                 self.literal(empty)
                 return _QUOTED.sub(self._quoted, code)
         for address in _ADDRESS.findall(bare):  # its words stand in other addresses too
             self.literal(address)
         said = self.cuts.remark(bare, LINE)
-        mark = next(iter(self.kind.comment_marks), "")
-        return f"({said})" if mark == "(" else f"{mark} {said}".strip()
+        return f"({said})" if self.mark == OPEN else f"{self.mark} {said}".strip()
 
-    def _whole(self, bare: str) -> bool:
-        if self.reader.definition.dialect.blanks_anywhere and self.kept.fullmatch(
-            _BETWEEN.sub("", bare)
-        ):
-            return True
-        return self.kept.fullmatch(bare) is not None
+    def _stays(self, bare: str) -> bool:
+        anywhere = self.reader.definition.dialect.blanks_anywhere
+        return (anywhere and self.kept.stays(_BETWEEN.sub("", bare))) or self.kept.stays(bare)
 
     def _quoted(self, found: re.Match[str]) -> str:
         text = found[1]

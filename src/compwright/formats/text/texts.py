@@ -29,7 +29,8 @@ from compwright.records.correction import ControlFile
 #: Bytes that no text holds.
 BINARY = re.compile(rb"[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]")
 _HEAD = 512  # bytes that show in which encoding a file was saved
-_OPEN = "("
+#: The mark of a comment that has an end, unlike all others.
+OPEN = "("
 _ENCLOSED = re.compile(r"\([^()]*\)")
 #: Stands behind a comment mark, before a statement that compwright leaves to somebody at the
 #: control: it counts as said.
@@ -232,21 +233,13 @@ class _KindReader:
         )
 
     def _code(self, line: Line) -> str:
-        """Return the line up to its comment."""
-        if not self.kind.comment_marks:
-            return line.text
-        for mark in self.kind.comment_marks:
-            for said in (mark + BY_HAND, mark + AS_IT_IS):
-                if line.text.startswith(said):  # places stay as they are
-                    return line.text.replace(said, " " * len(said), 1)
-        if not self.kind.comments_anywhere:
-            return "" if line.text.lstrip(" \t").startswith(self.kind.comment_marks) else line.text
-        if self.kind.comment_marks == (
-            _OPEN,
-        ):  # such a comment has an end; places stay as they are
+        """Return the line up to its comment; places stay as they are."""
+        said = said_in_comment(self.kind, line.text)
+        if said:
+            return line.text.replace(said, " " * len(said), 1)
+        if self.kind.comments_anywhere and self.kind.comment_marks == (OPEN,):
             return _ENCLOSED.sub(lambda comment: " " * len(comment[0]), line.text)
-        places = [place for mark in self.kind.comment_marks if (place := line.text.find(mark)) >= 0]
-        return line.text[: min(places)] if places else line.text
+        return line.text[: comment_start(self.kind, line.text)]
 
     def _open_section(self, line: Line, code: str) -> bool:
         match = self.sections.forms[0].fullmatch(code) if self.sections is not None else None
@@ -408,6 +401,23 @@ class _KindReader:
                 found=found,
             )
         )
+
+
+def said_in_comment(kind: TextKind, text: str) -> str:
+    """Return what stands before a statement that is said in a comment; empty for all other
+    lines.
+    """
+    marks = (mark + said for mark in kind.comment_marks for said in (BY_HAND, AS_IT_IS))
+    return next((mark for mark in marks if text.startswith(mark)), "")
+
+
+def comment_start(kind: TextKind, text: str) -> int:
+    """Return where the comment of a line begins, with its mark; its length where it has none."""
+    if not kind.comments_anywhere:
+        code = text.lstrip(" \t")
+        return len(text) - len(code) if code.startswith(kind.comment_marks) else len(text)
+    places = (place for mark in kind.comment_marks if (place := text.find(mark)) >= 0)
+    return min(places, default=len(text))
 
 
 def _nearest(matchers: Sequence[Matcher], probe: str) -> str:

@@ -4,10 +4,12 @@ of all others neither the name nor a cell; of the text above what the reading re
 
 from __future__ import annotations
 
+import csv
 import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from io import StringIO
 from typing import Final
 
 from compwright.foundations.redaction import NEUTRAL, Cuts
@@ -22,8 +24,7 @@ from compwright.instruments.foreign_table import (
 from compwright.instruments.header_words import axis_above, difference_of, said_unit
 from compwright.instruments.profile import MARK, SIGNS, VERSION, Profile
 from compwright.instruments.profiled import columns_of
-from compwright.instruments.redaction.key_lines import redacted_comment
-from compwright.instruments.redaction.plain import joined
+from compwright.instruments.redaction.cutting import redacted_comment
 from compwright.instruments.redaction.words import (
     is_axis,
     is_keywords,
@@ -50,9 +51,8 @@ def redacted_table(lines: Sequence[str], profile: Profile, cuts: Cuts) -> tuple[
         names = named_columns([" ".join(cell.split()) for cell in written])
         result.append(_joined(written, profile))
     for line in lines[head:]:
-        comment = redacted_comment(line, cuts) if comment_text(line) is not None else None
-        if comment is not None:
-            result.append(comment)
+        if comment_text(line) is not None:
+            result.append(redacted_comment(line, cuts))
         elif not line.strip(" \t,;|"):
             result.append(line)
         else:
@@ -182,7 +182,9 @@ def _cells(line: str, profile: Profile) -> list[str]:
 def _joined(cells: Sequence[str], profile: Profile) -> str:
     if profile.delimiter == " ":
         return " ".join("_".join(cell.split()) for cell in cells)
-    return joined(cells, profile.delimiter)
+    out = StringIO()
+    csv.writer(out, delimiter=profile.delimiter, lineterminator="").writerow(cells)
+    return out.getvalue()
 
 
 def _header(cell: str, cuts: Cuts) -> str:

@@ -4,60 +4,52 @@ remarks.
 
 from __future__ import annotations
 
+import codecs
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from compwright.foundations.errors import CompwrightError, Fault, InputError
 from compwright.foundations.redaction import Cuts
 from compwright.foundations.utf8 import encoded
-from compwright.instruments.circular_reading import is_circular
-from compwright.instruments.forms import PLAIN_CSV, form_of
+from compwright.instruments.b5r_elements import ELEMENTS
+from compwright.instruments.circular_reading import circular_form, is_circular
+from compwright.instruments.drift_csv import is_drift
+from compwright.instruments.forms import FORMS, PLAIN_CSV, form_of
 from compwright.instruments.own_forms import is_plain_csv
 from compwright.instruments.profile import SIGNS, Profile, read_profile
 from compwright.instruments.profile_of_file import proposed_profile
 from compwright.instruments.profiled import at_its_header, has_columns
-from compwright.instruments.redaction.ballbar import ELEMENT_WORDS, redacted_ballbar
+from compwright.instruments.redaction.cutting import redacted_lines
 from compwright.instruments.redaction.foreign import SIGN_TO_FILL_IN, profile_lines, redacted_table
-from compwright.instruments.redaction.key_lines import NAMES, VALUES
-from compwright.instruments.redaction.lines import lines_of
-from compwright.instruments.redaction.plain import redacted_plain
-from compwright.instruments.redaction.sectioned import (
-    redacted_assignments,
-    redacted_compensation,
-    redacted_sections,
-)
-from compwright.instruments.redaction.words import KEPT_WORDS, is_axis, is_keywords
+from compwright.instruments.redaction.words import KEPT_WORDS, RESULT_WORDS, is_axis, is_keywords
 from compwright.instruments.redaction.workbooks import other_parts, workbook_of
+from compwright.instruments.redaction.xml import redacted_xml
+from compwright.instruments.spans import Elements, Grammar
 from compwright.instruments.table_shape import has_table
-from compwright.instruments.text_input import read_any_lines
+from compwright.instruments.text_input import encoding_of, read_any_lines
 from compwright.instruments.workbook import Sheet, is_workbook, sheets_of
 
-_Redacted = Callable[[Sequence[str], Cuts], list[str]]
-#: What takes the lines of each form of `forms.FORMS` apart, in their order.
-_BY_FORM: dict[str, _Redacted] = {
-    "the laser's runs (.rtl, .rta)": redacted_sections,
-    "the laser's means (.pos)": redacted_sections,
-    "a compensation text (.ren)": redacted_compensation,
-    "target data (TGT_DATA[1]=...)": redacted_assignments,
-    PLAIN_CSV.name: redacted_plain,
-}
-
-
-#: Words of the forms themselves, which stand in a copy as they stood in its original.
-_FORM_WORDS = (
-    *("serial", "operator", "machine", "location", "title", "version", "owner", "file"),
-    *("type", "count", "equipment", "environment", "header", "data", "user", "text"),
-    *("analysis", "resolution", "sign", "convention", "test", "name", "output"),
-    *("backlash", "compwright", "redacted", "simulated", "flags", "fwd", "bwd", "tgt"),
-    *("ref", "dec", "pv", "set", "filetype"),
+_MARKS = (
+    (codecs.BOM_UTF8, "utf-8"),
+    (codecs.BOM_UTF16_LE, "utf-16-le"),
+    (codecs.BOM_UTF16_BE, "utf-16-be"),
 )
+#: What the forms are called themselves, and what stands in the place of texts, in small letters.
+_OTHER_WORDS = frozenset({"redacted", "trace", "qc10", "qc20"})
 #: Words in small letters that may stand in a copy whatever was taken out.
 ALLOWED: frozenset[str] = (
     KEPT_WORDS
-    | ELEMENT_WORDS
-    | frozenset(_FORM_WORDS)
-    | frozenset(piece for key in (*VALUES, *NAMES) for piece in re.findall("[a-z]+", key))
+    | _OTHER_WORDS
+    | {
+        piece
+        for names in (
+            *(form.words for form in (*FORMS, PLAIN_CSV)),
+            *(ELEMENTS.tags, ELEMENTS.attributes, RESULT_WORDS),
+        )
+        for name in names
+        for piece in re.findall(r"[^\W_]+", name.lower())
+    }
 )
 
 
@@ -114,14 +106,12 @@ def redacted_measurement(
     if is_workbook(content):
         return _of_workbook(content, file, cuts, profile)
     if is_circular(content, file):
-        if content.lstrip(b"\xef\xbb\xbf\xff\xfe \t\r\n\x00").startswith(b"<"):
-            return Redacted(redacted_ballbar(content, file, cuts))
-        return _by(redacted_plain, content, file, cuts)
+        return Redacted(_by(circular_form(content).grammar, content, file, cuts))
     lines, _ = read_any_lines(content, file)
     form = form_of(lines, file)
     if form is not PLAIN_CSV or _is_plain(lines, profile):
         answers = profile if profile is not None and profile.layout == "own" else None
-        return replace(_by(_BY_FORM[form.name], content, file, cuts), read_by=answers)
+        return Redacted(_by(form.spans_of, content, file, cuts), read_by=answers)
     if profile is not None:
         return _by_profile(content, file, cuts, profile)
     proposed, sign_open = _proposed(content, file)
@@ -135,23 +125,48 @@ def _is_plain(lines: Sequence[str], profile: Profile | None) -> bool:
     return is_plain_csv(lines) and not has_columns(lines, found)
 
 
-def is_drift(lines: Sequence[str]) -> bool:
-    """Whether the lines of a file are those of a stand-still test."""
-    return any(line.lower().lstrip('"').startswith("time_min") for line in lines)
-
-
-def _by(redacted: _Redacted, content: bytes, file: str, cuts: Cuts) -> Redacted:
-    text = lines_of(content, file)
-    return Redacted(text.to_bytes(redacted(text.lines, cuts)))
+def _by(grammar: Grammar, content: bytes, file: str, cuts: Cuts) -> bytes:
+    if isinstance(grammar, Elements):
+        return redacted_xml(content, file, grammar, cuts)
+    text = _lines_of(content, file)
+    return text.to_bytes(redacted_lines(text.lines, grammar, cuts))
 
 
 def _by_profile(
     content: bytes, file: str, cuts: Cuts, profile: Profile, *, sign_open: bool = False
 ) -> Redacted:
-    text = lines_of(content, file, profile.encoding)
+    text = _lines_of(content, file, profile.encoding)
     found = at_its_header(text.lines, profile)
     lines, read_by = redacted_table(text.lines, found, cuts)
     return Redacted(text.to_bytes(lines), profile_lines(read_by, sign_open=sign_open), found)
+
+
+@dataclass(frozen=True, slots=True)
+class _Lines:
+    """``lines`` without their ends; ``ends`` of each, empty behind the last; ``mark``: the byte
+    order mark.
+    """
+
+    lines: tuple[str, ...]
+    ends: tuple[str, ...]
+    encoding: str
+    mark: bytes
+
+    def to_bytes(self, lines: Sequence[str]) -> bytes:
+        """Return other lines in the place of these, as many, with the same ends and encoding."""
+        text = "".join(line + end for line, end in zip(lines, self.ends, strict=True))
+        return self.mark + text.encode(self.encoding, errors="replace")
+
+
+def _lines_of(content: bytes, file: str, encoding: str | None = None) -> _Lines:
+    """Return the lines of a text file. Raises InputError for what is no text."""
+    read_any_lines(content, file, encoding)  # what is wrong with it is said there
+    mark, name = next(
+        ((mark, name) for mark, name in _MARKS if content.startswith(mark)),
+        (b"", encoding or encoding_of(content)),
+    )
+    pieces = re.split(r"(\r\n|\r|\n)", content[len(mark) :].decode(name).lstrip("\ufeff"))
+    return _Lines(tuple(pieces[::2]), (*pieces[1::2], ""), name, mark)
 
 
 def _proposed(content: bytes, file: str) -> tuple[Profile, bool]:
@@ -191,7 +206,7 @@ def _of_workbook(content: bytes, file: str, cuts: Cuts, profile: Profile | None)
         if found is not None and found.layout != "own" and has_columns(sheet.lines, found):
             lines, read_by = redacted_table(sheet.lines, found, cuts)
         elif is_plain_csv(sheet.lines):
-            lines = redacted_plain(sheet.lines, cuts)
+            lines = redacted_lines(sheet.lines, PLAIN_CSV.spans_of, cuts)
         else:
             _left_out(sheet, cuts)
             continue

@@ -7,7 +7,6 @@ from __future__ import annotations
 import re
 from typing import Final
 
-from compwright.instruments.csv_table import COLUMNS
 from compwright.instruments.header_words import plain
 
 _NUMBER: Final = r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?"
@@ -95,13 +94,27 @@ _WORDS: Final = (
     *("ruckwarts", "her", "zuruck", "ruckfahrt", "ruckweg", "arriere", "retour", "назад"),
     *("обратный", "обратное", "обратно", "indietro", "ritorno", "atras", "vuelta", "rucklauf"),
 )
-_COLUMN_WORDS: Final = frozenset(word for name in COLUMNS for word in name.split("_"))
 #: Words that may stand in a measurement file, in small letters without accents.
 KEPT_WORDS: Final = frozenset(
     {plain(word) for word in (*_WORDS, *_UNITS)}
     | {plain(word) for words in DATE_WORDS for word in re.findall(r"[^\W\d_]+", words)}
-    | _COLUMN_WORDS
     | {"angle", "radius", "time"}
+)
+#: Pieces of the names that the instrument's software gives its results.
+RESULT_WORDS: Final = frozenset(
+    {
+        *("4", "5", "54", "57", "1996", "2005", "A", "AF", "ANSI", "B", "BACKLASH"),
+        *("BEST", "BIDIRECTIONAL", "CALCULATED", "CCW", "CENTRE", "CHANGE", "CIRCULAR"),
+        *("CIRCULARITY", "COMMENT", "CW", "CYCLIC", "DEVIATION", "DIAGNOSTICS", "ERROR"),
+        *("ERRORS", "FAILED", "FEEDRATE", "FWD", "GLOBAL", "HYSTERESIS", "IC", "ISO230"),
+        *("JIS", "LATERAL", "LENGTH", "LOCATION", "LOWER", "MAX", "MEAN", "MIN"),
+        *("MISMATCH", "MM", "NEG", "NON", "OFFSET", "OK", "PERC", "PERCENT", "PHASE"),
+        *("PITCH", "PLAY", "POS", "POSITIONAL", "PRE", "POST", "RADIAL", "RADIUS"),
+        *("RANK", "RANKING", "READINGS", "RENISHAW", "REV", "REVERSAL", "RMS"),
+        *("ROUNDNESS", "SCALE", "SERVO", "SHIFT", "SIMULATED", "SIN", "SPIKES"),
+        *("SQUARENESS", "STRAIGHTNESS", "TEST", "THETA", "TOLERANCE", "UM", "UPPER"),
+        *("UT", "ANGLE", "VOLUMETRIC", "WARNING"),
+    }
 )
 _TOKEN: Final = re.compile(r"[^\W\d_]+|[0-9]+|\s+|.", re.DOTALL)
 _MARKS: Final = frozenset("+-*/=.,:;()[]{}<>%°#_±↑↓|'\"")
@@ -154,3 +167,8 @@ def is_quantity(text: str) -> bool:
     """Whether a text is a number with a unit, such as ``25 mm``, or such words as ``As errors``."""
     number, _, unit = text.strip().partition(" ")
     return is_numbers(text) or (is_one_number(number) and is_keywords(unit)) or is_keywords(text)
+
+
+def is_result(text: str) -> bool:
+    """Whether a text is a name that the instrument's software gives a result or its unit."""
+    return all(piece in RESULT_WORDS for piece in text.upper().replace("-", "_").split("_"))

@@ -12,7 +12,7 @@ from typing import Final
 from xml.sax.saxutils import escape, quoteattr
 
 from compwright.instruments.comments import comment_text
-from compwright.instruments.redaction.plain import cells_of
+from compwright.instruments.csv_table import row_cells
 from compwright.instruments.workbook import Sheet
 
 #: The first moment that a zip archive can name: a workbook says nothing of the day.
@@ -104,7 +104,7 @@ def _sheet(lines: Sequence[str]) -> str:
     header = False
     for number, line in enumerate(lines, start=1):
         comment = comment_text(line) is not None
-        cells = [line] if comment else cells_of(line, "\t")
+        cells = [line] if comment else row_cells(line, "\t") or [line]
         if any(cells):
             texts = comment or not header
             made = [_cell(cell, number, at, texts=texts) for at, cell in enumerate(cells) if cell]

@@ -44,8 +44,6 @@ _MANY = 0.7
 _SEEN = 2.5
 #: Of two tests that agree in so many readings to the last digit one was made from the other.
 _NEARLY_ALL = 0.9
-#: A folder with more folders than a machine has jobs is no machine's.
-_MOST_SISTERS = 30
 _AGAIN = "its correction would be added a second time"
 
 
@@ -98,7 +96,7 @@ def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
 
 def _near(job: Job, folder: Path, out: Path) -> Iterator[Path]:
     """Yield where plans of earlier runs may stand: where this run writes, above the files of a
-    state, beside job, measurements and results, and in the folder of another day of the machine.
+    state, beside job, measurements and results.
     """
     yield out / PLAN
     yield storage.resolved(out).parent / PLAN  # that of the round before
@@ -117,12 +115,6 @@ def _near(job: Job, folder: Path, out: Path) -> Iterator[Path]:
         yield place / PLAN
         yield from storage.in_folders_of(place, PLAN)
     yield from storage.in_folders_of(storage.resolved(out).parent, PLAN)
-    sisters = storage.folders_in(storage.resolved(folder).parent)
-    if len(sisters) <= _MOST_SISTERS:
-        for sister in sisters:
-            yield sister / PLAN
-            inner = storage.folders_in(sister)
-            yield from (below / PLAN for below in inner if len(inner) <= _MOST_SISTERS)
 
 
 def earlier_plans(paths: Iterable[Path]) -> Iterator[_Earlier]:

@@ -18,8 +18,8 @@ from compwright.controls.definitions import definition_named
 from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definitions_from
-from compwright.formats.families.control_texts import texts_of
-from compwright.formats.families.kept_lines import STATE_TEXTS, begins, kept_lines, naming_lines
+from compwright.formats.families.control_texts import STATE_TEXTS, texts_of
+from compwright.formats.families.shapes import RULES
 from compwright.formats.text.container import is_container, opened, unknown_container
 from compwright.formats.text.entry_sheet import is_entry_sheet, parse_sheet
 from compwright.formats.text.redaction import (
@@ -123,9 +123,7 @@ def _copy(file: ControlFile, likely: Sequence[Definition], cuts: Cuts) -> Contro
         raise _unknown(file)
     definition, read = _as_read(file, likely)
     reader = text_reader(definition)
-    made = redacted_text(
-        reader, file, read, (kept_lines(definition), naming_lines(definition)), cuts
-    )
+    made = redacted_text(reader, file, read, RULES[definition.layout.shape].kept, cuts)
     again = _read(made.file, definition)
     if isinstance(again, tuple):
         raise not_the_same(file.name, again[0].message)
@@ -233,7 +231,7 @@ def _named_by_others(files: Sequence[ControlFile]) -> frozenset[str]:
 
 def _bare(file: ControlFile, definition: Definition, named: frozenset[str]) -> bool:
     """Whether a file is a control's without a word that tells of it."""
-    if "/" in file.name or begins(definition, file.content):
+    if "/" in file.name or RULES[definition.layout.shape].kept.begins(file.content):
         return True
     if not (file.name.lower().endswith(_BARE_TABLE) or file.name in named):
         return False

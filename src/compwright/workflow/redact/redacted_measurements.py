@@ -9,13 +9,12 @@ import numpy as np
 from compwright.foundations.errors import CompwrightError, Fault, InputError
 from compwright.foundations.redaction import Cuts, left_over
 from compwright.instruments.circular_reading import is_circular, read_circular
-from compwright.instruments.drift_csv import read_drift
+from compwright.instruments.drift_csv import is_drift, read_drift
 from compwright.instruments.profile import Profile, read_profile
 from compwright.instruments.reading import read_tests
 from compwright.instruments.redaction.measurement import (
     ALLOWED,
     Redacted,
-    is_drift,
     redacted_measurement,
 )
 from compwright.instruments.redaction.words import is_axis

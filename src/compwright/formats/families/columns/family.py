@@ -18,6 +18,7 @@ from compwright.formats.families.columns.capacity import (
     columns_capacity,
 )
 from compwright.formats.families.columns.entered import entered, whereabouts
+from compwright.formats.families.columns.kept_lines import KEPT
 from compwright.formats.families.columns.reading import read_columns
 from compwright.formats.families.columns.sources import AxisNumbers
 from compwright.formats.families.columns.table import VALUES
@@ -31,6 +32,7 @@ from compwright.records.correction import AxisCompensation, ControlFile, Control
 from compwright.records.facts import AxisFacts
 
 RULES = ShapeRules(
+    kept=KEPT,
     words="rows in tables that the control exports, or typed in from a sheet",
     grid=("node_position",),
     signs={"backlash": frozenset({"lost_motion"})},

@@ -8,6 +8,7 @@ from decimal import Decimal
 
 import numpy as np
 
+from compwright.formats.definition.kept_lines import AXIS, NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.grid.tables import (
     Table,
@@ -30,10 +31,30 @@ SAME_NODE = 1e-9
 _GRID = ("table_start", "table_end", "table_spacing")
 
 
+_VALUE = rf"(?:{NUMBER}|'[HB][0-9A-F]+'|TRUE|FALSE|n/a|\"(?:{AXIS})?\"|\((?:{AXIS}|[0-9]+)?\))"
+_INDEX = rf"\[\s*(?:{AXIS}|[0-9]+)(?:\s*,\s*(?:{AXIS}|[0-9]+))*\s*\]"
+#: What a control calls its data: capitals, and no number that is long enough for a serial one.
+_ADDRESS = r"(?-i:(?![A-Z0-9_]*[0-9]{5})[A-Z0-9_]+)"
+
+
 class ByIndex(TableShape):
     """Values by index, from 0."""
 
     rules = ShapeRules(
+        kept=KeptLines(
+            (
+                (
+                    rf"(?:N[0-9]+\s+)?\$[MSA][NACD]S?_{_ADDRESS}(?:{_INDEX})?\s*(?:=|\s)\s*{_VALUE}"
+                    r"(?:\s+'[0-9A-F]{4})?"
+                ),
+                r"CHANDATA\([0-9]{1,2}\)",
+                r"METRIC|INCH|M17|M30|M0?2|M0|NEWCONF|STOPRE",
+                (
+                    r"%_N_(?:N?C?_?(?:AX[0-9]*|NC|CH[0-9]*|COMPLETE|INITIAL|TOA[0-9]*|UFR|EEC|CEC|QEC|TEA|SEA"
+                    r"|INI|MPF|SPF|ACT|DIR)_?)+"
+                ),
+            )
+        ),
         words="values by index on an equally spaced grid",
         grid=("table_start", "table_end", "table_spacing"),
         row="index",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
+from compwright.formats.definition.kept_lines import NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.grid.tables import (
     Table,
@@ -14,11 +15,28 @@ from compwright.formats.families.grid.tables import (
     table_of,
 )
 
+#: The sections and keys of settings of a machine that stand beside its compensation.
+_SECTIONS = (
+    r"EMC|DISPLAY|FILTER|RS274NGC|EMCMOT|TASK|HAL|HALUI|APPLICATIONS|TRAJ|KINS|EMCIO|EMCSERVER"
+    r"|(?:JOINT|SPINDLE)_[0-9]{1,2}|AXIS_[A-Z0-9]"
+)
+_SETTINGS = (
+    r"(?:MIN|MAX|HOME|STEPGEN|DEFAULT|FERROR|SCALE|INPUT_SCALE|OUTPUT_SCALE|ENCODER_SCALE|JOINTS"
+    r"|SERVO|BASE|CYCLE|STEP|STEPLEN|STEPSPACE|DIRSETUP|DIRHOLD|DEADBAND|BIAS|FF[0-3]|[PID]"
+    r"|BACKLASH|COMP_FILE_TYPE|LOCKING|VOLATILE|LATCH|INCREMENTS|SPINDLES|POSITION|NO_FORCE)"
+)
+
 
 class ByPosition(TableShape):
     """Rows of position and values, ascending."""
 
     rules = ShapeRules(
+        kept=KeptLines(
+            (
+                rf"\[(?:{_SECTIONS})\]",
+                rf"{_SETTINGS}(?:_[A-Z0-9_]+)?\s*=\s*{NUMBER}(?:\s+{NUMBER})*",
+            )
+        ),
         words="rows by position, freely spaced",
         grid=("node_position",),
         row="position",

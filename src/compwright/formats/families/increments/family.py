@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Self
 
+from compwright.formats.definition.kept_lines import NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, sound
@@ -37,6 +38,13 @@ _MOST_AXES = 40
 
 
 RULES = ShapeRules(
+    kept=KeptLines(
+        (
+            "%",
+            rf"N[0-9]{{4,5}}(?:Q[0-9])?(?:(?:[ALSTKDG][0-9]{{1,3}})?[PMIR]{NUMBER})+",
+            r"(?:N[0-9]{1,5})?G1[01](?:L5[0-2])?;?",
+        )
+    ),
     words="whole increments by section, numbered in one array for all axes",
     grid=("table_spacing",),
     parameters=frozenset(NAMES.values()),

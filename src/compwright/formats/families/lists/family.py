@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from copy import copy
 from typing import Self
 
+from compwright.formats.definition.kept_lines import NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
@@ -28,6 +29,7 @@ from compwright.records.facts import AxisFacts
 from compwright.records.options import LeftOpen
 
 RULES = ShapeRules(
+    kept=KeptLines((rf"zahl_(?:kw|mp)\s+{NUMBER}",)),
     words="entries by index, at equal or at any spacing, in one list per axis",
     grid=("node_position",),
     row=None,

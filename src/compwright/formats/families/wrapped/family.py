@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
+from compwright.formats.definition.kept_lines import NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
@@ -32,6 +33,13 @@ from compwright.records.facts import AxisFacts
 from compwright.records.options import LeftOpen
 
 RULES = ShapeRules(
+    kept=KeptLines(
+        (
+            rf"(?:I[0-9]{{1,5}}\s*=\s*(?:\$[0-9A-F]+|{NUMBER})\s*)+",
+            r"#[0-9]{1,2}\s*DEF(?:INE)?\s+(?:BL|T)?COMP\s+[0-9#D,\s]+",
+            r"OPEN\s+[A-Z]*|CLOSE|CLEAR|DELETE\s+(?:BL|T)?COMP|(?:#[0-9]{1,2}\s*)?(?:K|A|J/|\$\$\$)",
+        )
+    ),
     words="parts of a count over a length that repeats, defined by a script",
     grid=("table_end",),
     by_axis=False,

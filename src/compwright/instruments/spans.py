@@ -1,0 +1,87 @@
+"""What stands where in a line of a measurement file, as the reader of its form understands it.
+
+A reader gives the spans of each line; what no span covers is not understood. `redaction` keeps and
+replaces by them, so that no form has its sections and keys listed twice.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+#: What a part of a line, or a value of an element, is: of the form itself, or free text; a value
+#: that the form knows; somebody's.
+Meaning = Literal[
+    "key",
+    "comment",
+    "remark",
+    "row",
+    "cell",
+    "numbers",
+    "quantity",
+    "keywords",
+    "result",
+    "feature",
+    "date",
+    "axis",
+    "axis in words",
+    "plane",
+    "view",
+    "sense",
+    "product",
+    "version",
+    "release",
+    "form",
+    "machine",
+    "serial number",
+    "operator",
+    "instrument",
+    "program",
+    "place",
+    "title",
+    "section",
+    "column",
+    "other cell",
+    "name",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """A part of a line: characters ``start`` to ``end``, counted from 0 and ``end`` behind it."""
+
+    start: int
+    end: int
+    meaning: Meaning
+
+
+#: The spans of one line, in their order.
+Spans = Sequence[Span]
+#: The lines of a file to the spans of each.
+SpansOf = Callable[[Sequence[str]], Iterator[Spans]]
+
+
+def by_key(keys: Mapping[Meaning, Sequence[str]]) -> Mapping[str, Meaning]:
+    """Return what the value of each key is."""
+    return {key: meaning for meaning, names in keys.items() for key in names}
+
+
+def whole(line: str, meaning: Meaning) -> Spans:
+    """Return the span of a whole line."""
+    return (Span(0, len(line), meaning),)
+
+
+@dataclass(frozen=True, slots=True)
+class Elements:
+    """What the elements of an XML form are: their own text by ``tags``, their ``attributes`` by
+    name in capitals. ``names``: what the attribute NAME is where it is no result.
+    """
+
+    tags: Mapping[str, Meaning]
+    attributes: Mapping[str, Meaning]
+    names: Mapping[str, Meaning]
+
+
+#: What a form consists of, as its reader understands it.
+Grammar = SpansOf | Elements
