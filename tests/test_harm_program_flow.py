@@ -70,10 +70,149 @@ BRANCH = program("IF R50==1", OFF, VALUES, GRID, LOST, ON, "ENDIF")
 def test_the_answer_is_taken(active: str, value: float, tmp_path: Path) -> None:
     """R50 was 1 and the table acted; or it was 0, and what the control holds is in no file."""
     answer, control = run(tmp_path, BRANCH, World({"R50": value}), active)
-    if active == "no" and answer.declined:
-        return
     assert answer.code == 0, answer.first
     assert better(tmp_path, control)
+    if active == "no":
+        assert answer.names("P.MPF", "active: no")
+
+
+#: Ways past values that no condition decides about, with the line of the first such value.
+PASSED = {
+    "gotof": (["GOTOF ENDE", ALL, "ENDE:"], 2),
+    "goto": (["GOTO ENDE", ALL, "ENDE:"], 2),
+    "gotoc": (["N10 GOTOC ENDE", ALL, "ENDE: R1=1"], 2),
+    "gotof in the middle": ([OFF, VALUES[:3], "GOTOF ENDE", VALUES[3:], "ENDE:", GRID, ON], 7),
+    "gotob": (["ANFANG:", "R1=R1+1", "IF R1>3 GOTOF ENDE", "GOTOB ANFANG", ALL, "ENDE:"], 5),
+    "a loop without an end": (["LOOP", "R1=R1+1", "ENDLOOP", ALL], 4),
+    "a jump in either branch": (
+        ["IF R1==1", "GOTOF EE", "ELSE", "GOTOF EE", "ENDIF", ALL, "EE:"],
+        6,
+    ),
+    "both branches of a case": (["CASE R1 OF 1 GOTOF EE DEFAULT GOTOF EE", ALL, "EE:"], 2),
+    "one of two": (["IF R50==1", VALUES[:4], "ELSE", VALUES[4:], "ENDIF", GRID, ON], 7),
+    "a jump behind the first half": (
+        ["IF R50==1 GOTOF BB", VALUES[:4], "GOTOF CC", "BB:", VALUES[4:], "CC:", GRID, ON],
+        8,
+    ),
+}
+
+
+@pytest.mark.parametrize("case", PASSED)
+def test_yes_is_refused_where_no_run_carries_out_every_value(case: str, tmp_path: Path) -> None:
+    parts, line = PASSED[case]
+    answer, _ = run(tmp_path, program(*parts), World({"R50": 1.0, "R1": 5.0}), "yes")
+    assert answer.code == REFUSED, answer.first
+    assert answer.names(f"P.MPF: line {line}")
+
+
+SWITCHED = [*GRID, *LOST, *ON]
+
+
+@pytest.mark.parametrize(
+    "parts",
+    [
+        ["GOTOF LADEN", "ENDE:", "M17", "LADEN:", ALL, "GOTOB ENDE"],
+        ["IF R1==0 GOTOF LADEN", "R2=1", "LADEN:", ALL],
+        ["LOOP", "R1=R1+1", "IF R1>3 GOTOF WEITER", "ENDLOOP", "WEITER:", ALL],
+        [
+            "GOTOF BB",
+            "AA:",
+            VALUES[:4],
+            "GOTOF CC",
+            "BB:",
+            VALUES[4:],
+            "GOTOB AA",
+            "CC:",
+            *SWITCHED,
+        ],
+        ["ANFANG:", ALL, "R1=R1+1", "IF R1<3 GOTOB ANFANG"],
+    ],
+)
+def test_yes_is_taken_where_a_run_carries_out_every_value(
+    parts: list[str | list[str]], tmp_path: Path
+) -> None:
+    answer, control = run(tmp_path, program(*parts), World({"R50": 1.0, "R1": 1.0}), "yes")
+    assert answer.code == 0, answer.first
+    assert better(tmp_path, control)
+
+
+@pytest.mark.parametrize("case", ["if around the table", "if around some points"])
+def test_no_is_refused_where_a_value_is_carried_out_anyhow(case: str, tmp_path: Path) -> None:
+    """Backlash, or a half of the points, stands outside of the branch."""
+    text = DOUBTFUL[case]
+    answer, _ = run(tmp_path, text, World({"R50": 0.0}), "no")
+    assert answer.code == REFUSED, answer.first
+    first = LOST[0] if case == "if around the table" else VALUES[1]
+    assert answer.names(f"P.MPF: line {text.splitlines().index(first) + 1}")
+
+
+#: A file with values alone, ``KOMP_X``, and the main program of another file that calls it.
+CALLS = {
+    "on a condition": ["IF R50==1", 'CALL "KOMP_X"', "ENDIF"],
+    "by its name, on a condition": ["IF R50<>1 GOTOF ENDE", "KOMP_X", "ENDE:"],
+    "with arguments": ["IF R50<>1 GOTOF ENDE", "N20 KOMP_X(1)", "ENDE:"],
+    "by its path": ["IF R50==1", "PCALL /_N_SPF_DIR/_N_KOMP_X_SPF", "ENDIF"],
+    "by block skip": ["/ KOMP_X"],
+    "behind another call": ["L200", "KOMP_X"],
+    "in a synchronised action": ["WHEN $A_IN[1]==1 DO KOMP_X"],
+}
+
+
+def called(folder: Path, main: str, active: str = "", name: str = "KOMP_X.INI") -> Answer:
+    control = World().control()
+    control.load(program(ALL))
+    control.reset()
+    files = f"[HAUPT.MPF, {name}]"
+    state = f"{{files: {files}, active: {active}}}" if active else files
+    texts = {"HAUPT.MPF": main, name: program(ALL)}
+    return command("run", job(folder, control, texts, state))
+
+
+@pytest.mark.parametrize("case", CALLS)
+def test_a_call_from_another_file_on_a_condition_is_asked_about(case: str, tmp_path: Path) -> None:
+    main = program(CALLS[case], end="M30")
+    answer = called(tmp_path, main)
+    assert answer.code == ASKED, answer.first
+    assert answer.names("HAUPT.MPF: line 1")
+    assert called(tmp_path, main, "yes").code == 0
+
+
+def test_a_call_that_no_run_comes_to(tmp_path: Path) -> None:
+    for main in (["GOTOF ENDE", "KOMP_X", "ENDE:"], ["M30", "KOMP_X"]):
+        text = program(*main, end="M30")
+        assert called(tmp_path, text).code == ASKED
+        answer = called(tmp_path, text, "yes")
+        assert answer.code == REFUSED
+        assert answer.names("HAUPT.MPF: line 2")
+
+
+def test_a_call_through_a_third_file_is_followed(tmp_path: Path) -> None:
+    (tmp_path / "L300.NC").write_text(program('EXTCALL "KOMP_X"'), encoding="utf-8")
+    main = program("IF R50==1", "L300", "ENDIF", end="M30")
+    control = World().control()
+    path = job(
+        tmp_path,
+        control,
+        {"HAUPT.MPF": main, "KOMP_X.INI": program(ALL)},
+        "[HAUPT.MPF, L300.NC, KOMP_X.INI]",
+    )
+    answer = command("run", path)
+    assert answer.code == ASKED, answer.first
+    assert answer.names("HAUPT.MPF: line 1")
+
+
+@pytest.mark.parametrize(
+    "main",
+    [
+        ["R1=1", "KOMP_X"],
+        ['CALL "KOMP_X"', "IF R1==1", 'MSG("fertig")', "ENDIF"],
+        ["EXTERN KOMP_X", "IF R1==1", 'MSG("KOMP_X")', "ENDIF"],
+        ["IF R1==1", "R5=KOMP_X", "ENDIF"],
+    ],
+)
+def test_a_plain_call_or_none_is_not_asked_about(main: list[str], tmp_path: Path) -> None:
+    answer = called(tmp_path, program(main, end="M30"))
+    assert answer.code == 0, answer.first
 
 
 @pytest.mark.parametrize("active", ["", "yes", "no"])
@@ -81,6 +220,8 @@ def test_one_address_in_two_branches_is_refused(active: str, tmp_path: Path) -> 
     text = program(OFF, "IF R50==1", VALUES, "ELSE", OTHERS, "ENDIF", GRID, LOST, ON)
     answer, _ = run(tmp_path, text, World(), active)
     assert answer.code == REFUSED
+    if active == "no":
+        return  # the backlash is carried out in either branch
     lines = text.splitlines()
     first, second = (
         [i for i, row in enumerate(lines, 1) if row.startswith(f"$AA_ENC_COMP[0,{k},")]

@@ -405,7 +405,13 @@ def decode(
     activity = Activity(said=active, asking=asking, carried_out=carried_out)
     reading = control.format if axes else control.format.for_a_view()
     files, beside = without_others(control.definition, files)
-    state = reading.read(files, axes, address=address, activity=activity)
+    given = files
+    if active is False:
+        files, left_out = control.format.carried_out(files)
+        beside += left_out
+    state = ControlState(format=control.id, axes={})
+    if files:
+        state = reading.read(files, axes, address=address, activity=activity)
     state = replace(state, findings=(*state.findings, *beside))
     if asking or not axes:
         _check_meaning(control, state, axes)
@@ -417,7 +423,7 @@ def decode(
     alone = address or (axes[0].address if len(axes) == 1 else None)
     judge = virtual_control(
         control.id,
-        files,
+        given,
         reference_return={address: axis.reference_return for address, axis in state.axes.items()},
         kinds={address: axis.kind for address, axis in state.axes.items()},
         encoder={

@@ -22,7 +22,7 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -31,7 +31,7 @@ from compwright.controllers.sinumerik.axes import AxisNames, axis_names
 from compwright.controllers.sinumerik.cec import load_sag
 from compwright.controllers.sinumerik.lengths import encoders_of, lengths_of
 from compwright.controllers.sinumerik.loading import load
-from compwright.controllers.sinumerik.programs import check_programs
+from compwright.controllers.sinumerik.programs import check_programs, without_programs
 from compwright.controllers.sinumerik.sag import Pair, Sag, union
 from compwright.controllers.sinumerik.tables import (
     Remarks,
@@ -191,11 +191,13 @@ def sinumerik_control(
     have been carried out (``request.carried_out``).
     """
     loaded = load(files)
+    if request.active is False and not loaded.faults:
+        loaded = replace(loaded, over=without_programs(loaded.over))
     contents, faults = loaded.contents, loaded.faults
     names = axis_names(contents, request)
     assignments = loaded.assignments(names)
     faults += loaded.unanswered(names)
-    if not assignments and not faults:
+    if not assignments and not faults and request.active is not False:
         given = ", ".join(file.name for file in files)
         faults.append(
             Fault(

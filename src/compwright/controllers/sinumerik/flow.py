@@ -10,8 +10,11 @@ doubts, as far as an assignment follows them in the same program.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+
+from compwright.controllers.sinumerik.reach import Doubt, Line
 
 #: Words with which a statement begins that leaves the order of the blocks alone.
 _QUIET = frozenset({"CHANDATA", "METRIC", "INCH", "NEWCONF", "STOPRE", "MSG", "DEF", "EXTERN"})
@@ -37,7 +40,15 @@ _FORKS = frozenset(
     | {"WHILE", "ENDWHILE", "LOOP", "ENDLOOP", "REPEAT", "REPEATB", "UNTIL"}
 )
 _CONDITIONS = frozenset({"IF", "CASE", "WHEN", "WHENEVER", "EVERY", "FROM", "ID", "IDS", "DO"})
-_NUMBER = re.compile(r"\s*(?:[N:]\d+)?\s*(?P<skipped>/\d?)?\s*", re.IGNORECASE)
+_NUMBER = re.compile(r"\s*(?P<number>[N:]\d+)?\s*(?P<skipped>/\d?)?\s*", re.IGNORECASE)
+#: The name of a program in a header or a file's name.
+_TITLE = re.compile(
+    r"(?:%_N_|_N_)?([A-Z_]{2}\w*?|L\d+)(?:[._](?:SPF|MPF|CYC|INI|TXT|NC))?", re.IGNORECASE
+)
+_MENTIONED = re.compile(r"(?<![\w$])(?:_N_)?([A-Z_]{2}\w*?|L\d+)(?:[._](?:SPF|MPF|CYC))?(?!\w)")
+_CALLERS = frozenset({"DO", "SETINT", "INIT", "EXECSTRING"})
+#: Words that name a program without calling it.
+_NAMES_ONLY = frozenset({"PROC", "EXTERN", "DEFINE"})
 _TARGET = re.compile(r"(?P<name>[A-Z_]\w+)\s*:(?!=)", re.IGNORECASE)
 _WORDS = re.compile(r"\$?[A-Z_]\w*|[\d.]+\w*|<<|<>|[<>=]=|'\w*'?|\"\"|\S", re.IGNORECASE)
 _SUM = re.compile(r"\s+'[0-9A-F]{4}\s*$", re.IGNORECASE)
@@ -51,22 +62,15 @@ _VALUE = re.compile(r"\$?\w[\w.]*|\.\w+|\"\"|'\w*'?")
 _MOST_WORDS = 200
 
 
-@dataclass(frozen=True, slots=True)
-class Doubt:
-    """A statement that may change what is carried out."""
-
-    line: int
-    text: str
-
-
 @dataclass(slots=True)
 class Block:
     """One program of a file. ``doubts`` stand before its last assignment, ``late`` behind it.
 
     ``branch`` counts the branches so far; ``branches`` says by line in which each assignment
-    stands, -1 before any doubt. ``inches``: by line, what sets the unit of lengths; ``over``: the
-    line in which the program ends in any case; ``variables``: what it defines or assigns itself;
-    ``caller``: what shows that another program has to call or start this one.
+    stands, -1 before any doubt. ``inches``: by line, what sets the unit of lengths; ``end``: where
+    the program ends in any case; ``variables``: what it defines or assigns itself;
+    ``caller``: what shows that another program has to call or start this one; ``title``: the name
+    by which it is called, empty for what no program calls; ``trail``: its lines.
     """
 
     doubts: list[Doubt] = field(default_factory=list)
@@ -74,9 +78,11 @@ class Block:
     branch: int = 0
     branches: dict[int, int] = field(default_factory=dict)
     inches: dict[int, bool] = field(default_factory=dict)
-    over: int = 0
+    end: Doubt | None = None
     variables: set[str] = field(default_factory=set)
     caller: Doubt | None = None
+    title: str = ""
+    trail: list[Line] = field(default_factory=list)
 
     @classmethod
     def named(cls, name: str, line: int, *, behind: bool = False) -> Block:
@@ -86,42 +92,60 @@ class Block:
         word = name.split(";", 1)[0].strip()
         loaded = _LOADED.match(word) is not None
         called = not loaded and (behind or _CALLED.search(word) is not None)
-        return cls(caller=Doubt(line, word[:60]) if called else None)
+        title = None if loaded else _TITLE.fullmatch(word)
+        return cls(
+            caller=Doubt(line, word[:60]) if called else None,
+            title="" if title is None else title[1].upper(),
+        )
 
     @property
     def unsure(self) -> Doubt | None:
         """The first reason why its assignments may not have been carried out."""
         return self.caller or next(iter(self.doubts), None)
 
-    def assigned(self, line: int) -> None:
+    def assigned(self, code: str, line: int) -> None:
         """Take down that an assignment stands in a line: what stood before it counts."""
+        opening = _NUMBER.match(code)
+        number = opening["number"] if opening is not None else None
+        self.trail.append(Line(line, _names(number), (), given=True))
         self.doubts += self.late
         self.late = []
         self.branches[line] = self.branch if self.doubts else -1
 
-    def statement(self, code: str, line: int) -> None:
-        """Take down a line (strings emptied, without comment) that assigns nothing of
-        compensation.
+    def statement(self, code: str, line: int, whole: str) -> None:
+        """Take down a line (strings emptied, without comment; ``whole``: as it stands) that assigns
+        nothing of compensation.
         """
         opening = _NUMBER.match(code)
         skipped = opening is not None and opening["skipped"] is not None
+        names = _names(opening["number"] if opening is not None else None)
         bare = _SUM.sub("", code[opening.end() if opening else 0 :]).strip()
         target = _TARGET.match(bare)
         if target is not None and target["name"].upper() not in _QUIET:
             self.branch += 1
             bare = bare[target.end() :].strip()
+            names |= _names(target["name"])
         lengths = _LENGTHS.search(bare)
         if lengths is not None:
             self.inches[line] = lengths[1][1] == "0"
         if not bare or self._quiet(bare):
+            if names:
+                self.trail.append(Line(line, names, ()))
             return
         words = [word.upper() for word in _WORDS.findall(bare)]
+        own = Doubt(line, code.strip()[:60]) if skipped or words[0] in _CONDITIONS else None
+        before = next(filter(None, (self.unsure, *self.late, self.end, own)), None)
+        named = _MENTIONED.findall(whole.split(";", maxsplit=1)[0].upper())
+        called = [] if words[0] in _NAMES_ONLY else named[: None if _names_programs(words) else 1]
+        self.trail.append(
+            Line(line, names, tuple(words), skipped, mentions=frozenset(called), before=before)
+        )
         if words[0] == "PROC" and not self.branches:
             self.caller = self.caller or Doubt(line, code.strip()[:60])
             return
         ends = any(map(_OVER.fullmatch, words))
         if ends and not (self.branch or skipped or words[0] in _CONDITIONS):
-            self.over = self.over or line
+            self.end = self.end or Doubt(line, code.strip()[:60])
             return
         if ends or words[0] in _FORKS:
             self.branch += 1
@@ -147,6 +171,15 @@ class Block:
         if not words[0].startswith("$"):
             self.variables.add(words[0])
         return _calculates(index) and _calculates(words[at + 1 :])
+
+
+def _names(name: str | None) -> frozenset[str]:
+    return frozenset() if name is None else frozenset({name.upper()})
+
+
+def _names_programs(words: Sequence[str]) -> bool:
+    """Return whether a statement may call any program that it names, not the first one alone."""
+    return any("CALL" in word or word in _CALLERS for word in words)
 
 
 def _calculates(words: list[str]) -> bool:

@@ -244,12 +244,13 @@ def read_file(file: ControlFile) -> FileContent:
             _read_names(code, found)
         before = found.said()
         found.units.read(code.split(";", 1)[0], number)
+        whole = code
         code = _QUOTED.sub('""', code).split(";", 1)[0].rstrip()
         if _FACT.search(code):
             _read_fact(code, file.name, number, found)
         if _MENTION.search(code) and not _PATH.match(code):
-            _read_line(code, file.name, number, found, ended=found.blocks[-1].over > 0)
-        _note_flow(code, number, found, said=found.said() != before)
+            _read_line(code, file.name, number, found, ended=found.blocks[-1].end is not None)
+        _note_flow(code, number, found, whole, said=found.said() != before)
         program.ended = program.ended or _END.match(code) is not None
     _note_end(program, file.name, found, last=True)
     variables = {name for block in found.blocks for name in block.variables}
@@ -262,12 +263,14 @@ def read_file(file: ControlFile) -> FileContent:
     return found
 
 
-def _note_flow(code: str, number: int, found: FileContent, *, said: bool) -> None:
-    """Take down what a line does in its program; ``said``: it is a statement that counts."""
+def _note_flow(code: str, number: int, found: FileContent, whole: str, *, said: bool) -> None:
+    """Take down what a line does in its program; ``said``: it is a statement that counts;
+    ``whole``: with its strings.
+    """
     if said:
-        found.blocks[-1].assigned(number)
+        found.blocks[-1].assigned(code, number)
     elif code and not (_PLAIN.fullmatch(code) or _PATH.match(code)):
-        found.blocks[-1].statement(code, number)
+        found.blocks[-1].statement(code, number, whole)
         match = _DECIDING.match(code)
         if match is not None and not is_given(match["right"], naming=False):
             found.faults.append(_computed(found.name, number, code.strip()[:80]))

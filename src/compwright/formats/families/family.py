@@ -23,6 +23,7 @@ from compwright.formats.families.card_words import file_names
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.entered import Entered, Entries, by_statements
 from compwright.foundations.errors import CapacityError, Fault, UsageError
+from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, FloatArray, partner_of
 from compwright.records.capacity import Capacity
 from compwright.records.correction import (
@@ -272,6 +273,14 @@ class Family(Bound, ABC):
         """
         del entries, state
         return ((entry.axis,) if entry.axis else ()), None
+
+    def carried_out(
+        self, files: Sequence[ControlFile]
+    ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
+        """Return ``files`` without the programs that were not carried out, where the job says so
+        (``active: no``), and findings that name these. Raises InputError where that cannot be.
+        """
+        return tuple(files), ()
 
     def for_a_view(self) -> Self:
         """Return the control as it reads files that are only shown: what no readings hang on may

@@ -28,6 +28,7 @@ from compwright.formats.families.pairs.options import (
     reserving,
 )
 from compwright.formats.families.pairs.program_flow import scanned
+from compwright.formats.families.pairs.programs import not_carried_out
 from compwright.formats.families.pairs.small_files import SmallFiles
 from compwright.formats.families.pairs.state import PairsReader
 from compwright.formats.families.pairs.state_writing import PairsWriter
@@ -37,6 +38,7 @@ from compwright.formats.text.entered import Entered, Entries, by_statements
 from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -167,6 +169,12 @@ class PairsFamily(GridFamily):
 
     def _statements_of(self, *quantities: str) -> set[str]:
         return {self.definition.bindings[name].statement for name in quantities}
+
+    def carried_out(
+        self, files: Sequence[ControlFile]
+    ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
+        """See `Family.carried_out`."""
+        return not_carried_out(self.definition, files)
 
     def _check_form(self, own: Sequence[ControlFile]) -> None:
         """Refuse to patch what the control would not take."""

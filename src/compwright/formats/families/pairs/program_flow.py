@@ -15,6 +15,7 @@ from functools import lru_cache
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.entry_keys import NAMES, Key, quantities_of
+from compwright.formats.families.pairs.program_ways import Step, Ways, ways_through
 from compwright.formats.text.texts import KEPT_TEXTS, ReadText, text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -25,8 +26,21 @@ _DATA = re.compile(r"\s*%_N_\w*(?:INI|TEA|SEA|OPT|EEC|CEC|QEC)\b", re.IGNORECASE
 #: What makes a subprogram: it acts only where a program calls it.
 _SUBPROGRAM = re.compile(r"[._](?:SPF|CYC)\b", re.IGNORECASE)
 _PROCEDURE = re.compile(r"PROC\b", re.IGNORECASE)
-_LABEL = re.compile(r"(?!CHANDATA\b)[A-Z_]\w+\s*:(?!=)\s*", re.IGNORECASE)
-_BLOCK_NUMBER = re.compile(r"\s*(?:N\d+|:\d+)?\s*", re.IGNORECASE)
+_LABEL = re.compile(r"(?!CHANDATA\b)(?P<name>[A-Z_]\w+)\s*:(?!=)\s*", re.IGNORECASE)
+_BLOCK_NUMBER = re.compile(r"\s*(?P<number>N\d+|:\d+)?\s*", re.IGNORECASE)
+_SKIPPED = re.compile(r"/\d?\s*")
+#: The name of a program, in a header, a file's name or a call.
+_PROGRAM_NAME = re.compile(
+    r"(?:.*[/\\])?(?:%?_N_)?(?P<name>[A-Z_]{2}\w*?|L\d+)(?:[._](?:SPF|MPF|CYC|INI|TXT|NC))?",
+    re.IGNORECASE,
+)
+#: Lines that name a program and do not call it.
+_NO_CALL = re.compile(r"(?:EXTERN|PROC|MSG|DEF|DEFINE)\b|\$PATH", re.IGNORECASE)
+_CALLED_NAME = re.compile(
+    r"(?<![\w$])(?:_N_)?([A-Z_]{2}\w*?|L\d+)(?:[._](?:SPF|MPF|CYC))?(?!\w)", re.IGNORECASE
+)
+#: Words behind which a program is named; else a call is its name alone.
+_CALLING = re.compile(r"CALL|SETINT|EXEC|\bINIT\b|\bDO\b", re.IGNORECASE)
 _STRING = re.compile(r'"[^"]*"')
 _CHECKSUM = re.compile(r"\s+'[0-9A-F]{4}\s*$", re.IGNORECASE)
 #: The end of a program or subprogram, alone or with other words of its line.
@@ -103,6 +117,17 @@ class FlowLine:
     text: str
 
 
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A line that calls the program ``name``; ``doubt``: what may keep it from being carried
+    out.
+    """
+
+    name: str
+    at: FlowLine
+    doubt: FlowLine | None
+
+
 @dataclass(slots=True)
 class ProgramFlow:
     """What one program does with its ``values``.
@@ -110,9 +135,12 @@ class ProgramFlow:
     ``called``: what says that it acts only where a program calls or starts it; ``flow``: what may
     leave values out, before the last one; ``dividing``: lines that divide it into branches;
     ``ended``: where it ends for certain; ``units``: a line that sets the unit of lengths, by line,
-    and the unit; ``behind``: values behind the end.
+    and the unit; ``behind``: values behind the end; ``lines``: number and code of its lines
+    as far as they matter for the ways through it, and whether a value or a call stands there;
+    ``calls``: of programs of the files.
     """
 
+    name: str = ""
     called: FlowLine | None = None
     values: list[Occurrence] = field(default_factory=list)
     flow: list[FlowLine] = field(default_factory=list)
@@ -120,11 +148,26 @@ class ProgramFlow:
     units: dict[int, str] = field(default_factory=dict)
     ended: FlowLine | None = None
     behind: list[Occurrence] = field(default_factory=list)
+    lines: list[tuple[int, str, bool]] = field(default_factory=list)
+    calls: list[Call] = field(default_factory=list)
+
+    @property
+    def ways(self) -> Ways:
+        """The ways through it."""
+        return ways_through(
+            _step(number, code, marked=marked) for number, code, marked in self.lines
+        )
 
     @property
     def doubts(self) -> list[FlowLine]:
         """What can keep its values from being carried out."""
         return [*filter(None, [self.called]), *self.flow] if self.values else []
+
+    @property
+    def span(self) -> str:
+        """The lines of its values in words."""
+        lines = [value.line for value in (*self.values, *self.behind)]
+        return f"lines {lines[0]} to {lines[-1]}"
 
     def branches(self, keys: Callable[[Occurrence], Key]) -> Iterator[tuple[Occurrence, int]]:
         """Yield assignments of one entry that stand in two branches: the second with the line of
@@ -155,18 +198,29 @@ class Scanned:
 
 
 @lru_cache(maxsize=KEPT_TEXTS)
-def scanned(definition: Definition, file: ControlFile) -> Scanned:
-    """Return what the programs of a file do with its values, as far as it can be read."""
+def scanned(
+    definition: Definition, file: ControlFile, called: frozenset[str] = frozenset()
+) -> Scanned:
+    """Return what the programs of a file do with its values, as far as it can be read, and which of
+    those ``called`` they call.
+    """
     text = text_reader(definition).read(file, [])
-    if text is None or not text.occurrences:
+    if text is None or not (text.occurrences or called):
         return Scanned((), ())
     lines = {one.line for one in text.occurrences}
     codes = dict(_codes(definition, file, lines))
-    return Scanned(_programs(definition, codes, text), _computed(definition, codes, text))
+    programs = _programs(definition, codes, text, called)
+    return Scanned(programs, _computed(definition, codes, text))
+
+
+def program_name(text: str) -> str:
+    """Return the name by which a program is called; empty where ``text`` holds none."""
+    found = _PROGRAM_NAME.fullmatch(text.split(";", 1)[0].strip())
+    return "" if found is None else found["name"].upper()
 
 
 def _programs(
-    definition: Definition, codes: Mapping[int, str], text: ReadText
+    definition: Definition, codes: Mapping[int, str], text: ReadText, called: frozenset[str]
 ) -> tuple[ProgramFlow, ...]:
     aside = {"unit_word", *NAMES}
     values = {
@@ -174,31 +228,68 @@ def _programs(
         for one in text.occurrences
         if not aside.intersection(quantities_of(definition, one.statement))
     }
-    called = FlowLine(1, text.file) if _SUBPROGRAM.search(text.file) else None
-    found = [ProgramFlow(called)]
+    by_name = FlowLine(1, text.file) if _SUBPROGRAM.search(text.file) else None
+    found = [ProgramFlow(program_name(text.file), by_name)]
     begun = False
     waiting: list[FlowLine] = []  # behind the last value of the program so far
     last = max(values, default=0)
     for place, (number, code) in enumerate(codes.items(), start=1):
-        if number > last:
-            break
         begun = begun or place < number  # plain lines of an export are left out
         if _HEADER.match(code):
             own = (begun or _SUBPROGRAM.search(code)) and not _DATA.match(code)
-            found.append(ProgramFlow(FlowLine(number, code.strip()[:60]) if own else None))
+            name = "" if _DATA.match(code) else program_name(code)
+            found.append(ProgramFlow(name, FlowLine(number, code.strip()[:60]) if own else None))
             waiting, begun = [], True
             continue
         program = found[-1]
         begun = begun or bool(code.strip())
-        if program.ended is not None:
-            program.behind += [values[number]] if number in values else []
+        calls = _calls(code, called) if called and number not in values else ()
+        if number in values and program.ended is not None:
+            program.behind.append(values[number])
         elif number in values:
             program.flow += waiting
             waiting = []
             program.values.append(values[number])
-        elif code.strip():
-            _note(code, number, program, waiting)
-    return tuple(program for program in found if program.values or program.behind)
+        elif code.strip() and (number <= last or called):
+            doubts = program.called, *program.flow, *waiting, program.ended
+            doubt = next(filter(None, doubts), None)
+            program.calls += (
+                Call(name, FlowLine(number, code.strip()[:60]), doubt) for name in calls
+            )
+            if program.ended is None:
+                _note(code, number, program, waiting)
+        if code.strip():
+            program.lines.append((number, code, number in values or bool(calls)))
+    return tuple(one for one in found if one.values or one.behind or one.calls)
+
+
+def _calls(code: str, called: frozenset[str]) -> tuple[str, ...]:
+    """Return the programs that a line calls, of those ``called``."""
+    bare = _SKIPPED.sub("", _bare(code), count=1) if _bare(code)[:1] == "/" else _bare(code)
+    label = _LABEL.match(bare)
+    bare = bare[0 if label is None else label.end() :]
+    if _NO_CALL.match(bare) or _ASSIGNMENT.fullmatch(bare):
+        return ()
+    anywhere = _CALLING.search(bare) is not None
+    return tuple(
+        found[1].upper()
+        for found in _CALLED_NAME.finditer(bare)
+        if found[1].upper() in called and (anywhere or found.start() == 0)
+    )
+
+
+def _step(number: int, code: str, *, marked: bool) -> Step:
+    named = _BLOCK_NUMBER.match(code)
+    name = "" if named is None else named["number"] or ""
+    bare = _bare(code)
+    skipped = _SKIPPED.match(bare)
+    bare = bare[0 if skipped is None else skipped.end() :]
+    label = _LABEL.match(bare)
+    if label is not None:
+        name, bare = label["name"], bare[label.end() :]
+    plain = marked and "$" in bare
+    does = "" if plain or not bare or harmless(bare) else _STRING.sub('""', bare)
+    return Step(number, name, does, marked, skipped is not None)
 
 
 def _note(code: str, number: int, program: ProgramFlow, waiting: list[FlowLine]) -> None:
