@@ -1,4 +1,4 @@
-"""Machines with two columns that move as one, on four controls: files, contents, what each column does.
+"""Machines with two columns that move as one, on six controls: files, contents, what each column does.
 
 Each column has an error, a table and a backlash of its own. The tables are written, and read back
 after loading, by the small controls of this judge alone.
@@ -298,11 +298,149 @@ class PmacBridge(Bridge):
         )
 
 
+class IsgBridge(Bridge):
+    """Lists of axes 1 and 2; two columns of errors in 0.1 µm, which hold the reversal."""
+
+    format, options, lead, partner = "isg-kernel", "{}", "1", "2"
+    couplings = ("gantry_ax_nr", "log_achs_nr_slave")
+
+    def __init__(self) -> None:
+        self.lists: dict[str, dict[str, int]] = {}
+
+    def files(self, lead: Column, partner: Column, coupling: str) -> dict[str, str]:
+        files = {}
+        for address, column in (("1", lead), ("2", partner)):
+            rows = [
+                f"kopf.achs_nr {address}",
+                "kw.ssfk.unit 1",
+                f"kw.ssfk.interval {round(column.step * 10000)}",
+                "kw.ssfk.kw_startpos 0",
+                f"kw.ssfk.kw_nr_max {len(column.corrections)}",
+                "kw.ssfk.bilateral 1",
+            ]
+            for i, value in enumerate(column.corrections):
+                rows += [
+                    f"kw.ssfk.table[{i}].pos {-10 * value}",
+                    f"kw.ssfk.table[{i}].neg {-10 * (value - column.backlash)}",
+                ]
+            rows += ["lr_param.ssfk 1", "lr_param.anwahl_losekomp 0"]
+            if coupling == "gantry_ax_nr" and address == "2":
+                rows.append("kenngr.gantry_ax_nr 1")
+            files[f"achskw{address}.lis"] = "\n".join(rows) + "\n"
+        pair = {"log_achs_nr_slave": (1, 2), "others": (3, 4)}.get(coupling)
+        if pair is not None:
+            files["channel.lis"] = "".join(
+                f"synchro_data.koppel_gruppe[0].paar[0].log_achs_nr_{role} {number}\n"
+                for role, number in zip(("master", "slave"), pair, strict=True)
+            )
+        return files
+
+    def loaded(self, files: Mapping[str, str]) -> None:
+        self.lists = {}
+        self.load(files, "")
+
+    def load(self, files: Mapping[str, str], _card: str) -> None:
+        for text in files.values():
+            plain = re.sub(r"#.*|/\*.*?\*/", "", text, flags=re.DOTALL if "/*" in text else 0)
+            said = {
+                name.replace(" ", ""): int(value)
+                for name, value in re.findall(
+                    r"^\s*([a-z_0-9.\[\] ]+?)\s+(-?\d+)\s*$", plain, re.MULTILINE
+                )
+            }
+            if "kopf.achs_nr" in said:
+                self.lists[str(said["kopf.achs_nr"])] = said
+
+    def correction(self, address: str) -> Correction:
+        def correct(x: float, d: int) -> float:
+            said = self.lists.get(address, {})
+            count, step = said.get("kw.ssfk.kw_nr_max", 0), said.get("kw.ssfk.interval", 0)
+            start, side = said.get("kw.ssfk.kw_startpos", 0), "pos" if d > 0 else "neg"
+            if not count:
+                return 0.0
+            at = [
+                start + i * step if step else said[f"kw.ssfk.table[{i}].setpoint"]
+                for i in range(count)
+            ]
+            values = [-said[f"kw.ssfk.table[{i}].{side}"] / 10000 for i in range(count)]
+            return table_value([one / 10000 for one in at], values, x)
+
+        return correct
+
+
+class HeidenhainBridge(Bridge):
+    """Axes 1 (X) and 2 (Y): a .COM of errors each, MP710 for backlash."""
+
+    format, options, lead, partner = "heidenhain-itnc530", "{}", "X", "Y"
+    couplings = ("850",)
+
+    def __init__(self) -> None:
+        self.tables: dict[str, tuple[list[float], list[float]]] = {}
+        self.play: dict[str, float] = {}
+
+    def files(self, lead: Column, partner: Column, coupling: str) -> dict[str, str]:
+        files = {}
+        for number, (address, column) in enumerate((("X", lead), ("Y", partner)), start=1):
+            rows = "".join(
+                f"{i:<5d}" + " " * 10 * (number - 1) + f"{-value / 1000:+.4f}\n"
+                for i, value in enumerate(column.corrections)
+            )
+            files[f"{address}.COM"] = (
+                f"BEGIN {address}      .COM MM DATUM:0 DIST:{column.step:g}\n"
+                f"NR   1=F()     2=F()\n{rows}END   {address}      .COM\n"
+            )
+        files["CONFIG.CMA"] = (
+            "BEGIN CONFIG .CMA MM\nNR   1         2\n0    X         Y\nEND   CONFIG .CMA\n"
+        )
+        follows = {"850": ("0", "1", "0", "0"), "others": ("0", "0", "0", "3")}.get(
+            coupling, ("0", "0", "0", "0")
+        )
+        files["MP.TXT"] = "".join(
+            [
+                "MP730 : %00011\n",
+                *(
+                    f"MP710.{i} : {column.backlash / 1000:.4f}\nMP720.{i} : 0.0\n"
+                    for i, column in enumerate((lead, partner))
+                ),
+                *(f"MP850.{i} : {number}\n" for i, number in enumerate(follows)),
+            ]
+        )
+        return files
+
+    def loaded(self, files: Mapping[str, str]) -> None:
+        self.tables, self.play = {}, {}
+        self.load(files, "")
+
+    def load(self, files: Mapping[str, str], _card: str) -> None:
+        for name, text in files.items():
+            if name.endswith(".COM"):
+                head, names, *rows = text.splitlines()
+                start, step = (
+                    float(re.search(rf"{key}:([-+.\d]+)", head)[1])  # type: ignore[index]
+                    for key in ("DATUM", "DIST")
+                )
+                number = {"X": 1, "Y": 2}[name[0]]
+                left = names.index(f"{number}=F(")
+                values = [float(row[left : left + 10].strip() or 0) for row in rows[:-1]]
+                self.tables[name[0]] = [start + i * step for i in range(len(values))], values
+            for index, value in re.findall(r"^MP710\.(\d) *: *([-+.\d]+)", text, re.MULTILINE):
+                self.play["XY"[int(index)]] = float(value)
+
+    def correction(self, address: str) -> Correction:
+        def correct(x: float, d: int) -> float:
+            nodes, values = self.tables.get(address, ([0.0], [0.0]))
+            return -table_value(nodes, values, x) - (self.play.get(address, 0.0) if d < 0 else 0.0)
+
+        return correct
+
+
 BRIDGES: dict[str, Callable[[], Bridge]] = {
     "fanuc": FanucBridge,
     "sinumerik": SinumerikBridge,
     "linuxcnc": LinuxcncBridge,
     "pmac": PmacBridge,
+    "isg": IsgBridge,
+    "heidenhain": HeidenhainBridge,
 }
 
 

@@ -1,6 +1,6 @@
 """Two columns that move as one: neither gets a table alone, none loses what is its own.
 
-Judged with both columns measured, on four controls that this judge has built from the facts.
+Judged with both columns measured, on six controls that this judge has built from the facts.
 """
 
 from __future__ import annotations
@@ -11,7 +11,18 @@ from pathlib import Path
 import pytest
 
 import harm_columns
-from harm_bridges import BACKLASH, BRIDGES, EMPTY, GRID, LEAD, TABLE, Bridge, Column, Skew
+from harm_bridges import (
+    BACKLASH,
+    BRIDGES,
+    EMPTY,
+    GRID,
+    LEAD,
+    TABLE,
+    Bridge,
+    Column,
+    PmacBridge,
+    Skew,
+)
 from harm_columns import APART, FIRST, SECOND, accuracy, load, prepare, snapshot
 from harm_command import ASKED, card_of, command, tables_of
 
@@ -132,6 +143,55 @@ def test_the_same_table_is_the_same(make: type[Bridge], tmp_path: Path) -> None:
     load(bridge, tmp_path / "job")
     one, other = (bridge.correction(address) for address in (bridge.lead, bridge.partner))
     assert all(abs(one(x, d) - other(x, d)) < 2e-4 for x in Skew().places for d in (1, -1))
+    if isinstance(bridge, PmacBridge):  # 1 count is 1 µm
+        rows = re.findall(
+            r"backlash beside the table \|[^|]*\| *([-\d.]+) µm", card_of(tmp_path / "job")
+        )
+        assert {float(row) for row in rows} == {round(bridge.play["1"] / 16, 2)}
+
+
+#: Values that no page allows for a parameter that couples axes: control, file, line, its name.
+UNREADABLE = [
+    ("sinumerik", "MD.INI", "$MA_MS_ASSIGN_MASTER_SPEED_CMD[AX4]=R5", "MD37250"),
+    ("sinumerik", "MD.INI", "N37252 $MA_MS_ASSIGN_MASTER_TORQUE_CTR[AX4]=_MASTER", "MD37252"),
+    ("sinumerik", "MD.INI", "$MA_CC_MASTER_AXIS[AX4]= ; 1", "MD63000"),
+    ("sinumerik", "MD.INI", "$MA_GANTRY_AXIS_TYPE[AX4]=1X", "GANTRY_AXIS_TYPE"),
+    ("sinumerik", "MD.INI", "$MC_TRAFO_RESET_VALUE=R1", "TRAFO_RESET_VALUE"),
+    ("heidenhain", "MP.TXT", "MP850.1 : X", "MP850.1"),
+    ("heidenhain", "MP.TXT", "MP850.1 : 1,0", "MP850.1"),
+    ("isg", "achskw2.lis", "kenngr.gantry_ax_nr X1", "kenngr.gantry_ax_nr"),
+    ("isg", "achskw2.lis", "kenngr.gantry_ax_nr", "kenngr.gantry_ax_nr"),
+    ("isg", "achskw2.lis", "kenngr.multi_link[0].lead_axis -", "multi_link"),
+    ("pmac", "comp.pmc", "I206=MODE", "I206"),
+    ("fanuc", "CNC-PARA.TXT", "N08311Q1A1P0A2P0A3P0A4P1.5", "8311"),
+]
+
+
+@pytest.mark.parametrize(("name", "file", "line", "parameter"), UNREADABLE)
+def test_a_coupling_that_cannot_be_read_is_no_zero(
+    name: str, file: str, line: str, parameter: str, tmp_path: Path
+) -> None:
+    job = prepare(tmp_path, BRIDGES[name](), TABLE, "")
+    path = tmp_path / file
+    rows = [row for row in path.read_text().splitlines() if parameter not in row]
+    last = rows[-1:] if rows[-1] in ("M17", "%") else []
+    path.write_text("\n".join([*rows[: len(rows) - len(last)], line, *last]) + "\n")
+    answer = command("run", job)
+    assert answer.declined, answer.first
+    assert answer.names(parameter)
+
+
+@pytest.mark.parametrize("value", ["-x", "1.5"])
+def test_a_homing_sequence_that_cannot_be_read_is_no_zero(value: str, tmp_path: Path) -> None:
+    """Without letters in the line of the kinematics, a negative sequence may join two joints."""
+    job = prepare(tmp_path, BRIDGES["linuxcnc"](), TABLE, "")
+    path = tmp_path / "mill.ini"
+    text = path.read_text().replace("trivkins coordinates=XYZA kinstype=BOTH", "trivkins")
+    text = text.replace("[JOINT_1]\n", f"[JOINT_1]\nHOME_SEQUENCE = {value}\n")
+    path.write_text(text)
+    answer = command("run", job)
+    assert answer.declined, answer.first
+    assert answer.names("HOME_SEQUENCE")
 
 
 def test_both_tables_are_switched_off_first(tmp_path: Path) -> None:

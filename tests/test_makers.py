@@ -25,6 +25,15 @@ MAKERS = (
     *("beckhoff", "twincat", "isg", "delta ?tau", r"(?:turbo ?)?u?pmac", "mitsubishi", "meldas"),
     *("fagor", "mazak", "mazatrol", "okuma", "haas", "fidia", "rexroth", "bosch", "brother"),
 )
+#: The words of one maker each, and parameters that only its controls have.
+FAMILIES = (
+    r"fanuc|1815|1851|3620",
+    r"siemens|sinumerik|md\d{5}|sd\d{5}",
+    r"heidenhain|i?tnc\d*|mp ?\d{3,4}",
+    r"linuxcnc|emc2",
+    r"isg|beckhoff|twincat|ssfk",
+    r"(?:turbo ?)?u?pmac|delta ?tau",
+)
 NAMES = re.compile(
     rf"(?<![{_LETTER}])(?:{'|'.join((*MAKERS, *map(re.escape, DEFINITIONS)))})(?![{_LETTER}])",
     re.IGNORECASE,
@@ -107,6 +116,21 @@ def test_templates_know_no_controls() -> None:
         (file.name, *leak) for file in files for leak in template_leaks(file.read_text("utf-8"))
     ]
     assert found == []
+
+
+def test_cards_of_several_families_share_no_word_of_one_control() -> None:
+    source = (KNOW_CONTROLS[0] / "card_words.py").read_text(encoding="utf-8")
+    assert list(named(source)) == []
+    assert [number for _, number in numbered(source)] == []
+
+
+@pytest.mark.parametrize("control", DEFINITIONS)
+def test_the_card_of_a_control_names_no_other_maker(control: str) -> None:
+    """The texts of a definition's card, whatever its evidence speaks of."""
+    maker = next(words for words in FAMILIES if re.search(words, control))
+    others = "|".join(words for words in FAMILIES if words != maker)
+    text = repr(DEFINITIONS[control].card)
+    assert re.findall(rf"(?i)(?<![a-z])(?:{others})(?![a-z])", text) == []
 
 
 def test_a_leak_in_a_template_is_found() -> None:

@@ -10,7 +10,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
@@ -22,6 +24,7 @@ from compwright.formats.families.activity import Activity
 from compwright.formats.families.pairs.program_flow import scanned
 from compwright.formats.text.container import opened
 from compwright.foundations.errors import InputError, UsageError
+from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from format_samples import SIEMENS, axis_of
 from sinumerik_archive import ARCHIVE, needs_archive
@@ -266,6 +269,31 @@ def test_one_entry_in_two_branches_is_refused_with_both_lines(kind: str, read: R
 def test_a_switch_before_the_flow_and_in_it_is_a_sequence(read: Reader) -> None:
     text = f"{PLAY}{OFF}NEWCONF\nIF R50==0 GOTOF ENDE\n{TABLE}{ON}NEWCONF\nENDE:\nM30\n"
     read(text, True)
+
+
+@pytest.mark.parametrize("read", READERS)
+def test_the_exponent_of_the_language_is_read(read: Reader) -> None:
+    """1.5EX-2 is 1.5 * 10^-2 (programming manual Fundamentals: assignments)."""
+    text = (OFF + TABLE + PLAY + ON).replace("=0.004", "=4EX-3").replace("=-0.006", "=-.6ex-2")
+    text = text.replace("[0,AX1]=100\n", "[0,AX1]=1EX2\n").replace("=400", "=+4.0EX+2") + "M17\n"
+    control: Any = read(text)
+    nodes = np.arange(0.0, 401.0, 100.0)
+    if read is by_writer:
+        adds = control.axes["AX1"].at(nodes, Direction.POSITIVE)
+    else:
+        adds = control.correction("AX1", nodes, Direction.POSITIVE)
+    assert np.allclose(adds, [0.0, -0.004, 0.006, -0.003, -0.001], atol=1e-12)
+
+
+def test_many_lines_of_one_fault_are_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = TABLE + PLAY + ON + "".join(f"/$AA_ENC_COMP[0,{i},AX1]=0.001\n" for i in range(5))
+    assert run_with(tmp_path, text * 3 + "M17\n") == 3
+    said = capsys.readouterr().err
+    (line,) = [row for row in said.splitlines() if "cannot be read" in row]
+    assert "line 12" in line
+    assert "14 more such lines: 13, 14, 15, ..." in line
 
 
 #: Values and indices that only the running program knows.

@@ -70,7 +70,7 @@ def _done(arguments: list[str], crew: Crew) -> int:
     except click.ClickException as error:
         return _wrong_words(error)
     except CompwrightError as error:
-        errors(str(fault) for fault in error.faults)
+        errors(error.lines())
         return error.exit_code
     # the last line of defence: a fault of our own, said as one
     except Exception as error:  # noqa: BLE001

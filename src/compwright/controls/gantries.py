@@ -268,7 +268,7 @@ def _changed(
     made: list[FittedTable] = []
     if by_node is not None:
         try:
-            control.format.write([by_node], [partner], as_found.files)
+            control.format.write([new, by_node], [axis, partner], as_found.files)
         except CapacityError:
             pass
         else:

@@ -16,7 +16,6 @@ from compwright.foundations.errors import CompwrightError
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import AxisWork
 from compwright.planning.outlook import yardstick
-from compwright.planning.tables import NEXT_TO_NOTHING
 from compwright.planning.wanted import with_change
 from compwright.prediction.acting import Correction, difference
 from compwright.records.axis import Direction
@@ -78,7 +77,7 @@ def _worse(work: AxisWork, new: Correction) -> str:
         values.append(abs(evaluate(moved, first.standard).parameters[name] or 0.0))
     factor = outside_factor(axis.kind.unit)
     was, becomes = (value * factor for value in values)
-    if becomes <= was + NEXT_TO_NOTHING:
+    if round(becomes) <= round(was):
         return ""
     unit = shown_unit(axis.kind.unit)
     return f"axis {axis.name} has {name} {becomes:.0f} {unit} (now {was:.0f} {unit})"

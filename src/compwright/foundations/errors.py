@@ -8,6 +8,7 @@ standard error.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import ClassVar
@@ -19,6 +20,10 @@ MOST_QUOTED = 240
 
 def _short(text: str) -> str:
     return text if len(text) <= MOST_QUOTED else f"{text[:MOST_QUOTED]}..."
+
+
+#: Equal faults of lines up to which each one is a line of its own, and places that are listed.
+_LISTED = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,6 +62,14 @@ class Fault:
         return replace(self, place=f"{place}, {self.place}" if self.place else place)
 
 
+def _together(faults: Sequence[Fault]) -> str:
+    first, *others = faults
+    places = ", ".join(fault.place.removeprefix("line ") for fault in others[:_LISTED])
+    more = ", ..." if len(others) > _LISTED else ""
+    message = f"{first.message} (and {len(others)} more such lines: {places}{more})"
+    return str(replace(first, message=message))
+
+
 class CompwrightError(Exception):
     """Base of all errors that compwright raises on purpose; its message is one line per fault."""
 
@@ -66,7 +79,21 @@ class CompwrightError(Exception):
         self.faults: tuple[Fault, ...] = tuple(
             fault if isinstance(fault, Fault) else Fault(message=fault) for fault in faults
         )
-        super().__init__("\n".join(str(fault) for fault in self.faults))
+        super().__init__("\n".join(self.lines()))
+
+    def lines(self) -> list[str]:
+        """Return the faults as lines; many lines of one file that are wrong in the same way are
+        one.
+        """
+        groups: dict[object, list[Fault]] = {}
+        for i, fault in enumerate(self.faults):
+            same = (fault.message, fault.file, fault.expected)
+            of_a_line = fault.file and re.fullmatch(r"line \d+", fault.place)
+            groups.setdefault(same if of_a_line else i, []).append(fault)
+        found: list[str] = []
+        for group in groups.values():
+            found += [_together(group)] if len(group) > _LISTED else map(str, group)
+        return found
 
     def __reduce__(self) -> tuple[type[CompwrightError], tuple[Fault, ...]]:
         """Return how a copy is made: of the faults, not of the words."""

@@ -145,6 +145,8 @@ def read_lists(files: Sequence[ControlFile]) -> Lists:
         names = {statement.name for statement in found}
         if any(one.startswith("achs_kw[") for one in names) and not names & set(_HEADERS):
             continue
+        if names and all(one.startswith("synchro_data.") for one in names):
+            continue  # of a channel: it couples axes and holds no value of one
         address = _address(name, found, started, lists)
         if address is not None and _loaded(name, found, started, lists):
             axis = lists.axes.setdefault(address, AxisLists(address))

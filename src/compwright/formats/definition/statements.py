@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 
 from compwright.formats.definition.schema import Definition, Dialect, Statement
 from compwright.formats.definition.vocabulary import FieldType
@@ -22,6 +23,7 @@ _FIELD_PATTERNS: Mapping[FieldType, str] = {
     "bit": r"[01]",
     "key": r"[A-Za-z]",
     "decimal": r"[+-]?(?:[0-9]{1,15}(?:\.[0-9]{0,15})?|\.[0-9]{1,15})",
+    "decimal_ex": r"[+-]?(?:[0-9]{1,15}(?:\.[0-9]{0,15})?|\.[0-9]{1,15})(?:EX[+-]?[0-9]{1,2})?",
     "real": r"[+-]?(?:[0-9]{1,15}(?:\.[0-9]{0,20})?|\.[0-9]{1,20})(?:[eE][+-]?[0-9]{1,2})?",
     "name": r"[A-Za-z_][A-Za-z0-9_]{0,62}",
     "label": r"[^\[\]\r\n]+",
@@ -161,6 +163,13 @@ def _once(form: str) -> str:
 def field_matches(kind: FieldType, text: str) -> bool:
     """Return whether ``text`` can stand in a field of this type."""
     return re.fullmatch(_FIELD_PATTERNS[kind], text) is not None
+
+
+def plain_number(kind: FieldType, text: str) -> str:
+    """Return the text of a field with its exponent of ten (``1.5EX-2``) worked out."""
+    if kind != "decimal_ex" or "EX" not in text.upper():
+        return text
+    return format(Decimal(text.upper().replace("EX", "E")), "f")
 
 
 def compile_statement(statement: Statement, definition: Definition) -> Matcher:

@@ -117,6 +117,7 @@ FieldType = Literal[
     "bit",
     "key",
     "decimal",
+    "decimal_ex",
     "real",
     "name",
     "label",

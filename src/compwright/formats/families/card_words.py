@@ -22,8 +22,8 @@ REFERENCING = {
         "Incremental encoder: reference the axis after the power cycle; nothing acts before that."
     ),
     "absolute": (
-        "Absolute encoder: no reference return. Leave its adjustment alone (FANUC 1815): machine"
-        " zero would be lost."
+        "Absolute encoder: no reference return. Leave its adjustment alone: machine zero would be"
+        " lost."
     ),
     "distance_coded": (
         "Distance-coded scale: move the axis over two marks after the power cycle; nothing acts"

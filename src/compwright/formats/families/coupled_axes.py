@@ -17,6 +17,16 @@ from compwright.records.correction import ControlFile
 
 #: What the job says of an axis that moves alone.
 ALONE = "gantry: none"
+#: Why a table for both is no answer where a parameter holds no number.
+UNREAD = "a parameter that couples it with another axis cannot be read"
+_BY_ITSELF = "an axis that moves by itself"
+_WHOLE = re.compile(r"[+-]?[0-9]{1,9}(?:\.0*)?")
+
+
+def whole_number(text: str) -> int | None:
+    """Return a whole number as a parameter holds it; None for anything else."""
+    text = text.strip()
+    return int(float(text)) if _WHOLE.fullmatch(text) else None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,8 +65,10 @@ def check_couplings(couplings: Sequence[Coupling], axes: Mapping[str, Axis], not
     """Hold what the files couple against the job; ``axes``: those of the job by address.
 
     A synchronised axis that the job does not name is asked for. A coupling that a table for both
-    axes does not answer is a fault.
+    axes does not answer is a fault. A synchronised axis may be among ``axes`` itself, where it gets
+    a table of its own.
     """
+    led = {axis.gantry for axis in axes.values()}
     for address, axis in axes.items():
         mine = [one for one in couplings if address in (one.follows, *one.leads)]
         for coupling in mine:
@@ -78,8 +90,9 @@ def check_couplings(couplings: Sequence[Coupling], axes: Mapping[str, Axis], not
                 )
             elif coupling.unlike:
                 message = f"axis {address}: {coupling.unlike}"
-                notes.once(coupling.fault(message, "an axis that moves by itself"))
-            elif coupling.follows == address:
+                expected = "a whole number" if coupling.unlike == UNREAD else _BY_ITSELF
+                notes.once(coupling.fault(message, expected))
+            elif coupling.follows == address and address not in led:
                 notes.once(_led(address, coupling))
         _ask_for_followers(address, axis, [one for one in mine if address in one.leads], notes)
         notes.faults.extend(_other_leader(address, axis, couplings))

@@ -20,6 +20,7 @@ from compwright.formats.definition.statements import (
     Token,
     compile_statement,
     line_number,
+    plain_number,
     readable,
 )
 from compwright.foundations.errors import Fault
@@ -323,7 +324,11 @@ class _KindReader:
             match = next(found for found in matches if name in found.re.groupindex)
             return Token(match[name], line.start + match.start(name), line.start + match.end(name))
 
-        tokens = {name: token(name) for name in matcher.statement.fields}
+        tokens = {
+            name: replace(found, text=plain_number(kind, found.text))
+            for name, kind in matcher.statement.fields.items()
+            for found in (token(name),)
+        }
         within = matcher.section.fullmatch(self.section) if matcher.section is not None else None
         if within is not None:
             for name in within.re.groupindex:

@@ -120,7 +120,7 @@ def _axes(
     inputs: JobInputs,
 ) -> Iterator[dict[str, Any]]:
     """Yield an axis, and the synchronised one that gets a table of its own."""
-    own = _axis(job, control, work, loaded)
+    own = _axis(job, control, work, loaded, inputs)
     yield own
     axis = work.planned.axis
     if axis.gantry is None or axis.gantry_table is None or loaded is None:
@@ -133,7 +133,12 @@ def _axes(
         **own,
         "name": partner.name,
         "address": partner.address,
-        "rows": _rows(old, table, typed_backlash(control.definition, partner, values), partner),
+        "rows": _rows(
+            partner,
+            (old, _backlash(old, inputs.states.get(AS_FOUND), partner)),
+            (table, _backlash(table, loaded, partner)),
+            typed_backlash(control.definition, partner, values),
+        ),
         "quick_check": [],
         "numbering": _numbering(control, partner, loaded),
         "points_needed": control.format.points_needed(table) if table is not None else None,
@@ -142,9 +147,9 @@ def _axes(
 
 
 def _axis(
-    job: Job, control: Control, work: AxisWork, loaded: DecodedState | None
+    job: Job, control: Control, work: AxisWork, loaded: DecodedState | None, inputs: JobInputs
 ) -> dict[str, Any]:
-    axis = work.planned.axis
+    axis, active = work.planned.axis, work.planned.active
     values = _card_values(control, axis, work, loaded)
     factor = outside_factor(axis.kind.unit)
     table = loaded.state.axes[axis.address] if loaded else None
@@ -155,7 +160,10 @@ def _axis(
         "unit": outside_unit(axis.kind.unit),
         "position_unit": axis.kind.unit,
         "rows": _rows(
-            work.planned.active, table, typed_backlash(control.definition, axis, values), axis
+            axis,
+            (active, _backlash(active, inputs.states.get(AS_FOUND), axis)),
+            (table, _backlash(table, loaded, axis)),
+            typed_backlash(control.definition, axis, values),
         ),
         "quick_check": [
             {
@@ -202,17 +210,30 @@ def _numbering(control: Control, axis: Axis, loaded: DecodedState | None) -> dic
     }
 
 
+def _backlash(table: AxisCompensation | None, held: DecodedState | None, axis: Axis) -> float:
+    """Return the backlash in addition to a table, mm or deg, also where the control's own
+    parameter is counted in the curve of one direction.
+    """
+    facts = {} if held is None else held.state.facts_of(axis.address).said
+    in_curves = facts.get("backlash_in_curves")
+    own = 0.0 if table is None else table.backlash
+    return own + (in_curves if isinstance(in_curves, float) else 0.0)
+
+
 def _rows(
-    old: AxisCompensation | None, new: AxisCompensation | None, typed: str, axis: Axis
+    axis: Axis,
+    old: tuple[AxisCompensation | None, float],
+    new: tuple[AxisCompensation | None, float],
+    typed: str,
 ) -> list[dict[str, str]]:
-    """Return what changes of a table, each with its unit; ``typed``: the new backlash as the
-    control's parameter.
+    """Return what changes of a table, each with its unit. ``old``, ``new``: table and backlash;
+    ``typed``: the new backlash as the control's parameter.
     """
     unit = axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
 
-    def describe(table: AxisCompensation | None) -> dict[str, str]:
-        backlash = f"{(table.backlash if table else 0.0) * factor:.2f} {small}"
+    def describe(table: AxisCompensation | None, lost: float) -> dict[str, str]:
+        backlash = f"{lost * factor:.2f} {small}"
         if table is None or table.positions.size == 0:
             return {"points": "none", "range": "-", "largest": "-", "backlash": backlash}
         curves = np.concatenate([table.positive, table.negative]) * factor
@@ -223,7 +244,7 @@ def _rows(
             "backlash": backlash,
         }
 
-    before, after = describe(old), describe(new)
+    before, after = describe(*old), describe(*new)
     titles = {
         "points": "points of the table",
         "range": "range of the table",

@@ -5,24 +5,35 @@ number of the axis that axis x + 1 follows (iTNC 530 HSCI technical manual, July
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from compwright.formats.families.columns.sources import AxisNumbers
-from compwright.formats.families.coupled_axes import Coupling, statements_in
+from compwright.formats.families.coupled_axes import (
+    UNREAD,
+    Coupling,
+    statements_in,
+    whole_number,
+)
 from compwright.records.correction import ControlFile
 
 _LINE = re.compile(
-    r"^[ \t]*MP[ \t]*850\.([0-9]{1,2})[ \t]*[:=]?[ \t]*([0-9]{1,2})(?![0-9.])",
+    r"^[ \t]*MP[ \t]*850\.([0-9]{1,2})(?![0-9])[ \t]*[:=]?[ \t]*([^\s;]*)",
     re.MULTILINE | re.IGNORECASE,
 )
 _REMARK = re.compile(r";[^\r\n]*")
 
 
-def couplings_of(files: Sequence[ControlFile], numbers: AxisNumbers) -> tuple[Coupling, ...]:
-    """Return which axes follow another one; ``numbers``: how the control counts its axes."""
+def couplings_of(
+    files: Sequence[ControlFile], numbers: AxisNumbers, asked: Sequence[str]
+) -> Iterator[Coupling]:
+    """Yield which axes follow another one; ``numbers``: how the control counts its axes; ``asked``:
+    those under work.
+    """
     last = {found.match[1]: found for found in statements_in(files, _LINE, _REMARK)}
-    return tuple(
-        found.coupling((numbers.address(int(found.match[2])),), numbers.address(int(index) + 1))
-        for index, found in last.items()
-        if int(found.match[2])
-    )
+    for index, found in last.items():
+        follows, master = numbers.address(int(index) + 1), whole_number(found.match[2])
+        if master is None or master < 0:
+            others = tuple(one for one in asked if one != follows)
+            yield found.coupling(others, follows, unlike=UNREAD)
+        elif master:
+            yield found.coupling((numbers.address(master),), follows)

@@ -65,7 +65,7 @@ def read_columns(
     sources = find_sources(control.definition, files, axes, notes.faults)
     raise_all(InputError, notes.faults)
     notes.findings.extend(sources.findings)
-    couplings = couplings_of(files, sources.numbers)
+    couplings = tuple(couplings_of(files, sources.numbers, asked))
     check_couplings(couplings, known, notes)
     mentioned = sources.mentioned()
     for axis in axes:

@@ -5,7 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from compwright.formats.families.coupled_axes import Coupling, Statement, statements_in
+from compwright.formats.families.coupled_axes import (
+    UNREAD,
+    Coupling,
+    Statement,
+    statements_in,
+    whole_number,
+)
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile
@@ -19,7 +25,7 @@ _LETTERS = "XYZABCUVW"
 #: The kinematics whose joints are the letters above, whatever other lines say.
 _TRIVIAL = "trivkins"
 _HOMING = re.compile(
-    r"^[ \t]*\[[ \t]*(?P<section>\w+)[ \t]*\]|^[ \t]*HOME_SEQUENCE[ \t]*=[ \t]*(?P<value>-?[0-9]+)",
+    r"^[ \t]*\[[ \t]*(?P<section>\w+)[ \t]*\]|^[ \t]*HOME_SEQUENCE[ \t]*=[ \t]*(?P<value>[^\s#;]*)",
     re.MULTILINE | re.IGNORECASE,
 )
 _LETTERED = re.compile(r"^[ \t]*KINEMATICS[ \t]*=.*coordinates=", re.MULTILINE | re.IGNORECASE)
@@ -37,7 +43,11 @@ def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
         if found.match["section"]:
             section = found.match["section"].upper()
         elif section.startswith("JOINT_") and section[6:].isdigit():
-            joints.setdefault(int(found.match["value"]), []).append((int(section[6:]), found))
+            sequence, joint = whole_number(found.match["value"]), int(section[6:])
+            if sequence is None:
+                yield found.coupling((), str(joint), switched=True, unlike=UNREAD)
+            else:
+                joints.setdefault(sequence, []).append((joint, found))
     for sequence, members in joints.items():
         leads, *others = sorted(members, key=lambda member: member[0])
         for joint, found in others if sequence < 0 else ():

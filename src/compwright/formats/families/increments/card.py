@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from compwright.formats.families.card_words import REFERENCING, UNKNOWN
+from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.backlash import backlash_words
 from compwright.formats.text.values import name_of
@@ -12,6 +12,10 @@ from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation
 from compwright.records.facts import AxisFacts, IncrementFacts
 
+_ABSOLUTE = (
+    "Absolute encoder: no reference return. Leave its adjustment alone (1815): machine zero would"
+    " be lost."
+)
 #: Words of the fields that name a parameter, each with what stands in it.
 _PARAMETERS = {
     "reference": "reference_number",
@@ -43,8 +47,8 @@ def increment_values(
         ),
         "other_sign": "'+'" if scale.options.get("pitch_sign") == "-" else "'-'",
     }
-    if facts.absolute_encoder:  # by 1815#5, whatever the job takes it for
-        values["referencing"] = REFERENCING["absolute"]
+    if facts.absolute_encoder or axis.encoder.type == "absolute":  # by 1815#5, or by the job
+        values["referencing"] = _ABSOLUTE
     positions = compensation.positions
     if positions.size > 1:
         values["spacing"] = f"{(positions[-1] - positions[0]) / (positions.size - 1):.10g}"

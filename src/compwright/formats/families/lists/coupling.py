@@ -8,33 +8,46 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from compwright.formats.families.coupled_axes import Coupling, Statement, statements_in
+from compwright.formats.families.coupled_axes import (
+    UNREAD,
+    Coupling,
+    Statement,
+    statements_in,
+    whole_number,
+)
 from compwright.formats.families.lists.files import without_remarks
 from compwright.records.correction import ControlFile
 
 _OF_AXIS = re.compile(
-    r"^[ \t]*kenngr\.(gantry_ax_nr|multi_link\[[0-9]+\]\.lead_axis)[ \t]+([0-9]+)",
+    r"^[ \t]*kenngr\.(gantry_ax_nr|multi_link\[[0-9]+\]\.lead_axis)(?:[ \t]+(\S+))?",
     re.MULTILINE | re.IGNORECASE,
 )
 _OF_CHANNEL = re.compile(
     r"^[ \t]*synchro_data\.koppel_gruppe\[([0-9]+)\]\.paar\[([0-9]+)\]"
-    r"\.log_achs_nr_(master|slave)[ \t]+([0-9]+)",
+    r"\.log_achs_nr_(master|slave)(?:[ \t]+(\S+))?",
     re.MULTILINE | re.IGNORECASE,
 )
 _REMARK = re.compile(r"(?!)")  # without_remarks has taken them
 
 
-def couplings_of(files: Sequence[ControlFile], owners: Mapping[str, int]) -> tuple[Coupling, ...]:
+def couplings_of(
+    files: Sequence[ControlFile], owners: Mapping[str, int], asked: Sequence[str]
+) -> tuple[Coupling, ...]:
     """Return which axes follow another one; ``owners``: the number of the axis whose list a file
-    is, by its name.
+    is, by its name; ``asked``: the axes under work.
     """
     plain = [ControlFile(file.name, without_remarks(file.content)) for file in files]
-    return (*_of_axes(plain, owners), *_of_channels(plain))
+    return (*_of_axes(plain, owners, asked), *_of_channels(plain, asked))
 
 
-def _of_axes(files: Sequence[ControlFile], owners: Mapping[str, int]) -> Iterator[Coupling]:
+def _of_axes(
+    files: Sequence[ControlFile], owners: Mapping[str, int], asked: Sequence[str]
+) -> Iterator[Coupling]:
     for found in statements_in(files, _OF_AXIS, _REMARK):
-        number, own = int(found.match[2]), owners.get(found.file)
+        number, own = whole_number(found.match[2] or ""), owners.get(found.file)
+        if own is not None and number is None:
+            others = tuple(one for one in asked if one != str(own))
+            yield found.coupling(others, str(own), unlike=UNREAD)
         if not number or own is None or number == own:
             continue
         ratio = found.match[1].lower() != "gantry_ax_nr"
@@ -42,12 +55,18 @@ def _of_axes(files: Sequence[ControlFile], owners: Mapping[str, int]) -> Iterato
         yield found.coupling((str(number),), str(own), unlike=unlike)
 
 
-def _of_channels(files: Sequence[ControlFile]) -> Iterator[Coupling]:
+def _of_channels(files: Sequence[ControlFile], asked: Sequence[str]) -> Iterator[Coupling]:
     pairs: dict[tuple[str, str, str], dict[str, Statement]] = {}
     for found in statements_in(files, _OF_CHANNEL, _REMARK):
         key = (found.file, found.match[1], found.match[2])
         pairs.setdefault(key, {})[found.match[3].lower()] = found
     for pair in pairs.values():
-        if len(pair) == 2 and all(int(one.match[4]) for one in pair.values()):
-            master, slave = (str(int(pair[role].match[4])) for role in ("master", "slave"))
-            yield pair["slave"].coupling((master,), slave, switched=True)
+        numbers = {role: whole_number(one.match[4] or "") for role, one in pair.items()}
+        unread = next((pair[role] for role, number in numbers.items() if number is None), None)
+        if unread is not None:
+            for follows in asked:
+                yield unread.coupling((), follows, switched=True, unlike=UNREAD)
+        elif len(pair) == 2 and all(numbers.values()):
+            yield pair["slave"].coupling(
+                (str(numbers["master"]),), str(numbers["slave"]), switched=True
+            )

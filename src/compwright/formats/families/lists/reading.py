@@ -118,7 +118,7 @@ class _StateReader:
             for address, numbers in lists.files.items()
             for number in numbers
         }
-        couplings = couplings_of(files, owners)
+        couplings = couplings_of(files, owners, list(self.leading))
         check_couplings(couplings, self.leading, self.notes)
         for address, facts in self.facts.items():
             self.facts[address] = replace(

@@ -9,17 +9,24 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
-from compwright.formats.families.coupled_axes import Coupling, Statement, statements_in
+from compwright.formats.families.coupled_axes import (
+    UNREAD,
+    Coupling,
+    Statement,
+    statements_in,
+    whole_number,
+)
 from compwright.records.correction import ControlFile
 
 _OF_AXIS = re.compile(
     r"\$MA_(?P<key>MS_ASSIGN_MASTER_SPEED_CMD|MS_ASSIGN_MASTER_TORQUE_CTR"
     r"|MS_COUPLING_ALWAYS_ACTIVE|CC_MASTER_AXIS)\[[ \t]*(?P<axis>\w+)[ \t]*\][ \t]*=[ \t]*"
-    r"(?P<value>[0-9]+)",
+    r"(?P<value>[^\s;]*)",
     re.IGNORECASE,
 )
 _OF_CHANNEL = re.compile(
-    r"\$MC_(?P<key>TRAFO_RESET_VALUE|TRAFO_TYPE_(?P<number>[0-9]+))[ \t]*=[ \t]*(?P<value>[0-9]+)",
+    r"\$MC_(?P<key>TRAFO_RESET_VALUE|TRAFO_TYPE_(?P<number>[0-9]+))[ \t]*=[ \t]*"
+    r"(?P<value>[^\s;]*)",
     re.IGNORECASE,
 )
 _REMARK = re.compile(r";[^\r\n]*")
@@ -40,24 +47,30 @@ def couplings_of(
     """Return what couples axes; ``address``: of an axis by any of its names; ``asked``: those under
     work.
     """
-    return (*_masters(files, address), *_transformed(files, asked))
+    return (*_masters(files, address, asked), *_transformed(files, asked))
 
 
-def _masters(files: Sequence[ControlFile], address: Callable[[str], str]) -> Iterator[Coupling]:
+def _masters(
+    files: Sequence[ControlFile], address: Callable[[str], str], asked: Sequence[str]
+) -> Iterator[Coupling]:
     said: dict[tuple[str, str], Statement] = {}
     for found in statements_in(files, _OF_AXIS, _REMARK):
         said[address(found.match["axis"]), found.match["key"].upper()] = found
     for (follows, key), found in said.items():
-        number = int(found.match["value"])
-        if key not in _NUMBERS or not number:
+        number = whole_number(found.match["value"])
+        if key not in _NUMBERS or number == 0:
+            continue
+        named = f"{_NUMBERS[key]}, {found.words}"
+        if number is None:
+            others = tuple(one for one in asked if one != follows)
+            yield replace(found.coupling(others, follows, unlike=UNREAD), parameter=named)
             continue
         master = address(f"AX{number}")
-        named = f"{_NUMBERS[key]}, {found.words}"
         if key == "CC_MASTER_AXIS":
             yield replace(found.coupling((master,), follows, switched=True), parameter=named)
             continue
         always = said.get((follows, "MS_COUPLING_ALWAYS_ACTIVE"))
-        on = always is not None and int(always.match["value"]) != 0
+        on = always is not None and whole_number(always.match["value"]) != 0
         unlike = f"its drive follows axis {master}, without a position of its own"
         slave = found.coupling((master,), follows, switched=not on, unlike=unlike, drive=True)
         yield replace(slave, parameter=named)
@@ -70,8 +83,15 @@ def _transformed(files: Sequence[ControlFile], asked: Sequence[str]) -> Iterator
     active = said.get("TRAFO_RESET_VALUE")
     if active is None:
         return
-    kind = said.get(f"TRAFO_TYPE_{int(active.match['value'])}")
-    name = _TRANSFORMATIONS.get(int(kind.match["value"])) if kind is not None else None
+    which = whole_number(active.match["value"])
+    kind = said.get(f"TRAFO_TYPE_{which}")
+    type_ = 0 if kind is None else whole_number(kind.match["value"])
+    if which is None or type_ is None:
+        unread = active if which is None or kind is None else kind
+        for follows in asked:
+            yield unread.coupling((), follows, switched=True, unlike=UNREAD)
+        return
+    name = _TRANSFORMATIONS.get(type_)
     if name is not None:
         unlike = f"{name} is active after reset (MD20140): a programmed axis moves several"
         for follows in asked:

@@ -9,13 +9,14 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from compwright.formats.families.coupled_axes import Coupling, Statement, statements_in
+from compwright.formats.families.coupled_axes import UNREAD, Coupling, Statement, statements_in
 from compwright.formats.families.wrapped.preprocessor import expanded, whole_value
 from compwright.records.correction import ControlFile
 
 _ASSIGNED = re.compile(
     r"&[ \t]*(?P<system>[0-9]+)|#[ \t]*(?P<motor>[0-9]{1,2})[ \t]*->[ \t]*"
-    r"(?P<axis>I(?![0-9A-Z])|0(?![0-9.])|(?:[-+.0-9 \t]*[ABCUVWXYZ](?![A-Z0-9]))+)?",
+    r"(?P<axis>I(?![0-9A-Z])|0(?![0-9.])|(?:[-+.0-9 \t]*[ABCUVWXYZ](?![A-Z0-9]))+)?"
+    r"(?P<rest>[^\s;]*)",
     re.IGNORECASE,
 )
 _SETTING = re.compile(
@@ -64,7 +65,9 @@ def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
     for motor, (own, found) in sorted(last.items()):
         text = "".join((found.match["axis"] or "").split()).upper()
         terms = _TERM.findall(text)
-        if text == "I":
+        if not text and found.match["rest"]:
+            yield found.coupling((), str(motor), unlike=UNREAD)
+        elif text == "I":
             unlike = "a kinematics program places it, and an axis moves several motors"
             yield found.coupling((), str(motor), unlike=unlike)
         elif len(terms) > 1:

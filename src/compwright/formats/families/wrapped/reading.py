@@ -245,6 +245,9 @@ class _StateReader:
             if reversal is not None and on and lost:
                 _add(grids, reversal, counts.added("value_negative", _closed(reversal)), both=False)
             step = counts.added("backlash", np.array([float(constant)]))[0] if lost else 0.0
+            if grids:
+                lost_motion = counts.forward.opposite.sign * float(step)
+                facts = replace(facts, said={**said, "backlash_in_curves": lost_motion})
             return self._compensation(motor, axis, counts, grids, float(step)), facts
         return _empty(motor, self._kind(str(motor), axis)), facts
 
