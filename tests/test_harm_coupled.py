@@ -90,6 +90,8 @@ def test_a_partner_with_something_of_its_own_is_asked_about(
         assert not tables_of(tmp_path / "job")
 
 
+#: µm by which two columns may move apart without a doubt.
+UNDOUBTED = 2.0
 OWN = {"table": TABLE, "backlash": BACKLASH, "grid": GRID, "empty": EMPTY}
 
 
@@ -110,7 +112,8 @@ def test_the_change_keeps_the_columns_square(
     first, second = (snapshot(bridge, address) for address in (bridge.lead, bridge.partner))
     before = accuracy(FIRST, bridge.correction(bridge.lead), 3)
     answer = command("run", path)
-    assert answer.code == 0, answer.first
+    doubted = answer.names("CW-S038")
+    assert answer.code == (1 if doubted else 0), answer.first
     load(bridge, tmp_path / "job")
     assert accuracy(FIRST, bridge.correction(bridge.lead), 3) < 0.6 * before
     skew = Skew()
@@ -119,7 +122,12 @@ def test_the_change_keeps_the_columns_square(
         skew.changes(second, bridge.correction(bridge.partner)),
         strict=True,
     )
-    assert max(abs(a - b) for a, b in pairs) <= APART + 1e-6
+    apart = max(abs(a - b) for a, b in pairs)
+    assert apart <= APART + 1e-6
+    if not doubted:
+        assert apart <= UNDOUBTED
+    if partner.step == LEAD.step:
+        assert not doubted or apart > UNDOUBTED - 0.5
 
 
 def test_columns_that_move_apart_by_more_than_is_gained_decide_nothing(

@@ -388,3 +388,38 @@ def test_backlash_that_hal_sets_is_not_overlooked(case: str, tmp_path: Path) -> 
     )
     answer = command("run", tmp_path / "job.yaml")
     assert answer.code in {ASKED, REFUSED}, answer.first
+
+
+@pytest.mark.parametrize(
+    ("line", "declined"),
+    [
+        ("setp axis.x.eoffset-enable 1", True),
+        ("net torch:offset => axis.x.eoffset-counts", True),
+        ("net torch:on axis.x.eoffset-enable", True),
+        ("setp axis.x.eoffset-enable 0", False),
+        ("# setp axis.x.eoffset-enable 1", False),
+        ("setp axis.z.eoffset-enable 1", False),
+    ],
+)
+def test_an_external_offset_of_the_axis_is_not_overlooked(
+    line: str, *, declined: bool, tmp_path: Path
+) -> None:
+    """eoffset-counts times eoffset-scale is added to the position while enabled (motion(9))."""
+    (tmp_path / "mill.ini").write_text(INI.format(more=""), encoding="utf-8")
+    (tmp_path / "comp.hal").write_text("loadrt [KINS]KINEMATICS\n" + line + "\n", encoding="utf-8")
+    write_csv(tmp_path / "x.csv", "X", measure(Axis()))
+    (tmp_path / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: linuxcnc}\nstates: {as_found: [mill.ini, comp.hal]}\n"
+        "axes:\n  X: {travel: [0, 600], address: 0, before: [x.csv]}\n",
+        encoding="utf-8",
+    )
+    answer = command("run", tmp_path / "job.yaml")
+    assert (answer.code == REFUSED) == declined, answer.first
+    assert not declined or answer.names("comp.hal: line 2", "eoffset-enable")
+
+
+def test_verify_without_a_plan_names_the_option(tmp_path: Path) -> None:
+    path = job(tmp_path, World().control(), {"P.MPF": program(ALL)}, "[P.MPF]")
+    answer = command("verify", path, "--after", tmp_path / "x.csv")
+    assert answer.code == REFUSED
+    assert answer.names("--plan")

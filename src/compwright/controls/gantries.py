@@ -32,6 +32,9 @@ _DENSE = 401
 _SAME_NODE = 1e-6
 #: A skew that changes by more than this many mm or deg is a warning.
 _SKEW = 1e-3
+#: A change that moves both axes apart by more than this many mm or deg is a doubt: finer than this
+#: no two grids agree after rounding.
+_APART = 2e-3
 _ANSWERS = (
     "gantry: {{axis: {address}, table: same}} (both get the same total) or {{axis: {address},"
     " table: change}} (the same change is added to each one's own total)"
@@ -165,7 +168,7 @@ def skew_findings(
     gains: Mapping[str, float],
 ) -> Iterator[Finding]:
     """Yield by how much the tables of both axes of a gantry differ before and after loading, and
-    where the same change moves them apart by more than the leading axis gains.
+    where the same change moves them apart by more than rounding does.
 
     ``gains``: by how much the parameter that judges tables falls, mm or deg, by name of the axis.
     """
@@ -189,13 +192,14 @@ def skew_findings(
             (axis.address,),
         )
         gain = gains.get(axis.name, 0.0) * factor
-        if axis.gantry_table == "change" and moved > max(gain, _SKEW * factor):
+        if axis.gantry_table == "change" and moved > _APART * factor:
             yield Finding(
                 "CW-S038",
                 "warning",
-                f"Axes {axis.name} and {axis.gantry} move apart by up to {moved:.2f} {small}, more"
-                f" than axis {axis.name} gains ({gain:.2f} {small}): their grids do not fit"
-                " together. Give both axes the same grid in the control, or say table: same",
+                f"Axes {axis.name} and {axis.gantry} move apart by up to {moved:.2f} {small}"
+                f" (limit {_APART * factor:.2f} {small}); axis {axis.name} gains {gain:.2f}"
+                f" {small}. Their grids do not fit together. Give both axes the same grid in the"
+                " control, or say table: same",
                 (axis.address,),
             )
 

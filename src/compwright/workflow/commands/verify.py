@@ -249,6 +249,9 @@ def _planned(job: Job, file: Path) -> tuple[Plan, Control, Job, dict[str, Decode
 
     Raises InputError for the plan of another job.
     """
+    if not storage.is_there(file):
+        expected = "--plan with the folder that run has written, or its plan.json"
+        raise InputError(Fault(message="there is no plan here", file=str(file), expected=expected))
     plan = read_plan(storage.read_bytes(file, PLAN), str(file))
     control = open_control(plan.format, plan.options, plan_origin(plan, file))
     named = open_control(

@@ -26,6 +26,7 @@ from compwright.formats.families.grid.table_files import (
     TableFiles,
     changed_at_run_time,
     never_loaded,
+    offset_at_run_time,
 )
 from compwright.formats.families.grid.turn_checks import check_turn
 from compwright.formats.families.travel_limits import check_limits
@@ -276,6 +277,7 @@ class GridReader:
         aside = never_loaded(self.definition, files)
         if "table_file" in self.definition.bindings:
             self.notes.faults.extend(changed_at_run_time(files))
+            self.notes.faults.extend(offset_at_run_time(files, [one.name for one in self.axes]))
         if aside:
             more = f" and {len(aside) - 3} more" if len(aside) > 3 else ""
             self.notes.idle_file(

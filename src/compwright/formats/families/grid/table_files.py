@@ -22,6 +22,13 @@ from compwright.records.correction import ControlFile
 #: BACKLASH (milltask(1): these pins change at run time what is typically said in the INI), its
 #: number perhaps a variable; behind # stands a remark.
 _PIN = re.compile(rb"^(?P<line>[^#;\n]*\bini\.[^\s.]+\.backlash\b[^\n]*)", re.MULTILINE)
+#: A line with a pin of the external offset of an axis, which adds to its position while it is
+#: enabled (motion(9)); one that keeps it off is none.
+_OFFSET = re.compile(
+    rb"^(?P<line>(?![^#;\n]*\beoffset-enable[ \t]+(?:0|false)\b)[^#;\n]*"
+    rb"\baxis\.(?P<axis>[a-z])\.eoffset-(?:enable|counts)\b[^\n]*)",
+    re.MULTILINE | re.IGNORECASE,
+)
 #: A line that sets or links a pin whose name another file or a variable says: ``[SECTION]KEY``,
 #: ``$name``. Where more of the name follows, it is no pin of the motion controller's own.
 _SUBSTITUTED = rb"(?:\[\w+\](?:\(\w+\)|\w+)|\$(?:\w+|\{\w+\}))"
@@ -150,6 +157,26 @@ def never_loaded(definition: Definition, files: Sequence[ControlFile]) -> list[s
         elif faults and _address_between(definition, before, after, file.name) is None:
             odd.append(file.name)
     return [name for name in odd if told and name not in named]
+
+
+def offset_at_run_time(files: Sequence[ControlFile], axes: Collection[str]) -> Iterator[Fault]:
+    """Yield the lines of HAL files that add an external offset to one of ``axes`` (letters; other
+    names may be any).
+    """
+    letters = {name.upper() for name in axes}
+    known = bool(letters) and all(len(name) == 1 for name in letters)
+    for file in files if letters else ():
+        for match in _OFFSET.finditer(file.content):
+            if known and match["axis"].decode().upper() not in letters:
+                continue
+            line = file.content.count(b"\n", 0, match.start()) + 1
+            yield Fault(
+                message="a HAL file adds an external offset to the position of an axis under work",
+                file=file.name,
+                place=f"line {line}",
+                expected="eoffset-enable of this axis at 0 in every test, and in the HAL file",
+                found=match["line"].decode("latin-1").strip(),
+            )
 
 
 def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
