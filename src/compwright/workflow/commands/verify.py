@@ -251,7 +251,9 @@ def _planned(job: Job, file: Path) -> tuple[Plan, Control, Job, dict[str, Decode
     """
     if not storage.is_there(file):
         expected = "--plan with the folder that run has written, or its plan.json"
-        raise InputError(Fault(message="there is no plan here", file=str(file), expected=expected))
+        raise InputError(
+            Fault(message="No such file: there is no plan here", file=str(file), expected=expected)
+        )
     plan = read_plan(storage.read_bytes(file, PLAN), str(file))
     control = open_control(plan.format, plan.options, plan_origin(plan, file))
     named = open_control(
