@@ -38,8 +38,8 @@ from compwright.foundations.errors import (
 )
 from compwright.instruments.circular_reading import read_circular
 from compwright.instruments.drift_csv import read_drift
-from compwright.instruments.profile import read_profile
 from compwright.instruments.profile_of_file import proposed_profile
+from compwright.instruments.profile_reading import read_profile
 from compwright.instruments.reading import read_tests
 from compwright.jobs.reading import read_job
 from compwright.records.axis import AxisKind

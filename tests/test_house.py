@@ -75,7 +75,7 @@ OTHERS: dict[str, set[str]] = {
     "cvxpy": {"fitting"},
     "yaml": {"foundations"},
     "pydantic": {"jobs"},
-    "pydantic_core": {"jobs", "foundations", "documents", "simulation"},
+    "pydantic_core": {"jobs", "foundations", "documents", "simulation", "instruments"},
     "click": {"cli"},
     "rich": {"reporting"},
     "matplotlib": {"reporting"},

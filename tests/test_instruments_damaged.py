@@ -7,8 +7,8 @@ import random
 import pytest
 
 from compwright.foundations.errors import CompwrightError
-from compwright.instruments.profile import read_profile
 from compwright.instruments.profile_of_file import proposed_profile
+from compwright.instruments.profile_reading import read_profile
 from compwright.instruments.reading import read_tests
 from laser_files import compensation_file, laser_file, mean_file
 from profile_samples import LONG, LONG_PROFILE, WIDE, WIDE_PROFILE

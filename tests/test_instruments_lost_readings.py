@@ -11,7 +11,7 @@ import pytest
 
 from compwright.foundations.errors import InputError
 from compwright.instruments.circular_csv import read_circular_csv
-from compwright.instruments.profile import read_profile
+from compwright.instruments.profile_reading import read_profile
 from compwright.records.positioning import PositioningTest
 from laser_files import laser_file, mean_file
 from one_test import read_positioning

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from compwright.foundations.errors import InputError, UsageError
-from compwright.instruments.profile import read_profile
 from compwright.instruments.profile_of_file import proposed_profile
+from compwright.instruments.profile_reading import read_profile
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
 from one_test import read_positioning
@@ -163,10 +163,10 @@ def test_what_is_empty_is_refused(key: str) -> None:
     [
         ('"zurück": "-"', '"zurück": ', "directions.zurück: is empty and must be filled in"),
         ('"zurück": "-"', '"zurück": back', "is neither + nor -"),
-        ("sign: measured minus target", "sign: plus", "'sign' has an unknown value"),
+        ("sign: measured minus target", "sign: plus", "sign: is not an accepted value"),
         ("unit: um", "unit: arcsec", "is an angle and target_unit a length"),
         ("header_line: 2", "header_line: two", "is no line number"),
-        ("axis: Y", "axes: Y", "is no key of a profile"),
+        ("axis: Y", "axes: Y", "axes: unknown key; expected 'axis'"),
         ("compwright_profile: 1", "compwright_profile: 2", "of a version that is not known"),
         ("compwright_profile: 1", "profile: 1", "is not a mapping profile"),
         ("run: Lauf", "position_map: {sense: 2}", "is neither 1 nor -1"),

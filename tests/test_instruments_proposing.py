@@ -9,8 +9,8 @@ import pytest
 import yaml
 
 from compwright.foundations.errors import InputError, UsageError
-from compwright.instruments.profile import read_profile
 from compwright.instruments.profile_of_file import Proposed, proposed_profile
+from compwright.instruments.profile_reading import read_profile
 from laser_files import laser_file
 from one_test import read_positioning
 from places import REAL, needs_shared

@@ -14,8 +14,8 @@ import openpyxl
 import pytest
 
 from compwright.foundations.errors import InputError
-from compwright.instruments.profile import read_profile
 from compwright.instruments.profile_of_file import proposed_profile
+from compwright.instruments.profile_reading import read_profile
 from compwright.instruments.reading import read_tests
 from compwright.workflow.inputs.job_inputs import read_measurement
 from one_test import read_positioning

@@ -16,7 +16,7 @@ from pydantic_core import SchemaValidator
 from pydantic_core import core_schema as cs
 
 from compwright.foundations.key_faults import KeyFault, shown
-from compwright.foundations.validation import refuse, unknown_key
+from compwright.foundations.validation import refuse, unknown_key, worded
 
 #: By class: what a record promises beyond the types of its fields and does not keep.
 Rules = Mapping[type, Callable[[Any], Iterator[str]]]
@@ -121,11 +121,9 @@ class RecordSchemas:
             by_kind = {get_args(get_type_hints(one)["kind"])[0]: self.of(one) for one in kinds}
             schema = cs.tagged_union_schema(by_kind, discriminator="kind")
         else:
-            schema = cs.union_schema(
-                [self.of(one) for one in kinds],
-                custom_error_type="other_kind",
-                custom_error_message="is not an accepted value",
-            )
+            names = ("a number" if one is float else str(*get_args(one)) for one in kinds)
+            either = cs.union_schema([self.of(one) for one in kinds])
+            schema = worded(either, "is not an accepted value", " or ".join(names))
         return cs.nullable_schema(schema) if types.NoneType in options else schema
 
     def _record(self, cls: Any) -> cs.CoreSchema:

@@ -23,6 +23,7 @@ from compwright.foundations.key_faults import KeyFault, KeyPath, number_hint, sh
 
 #: Complaints of our own: in plain words, and about a key that is not known.
 _STATED = "stated"
+_WORDED = "worded"
 _UNKNOWN = "unknown_key"
 _TAGS = ("union_tag_invalid", "union_tag_not_found")
 
@@ -50,6 +51,16 @@ def refuse(*faults: KeyFault) -> NoReturn:
             )
             for each in faults
         ],
+    )
+
+
+def worded(schema: cs.CoreSchema, message: str, expected: str) -> cs.CoreSchema:
+    """Return a schema with words of its own for what does not keep to it."""
+    return cs.custom_error_schema(
+        schema,
+        _WORDED,
+        custom_error_message=message,
+        custom_error_context={"message": message, "expected": expected},
     )
 
 
@@ -86,9 +97,10 @@ def key_faults(
         elif complaint["type"] in ("extra_forbidden", _UNKNOWN):
             names = complaint.get("ctx", {}).get("known") or known(complaint["loc"][:-1])
             yield KeyFault(path, "unknown key", suggestion(str(complaint["loc"][-1]), names))
-        elif complaint["type"] == _STATED:
-            stated = complaint.get("ctx", {})
-            yield KeyFault(path, stated["message"], stated["expected"], complaint["input"])
+        elif complaint["type"] in (_STATED, _WORDED):
+            stated, found = complaint.get("ctx", {}), complaint["input"]
+            found = found if complaint["type"] == _STATED else shown(found)
+            yield KeyFault(path, stated["message"], stated["expected"], found)
         else:
             yield KeyFault(path, *_words(complaint), shown(complaint["input"]))
 

@@ -17,8 +17,9 @@ from compwright.instruments.circular_reading import circular_form, is_circular
 from compwright.instruments.drift_csv import is_drift
 from compwright.instruments.forms import FORMS, PLAIN_CSV, form_of
 from compwright.instruments.own_forms import is_plain_csv
-from compwright.instruments.profile import SIGNS, Profile, read_profile
+from compwright.instruments.profile import SIGNS, Profile
 from compwright.instruments.profile_of_file import proposed_profile
+from compwright.instruments.profile_reading import read_profile
 from compwright.instruments.profiled import at_its_header, has_columns
 from compwright.instruments.redaction.cutting import redacted_lines
 from compwright.instruments.redaction.foreign import SIGN_TO_FILL_IN, profile_lines, redacted_table

@@ -11,7 +11,7 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.input_sizes import PROFILE
 from compwright.foundations.utf8 import shown_path
-from compwright.instruments.profile import Profile, read_profile
+from compwright.instruments.profile import Profile
 
 #: Endings of what lies beside measurements in a folder and is none: plots, answers, jobs, reports,
 #: pictures.
@@ -35,6 +35,9 @@ def load_profile(path: Path) -> Profile:
     """Read a mapping profile. Raises UsageError with every fault in it, InputError for a file that
     cannot be read.
     """
+    # slow to import, and few measurements need a profile
+    from compwright.instruments.profile_reading import read_profile
+
     return read_profile(storage.read_bytes(path, PROFILE), shown_path(path))
 
 

@@ -10,7 +10,8 @@ from compwright.foundations.errors import CompwrightError, Fault, InputError
 from compwright.foundations.redaction import Cuts, left_over
 from compwright.instruments.circular_reading import is_circular, read_circular
 from compwright.instruments.drift_csv import is_drift, read_drift
-from compwright.instruments.profile import Profile, read_profile
+from compwright.instruments.profile import Profile
+from compwright.instruments.profile_reading import read_profile
 from compwright.instruments.reading import read_tests
 from compwright.instruments.redaction.measurement import (
     ALLOWED,
