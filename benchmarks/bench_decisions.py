@@ -24,6 +24,7 @@ from machines import Machine, name_seed
 from table_quality import csv_of, job_of, measured
 
 from compwright.foundations.errors import CompwrightError
+from compwright.foundations.session import Session
 from compwright.foundations.units import outside_factor
 from compwright.workflow.inputs.jobs import read_job_file
 from compwright.workflow.run.finished import Finished
@@ -40,7 +41,9 @@ def prediction(
     (folder / "x.csv").write_text(text, encoding="utf-8")
     (folder / "job.yaml").write_text(json.dumps(job), encoding="utf-8")
     try:
-        return worked_through(read_job_file(folder / "job.yaml"), folder, folder / "out"), ""
+        return worked_through(
+            Session(), read_job_file(Session(), folder / "job.yaml"), folder, folder / "out"
+        ), ""
     except CompwrightError as error:
         return None, str(error)
 

@@ -36,6 +36,7 @@ from examiner_axes import (
 )
 
 from compwright.foundations.errors import CompwrightError
+from compwright.foundations.session import Session
 from compwright.records.axis import Direction
 from compwright.records.correction import AxisCompensation
 from compwright.workflow.inputs.jobs import read_job_file
@@ -133,7 +134,9 @@ def run(case: Case, folder: Path, axis: Axis, state: str) -> Finished:
         f"    table: {{mode: {case.mode}}}\n    before: x.csv\n    accept: {{A: 1000}}\n",
         encoding="utf-8",
     )
-    return worked_through(read_job_file(folder / "job.yaml"), folder, folder / "job")
+    return worked_through(
+        Session(), read_job_file(Session(), folder / "job.yaml"), folder, folder / "job"
+    )
 
 
 def load(finished: Finished, folder: Path) -> AxisCompensation | None:

@@ -36,6 +36,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
 from compwright.cli import run as compwright
 from compwright.foundations import storage
+from compwright.foundations.session import Session
 from killing import WORKS, calls_of, killed_at
 from loop import Machine, csv_of
 
@@ -65,9 +66,10 @@ WRITING = """
 import pickle, sys
 from pathlib import Path
 from compwright.foundations import storage
+from compwright.foundations.session import Session
 given = pickle.loads(Path(sys.argv[1]).read_bytes())
 known = lambda name, _content: name in given["known"]
-storage.write_files(given["folder"], given["files"], known=known, **given["words"])
+storage.write_files(Session(), given["folder"], given["files"], known=known, **given["words"])
 """
 READING = "import sys; from compwright.cli import run; run(sys.argv[1:])"
 
@@ -134,7 +136,7 @@ def captured(top: Path) -> Path:
     """Return what `run --force` hands to storage, in a file; nothing is written by it."""
     kept: dict[str, Any] = {}
 
-    def keeping(folder: Path, files: dict[str, bytes], **words: Any) -> list[Path]:
+    def keeping(_: Session, folder: Path, files: dict[str, bytes], **words: Any) -> list[Path]:
         known = words.pop("known")
         kept.update(folder=folder, files=dict(files), words=words, known=listed(known, folder))
         return []

@@ -13,6 +13,7 @@ import numpy as np
 from compwright.controls.control import Control, decode, open_control
 from compwright.controls.decoded import DecodedState
 from compwright.foundations.errors import InputError, UsageError
+from compwright.foundations.session import Session
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from format_samples import DEFINITIONS
@@ -55,7 +56,7 @@ SAMPLES = tuple(_samples())
 
 @cache
 def control_of(sample: Sample) -> Control:
-    return open_control(sample.format_id, dict(sample.options))
+    return open_control(Session(), sample.format_id, dict(sample.options))
 
 
 def read(sample: Sample, files: Sequence[ControlFile]) -> DecodedState:

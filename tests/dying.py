@@ -15,8 +15,6 @@ from typing import Any
 
 import pytest
 
-from compwright.foundations.command_inputs import start_command
-
 #: What changes a disk, or has it lasting.
 CALLS = (
     *("open", "write", "fsync", "replace", "rename", "link", "symlink", "truncate"),
@@ -63,8 +61,7 @@ class Process:
 
 @contextmanager
 def running(process: Process) -> Iterator[None]:
-    """Let what is done inside be done by ``process``, a command of its own."""
-    start_command()
+    """Let what is done inside be done by ``process``."""
     with pytest.MonkeyPatch.context() as patch:
         for name in CALLS:
             patch.setattr(os, name, process.standing_for(name))
@@ -72,7 +69,6 @@ def running(process: Process) -> Iterator[None]:
             yield
         except Killed:
             assert process.dead
-    start_command()
 
 
 @dataclass(slots=True)

@@ -10,11 +10,12 @@ import numpy as np
 
 from compwright.formats.control_format import control_format
 from compwright.formats.definitions import definitions_from
+from compwright.foundations.session import Session
 from compwright.foundations.storage import definition_files
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 
-CONTENT = dict(definition_files())
+CONTENT = dict(definition_files(Session()))
 DEFINITIONS = definitions_from(CONTENT.items())
 #: File names of the definitions of whole controls; what others extend is none by itself.
 CONTROLS = [name for name in CONTENT if not name.endswith(".base.yaml")]

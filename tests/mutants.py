@@ -27,6 +27,7 @@ from compwright.formats.definition.extends import DefinitionText, found_in, merg
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definition_in
 from compwright.foundations.errors import CompwrightError
+from compwright.foundations.session import Session
 from compwright.foundations.storage import definition_files
 from compwright.foundations.yaml_reader import KeyPath, key_path_text
 from compwright.records.correction import Beyond
@@ -106,7 +107,7 @@ def falls(text: DefinitionText, checks: Mapping[str, Check]) -> str:
 
 def merged_definition(format_id: str) -> DefinitionText:
     """Return a definition that ships, merged with all that it extends."""
-    files = dict(definition_files())
+    files = dict(definition_files(Session()))
     name = f"{format_id}.yaml"
     return merged(texts_of(files[name], name, found_in(files)))
 

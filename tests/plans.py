@@ -18,6 +18,7 @@ from compwright.controls.control import open_control
 from compwright.fitting.fit import fit_table
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.estimate import WantedCorrection
@@ -62,7 +63,7 @@ def random_plan(format_id: str, seed: int) -> Plan:
     rng = np.random.default_rng([seed, *format_id.encode()])
     options = random_options(format_id, rng)
     axis = random_axis(format_id, rng)
-    control = open_control(format_id, options)
+    control = open_control(Session(), format_id, options)
     request = random_request(format_id, axis, rng)
     wanted = random_wanted(axis, rng)
     try:

@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from compwright.formats.definitions import definitions_from
 from compwright.foundations.errors import CompwrightError
 from compwright.foundations.redaction import Cuts, Names
+from compwright.foundations.session import Session
 from compwright.foundations.storage import definition_files
 from compwright.records.correction import ControlFile
 from compwright.workflow.redact.redacted_controls import control_copies
@@ -42,7 +43,7 @@ def samples() -> dict[str, Mapping[str, str]]:
         f"control {name}": {file: clean(text) for file, text in files.items()}
         for name, files in CONTROLS.items()
     }
-    for name, definition in definitions_from(definition_files()).items():
+    for name, definition in definitions_from(definition_files(Session())).items():
         texts[f"control {name}"] = definition.sample_files
     return texts
 
@@ -77,7 +78,7 @@ def copies(kind: str, files: Mapping[str, bytes]) -> list[bytes]:
         made = measurement_copy(content, name, Cuts(names), None)
         return [made.content, made.profile.encode()]
     given = [ControlFile(name, content) for name, content in files.items()]
-    found = control_copies(given, {name: Cuts(names) for name in files}, None)
+    found = control_copies(Session(), given, {name: Cuts(names) for name in files}, None)
     return [copy.content for copy in found.made.values()]
 
 

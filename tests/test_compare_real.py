@@ -16,6 +16,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.controls.control import open_control, read_files
 from compwright.formats.text.container import opened
+from compwright.foundations.session import Session
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from loop import Floats, Machine, csv_of
@@ -37,7 +38,12 @@ def planned(
 ) -> Path:
     """Run a job of one axis, measured with what the backup does to it, and return its results."""
     machine = Machine(low=travel[0], high=travel[1])
-    axis = open_control(control, {}).format.for_a_view().read(read_files(files)).axes[address]
+    axis = (
+        open_control(Session(), control, {})
+        .format.for_a_view()
+        .read(read_files(Session(), files))
+        .axes[address]
+    )
 
     def active(x: Floats, sign: int) -> Floats:
         side = Direction.POSITIVE if sign > 0 else Direction.NEGATIVE

@@ -14,6 +14,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.controls.control import decode, open_control
 from compwright.foundations.errors import InputError, UsageError
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlFile, ControlState
 
@@ -65,7 +66,7 @@ def axis(address: str, gantry: str | None = None, *, alone: bool = False) -> Axi
 
 
 def read(more: Mapping[int, str], *axes: Axis, format_id: str = "fanuc-30i") -> ControlState:
-    return decode(open_control(format_id, {}), fanuc(more), axes).state
+    return decode(open_control(Session(), format_id, {}), fanuc(more), axes).state
 
 
 SYNCHRONOUS = {8311: "A1P0A2P0A3P0A4P1", 8312: "A1P0A2P0A3P0A4P0"}
@@ -199,7 +200,7 @@ def others(
         axis_number=1 if "heidenhain" in format_id else None,
     )
     files = [ControlFile(name, text.encode()) for name, text in texts.items()]
-    return decode(open_control(format_id, dict(options)), files, [asked]).state
+    return decode(open_control(Session(), format_id, dict(options)), files, [asked]).state
 
 
 def sinumerik(more: str, address: str, **words: Any) -> ControlState:

@@ -17,6 +17,7 @@ from compwright.evaluation.expansion import remove_differential_expansion
 from compwright.evaluation.temperatures import at_temperatures, stated_temperatures
 from compwright.evaluation.uncertainty import slope_between_tests
 from compwright.foundations.errors import InputError, UsageError
+from compwright.foundations.session import Session
 from compwright.jobs.reading import read_job
 from compwright.planning.axes import predict_axis, start_axis
 from compwright.planning.declared import fresh_slope, slope_after, with_slopes
@@ -186,7 +187,7 @@ def test_the_files_own_temperature_is_taken_out(tmp_path: Path) -> None:
     """A steel axis at 24 °C reads 46 µm/m about its fixed point at 100 mm."""
     csv(tmp_path, "x.csv", "# t_m start: 23,5\n# T-M_END: 24.5 °C\n", slope=0.046)
     entry = of_job(JOB).axes["X"]
-    test = read_test(entry, entry.before[0], tmp_path)
+    test = read_test(Session(), entry, entry.before[0], tmp_path)
     assert np.ptp(test.positive.mean(axis=1)) < 0.5 * UM
     assert test.thermal == replace(STEEL, x_fix=100.0, rise_m=1.0)
     found = {finding.code: finding.message for finding in test.findings}
@@ -198,7 +199,7 @@ def test_the_files_own_temperature_is_taken_out(tmp_path: Path) -> None:
 def test_the_keys_of_a_test_go_over_those_of_its_file(tmp_path: Path) -> None:
     csv(tmp_path, "warm.csv", "# T_m: 30\n")
     entry = of_job(JOB).axes["X"]
-    thermal = read_test(entry, entry.before[1], tmp_path).thermal
+    thermal = read_test(Session(), entry, entry.before[1], tmp_path).thermal
     assert thermal is not None
     assert (thermal.T_m, thermal.rise_m) == (24.0, 2.0)
 
@@ -246,7 +247,7 @@ def planned(folder: Path, job: Job) -> Plan:
     """A plan of the axis X of ``job``, as far as the tests after loading ask it."""
     entry = job.axes["X"]
     tests = [
-        PlannedTest(test=read_test(entry, request, folder), measured_in="as_found")
+        PlannedTest(test=read_test(Session(), entry, request, folder), measured_in="as_found")
         for request in entry.before
     ]
     return cast("Plan", SimpleNamespace(axes={"X": SimpleNamespace(tests=tests)}))
@@ -256,10 +257,12 @@ def test_the_test_after_loading_states_its_own_temperature(tmp_path: Path) -> No
     for name, head in (("x.csv", "# T_m: 22\n"), ("warm.csv", ""), ("after.csv", "# T_m: 19\n")):
         csv(tmp_path, name, head)
     job = of_job(JOB)
-    (after,) = after_tests(job, planned(tmp_path, job), [f"x={tmp_path / 'after.csv'}"])
+    (after,) = after_tests(Session(), job, planned(tmp_path, job), [f"x={tmp_path / 'after.csv'}"])
     assert after.test.thermal is not None
     assert after.test.thermal.T_m == 19.0
-    (after,) = after_tests(job, planned(tmp_path, job), [f"warm={tmp_path / 'after.csv'}"])
+    (after,) = after_tests(
+        Session(), job, planned(tmp_path, job), [f"warm={tmp_path / 'after.csv'}"]
+    )
     assert after.test.thermal is not None
     assert (after.test.thermal.T_m, after.test.thermal.rise_m) == (19.0, 0.0)
 
@@ -275,7 +278,7 @@ def test_a_test_after_loading_without_the_temperature_of_the_first_is_refused(
         csv(tmp_path, file, head)
     job = of_job(JOB)
     with pytest.raises(InputError, match="states no temperature"):
-        after_tests(job, planned(tmp_path, job), [f"{name}={tmp_path / 'after.csv'}"])
+        after_tests(Session(), job, planned(tmp_path, job), [f"{name}={tmp_path / 'after.csv'}"])
 
 
 def test_the_instruments_own_temperature_is_asked_for_where_it_expands(tmp_path: Path) -> None:
@@ -283,17 +286,19 @@ def test_the_instruments_own_temperature_is_asked_for_where_it_expands(tmp_path:
         csv(tmp_path, file, head)
     text = JOB.replace("T_m: [23, 25]", "T_m: [23, 25], T_d: 22")
     job = of_job(text)
-    (after,) = after_tests(job, planned(tmp_path, job), [f"warm={tmp_path / 'after.csv'}"])
+    (after,) = after_tests(
+        Session(), job, planned(tmp_path, job), [f"warm={tmp_path / 'after.csv'}"]
+    )
     assert after.test.thermal is not None
     assert after.test.thermal.T_m == 24.0
     job = of_job(text.replace("T_d: 22", "T_d: 22, alpha_d: 8"))
     with pytest.raises(InputError, match="key T_d"):
-        after_tests(job, planned(tmp_path, job), [f"warm={tmp_path / 'after.csv'}"])
+        after_tests(Session(), job, planned(tmp_path, job), [f"warm={tmp_path / 'after.csv'}"])
 
 
 def test_one_temperature_of_the_axis_for_all_tests_needs_no_header(tmp_path: Path) -> None:
     for file in ("x.csv", "warm.csv", "after.csv"):
         csv(tmp_path, file)
     job = of_job(JOB)
-    (after,) = after_tests(job, planned(tmp_path, job), [f"x={tmp_path / 'after.csv'}"])
+    (after,) = after_tests(Session(), job, planned(tmp_path, job), [f"x={tmp_path / 'after.csv'}"])
     assert after.test.thermal == job.axes["X"].thermal

@@ -25,6 +25,7 @@ from compwright.cli.shell import run
 from compwright.evaluation import standards
 from compwright.foundations import side_by_side
 from compwright.foundations.errors import StorageError, UsageError
+from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Each
 from compwright.reporting.shown import print_renderables
 from compwright.workflow.commands import evaluate as command
@@ -99,7 +100,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def outcome(folder: Path) -> EvaluationRun:
-    return evaluate_files([folder])
+    return evaluate_files(Session(), [folder])
 
 
 def names(outcome: EvaluationRun) -> list[str]:
@@ -153,10 +154,10 @@ def test_other_processes_give_the_same_bytes(
         return copying(items, ready)
 
     monkeypatch.setattr(side_by_side, "_WORTH", 0.0)
-    side = evaluate_files([folder], crew=crew)
+    side = evaluate_files(Session(), [folder], crew=crew)
     assert document_text(side.document) == document_text(outcome.document)
     assert called  # it did not work in turn
-    short = evaluate_files([folder], whole=False)
+    short = evaluate_files(Session(), [folder], whole=False)
     assert all("targets" not in result for result in short.document["results"])
     assert len(document_text(short.document)) < 0.5 * len(document_text(outcome.document))
 
@@ -238,7 +239,9 @@ def test_the_summary_says_smallest_median_and_largest_by_axis(
 
 
 def test_other_standards_have_columns_of_their_own(folder: Path) -> None:
-    document = evaluate_files([folder], ["vdi3441", "iso230-4:1996"], whole=False).document
+    document = evaluate_files(
+        Session(), [folder], ["vdi3441", "iso230-4:1996"], whole=False
+    ).document
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(sys, "stdout", stream := io.StringIO())
         print_renderables(many_renderables(document))
@@ -266,7 +269,7 @@ def test_a_file_that_vanishes_meanwhile_is_one_line(tmp_path: Path) -> None:
     def clean_up(what: str, done: int, count: int) -> None:
         (tmp_path / "11.csv").unlink(missing_ok=True)
 
-    outcome = evaluate_files([tmp_path], watch=clean_up)
+    outcome = evaluate_files(Session(), [tmp_path], watch=clean_up)
     assert len(outcome.document["results"]) == 11
     assert [Path(error["file"]).name for error in outcome.document["errors"]] == ["11.csv"]
     assert outcome.exit_code == 3
@@ -289,7 +292,7 @@ def test_hostile_names_stay_in_their_cells(tmp_path: Path) -> None:
         (tmp_path / os.fsdecode(b"\xff.csv")).write_text(positioning_text(7.0), "utf-8")
         (tmp_path / "circle").symlink_to("circle")
         os.mkfifo(tmp_path / "pipe")
-    outcome = evaluate_files([tmp_path])
+    outcome = evaluate_files(Session(), [tmp_path])
     assert len(outcome.document["results"]) == (13 if os.name != "nt" else 11)
     stream = io.StringIO()
     with pytest.MonkeyPatch.context() as patched:
@@ -299,7 +302,7 @@ def test_hostile_names_stay_in_their_cells(tmp_path: Path) -> None:
     assert sum(" X " in line for line in lines) >= len(outcome.document["results"])
     assert "\x1b" not in stream.getvalue()
     assert all("測試" in line for line in lines if line.startswith("wide") and " X " in line)
-    write_evaluation(outcome.document, table_path=tmp_path / "t.csv")
+    write_evaluation(Session(), outcome.document, table_path=tmp_path / "t.csv")
     assert len((tmp_path / "t.csv").read_text("utf-8").splitlines()) == 1 + len(
         outcome.document["results"]
     )
@@ -334,8 +337,8 @@ class Rows:
 def tables(outcome: EvaluationRun, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Rows]:
     """The table as other programs read it: the csv module, openpyxl."""
     place = tmp_path_factory.mktemp("tables")
-    write_evaluation(outcome.document, table_path=place / "t.csv")
-    write_evaluation(outcome.document, table_path=place / "t.xlsx")
+    write_evaluation(Session(), outcome.document, table_path=place / "t.csv")
+    write_evaluation(Session(), outcome.document, table_path=place / "t.xlsx")
     with (place / "t.csv").open(encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
     found = {"csv": Rows(list(rows[0]), [dict(row) for row in rows])}
@@ -391,9 +394,9 @@ def test_names_are_no_formulas(folder: Path, tmp_path: Path) -> None:
         if os.name == "nt" and "|" in name:
             continue
         (tmp_path / name).write_bytes(sound.replace(b"# axis: X", b'# axis: =HYPERLINK("x")'))
-    document = evaluate_files([tmp_path]).document
-    write_evaluation(document, table_path=tmp_path / "out" / "t.csv")
-    write_evaluation(document, table_path=tmp_path / "out" / "t.xlsx")
+    document = evaluate_files(Session(), [tmp_path]).document
+    write_evaluation(Session(), document, table_path=tmp_path / "out" / "t.csv")
+    write_evaluation(Session(), document, table_path=tmp_path / "out" / "t.xlsx")
     text = (tmp_path / "out" / "t.csv").read_text("utf-8")
     rows = list(csv.reader(io.StringIO(text)))
     assert {
@@ -419,9 +422,9 @@ def test_names_are_no_formulas(folder: Path, tmp_path: Path) -> None:
 def test_the_same_tests_give_the_same_workbook(
     outcome: EvaluationRun, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    write_evaluation(outcome.document, table_path=tmp_path / "one.xlsx")
+    write_evaluation(Session(), outcome.document, table_path=tmp_path / "one.xlsx")
     monkeypatch.setattr("time.time", lambda: 2e9)
-    write_evaluation(outcome.document, table_path=tmp_path / "other.xlsx")
+    write_evaluation(Session(), outcome.document, table_path=tmp_path / "other.xlsx")
     assert (tmp_path / "one.xlsx").read_bytes() == (tmp_path / "other.xlsx").read_bytes()
 
 
@@ -431,15 +434,18 @@ def test_table_and_json_are_written_together_or_not_at_all(
     (tmp_path / "there.json").write_text("{}", encoding="utf-8")
     with pytest.raises(StorageError, match="exists"):
         write_evaluation(
-            outcome.document, json_path=tmp_path / "there.json", table_path=tmp_path / "t.csv"
+            Session(),
+            outcome.document,
+            json_path=tmp_path / "there.json",
+            table_path=tmp_path / "t.csv",
         )
     assert [path.name for path in tmp_path.iterdir()] == ["there.json"]
     with pytest.raises(UsageError, match=r"--json: is the file of --table too"):
         write_evaluation(
-            outcome.document, json_path=tmp_path / "t.csv", table_path=tmp_path / "t.csv"
+            Session(), outcome.document, json_path=tmp_path / "t.csv", table_path=tmp_path / "t.csv"
         )
     with pytest.raises(UsageError, match=r"--table: no table of this ending.*\.csv or \.xlsx"):
-        write_evaluation(outcome.document, table_path=tmp_path / "t.ods")
+        write_evaluation(Session(), outcome.document, table_path=tmp_path / "t.ods")
 
 
 def test_more_tests_than_a_picture_holds_are_refused(
@@ -447,7 +453,7 @@ def test_more_tests_than_a_picture_holds_are_refused(
 ) -> None:
     many = {**outcome.document, "results": [*outcome.document["results"]] * 3}
     with pytest.raises(UsageError, match=r"--plot: .*at most 40 tests, or --table, found 42"):
-        write_evaluation(many, plot_path=tmp_path / "p.svg")
+        write_evaluation(Session(), many, plot_path=tmp_path / "p.svg")
 
 
 def test_no_input_is_overwritten_whichever_process_evaluated_it(
@@ -584,5 +590,5 @@ def test_few_quick_items_start_no_process() -> None:
 
 def test_the_command_knows_no_more_pages_than_ten(folder: Path) -> None:
     files = sorted(folder.glob("t*.csv"))
-    assert not evaluate_files(files[: command._PAGES], whole=False).many
-    assert evaluate_files(files[: command._PAGES + 1], whole=False).many
+    assert not evaluate_files(Session(), files[: command._PAGES], whole=False).many
+    assert evaluate_files(Session(), files[: command._PAGES + 1], whole=False).many

@@ -23,6 +23,7 @@ from compwright.formats.definition.options import resolve_options
 from compwright.formats.definitions import definition_of
 from compwright.foundations import storage
 from compwright.foundations.errors import CapacityError, CompwrightError
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.plan import Texts
@@ -429,7 +430,7 @@ def accuracy_with(texts: Texts, format_id: str, table: AxisCompensation | None =
 
 def definition_texts(format_id: str, old: str = "", new: str = "") -> Texts:
     """A definition that ships, with what it extends; ``old`` -> ``new`` where it stands first."""
-    files = dict(storage.definition_files())
+    files = dict(storage.definition_files(Session()))
     name = f"{format_id}.yaml"
     texts = texts_of(files[name], name, found_in(files))
     hit = [name for name, text in texts if old.encode() in text]

@@ -23,6 +23,7 @@ from compwright.formats.look_at import look_at
 from compwright.formats.text.patching import Change, apply_changes, set_field
 from compwright.formats.text.texts import TextReader
 from compwright.foundations.errors import InputError, UsageError
+from compwright.foundations.session import Session
 from compwright.records.correction import ControlFile
 from compwright.records.facts import AxisFacts
 from compwright.workflow.commands.formats import check_formats, list_formats, show_format
@@ -471,8 +472,8 @@ def test_where_to_look_is_said_for_all_verdicts_or_for_none() -> None:
 
 
 def test_list_show_and_check(tmp_path: Path) -> None:
-    assert [line.split()[0] for line in list_formats()] == sorted(DEFINITIONS)
-    shown = "\n".join(show_format("siemens-840d-sl"))
+    assert [line.split()[0] for line in list_formats(Session())] == sorted(DEFINITIONS)
+    shown = "\n".join(show_format(Session(), "siemens-840d-sl"))
     for words in (
         "error, the opposite of the correction",
         "What is unconfirmed",
@@ -484,25 +485,25 @@ def test_list_show_and_check(tmp_path: Path) -> None:
     ):
         assert words in shown
     with pytest.raises(UsageError, match=r"linuxcnc or pmac or .*siemens-840d-sl"):
-        show_format("nonesuch")
+        show_format(Session(), "nonesuch")
     with pytest.raises(UsageError, match=r"expected siemens-828d .*siemens-840d-sl") as several:
-        show_format("siemens")  # the name of several
+        show_format(Session(), "siemens")  # the name of several
     assert "linuxcnc" not in str(several.value)
-    assert len(check_formats([])) == len(DEFINITIONS)
+    assert len(check_formats(Session(), [])) == len(DEFINITIONS)
     good = tmp_path / "good.yaml"
     good.write_bytes(CONTENT["linuxcnc.yaml"])
-    assert len(check_formats([tmp_path])) == 1
+    assert len(check_formats(Session(), [tmp_path])) == 1
     (tmp_path / "bad.yaml").write_text(
         TEXT["siemens-840d-sl.yaml"].replace("    sign: error", "    sign: correction"),
         encoding="utf-8",
     )
     (tmp_path / "worse.yaml").write_text("id: 3\n", encoding="utf-8")
     with pytest.raises(InputError) as bad:
-        check_formats([tmp_path])
+        check_formats(Session(), [tmp_path])
     assert {Path(fault.file).name for fault in bad.value.faults} == {"bad.yaml", "worse.yaml"}
     with pytest.raises(InputError, match="cannot be read"):
-        check_formats([tmp_path / "missing.yaml"])
+        check_formats(Session(), [tmp_path / "missing.yaml"])
     empty = tmp_path / "empty"
     empty.mkdir()
     with pytest.raises(InputError, match="no definition"):
-        check_formats([empty])
+        check_formats(Session(), [empty])

@@ -25,6 +25,7 @@ from compwright.formats.definitions import load_definition
 from compwright.formats.families.increments.numbering import NoRoom, Place, find_place, longest_gap
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
 from fanuc_backup import NUMBERS, OLD_POINTS, parameters, pitch_data
@@ -62,7 +63,9 @@ def both(
     own: Sequence[ControlFile], *axes: Axis, format_id: str = "fanuc-30i", **options: object
 ) -> DecodedState:
     """Read files with both readers; they have to agree."""
-    return decode(open_control(format_id, {"detection_unit": 0.001, **options}), own, axes)
+    return decode(
+        open_control(Session(), format_id, {"detection_unit": 0.001, **options}), own, axes
+    )
 
 
 def table(
@@ -94,7 +97,9 @@ def write(
     **options: object,
 ) -> tuple[ControlFile, ...]:  # fmt: skip
     control = open_control(
-        format_id, {"detection_unit": 0.001, **({} if own else {"first_point": 0}), **options}
+        Session(),
+        format_id,
+        {"detection_unit": 0.001, **({} if own else {"first_point": 0}), **options},
     )
     chosen = list(
         axes
@@ -353,9 +358,9 @@ def test_a_file_that_ends_inside_a_record_is_refused(cut: bytes) -> None:
     with pytest.raises(InputError):
         both(own, axis())
     with pytest.raises(InputError):  # the reader that writes sees it without the judge
-        control_format(open_control("fanuc-30i", {}).definition, {"detection_unit": 0.001}).read(
-            own, [axis()]
-        )
+        control_format(
+            open_control(Session(), "fanuc-30i", {}).definition, {"detection_unit": 0.001}
+        ).read(own, [axis()])
 
 
 def test_the_sheet_s_millimetres_stay_millimetres_on_an_inch_machine() -> None:
@@ -401,7 +406,7 @@ def test_a_diameter_axis_is_refused_unless_the_job_knows() -> None:
 
 def test_detection_units_by_axis() -> None:
     own = files(P__TXT=parameters(lines=10), Q__TXT=pitch_data())
-    control = open_control("fanuc-30i", {})
+    control = open_control(Session(), "fanuc-30i", {})
     with pytest.raises(UsageError) as caught:
         decode(control, own, [axis()])
     assert caught.value.exit_code == 2
@@ -559,7 +564,7 @@ def test_the_last_number_of_the_array_is_used_and_none_beyond(format_id: str, hi
 
 def test_the_interval_that_the_feed_allows() -> None:
     """36 000 mm/min / 7500 = 4.8 mm."""
-    control = open_control("fanuc-30i", {"detection_unit": 0.001, "max_feed": 36000})
+    control = open_control(Session(), "fanuc-30i", {"detection_unit": 0.001, "max_feed": 36000})
     assert control_format(control.definition, control.options).capacity(
         axis()
     ).min_spacing == pytest.approx(4.8)
@@ -630,7 +635,7 @@ def test_in_a_backup_of_15000_lines_nothing_else_changes(newline: str) -> None:
 def test_the_number_of_lines_that_stay() -> None:
     own = backup(lines=14_000)
     new = write(table(list(range(-4, 5)), list(TOTALS.values()), backlash=5 * UM), own=own)
-    diff = compare_files(open_control("fanuc-30i", {}).definition, own, new)
+    diff = compare_files(open_control(Session(), "fanuc-30i", {}).definition, own, new)
     total = sum(len(file.content.splitlines()) for file in own)
     assert [(change.entry, change.old, change.new) for change in diff.changes] == [
         ("N01851Q1A1", "4", "5")
@@ -726,7 +731,9 @@ def test_two_sets_that_share_one_number_are_refused(first: int, *, clear: bool) 
     points = {**dict.fromkeys(range(first, first + 8), 0), **OLD_POINTS}
     pitch = "".join(f"N{10_000 + number}Q0P{value}\n" for number, value in points.items())
     own = files(P__TXT=two, Q__TXT=f"%\n{pitch}%\n")
-    reader = control_format(open_control("fanuc-30i", {}).definition, {"detection_unit": 0.001})
+    reader = control_format(
+        open_control(Session(), "fanuc-30i", {}).definition, {"detection_unit": 0.001}
+    )
     if clear:
         state = reader.read(own, [axis()]).axes["1"]
         assert not np.array_equal(state.positive, state.negative)
@@ -955,9 +962,9 @@ def test_a_table_of_an_endless_axis_that_creeps_is_refused_when_read() -> None:
     with pytest.raises(InputError, match="creeps"):
         both(crept)
     with pytest.raises(InputError, match="creeps"):  # by the reader that writes, too
-        control_format(open_control("fanuc-30i", {}).definition, {"detection_unit": 0.001}).read(
-            crept, address="4"
-        )
+        control_format(
+            open_control(Session(), "fanuc-30i", {}).definition, {"detection_unit": 0.001}
+        ).read(crept, address="4")
 
 
 # Second forms
@@ -966,7 +973,9 @@ def test_a_table_of_an_endless_axis_that_creeps_is_refused_when_read() -> None:
 
 def forms(meant: AxisCompensation, where: Axis, own: Sequence[ControlFile] = (), format_id: str = "fanuc-30i", **options: object) -> list[ControlFile]:  # fmt: skip
     control = open_control(
-        format_id, {"detection_unit": 0.001, **({} if own else {"first_point": 0}), **options}
+        Session(),
+        format_id,
+        {"detection_unit": 0.001, **({} if own else {"first_point": 0}), **options},
     )
     state = decode(control, own, [where]).state if own else None
     return list(control_format(control.definition, control.options, state).sheets([meant], [where]))

@@ -18,16 +18,17 @@ from compwright.formats.gate import limits as gate_limits
 from compwright.formats.gate.gate import check_definition
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.session import Session
 from compwright.workflow.commands.formats import check_formats
 
-SHIPPED: Mapping[str, bytes] = dict(storage.definition_files())
+SHIPPED: Mapping[str, bytes] = dict(storage.definition_files(Session()))
 CONTROLS = [name for name in SHIPPED if not name.endswith(".base.yaml")]
 
 
 @pytest.mark.parametrize("name", CONTROLS)
 def test_every_definition_that_ships_passes(name: str, tmp_path: Path) -> None:
     (tmp_path / name).write_bytes(SHIPPED[name])
-    (line,) = check_formats([tmp_path])
+    (line,) = check_formats(Session(), [tmp_path])
     assert "by the virtual control too" in line
     assert "every limit is kept" in line
 
@@ -70,7 +71,7 @@ def test_a_hand_worked_value_that_does_not_come_out_is_told(
     assert old in text
     (tmp_path / name).write_text(text.replace(old, new, 1))
     with pytest.raises(InputError, match="is not the one worked by hand"):
-        check_formats([tmp_path])
+        check_formats(Session(), [tmp_path])
 
 
 def test_a_definition_whose_sign_is_wrong_in_both_places_is_caught_by_the_virtual_control(
@@ -99,4 +100,4 @@ expect:
 """
     (tmp_path / "siemens-840d-sl.yaml").write_text(text[: text.index("\nexpect:")] + wrong)
     with pytest.raises(InputError, match="the virtual control does not agree"):
-        check_formats([tmp_path])
+        check_formats(Session(), [tmp_path])

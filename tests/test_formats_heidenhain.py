@@ -24,6 +24,7 @@ from compwright.formats.control_format import control_format
 from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.gate.gate import check_definition
 from compwright.foundations.errors import CapacityError, InputError, UsageError
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts
@@ -109,7 +110,7 @@ def judged(
     definition_id: str, files: tuple[ControlFile, ...], axes: tuple[Axis, ...], **options: object
 ) -> ControlState:
     """Read with both readers, which share no code: decode raises where they do not agree."""
-    return decode(open_control(definition_id, options), files, axes).state
+    return decode(open_control(Session(), definition_id, options), files, axes).state
 
 
 # The definitions

@@ -11,6 +11,7 @@ from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError, InputError
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.facts import AxisFacts
@@ -103,7 +104,9 @@ def test_a_written_turn_comes_back_through_both_readers() -> None:
         "[0,4,AX4]=0.000000",
     ):
         assert f"{line}\n" in text
-    back = decode(open_control("siemens-840d-sl", {}), written, [ROUND]).state.axes["AX4"]
+    back = decode(open_control(Session(), "siemens-840d-sl", {}), written, [ROUND]).state.axes[
+        "AX4"
+    ]
     where = np.array([-300.0, 45.0, 359.9, 700.0])
     np.testing.assert_allclose(
         back.at(where, POSITIVE), new.at(where, POSITIVE), rtol=0, atol=1e-12
@@ -127,7 +130,7 @@ def test_a_turn_from_a_reference_is_told_from_the_beginning_of_the_range() -> No
         "[0,2,AX4]=0.002500",
     ):
         assert f"{line}\n" in text
-    back = decode(open_control("siemens-840d-sl", {}), written, [axis]).state.axes["AX4"]
+    back = decode(open_control(Session(), "siemens-840d-sl", {}), written, [axis]).state.axes["AX4"]
     where = np.array([-300.0, 45.0, 90.0, 359.9, 700.0])
     np.testing.assert_allclose(
         back.at(where, POSITIVE), new.at(where, POSITIVE), rtol=0, atol=1e-12
@@ -157,7 +160,9 @@ def test_a_pair_of_a_turn_repeats_too() -> None:
     new = closed([0.0, 0.002, 0.0], [0.001, -0.002, 0.001])
     written = control_format(SIEMENS, options).write([new], [ROUND])
     assert written[0].content.decode().count("IS_MODULO[0]=1\n") == 1
-    back = decode(open_control("siemens-840d-sl", options), written, [ROUND]).state.axes["AX4"]
+    back = decode(open_control(Session(), "siemens-840d-sl", options), written, [ROUND]).state.axes[
+        "AX4"
+    ]
     where = np.array([-300.0, 45.0, 359.9, 700.0])
     for direction in Direction:
         np.testing.assert_allclose(
@@ -226,7 +231,7 @@ def test_both_axes_of_a_gantry_are_read_and_patched_and_a_difference_is_told() -
     assert "CW-S030" in codes(control_format(SIEMENS, {}).read(other, [gantry()]))
     written = control_format(SIEMENS, {}, state).write([NEW], [gantry()], other)
     assert [file.name for file in written] == ["A.INI", "B.INI"]
-    back = decode(open_control("siemens-840d-sl", {}), written, [gantry("AX5")]).state
+    back = decode(open_control(Session(), "siemens-840d-sl", {}), written, [gantry("AX5")]).state
     for address in ("AX1", "AX5"):
         assert back.axes[address].positive.tolist() == [0.0, 0.0035]
         assert back.axes[address].backlash == 0.002
@@ -292,7 +297,7 @@ def test_the_card_warns_of_a_gantry() -> None:
 def test_what_is_said_of_an_axis_as_a_whole_does_not_make_it_one_with_tables() -> None:
     data = "$MA_IS_ROT_AX[AX7]=1\n$MA_ROT_IS_MODULO[AX7]=1\n$MA_CEC_ENABLE[AX7]=1\n$MA_CEC_MAX_SUM[AX7]=1\n"
     given = [ControlFile("A.INI", (data + straight("AX1")).encode())]
-    assert list(decode(open_control("siemens-840d-sl", {}), given).state.axes) == ["AX1"]
+    assert list(decode(open_control(Session(), "siemens-840d-sl", {}), given).state.axes) == ["AX1"]
 
 
 def test_memory_that_nobody_wrote_is_no_table() -> None:

@@ -21,6 +21,7 @@ from compwright.formats.families.pairs import cross_writing
 from compwright.formats.families.pairs.sums import cross_tables
 from compwright.formats.families.pairs.tables import Cec
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import (
     AxisCompensation,
@@ -90,7 +91,9 @@ def agreed(
 ) -> ControlState:
     """What both readers say; raises where they do not agree."""
     return decode(
-        open_control("siemens-840d-sl", {"cec_sign": "correction"} | options), written, axes
+        open_control(Session(), "siemens-840d-sl", {"cec_sign": "correction"} | options),
+        written,
+        axes,
     ).state
 
 
@@ -126,12 +129,12 @@ def test_the_sign_is_an_option() -> None:
 
 def test_a_lone_table_between_axes_says_that_its_sign_is_not_known() -> None:
     """No manual says the sign of CEC: a view of such a table, even of no other, has to tell."""
-    state = decode(open_control("siemens-840d-sl", {}), files(cec__ini=RAMP)).state
+    state = decode(open_control(Session(), "siemens-840d-sl", {}), files(cec__ini=RAMP)).state
     assert state.axes == {}
     assert [entry.output for entry in state.cross] == ["AX2"]
     assert "CW-S055" in codes(state)
     told = decode(
-        open_control("siemens-840d-sl", {"cec_sign": "error"}), files(cec__ini=RAMP)
+        open_control(Session(), "siemens-840d-sl", {"cec_sign": "error"}), files(cec__ini=RAMP)
     ).state
     assert "CW-S055" not in codes(told)
 

@@ -17,6 +17,7 @@ from compwright.controls.control import decode, open_control
 from compwright.formats.control_format import control_format
 from compwright.formats.text.own_files import styled
 from compwright.foundations.errors import CapacityError, InputError, UsageError
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
 from format_samples import SIEMENS, axis_of, table
@@ -287,7 +288,7 @@ def test_the_style_of_a_number(old: str, new: str, text: str) -> None:
 
 
 def test_a_state_that_both_readers_know_comes_back_as_written() -> None:
-    control = open_control("siemens-840d-sl", {})
+    control = open_control(Session(), "siemens-840d-sl", {})
     axis = replace(axis_of("AX1"), travel=(-150.0, 50.0))
     new = table(
         "AX1",

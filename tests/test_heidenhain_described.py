@@ -18,6 +18,7 @@ from compwright.controllers.virtual import virtual_control
 from compwright.controls import control
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError, InputError
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import ControlFile, ControlState
 from format_samples import DEFINITIONS, axis_of, correction, table
@@ -344,7 +345,7 @@ def test_the_job_tells_both_readers_how_the_control_counts_an_axis(
 
     monkeypatch.setattr(control, "virtual_control", judge)
     with pytest.raises(InterruptedError):
-        control.decode(control.open_control(ITNC.id, {}), files, [axis])
+        control.decode(control.open_control(Session(), ITNC.id, {}), files, [axis])
     assert told == [{"Z": 4}]
 
 
@@ -354,7 +355,7 @@ def test_a_column_by_the_number_of_the_job_is_read_by_both(tmp_path: Path) -> No
     text = f"BEGIN Z .COM MM DATUM:0 DIST:400\nNR   1=F()     4=F()\n{rows}END Z .COM\n"
     axis = Axis(name="Z", kind=AxisKind.LINEAR, travel=(0.0, 400.0), address="Z", axis_number=4)
     files = [file("Z.COM", text), file("MP.TXT", "MP710.3 : 0.0\nMP720.3 : 0\nMP730 : %01000\n")]
-    state = control.decode(control.open_control(ITNC.id, {}), files, [axis]).state
+    state = control.decode(control.open_control(Session(), ITNC.id, {}), files, [axis]).state
     assert 1000 * correction(state, "Z", 400, Direction.POSITIVE) == pytest.approx(2, abs=NM)
 
 

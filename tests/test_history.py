@@ -20,6 +20,7 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.documents.record_reading import faults_of_record
+from compwright.foundations.session import Session
 from compwright.workflow.commands import history as command
 from compwright.workflow.history import result_folders
 from compwright.workflow.history.history_entries import entries_of
@@ -356,9 +357,9 @@ def test_only_folders_that_changed_are_read_again(
         record(tmp_path / "all" / name, axis_test(key=name, date="2024-01-01"))
     read: list[str] = []
 
-    def reading(path: Path) -> result_folders.ResultFolder:
+    def reading(session: Session, path: Path) -> result_folders.ResultFolder:
         read.append(path.name)
-        return result_folders.read_folder(path)
+        return result_folders.read_folder(session, path)
 
     monkeypatch.setattr(command, "read_folder", reading)
     index = ("--index", tmp_path / "i.sqlite")

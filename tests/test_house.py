@@ -191,6 +191,11 @@ def all_imports() -> tuple[Import, ...]:
     return tuple(found for name, tree in trees().items() for found in imports_in(tree, name))
 
 
+@cache
+def all_imports_of(module: str) -> tuple[Import, ...]:
+    return tuple(imports_in(trees()[module], module))
+
+
 def inside(found: Import) -> str | None:
     """Return the module of the house that is imported, None for a module of others."""
     package, _, below = found.target.partition(".")
@@ -478,6 +483,268 @@ def test_judge_shares_nothing_with_the_judged() -> None:
             for f in all_imports()
             if f.room == one and (inside(f) or "").partition(".")[0] == other
         ] == []
+
+
+# ---------------------------------------------------------------- no hidden state
+
+#: What is made to be changed, or to answer differently the next time.
+CHANGING = {
+    *("dict", "list", "set", "bytearray", "defaultdict", "deque", "OrderedDict", "Counter"),
+    *("WeakKeyDictionary", "WeakValueDictionary", "WeakSet", "SimpleNamespace", "count", "cycle"),
+    *("iter", "local", "ContextVar", "Lock", "RLock", "Condition", "Event", "Semaphore"),
+    *("default_rng", "Generator", "Random", "RandomState", "StringIO", "BytesIO", "Session"),
+}
+CHANGES = {
+    *("append", "add", "update", "clear", "pop", "popitem", "popleft", "setdefault", "extend"),
+    *("appendleft", "insert", "remove", "discard", "sort", "reverse", "subtract", "set", "reset"),
+    *("intersection_update", "difference_update", "symmetric_difference_update", "send", "write"),
+}
+#: What Python or a library keeps once for a process -> the modules that may change it.
+OF_THE_PROCESS: dict[str, set[str]] = {
+    # the command line owns the process: its streams, and nobody else does
+    "reconfigure": {"cli.shell"},
+    "sys.stdout": {"cli.shell", "cli.saying"},
+    "sys.stderr": {"cli.saying"},
+    # set before numpy is loaded, in each process that is ours
+    "environ": {"foundations.processors"},
+    "set_threshold": {"foundations.processors"},
+    "mallopt": {"foundations.processors"},
+    "signal": {"foundations.processes"},
+    "raise_signal": {"foundations.processes"},
+    "pthread_sigmask": {"foundations.processes"},
+    # one thread at a time, see SHARED
+    "catch_warnings": {"foundations.one_thread"},
+    "filterwarnings": {"foundations.one_thread"},
+    "rc_context": {"reporting.panels"},
+}
+#: The same, which no module may change.
+OF_THE_PROCESS_ALONE = {
+    *("chdir", "fchdir", "umask", "putenv", "unsetenv", "nice", "setlocale", "tzset"),
+    *("simplefilter", "resetwarnings", "showwarning", "seterr", "seterrcall", "setbufsize"),
+    *("set_printoptions", "set_state", "getcontext", "setcontext", "basicConfig"),
+    *("setrecursionlimit", "setswitchinterval", "settrace", "setprofile", "excepthook"),
+    *("rcParams", "rcdefaults", "set_start_method", "set_int_max_str_digits", "addaudithook"),
+}
+#: What makes random numbers that belong to whoever makes it.
+OWN_NUMBERS = {"default_rng", "Generator", "SeedSequence"}
+#: Names of modules that hold what changes, with the reason.
+SHARED = {
+    "foundations.one_thread._TURN": "lets one thread at a time change what a process has once",
+}
+#: Caches without arguments, with the reason.
+KEPT_ONCE = {
+    "documents.record_reading._validator": "what a record has to be, made from its classes",
+    "reporting.page._environment": "the template engine with the templates of the package",
+}
+
+
+def module_level(body: list[ast.stmt]) -> Iterator[tuple[str, ast.expr, int]]:
+    """Yield name, value and line of what a module, or a class in it, binds when it is loaded."""
+    for node in body:
+        if isinstance(node, ast.Assign | ast.AnnAssign) and node.value is not None:
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            for name in (one for target in targets for one in getattr(target, "elts", [target])):
+                if isinstance(name, ast.Name):
+                    yield name.id, node.value, node.lineno
+        elif isinstance(node, ast.ClassDef | ast.If | ast.Try | ast.With):
+            yield from module_level(node.body)
+
+
+def last_name(node: ast.expr) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else getattr(node, "id", "")
+
+
+def is_empty(value: ast.expr) -> bool:
+    return ast.unparse(value) in ("{}", "[]")
+
+
+def is_changing(value: ast.expr) -> bool:
+    """Whether a value at module level can only be there to be changed: an empty container, or an
+    object that keeps something.
+    """
+    if is_empty(value):
+        return True
+    called = value.func if isinstance(value, ast.Call) else None
+    called = called.value if isinstance(called, ast.Subscript) else called
+    return called is not None and last_name(called) in CHANGING
+
+
+def test_no_module_or_class_holds_what_is_there_to_be_changed() -> None:
+    """What is empty in a schema of pydantic is copied for each record."""
+    schemas = {found.by for found in all_imports() if found.target == "pydantic"}
+    found = {
+        f"{module}.{name}"
+        for module, tree in trees().items()
+        for name, value, _ in module_level(tree.body)
+        if is_changing(value) and not (module in schemas and is_empty(value))
+    }
+    assert found == set(SHARED)
+
+
+def owner_of(node: ast.expr) -> ast.expr:
+    """Return what an attribute or an item is of, at last."""
+    while isinstance(node, ast.Attribute | ast.Subscript):
+        node = node.value
+    return node
+
+
+def changed_in(function: ast.AST) -> Iterator[tuple[str, ast.expr]]:
+    """Yield what a function changes: name of the change, and what it is done to."""
+    for node in ast.walk(function):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            if node.func.attr in CHANGES:
+                yield node.func.attr, node.func.value
+        elif isinstance(node, ast.Assign | ast.Delete | ast.AugAssign | ast.AnnAssign):
+            targets = node.targets if isinstance(node, ast.Assign | ast.Delete) else [node.target]
+            for target in targets:
+                if isinstance(target, ast.Attribute | ast.Subscript):
+                    yield "=", target
+
+
+def local_names(function: ast.AST) -> set[str]:
+    """Return the names that a function, and those in it, bind themselves."""
+    return {
+        name
+        for node in ast.walk(function)
+        for name in (
+            [node.arg]
+            if isinstance(node, ast.arg)
+            else [node.id]
+            if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load)
+            else [node.name]
+            if isinstance(node, ast.FunctionDef | ast.ExceptHandler) and node.name
+            else []
+        )
+    }
+
+
+def test_no_function_changes_a_module_a_class_or_what_they_hold() -> None:
+    """A `global` is an assignment to a module; a name that a module imports may be a module."""
+    wrong = []
+    for module, tree in trees().items():
+        own = {name for name, _, _ in module_level(tree.body)}
+        classes = {node.name for node in ast.walk(tree) if isinstance(node, ast.ClassDef)}
+        imported = {found.name or found.target for found in all_imports_of(module)} | {"np"}
+        modules = {found.target for found in all_imports_of(module) if not found.name} | {"np"}
+        modules |= {
+            found.name
+            for found in all_imports_of(module)
+            if (inside(found) or "").endswith(f".{found.name}")
+        }
+        for function in outer_functions(tree):
+            wrong += [
+                f"{module} line {node.lineno}: {', '.join(node.names)}"
+                for node in ast.walk(function)
+                if isinstance(node, ast.Global)
+            ]
+            known = ((own | imported) - local_names(function)) | classes | {"cls"}
+            for how, what in changed_in(function):
+                owner = owner_of(what)
+                name = owner.id if isinstance(owner, ast.Name) else ""
+                if how != "=" and what is owner and name in modules:
+                    continue  # `np.sort(...)`, `disk.remove(...)`
+                place = ast.unparse(what)
+                if name in known and not {module} & allowed(place):
+                    wrong.append(f"{module} line {what.lineno}: {how} {place}")
+    assert wrong == []
+
+
+def allowed(place: str) -> set[str]:
+    """Return the modules that may change ``place``, such as `sys.stdout` or `os.environ`."""
+    return OF_THE_PROCESS.get(place, OF_THE_PROCESS.get(place.rpartition(".")[2], set()))
+
+
+def outer_functions(tree: ast.Module) -> Iterator[ast.AST]:
+    """Yield the functions of a module and of its classes, those inside others with them."""
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, ast.FunctionDef):
+            yield node
+        elif isinstance(node, ast.ClassDef):
+            yield from outer_functions(ast.Module(node.body, []))
+
+
+def takes_a_session() -> set[tuple[str, str]]:
+    """Return the functions of modules, by module and name, whose first argument is the session."""
+    return {
+        (module, node.name)
+        for module, tree in trees().items()
+        for node in tree.body
+        if isinstance(node, ast.FunctionDef)
+        and [one.arg for one in (*node.args.posonlyargs, *node.args.args)][:1] == ["session"]
+    }
+
+
+def test_whoever_reads_or_writes_hands_its_session_on() -> None:
+    """Also where a function is handed on by `partial`."""
+    functions, wrong = takes_a_session(), []
+    door = {name for module, name in functions if is_storage(module)}
+    for module, tree in trees().items():
+        known = {name for where, name in functions if where == module}
+        known |= {
+            found.name
+            for found in all_imports_of(module)
+            if ((inside(found) or ""), found.name) in functions
+        }
+        for node in ast.walk(tree):
+            if not isinstance(node, ast.Call):
+                continue
+            words = node.args
+            is_partial = last_name(node.func) == "partial" and bool(words)
+            function, words = (words[0], words[1:]) if is_partial else (node.func, words)
+            named = isinstance(function, ast.Name) and function.id in known
+            by_door = (
+                isinstance(function, ast.Attribute)
+                and last_name(function.value) == "storage"
+                and function.attr in door
+            )
+            if (named or by_door) and not (words and last_name(words[0]).endswith("session")):
+                wrong.append(f"{module} line {node.lineno}: {ast.unparse(function)}")
+    assert len(functions) > 100
+    assert wrong == []
+
+
+def test_what_a_process_has_once_is_changed_only_where_it_may_be() -> None:
+    found: dict[str, set[str]] = {}
+    for module, tree in trees().items():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Attribute):
+                written = not isinstance(node.ctx, ast.Load)
+                name = ast.unparse(node) if written else node.attr
+                is_random = isinstance(node.value, ast.Attribute) and node.value.attr == "random"
+                assert not is_random or node.attr in OWN_NUMBERS, f"{module} line {node.lineno}"
+                if name in {*OF_THE_PROCESS, *OF_THE_PROCESS_ALONE}:
+                    found.setdefault(name, set()).add(module)
+    assert found == OF_THE_PROCESS
+    imported = {found.target for found in all_imports()}
+    assert not imported & {"contextvars", "random", "logging", "locale", "atexit", "tempfile"}
+    names = {found.name for found in all_imports()}
+    assert not names & {"local", "ContextVar", *OF_THE_PROCESS, *OF_THE_PROCESS_ALONE}
+
+
+def test_what_is_kept_depends_on_its_arguments_alone() -> None:
+    """A cache of contents is no state; one of paths, or of a session, would be."""
+    unexplained, wrong = [], []
+    for module, tree in trees().items():
+        for function in ast.walk(tree):
+            if not isinstance(function, ast.FunctionDef):
+                continue
+            kinds = {
+                last_name(one.func if isinstance(one, ast.Call) else one)
+                for one in function.decorator_list
+            }
+            arguments = [*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs]
+            if not kinds & {"cache", "lru_cache"}:
+                continue
+            if not arguments:
+                unexplained.append(f"{module}.{function.name}")
+            wrong += [
+                f"{module}.{function.name}: {one.arg}"
+                for one in arguments
+                if one.annotation is None
+                or re.search(r"\b(Path|Session|self|Callable)\b", ast.unparse(one.annotation))
+            ]
+    assert wrong == []
+    assert sorted(unexplained) == list(KEPT_ONCE)
 
 
 def test_starting_loads_nothing_slow_by_the_source() -> None:

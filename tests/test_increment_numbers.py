@@ -15,6 +15,7 @@ from compwright.controls.control import decode, open_control
 from compwright.controls.decoded import DecodedState
 from compwright.formats.families.increments.numbering import NoRoom, Place, find_place, used_numbers
 from compwright.foundations.errors import InputError
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts, IncrementFacts
@@ -57,7 +58,7 @@ def axis(address: str, name: str) -> Axis:
 
 def read(own: list[ControlFile], *axes: Axis) -> DecodedState:
     """Read by both readers, which have to agree."""
-    control = open_control("fanuc-30i", {"detection_unit": 0.001})
+    control = open_control(Session(), "fanuc-30i", {"detection_unit": 0.001})
     return decode(control, own, axes or (axis("1", "X"),))
 
 
@@ -79,7 +80,7 @@ def test_the_numbers_that_an_axis_has_are_none_of_those_that_all_share() -> None
     """A set of eight numbers has nine nodes; of all other numbers each seventh alone holds nothing
     (17, 24, 31 ..).
     """
-    form = open_control("fanuc-30i", {"detection_unit": 0.001}).format
+    form = open_control(Session(), "fanuc-30i", {"detection_unit": 0.001}).format
     capacity = form.in_state(read(backup()).state).capacity(axis("1", "X"))
     assert (capacity.own_points, capacity.shared_points) == (9, 1)
 
@@ -133,7 +134,7 @@ def test_numbers_shared_with_another_axis_are_told(
 ) -> None:
     """Both readers tell it, and agree on what the control does with numbers that serve two axes."""
     own, axes = backup(other=other), (axis("1", "X"), axis("2", "Y"))
-    control = open_control("fanuc-30i", {"detection_unit": 0.001})
+    control = open_control(Session(), "fanuc-30i", {"detection_unit": 0.001})
     findings = control.format.read(own, axes).findings
     told = [finding.message for finding in findings if finding.code == "CW-S014"]
     assert [shared in message for message in told] == ([True] if shared else [])
@@ -213,7 +214,7 @@ def test_a_reference_too_low_for_the_table_is_not_kept() -> None:
 def test_a_number_that_a_neighbour_shares_is_not_cleared() -> None:
     """X goes back to one set of its own: 30 .. 36 become 0, 37 is Y's first and keeps its value."""
     own = backup(other=(39, 37, 42))
-    control = open_control("fanuc-30i", {"detection_unit": 0.001})
+    control = open_control(Session(), "fanuc-30i", {"detection_unit": 0.001})
     state = control.format.read(own, (axis("1", "X"), axis("2", "Y")))
     found = state.axes["1"]
     one = AxisCompensation(

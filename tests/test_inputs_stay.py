@@ -17,6 +17,7 @@ from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.foundations import storage
 from compwright.foundations.errors import StorageError
+from compwright.foundations.session import Session
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from dying import Process, running
@@ -288,8 +289,8 @@ def test_nothing_is_removed_behind_a_link_that_leads_out(tmp_path: Path) -> None
     (tmp_path / "out" / "set").symlink_to(tmp_path / "control", target_is_directory=True)
     out, new = tmp_path / "out", {"b.txt": b"new"}
     with pytest.raises(StorageError, match=r"A\.INI: is no part of what is written"):
-        storage.write_files(out, new, force=True, whole=["set"])
-    storage.write_files(out, new, force=True, renewed=["set"])
+        storage.write_files(Session(), out, new, force=True, whole=["set"])
+    storage.write_files(Session(), out, new, force=True, renewed=["set"])
     assert (tmp_path / "control" / "A.INI").read_bytes() == b"mine"
 
 

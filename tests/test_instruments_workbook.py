@@ -14,6 +14,7 @@ import openpyxl
 import pytest
 
 from compwright.foundations.errors import InputError
+from compwright.foundations.session import Session
 from compwright.instruments.profile_of_file import proposed_profile
 from compwright.instruments.profile_reading import read_profile
 from compwright.instruments.reading import read_tests
@@ -211,10 +212,10 @@ def test_a_copied_sheet_of_no_axis_beside_the_one_that_a_job_takes_is_told(tmp_p
     other = [(target, way, run, -value) for target, way, run, value in READINGS]
     sheets = {"X": [LONG, *READINGS], "Y": [LONG, *other]}
     file.write_bytes(workbook(sheets))
-    codes = [finding.code for finding in read_measurement(file, None, "X").findings]
+    codes = [finding.code for finding in read_measurement(Session(), file, None, "X").findings]
     assert "CW-R061" not in codes
     file.write_bytes(workbook({**sheets, "X (2)": [LONG, *other]}))
-    test = read_measurement(file, None, "X")
+    test = read_measurement(Session(), file, None, "X")
     assert test.positive[0, 0] == pytest.approx(0.0004)
     (told,) = [finding for finding in test.findings if finding.code == "CW-R061"]
     assert told.severity == "warning"

@@ -22,6 +22,7 @@ from compwright.evaluation.standards import evaluate
 from compwright.formats.families.control_texts import _UNKNOWN, _said_names, texts_of
 from compwright.foundations import yaml_reader
 from compwright.foundations.errors import InputError
+from compwright.foundations.session import Session
 from compwright.instruments import assembling
 from compwright.instruments.header_words import difference_of, said_unit, unit_of, without_unit
 from compwright.instruments.profile_of_file import proposed_profile
@@ -174,12 +175,14 @@ def test_a_text_longer_than_any_of_a_control_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "m.cfg"
     file.write_bytes(b"0 0 0\n" * 1_400_000)
     with pytest.raises(InputError) as caught:
-        read_files([file])
+        read_files(Session(), [file])
     assert str(caught.value) == (
         "m.cfg: is too large; expected a text of a control of at most 8 MB, found 8.4 MB"
     )
     file.write_bytes(b"@@MMCIBN." + b"0 0 0\n" * 1_400_000)
-    assert len(read_files([file])) == 1  # an archive; what is in it is told where it is opened
+    assert (
+        len(read_files(Session(), [file])) == 1
+    )  # an archive; what is in it is told where it is opened
 
 
 def test_texts_longer_together_than_those_of_a_control_are_refused(
@@ -189,8 +192,8 @@ def test_texts_longer_together_than_those_of_a_control_are_refused(
     for number in range(3):
         (tmp_path / f"{number}.cfg").write_bytes(b"0 0 0\n" * 60)
     with pytest.raises(InputError, match=r"too large together; .* found 3 files of 1\.1 kB"):
-        read_files([tmp_path])
-    assert len(read_files([tmp_path / "0.cfg", tmp_path / "1.cfg"])) == 2
+        read_files(Session(), [tmp_path])
+    assert len(read_files(Session(), [tmp_path / "0.cfg", tmp_path / "1.cfg"])) == 2
 
 
 def test_a_job_full_of_keys_is_refused_before_it_is_understood(
@@ -244,7 +247,7 @@ def test_a_number_of_a_million_digits_in_a_control_file_is_refused(tmp_path: Pat
     file = tmp_path / "m.cfg"
     file.write_bytes(b"DEFINE COMP 4,100\n" + b"9" * 1_000_000)
     with pytest.raises(InputError) as caught:
-        read_files([file])
+        read_files(Session(), [file])
     assert str(caught.value) == (
         "m.cfg: line 2: holds a number that no control does; expected at most 1000 digits, found"
         " more than 1000"

@@ -9,6 +9,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.foundations import storage
 from compwright.foundations.errors import StorageError
+from compwright.foundations.session import Session
 from compwright.workflow.history.result_folders import result_folders
 
 pytestmark = pytest.mark.brief
@@ -16,11 +17,13 @@ pytestmark = pytest.mark.brief
 
 def test_a_link_to_a_folder_among_what_is_handed_on_is_named(tmp_path: Path) -> None:
     """Nothing is written, nothing is removed, and the link is named."""
-    storage.write_files(tmp_path, {"card/card.md": b"one"}, whole=["card"])
+    storage.write_files(Session(), tmp_path, {"card/card.md": b"one"}, whole=["card"])
     (tmp_path / "elsewhere").mkdir()
     (tmp_path / "card" / "link").symlink_to(tmp_path / "elsewhere")
     with pytest.raises(StorageError, match="link"):
-        storage.write_files(tmp_path, {"card/card.md": b"two"}, whole=["card"], force=True)
+        storage.write_files(
+            Session(), tmp_path, {"card/card.md": b"two"}, whole=["card"], force=True
+        )
     assert (tmp_path / "card" / "card.md").read_bytes() == b"one"
     assert (tmp_path / "card" / "link").is_dir()
 
@@ -40,7 +43,7 @@ def test_copies_below_a_result_folder_are_none(tmp_path: Path) -> None:
     for name in ("a", "a/inputs", "a/inputs/deeper", "a/next", "b/card"):
         (tmp_path / name).mkdir(parents=True)
         (tmp_path / name / "record.json").write_text("{}")
-    found, faults = result_folders([tmp_path])
+    found, faults = result_folders(Session(), [tmp_path])
     assert faults == []
     names = sorted(path.relative_to(tmp_path).as_posix() for path in found)
     assert names == ["a", "a/next", "b/card"]

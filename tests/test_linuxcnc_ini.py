@@ -14,6 +14,7 @@ from compwright.cli import run as compwright
 from compwright.controls.control import decode, open_control
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import InputError
+from compwright.foundations.session import Session
 from compwright.records.correction import ControlFile
 from format_samples import DEFINITIONS
 from loop import Machine, csv_of
@@ -316,7 +317,7 @@ def machine(**texts: str) -> list[ControlFile]:
 
 
 def test_the_folder_of_a_machine_is_read_whatever_lies_beside_its_table() -> None:
-    state = decode(open_control("linuxcnc", {}), machine(), address="0").state
+    state = decode(open_control(Session(), "linuxcnc", {}), machine(), address="0").state
     assert state.axes["0"].positive.tolist() == [0, 0.012, 0.026]
     assert state.axes["0"].negative.tolist() == [0, 0.014, 0.026]
     told = [finding.message for finding in state.findings if finding.code == "CW-S012"]
@@ -326,7 +327,7 @@ def test_the_folder_of_a_machine_is_read_whatever_lies_beside_its_table() -> Non
 
 def test_a_table_that_the_machine_names_is_refused_where_it_is_damaged() -> None:
     """And where the file that it names is not there, whatever else is."""
-    control = open_control("linuxcnc", {})
+    control = open_control(Session(), "linuxcnc", {})
     with pytest.raises(InputError, match=r"xaxis\.comp: line 1: cannot be read as a row"):
         decode(control, machine(**{"xaxis.comp": "# position + -\n0 0 0\n"}), address="0")
     with pytest.raises(InputError, match="the table file that it names was not given"):
@@ -340,7 +341,7 @@ def test_a_table_that_the_machine_names_is_refused_where_it_is_damaged() -> None
 def test_a_hal_file_that_changes_backlash_while_the_control_runs_is_refused() -> None:
     """Pin ini.N.backlash (milltask(1)); a remark and other pins of the same joint do nothing."""
     control, remark = (
-        open_control("linuxcnc", {}),
+        open_control(Session(), "linuxcnc", {}),
         "# setp ini.0.backlash 0.02\nsetp ini.0.ferror 1\n",
     )
     assert "0" in decode(control, machine(**{"post.hal": remark}), address="0").state.axes
@@ -356,7 +357,7 @@ def test_a_damaged_ini_is_not_left_out_beside_another_one(damaged: str) -> None:
     other = "[TRAJ]\nLINEAR_UNITS = mm\n[JOINT_0]\nTYPE = LINEAR\nBACKLASH = 0.0\n"
     files = [ControlFile("haas.ini", content), ControlFile("other.ini", other.encode())]
     with pytest.raises(InputError, match=r"haas\.ini: is not a text file"):
-        decode(open_control("linuxcnc", {}), files, address="0")
+        decode(open_control(Session(), "linuxcnc", {}), files, address="0")
 
 
 @pytest.mark.parametrize("format_id", ["linuxcnc", "fanuc-30i", "siemens-840d-sl"])
@@ -367,10 +368,10 @@ def test_a_text_of_two_bytes_a_character_is_told_with_what_helps(
     options = {"detection_unit": 0.001} if format_id.startswith("fanuc") else {}
     file = ControlFile("unicode.txt", INI.encode(encoding))
     with pytest.raises(InputError, match=r"saved as UTF-16 .* save it as ANSI"):
-        open_control(format_id, options).format.read([file])
+        open_control(Session(), format_id, options).format.read([file])
     binary = ControlFile("binary.txt", b"\x00" * 600 + b"\x01\x02" * 9)
     with pytest.raises(InputError, match="binary archive"):
-        open_control(format_id, options).format.read([binary])
+        open_control(Session(), format_id, options).format.read([binary])
 
 
 # --- letters come from the line of the kinematics (trivkins.c, kins_util.c), units from what the
@@ -444,7 +445,7 @@ def test_a_letter_alone_says_the_joint_of_the_first_axis_only(
 def test_units_that_the_control_takes_are_taken(unit: str, size: float | None) -> None:
     text = f"[TRAJ]\nLINEAR_UNITS = {unit}\n[JOINT_0]\nBACKLASH = 0.02\n"
     files = [ControlFile("machine.ini", text.encode())]
-    control = open_control("linuxcnc", {})
+    control = open_control(Session(), "linuxcnc", {})
     if size is None:
         with pytest.raises(InputError, match="LINEAR_UNITS"):
             decode(control, files)
@@ -456,7 +457,10 @@ def test_units_that_the_control_takes_are_taken(unit: str, size: float | None) -
 @pytest.mark.parametrize(("unit", "known"), [("Degree", True), ("1.0", True), ("rad", False)])
 def test_angles_in_degrees_are_taken_in_any_form(unit: str, known: bool) -> None:
     text = f"[TRAJ]\nANGULAR_UNITS = {unit}\n[JOINT_0]\nTYPE = angular\nBACKLASH = 0.02\n"
-    files, control = [ControlFile("machine.ini", text.encode())], open_control("linuxcnc", {})
+    files, control = (
+        [ControlFile("machine.ini", text.encode())],
+        open_control(Session(), "linuxcnc", {}),
+    )
     if known:
         assert decode(control, files).state.axes["0"].positive[0] == pytest.approx(0.01)
     else:
@@ -492,10 +496,13 @@ def test_what_may_change_backlash_at_run_time_is_refused_by_file_and_line(
         ControlFile(name, b"loadrt trivkins\n" + text.encode()),
     ]
     if not refused:
-        assert decode(open_control("linuxcnc", {}), files).state.axes["0"].positions.size == 1
+        assert (
+            decode(open_control(Session(), "linuxcnc", {}), files).state.axes["0"].positions.size
+            == 1
+        )
         return
     with pytest.raises(InputError) as stopped:
-        decode(open_control("linuxcnc", {}), files)
+        decode(open_control(Session(), "linuxcnc", {}), files)
     fault = stopped.value.faults[0]
     line = next(at for at, one in enumerate(text.splitlines()) if "p" in one and "if" not in one)
     assert (fault.file, fault.place) == (name, f"line {line + 2}")
@@ -504,11 +511,11 @@ def test_what_may_change_backlash_at_run_time_is_refused_by_file_and_line(
 def test_backlash_by_a_command_of_the_ini_is_refused() -> None:
     text = b"[HAL]\nHALCMD = setp ini.0.backlash 0.05\n[JOINT_0]\nBACKLASH = 0.02\n"
     with pytest.raises(InputError, match="line 2"):
-        decode(open_control("linuxcnc", {}), [ControlFile("machine.ini", text)])
+        decode(open_control(Session(), "linuxcnc", {}), [ControlFile("machine.ini", text)])
 
 
 def test_an_ini_of_an_older_release_is_named_with_what_helps() -> None:
     """Before 2.8 joints stood in [AXIS_0] (github shulter/cnc-configs, hector-7i92.ini)."""
     text = b"[TRAJ]\nLINEAR_UNITS = mm\n[AXIS_0]\nTYPE = LINEAR\nBACKLASH = 0.020\n"
     with pytest.raises(InputError, match="update_ini"):
-        decode(open_control("linuxcnc", {}), [ControlFile("hector.ini", text)])
+        decode(open_control(Session(), "linuxcnc", {}), [ControlFile("hector.ini", text)])

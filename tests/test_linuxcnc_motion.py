@@ -12,6 +12,7 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.controls.control import decode, open_control
+from compwright.foundations.session import Session
 from compwright.prediction.dead_zone import as_applied
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
@@ -33,7 +34,9 @@ def ini(keys: str, unit: str = "mm") -> str:
 
 
 def facts(text: str) -> AxisFacts:
-    state = decode(open_control("linuxcnc", {}), [ControlFile("machine.ini", text.encode())]).state
+    state = decode(
+        open_control(Session(), "linuxcnc", {}), [ControlFile("machine.ini", text.encode())]
+    ).state
     return state.facts_of("0")
 
 
@@ -163,7 +166,9 @@ def test_nine_millimetres_are_read_alike(tmp_path: Path) -> None:
         f"{x} {x + 2.2e-3 * x:.7f} {x + 2.2e-3 * x + 3e-3:.7f}\n" for x in range(0, 4001, 37)
     )
     files = [ControlFile("joint_0.comp", rows.encode())]
-    assert decode(open_control("linuxcnc", {}), files).state.axes["0"].positions.size > 100
+    assert (
+        decode(open_control(Session(), "linuxcnc", {}), files).state.axes["0"].positions.size > 100
+    )
 
 
 def test_a_turn_is_repeated_over_the_travel_within_the_rows(tmp_path: Path) -> None:

@@ -14,6 +14,7 @@ from compwright.controls.control import decode, open_control, read_files
 from compwright.controls.definitions import definition_named
 from compwright.formats.text.other_files import says_nothing, without_others
 from compwright.foundations.errors import InputError
+from compwright.foundations.session import Session
 from compwright.records.correction import ControlFile
 from fanuc_backup import parameters, pitch_data
 
@@ -68,23 +69,23 @@ def test_the_folder_of_a_memory_card_is_a_state_as_it_is(tmp_path: Path) -> None
     block; only files that were named themselves stay whatever they hold.
     """
     card = backup(tmp_path / "card", **{"SYS-CONF.TXT": HARDWARE})
-    control = open_control("fanuc-30i", {"detection_unit": 0.001})
-    read = decode(control, read_files([card]), address="1")
+    control = open_control(Session(), "fanuc-30i", {"detection_unit": 0.001})
+    read = decode(control, read_files(Session(), [card]), address="1")
     assert [file.name for file in read.files] == ["CNC-PARA.TXT", "PITCH.TXT"]
     told = [one.message for one in read.state.findings if one.code == "CW-S084"]
     assert len(told) == 1
     assert told[0].startswith("SYS-CONF.TXT: in the folder that was given")
     with pytest.raises(InputError, match="SYS-CONF"):
-        decode(control, read_files(sorted(card.iterdir())), address="1")
+        decode(control, read_files(Session(), sorted(card.iterdir())), address="1")
 
 
 def test_no_command_is_left_out_of_a_folder(tmp_path: Path) -> None:
     """A line without a number is nothing to a FANUC, and deletes a table of a PMAC."""
     (tmp_path / "a.pmc").write_text("#1 DEFINE COMP 1,1000\n0\nI186=0\n")
     (tmp_path / "b.pmc").write_text("#2 DELETE COMP\n")
-    files = read_files([tmp_path])
+    files = read_files(Session(), [tmp_path])
     for format_id, left in (("pmac", 2), ("fanuc-30i", 1)):
-        assert len(without_others(definition_named(format_id, Path()), files)[0]) == left
+        assert len(without_others(definition_named(Session(), format_id, Path()), files)[0]) == left
 
 
 @pytest.mark.parametrize(
@@ -106,10 +107,10 @@ def test_no_command_is_left_out_of_a_folder(tmp_path: Path) -> None:
 )
 def test_only_prose_says_nothing(control: str, text: str, nothing: bool) -> None:
     file = ControlFile("OTHER.TXT", text.encode("latin-1"))
-    assert says_nothing(definition_named(control, Path()), file) is nothing
+    assert says_nothing(definition_named(Session(), control, Path()), file) is nothing
 
 
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le"])
 def test_other_characters_are_no_prose(encoding: str) -> None:
     file = ControlFile("PITCH.TXT", pitch_data(highest=20).encode(encoding))
-    assert not says_nothing(definition_named("fanuc-30i", Path()), file)
+    assert not says_nothing(definition_named(Session(), "fanuc-30i", Path()), file)

@@ -26,6 +26,7 @@ from compwright.documents.verification import VerifiedAxis
 from compwright.foundations import storage
 from compwright.foundations.errors import StorageError
 from compwright.foundations.findings import Finding
+from compwright.foundations.session import Session
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
@@ -248,7 +249,7 @@ class Pair:
         kept = {name: axis for name, axis in known.items() if axis is not None}
         tests = [test for test in self.found.tests if test.axis in kept]
         found = replace(self.found, axes=kept, tests=tests)
-        return next_round(found, compared or self.compared, self.folder / "job")
+        return next_round(Session(), found, compared or self.compared, self.folder / "job")
 
     def told(self, axis: str, verdict: str) -> VerifiedAxis:
         """An axis with another verdict on its loading."""
@@ -276,8 +277,10 @@ def pair(tmp_path_factory: pytest.TempPathFactory) -> Pair:
     plan = folder / "job" / "plan.json"
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(verify, "verified_axis", _all_loaded(verified_axis))
-        found, _ = verify._verified(read_job_file(job), after, plan, [control])
-    return Pair(folder, found, compare_plan(plan, [control]).document)
+        found, _ = verify._verified(
+            Session(), read_job_file(Session(), job), after, plan, [control]
+        )
+    return Pair(folder, found, compare_plan(Session(), plan, [control]).document)
 
 
 @pytest.mark.parametrize(
@@ -354,7 +357,7 @@ def test_squareness_alone_is_answered_in_words(pair: Pair) -> None:
     ):
         plan = replace(pair.found.plan, axes=axes)
         found = replace(pair.found, job=job, plan=plan, circles=circles, axes={}, tests=[])
-        then = next_round(found, pair.compared, pair.folder / "job")
+        then = next_round(Session(), found, pair.compared, pair.folder / "job")
         assert not then.files
         assert said in then.document["reason"]
 
@@ -369,7 +372,7 @@ def test_a_definition_that_lies_in_the_folder_is_not_kept_twice(pair: Pair, tmp_
     texts.append(("shipped.yaml", b"# as it ships"))
     given = [
         file
-        for file in files_of_job(pair.found.job, pair.folder, tuple(texts))
+        for file in files_of_job(Session(), pair.found.job, pair.folder, tuple(texts))
         if file.role == "definition"
     ]
     recorded, copies = kept(given, tmp_path / "next", by="run", there={}, written=())
@@ -384,7 +387,7 @@ def test_a_definition_that_lies_in_the_folder_is_not_kept_twice(pair: Pair, tmp_
 def test_limits_that_were_edited_after_the_run(pair: Pair) -> None:
     edited = Finding("CW-V022", "warning", "The job was edited after the run.")
     found = replace(pair.found, findings=(edited,))
-    then = next_round(found, pair.compared, pair.folder / "job")
+    then = next_round(Session(), found, pair.compared, pair.folder / "job")
     assert not then.files
     assert then.document["reason"] == edited.message
 
@@ -433,12 +436,13 @@ def test_several_tests_keep_their_names_and_states(made: Round) -> None:
 
 def stored(out: Path, then: Round, *, force: bool = False) -> None:
     storage.write_files(
+        Session(),
         out,
         then.files,
         force=force,
         whole=then.whole,
         renewed=then.renewed,
-        known=known_with_rounds(out, lambda _name, _content: False),
+        known=known_with_rounds(Session(), out, lambda _name, _content: False),
     )
 
 
@@ -467,11 +471,11 @@ def test_what_an_earlier_round_had_more_goes(made: Round, tmp_path: Path) -> Non
 
 
 def test_a_round_that_has_gone_on_stays(tmp_path: Path) -> None:
-    refuse_later_rounds(tmp_path)
+    refuse_later_rounds(Session(), tmp_path)
     (tmp_path / "next").mkdir()
     (tmp_path / "next" / "verification.json").write_text("{}")
     with pytest.raises(StorageError, match="not even with --force"):
-        refuse_later_rounds(tmp_path)
+        refuse_later_rounds(Session(), tmp_path)
 
 
 @pytest.fixture

@@ -18,6 +18,7 @@ from compwright.controls.control import open_control
 from compwright.controls.read_once import ReadOnce
 from compwright.documents.plan import read_plan
 from compwright.formats.definition.extends import found_in, merged, texts_of
+from compwright.foundations.session import Session
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlState, CrossCompensation
 from compwright.workflow.commands.formats import list_formats, show_format
@@ -413,8 +414,8 @@ def test_what_is_no_definition_is_refused(
 def test_what_is_shown_of_a_definition_says_first_that_nobody_judges_it(tmp_path: Path) -> None:
     path = tutorial(tmp_path / "nc7.yaml")
     first = "Read back, not independently judged: only your own definition of nc7"
-    assert show_format(str(path))[1] == f"{first} says what its files do"
-    shipped = "\n".join(show_format("linuxcnc"))
+    assert show_format(Session(), str(path))[1] == f"{first} says what its files do"
+    shipped = "\n".join(show_format(Session(), "linuxcnc"))
     assert JUDGED not in shipped
 
 
@@ -456,7 +457,9 @@ def test_export_compare_and_verify_work_from_the_plan(
     assert "CW-S060" in capsys.readouterr().out
     after = tmp_path / "after.csv"
     targets = MACHINE.targets()
-    change_by = open_control("nc7", {}, _carried(plan)).format.read(_files(tables)).axes["X"]
+    change_by = (
+        open_control(Session(), "nc7", {}, _carried(plan)).format.read(_files(tables)).axes["X"]
+    )
     readings = MACHINE.measure(
         targets, 9, lambda x, sign: change_by.at(x, Direction("+" if sign > 0 else "-"))
     )
@@ -487,7 +490,7 @@ def _carried(plan: Path) -> Any:
 def _files(folder: Path) -> list[Any]:
     from compwright.controls.control import read_files
 
-    return list(read_files([folder]))
+    return list(read_files(Session(), [folder]))
 
 
 def _codes(folder: Path) -> list[str]:
@@ -633,7 +636,7 @@ def test_what_ships_is_judged_and_called_like_its_file() -> None:
     assert [Path(name).stem for name in CONTROLS] == list(DEFINITIONS) == sorted(DEFINITIONS)
     assert set(DEFINITIONS) <= set(KNOWN)
     assert all(definition.judged == "independent" for definition in DEFINITIONS.values())
-    assert [line.split()[0] for line in list_formats()] == list(DEFINITIONS)
+    assert [line.split()[0] for line in list_formats(Session())] == list(DEFINITIONS)
     assert set(CONTENT) - set(CONTROLS)  # the bases, which nobody lists
 
 

@@ -12,6 +12,7 @@ import pytest
 
 from compwright.documents.file_list import LIST
 from compwright.foundations.errors import StorageError
+from compwright.foundations.session import Session
 from compwright.workflow.results.own_files import write_listed
 from test_inputs_stay import tree
 
@@ -21,7 +22,7 @@ SET = {"a.ini": b"one", "sub/b.ini": b"two"}
 
 
 def written(out: Path, files: dict[str, bytes], *, by: str = "export", force: bool = True) -> None:
-    paths = write_listed(out, files, command=by, force=force, as_set=by == "export")
+    paths = write_listed(Session(), out, files, command=by, force=force, as_set=by == "export")
     assert paths == [out / name for name in files]
 
 

@@ -17,6 +17,7 @@ from compwright.controllers.virtual import virtual_control
 from compwright.controls.control import decode, open_control
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import InputError, UsageError
+from compwright.foundations.session import Session
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile, ControlState
 from format_samples import DEFINITIONS
@@ -69,7 +70,7 @@ def files(*texts: str) -> list[ControlFile]:
 
 
 def read(*texts: str, active: bool | None = None, address: str | None = "1") -> ControlState:
-    control = open_control("pmac", {"counts_per_unit": COUNTS})
+    control = open_control(Session(), "pmac", {"counts_per_unit": COUNTS})
     return decode(control, files(*texts), address=address, active=active).state
 
 

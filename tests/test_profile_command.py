@@ -10,6 +10,7 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.foundations.errors import InputError
+from compwright.foundations.session import Session
 from compwright.workflow.commands.evaluate import evaluate_files
 from compwright.workflow.inputs.job_inputs import read_measurement
 from loop import Machine
@@ -130,7 +131,10 @@ def test_a_workbook_of_several_axes(tmp_path: Path) -> None:
             sheet.append(list(row))
     path = tmp_path / "both.xlsx"
     book.save(path)
-    assert [one["axis"] for one in evaluate_files([path]).document["results"]] == ["X", "Y"]
-    assert read_measurement(path, axis="y").positive[1, 0] == pytest.approx(0.003)
+    assert [one["axis"] for one in evaluate_files(Session(), [path]).document["results"]] == [
+        "X",
+        "Y",
+    ]
+    assert read_measurement(Session(), path, axis="y").positive[1, 0] == pytest.approx(0.003)
     with pytest.raises(InputError, match=r"holds 2 tests, and none of axis Z.*found X, Y"):
-        read_measurement(path, axis="Z")
+        read_measurement(Session(), path, axis="Z")

@@ -22,6 +22,7 @@ import pytest
 from compwright.cli import run
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.foundations.processors import keep_free_memory
+from compwright.foundations.session import Session
 from compwright.workflow.commands.run import run_job
 from compwright.workflow.inputs.jobs import read_job_file
 
@@ -273,7 +274,13 @@ def test_work_on_an_axis_loads_neither_formats_nor_commands(tmp_path: Path) -> N
             named.update(reader.modules)
         return done
 
-    run_job(read_job_file(tmp_path / "job.yaml"), tmp_path, tmp_path / "out", each=copied)
+    run_job(
+        Session(),
+        read_job_file(Session(), tmp_path / "job.yaml"),
+        tmp_path,
+        tmp_path / "out",
+        each=copied,
+    )
     own = {name for name in named if name.startswith("compwright.")}
     assert {"compwright.planning.axis_tasks", "compwright.reporting.axis_report"} <= own
     asked = (

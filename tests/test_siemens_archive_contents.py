@@ -15,6 +15,7 @@ from compwright.controllers.sinumerik.container import active_files
 from compwright.controls.control import decode, open_control
 from compwright.formats.families.pairs.archive_values import contradictions
 from compwright.foundations.errors import InputError
+from compwright.foundations.session import Session
 from compwright.records.correction import ControlFile
 from sinumerik_archive import ARCHIVE, needs_archive
 from sinumerik_container import ACTIVE, container
@@ -61,7 +62,7 @@ def test_members_that_contradict_each_other_are_refused_with_both_lines(
         assert (fault.file, fault.place) == ("backup.arc: INITIAL.INI", lines[1])
         assert f"backup.arc: CFG_GLOBAL.INI, {lines[0]}" in fault.message
     with pytest.raises(InputError):
-        decode(open_control("siemens-840d-sl", {}), [archive(cfg=CFG.replace(old, new))])
+        decode(open_control(Session(), "siemens-840d-sl", {}), [archive(cfg=CFG.replace(old, new))])
 
 
 @pytest.mark.parametrize(
@@ -126,6 +127,6 @@ def test_that_the_contents_are_not_verified_is_said_and_compared(
 
 def test_text_files_have_no_such_step(tmp_path: Path) -> None:
     files = [ControlFile("AX_EEC.INI", EEC.encode()), ControlFile("MD.INI", MD.encode())]
-    state = decode(open_control("siemens-840d-sl", {}), files).state
+    state = decode(open_control(Session(), "siemens-840d-sl", {}), files).state
     assert "CW-S072" not in {finding.code for finding in state.findings}
     assert all("archive" not in facts.said for facts in state.facts.values())

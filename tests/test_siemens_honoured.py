@@ -18,6 +18,7 @@ from compwright.formats.control_format import control_format
 from compwright.formats.families.activity import Activity
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.errors import CapacityError, InputError, UsageError
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Encoder
 from compwright.records.correction import ControlState
 from compwright.workflow.commands.new import new_job
@@ -66,7 +67,7 @@ def both_readers(
     text: str, *axes: Axis, active: bool | None = None, asking: bool = False, **options: object
 ) -> ControlState:
     return decode(
-        open_control("siemens-840d-sl", options),
+        open_control(Session(), "siemens-840d-sl", options),
         files(A__INI=text + "M17\n"),
         axes,
         active=active,
@@ -264,7 +265,7 @@ def test_an_answer_never_wakes_a_table_beside_the_one_that_acted(off: str) -> No
 @pytest.mark.parametrize("off", OFF)
 def test_a_table_that_the_machine_data_switch_off_slept(off: str) -> None:
     """Values in one file, the switch in the machine data: nothing loads it and ends with off."""
-    control = open_control("siemens-840d-sl", {"cec_sign": "error"})
+    control = open_control(Session(), "siemens-840d-sl", {"cec_sign": "error"})
 
     def read(active: bool | None, values: tuple[float, ...]) -> ControlState:
         given = files(NC_CEC__INI=SLEEPING + "M17\n", MD__INI=eec(values=values) + off + "M17\n")
@@ -594,7 +595,7 @@ def test_a_mask_that_cannot_be_read_is_no_zero(word: str) -> None:
 
 
 def test_a_basic_system_that_no_file_says_is_listed() -> None:
-    control = open_control("siemens-840d-sl", {})
+    control = open_control(Session(), "siemens-840d-sl", {})
 
     def noted(text: str) -> dict[str, str]:
         state = both_readers(text, axis_of("AX1"))
@@ -663,7 +664,7 @@ def test_a_new_job_pairs_the_axes_of_a_gantry(tmp_path: Path) -> None:
         text += f"$MA_GANTRY_AXIS_TYPE[{axis}]={kind}\n"
     (tmp_path / "A.INI").write_text(text + "M17\n")
     job = tmp_path / "job.yaml"
-    new_job([tmp_path / "A.INI"], "siemens-840d-sl", {}, job)
+    new_job(Session(), [tmp_path / "A.INI"], "siemens-840d-sl", {}, job)
     said = job.read_text()
     assert re.findall(r"address: (\w+)", said) == ["AX1", "AX3"]
     assert re.findall(r"gantry: (\w+)", said) == ["AX7"]

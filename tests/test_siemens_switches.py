@@ -17,6 +17,7 @@ from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import DOUBTS_FIRST
+from compwright.foundations.session import Session
 from compwright.records.correction import ControlFile
 from compwright.records.facts import AxisFacts
 from format_samples import SIEMENS, axis_of, table
@@ -81,7 +82,9 @@ def test_a_set_of_ours_says_that_it_acts_to_both_readers() -> None:
     the pair acted.
     """
     given = [ControlFile(name, text.encode()) for name, text in fresh_pair().items()]
-    back = decode(open_control("siemens-840d-sl", OPTIONS), given, [AXIS], asking=True).state
+    back = decode(
+        open_control(Session(), "siemens-840d-sl", OPTIONS), given, [AXIS], asking=True
+    ).state
     assert back.axes["AX1"].negative.tolist() == TWO.negative.tolist()
     assert not [note for note in back.assumed if "CEC_ENABLE" in note.fact]
 
@@ -172,6 +175,6 @@ def test_that_no_file_holds_a_table_is_said_of_its_axis_alone() -> None:
     given = [ControlFile("MD.INI", b"$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX3]=0\nM17\n")]
     axes = [AXIS, axis_of("AX3")]
     found = decode(
-        open_control("siemens-840d-sl", OPTIONS), given, axes, asking=True
+        open_control(Session(), "siemens-840d-sl", OPTIONS), given, axes, asking=True
     ).state.findings
     assert [one.axes for one in found if one.code == "CW-S008"] == [("AX1",), ("AX3",)]

@@ -20,6 +20,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from compwright.foundations.errors import UsageError
+from compwright.foundations.session import Session
 from compwright.instruments.circular_reading import read_circular
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.circular import CircularTest
@@ -462,8 +463,8 @@ circles:
 def test_a_machine_file_with_circles(tmp_path: Path) -> None:
     file = tmp_path / "machine.yaml"
     file.write_text(MACHINE, encoding="utf-8")
-    machine = load_machine(file)
-    written = simulate_files(machine, tmp_path / "out", seed=2)
+    machine = load_machine(Session(), file)
+    written = simulate_files(Session(), machine, tmp_path / "out", seed=2)
     assert sorted(path.name for path in written) == [
         "n1.csv",
         "n2.csv",
@@ -483,7 +484,7 @@ def test_a_machine_file_with_circles(tmp_path: Path) -> None:
     assert ballbar.header["machine"] == "VMC 850 SIM-1"
     one, other = ((tmp_path / "out" / name).read_bytes() for name in ("n1.csv", "n2.csv"))
     assert one != other  # two circles do not share their noise
-    again = simulate_files(machine, tmp_path / "again", seed=2)
+    again = simulate_files(Session(), machine, tmp_path / "again", seed=2)
     assert {path.name: path.read_bytes() for path in again} == {
         path.name: path.read_bytes() for path in written
     }
@@ -499,7 +500,7 @@ def test_numbers_of_a_machine_file_arrive_in_their_units() -> None:
 def test_another_seed_is_another_measurement(tmp_path: Path) -> None:
     machine = read_machine(MACHINE.encode(), "machine.yaml")
     for seed in (1, 2):
-        simulate_files(machine, tmp_path / str(seed), seed=seed)
+        simulate_files(Session(), machine, tmp_path / str(seed), seed=seed)
     assert (tmp_path / "1" / "n1.csv").read_bytes() != (tmp_path / "2" / "n1.csv").read_bytes()
     assert (tmp_path / "1" / "plain.csv").read_bytes() == (
         tmp_path / "2" / "plain.csv"

@@ -12,6 +12,7 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.foundations.errors import StorageError
+from compwright.foundations.session import Session
 from compwright.reporting.evaluation_table import table_bytes
 from compwright.workflow.results.single_files import kind_of, refuse_other_kinds
 from laser_files import laser_file
@@ -96,19 +97,19 @@ def test_what_may_be_replaced(
     name: str, there: bytes, new: bytes, may: bool, tmp_path: Path
 ) -> None:
     (tmp_path / name).write_bytes(there)
-    refuse_other_kinds({tmp_path / name: new}, force=False)
+    refuse_other_kinds(Session(), {tmp_path / name: new}, force=False)
     if may:
-        refuse_other_kinds({tmp_path / name: new}, force=True)
+        refuse_other_kinds(Session(), {tmp_path / name: new}, force=True)
         return
     with pytest.raises(StorageError) as caught:
-        refuse_other_kinds({tmp_path / name: new}, force=True)
+        refuse_other_kinds(Session(), {tmp_path / name: new}, force=True)
     assert f"{name}: is no file that this command writes" in str(caught.value)
 
 
 def test_a_workbook_is_not_replaced_by_a_document(tmp_path: Path) -> None:
     (tmp_path / "a.json").write_bytes(workbook(tmp_path))
     with pytest.raises(StorageError, match="found a workbook"):
-        refuse_other_kinds({tmp_path / "a.json": EVALUATION}, force=True)
+        refuse_other_kinds(Session(), {tmp_path / "a.json": EVALUATION}, force=True)
 
 
 def test_a_workbook_of_the_user_is_not_replaced_by_a_table(tmp_path: Path) -> None:
@@ -118,14 +119,14 @@ def test_a_workbook_of_the_user_is_not_replaced_by_a_table(tmp_path: Path) -> No
     table = table_bytes(document, ".xlsx")
     longer = table_bytes({**document, "errors": [{"file": "a", "message": "b"}]}, ".xlsx")
     path.write_bytes(table)
-    refuse_other_kinds({path: longer}, force=True)
+    refuse_other_kinds(Session(), {path: longer}, force=True)
     openpyxl.load_workbook(path).save(path)
     with pytest.raises(StorageError, match="found a workbook"):
-        refuse_other_kinds({path: longer}, force=True)
+        refuse_other_kinds(Session(), {path: longer}, force=True)
     for content in (workbook(tmp_path), b"PK\x03\x04 and no more"):
         path.write_bytes(content)
         with pytest.raises(StorageError, match="found a workbook"):
-            refuse_other_kinds({path: table}, force=True)
+            refuse_other_kinds(Session(), {path: table}, force=True)
 
 
 @pytest.mark.parametrize(

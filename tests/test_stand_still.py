@@ -12,6 +12,7 @@ from compwright.cli import run as compwright
 from compwright.evaluation.drift import environmental_variation
 from compwright.foundations.errors import InputError, UsageError
 from compwright.foundations.provenance import Source
+from compwright.foundations.session import Session
 from compwright.instruments.drift_csv import read_drift
 from compwright.jobs.reading import read_job
 from compwright.records.axis import AxisKind
@@ -149,7 +150,7 @@ def test_a_job_takes_the_range_of_its_file(tmp_path: Path) -> None:
     )
     path = tmp_path / "job.yaml"
     path.write_text(JOB.format(given="{file: drift.csv, duration_min: 20}"))
-    job = read_job_file(path)
+    job = read_job_file(Session(), path)
     assert job.uncertainty is not None
     assert round(job.uncertainty.E_VE, 9) == 2.0
     assert [finding.code for finding in job.findings] == ["CW-T026"]

@@ -18,8 +18,8 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.foundations import storage
-from compwright.foundations.command_inputs import put_right, start_command
 from compwright.foundations.errors import InputError, StorageError
+from compwright.foundations.session import Session
 from compwright.foundations.storage import disk, locking, recovery
 from compwright.foundations.storage.locking import Lock, take
 from dying import Disk, Process, running
@@ -55,9 +55,11 @@ def make(top: Path) -> Path:
     return top
 
 
-def write(top: Path) -> None:
+def write(top: Path, session: Session | None = None) -> None:
     beside = {top / JSON: b"new answer"}
-    storage.write_files(top / "out", NEW, force=True, elsewhere=beside, whole=["set"])
+    storage.write_files(
+        session or Session(), top / "out", NEW, force=True, elsewhere=beside, whole=["set"]
+    )
 
 
 def files(top: Path) -> dict[str, bytes]:
@@ -129,9 +131,10 @@ def test_killed_at_any_call_one_whole_set_is_left(quick_path: Path, course: Cour
         assert course.is_unmixed(top), at
         begun = is_begun(top)
         # whoever reads either folder
-        storage.read_bytes(top / (JSON if at % 2 else "out/notes.txt"))
-        storage.read_bytes(top / ("out/notes.txt" if at % 2 else JSON))
-        assert bool(put_right()) == begun
+        session = Session()
+        storage.read_bytes(session, top / (JSON if at % 2 else "out/notes.txt"))
+        storage.read_bytes(session, top / ("out/notes.txt" if at % 2 else JSON))
+        assert bool(session.restored) == begun
         assert files(top) in (course.old, course.new), (at, course.calls[at - 1])
         found.append(files(top) == course.new)
     assert found == sorted(found)  # old up to one moment, new from then on
@@ -145,10 +148,10 @@ def test_putting_right_may_be_killed_at_any_call(quick_path: Path, course: Cours
         shutil.copytree(whole, top)
         process = Process(then)
         with running(process):
-            storage.read_bytes(top / JSON)
+            storage.read_bytes(Session(), top / JSON)
         assert course.is_unmixed(top), then
-        storage.read_bytes(top / JSON)
-        storage.read_bytes(top / "out" / "notes.txt")
+        storage.read_bytes(Session(), top / JSON)
+        storage.read_bytes(Session(), top / "out" / "notes.txt")
         assert files(top) == course.old, then
         if not process.dead:
             break
@@ -167,19 +170,17 @@ def test_when_the_power_fails_one_whole_set_is_left(
         stopped(begun, course.last_move + 1)
     shutil.copytree(begun, quick_path / "whole")
     drive, chance = Disk(quick_path / "whole"), Random(1)  # noqa: S311 - cases, no secrets
-    start_command()
     with drive.watched():
         if work == "writing":
             write(quick_path / "whole")
         else:
-            storage.read_bytes(quick_path / "whole" / JSON)
+            storage.read_bytes(Session(), quick_path / "whole" / JSON)
     for at in range(len(drive.steps) + 1):
         top = quick_path / str(at)
         shutil.copytree(begun, top)
         drive.fail(top, at, chance)
-        start_command()
-        storage.read_bytes(top / "out" / "notes.txt")
-        storage.read_bytes(top / "beside" / "notes.txt")
+        storage.read_bytes(Session(), top / "out" / "notes.txt")
+        storage.read_bytes(Session(), top / "beside" / "notes.txt")
         whole = (course.old, course.new) if work == "writing" else (course.old,)
         assert files(top) in whole, (at, drive.steps[at - 1])
     assert files(top) == whole[-1]
@@ -210,23 +211,24 @@ def test_an_error_at_any_call_leaves_one_whole_set(
             assert named(top) in (course.old, course.new), at
         else:
             assert named(top) == course.new, at
-        start_command()
-        storage.read_bytes(top / "out" / "notes.txt")
-        storage.read_bytes(top / JSON)
+        storage.read_bytes(Session(), top / "out" / "notes.txt")
+        storage.read_bytes(Session(), top / JSON)
         assert files(top) in (course.old, course.new), at
     assert raised > 15
 
 
-READERS: dict[str, Callable[[Path], object]] = {
-    "read_bytes": lambda out: storage.read_bytes(out / "set" / "x"),
-    "earlier_bytes": lambda out: storage.earlier_bytes(out / "record"),
-    "list_files": lambda out: storage.list_files(out / "set"),
-    "in_folders_of": lambda out: storage.in_folders_of(out.parent, "record"),
-    "folders_holding": lambda out: storage.folders_holding(out.parent, ["record"]),
-    "is_there": lambda out: storage.is_there(out / "set" / "x"),
-    "state_of": lambda out: storage.state_of([out / "record"]),
-    "matching": lambda out: storage.matching(str(out / "set" / "*")),
-    "write_files": lambda out: storage.write_files(out, {"other": b"new"}),
+READERS: dict[str, Callable[[Session, Path], object]] = {
+    "read_bytes": lambda session, out: storage.read_bytes(session, out / "set" / "x"),
+    "earlier_bytes": lambda session, out: storage.earlier_bytes(session, out / "record"),
+    "list_files": lambda session, out: storage.list_files(session, out / "set"),
+    "in_folders_of": lambda session, out: storage.in_folders_of(session, out.parent, "record"),
+    "folders_holding": lambda session, out: storage.folders_holding(
+        session, out.parent, ["record"]
+    ),
+    "is_there": lambda session, out: storage.is_there(session, out / "set" / "x"),
+    "state_of": lambda session, out: storage.state_of(session, [out / "record"]),
+    "matching": lambda session, out: storage.matching(session, str(out / "set" / "*")),
+    "write_files": lambda session, out: storage.write_files(session, out, {"other": b"new"}),
 }
 
 
@@ -237,11 +239,12 @@ def test_whoever_reads_next_finds_the_earlier_files(
     top = stopped(tmp_path / "top", course.last_move)
     assert named(top) != course.old
     monkeypatch.chdir(tmp_path)  # by a name that is not from the root
-    told = READERS[reader](Path("top/out"))
+    session = Session()
+    told = READERS[reader](session, Path("top/out"))
     (top / "out" / "other").unlink(missing_ok=True)
     assert files(top) == course.old
-    assert told == READERS[reader](Path("top/out"))
-    assert put_right() == (str(top / "out"),)
+    assert told == READERS[reader](session, Path("top/out"))
+    assert session.restored == [str(top / "out")]
 
 
 def test_the_command_says_so_once(
@@ -258,14 +261,14 @@ def test_the_command_says_so_once(
 def test_through_a_link_too(tmp_path: Path, course: Course) -> None:
     top = stopped(tmp_path / "top", course.last_move)
     (tmp_path / "link").symlink_to(top / "out" / "set")
-    assert storage.read_bytes(tmp_path / "link" / "x") == b"old x"
+    assert storage.read_bytes(Session(), tmp_path / "link" / "x") == b"old x"
     assert files(top) == course.old
 
 
 def test_a_folder_that_was_moved_is_put_right_where_it_is(tmp_path: Path, course: Course) -> None:
     top = stopped(tmp_path / "top", course.last_move)
     top.rename(tmp_path / "elsewhere")
-    assert storage.read_bytes(tmp_path / "elsewhere" / JSON) == b"old answer"
+    assert storage.read_bytes(Session(), tmp_path / "elsewhere" / JSON) == b"old answer"
     assert files(tmp_path / "elsewhere") == course.old
 
 
@@ -275,10 +278,10 @@ def test_a_copy_of_the_folder_alone_is_put_right_and_the_rest_stays(
     top = stopped(tmp_path / "top", course.last_move)
     shutil.copytree(top / "out", top / "copy")
     beside = named(top / "beside")
-    assert storage.read_bytes(top / "copy" / "set" / "x") == b"old x"
+    assert storage.read_bytes(Session(), top / "copy" / "set" / "x") == b"old x"
     assert named(top / "beside") == beside
     shutil.rmtree(top / "copy")
-    assert storage.read_bytes(top / JSON) == b"old answer"
+    assert storage.read_bytes(Session(), top / JSON) == b"old answer"
     assert files(top) == course.old
 
 
@@ -308,16 +311,15 @@ def test_a_folder_that_was_copied_in_part_is_not_said_to_be_as_before(
     COPIED_IN_PART[damage](kept)
     before = files(top)
     for _ in range(2):  # nothing is forgotten
-        start_command()
+        session = Session()
         with pytest.raises(InputError, match=r"set/y: the earlier file, .* is (missing|damaged)"):
-            storage.read_bytes(top / "out" / "record")
+            storage.read_bytes(session, top / "out" / "record")
         with pytest.raises(StorageError, match="set/y: the earlier file"):
-            write(top)
-        assert put_right() == ()
+            write(top, session)
+        assert session.restored == []
         assert files(top) == before
     kept.write_bytes(whole)  # the rest has come
-    start_command()
-    assert storage.read_bytes(top / "out" / "record") == b"old record"
+    assert storage.read_bytes(Session(), top / "out" / "record") == b"old record"
     assert files(top) == course.old
 
 
@@ -330,13 +332,12 @@ def test_a_folder_whose_journal_has_not_come_yet_keeps_its_files(
     journal.rename(tmp_path / "not yet")
     before = files(top)
     with pytest.raises(InputError, match="its journal is missing"):
-        storage.read_bytes(top / "out" / "record")
+        storage.read_bytes(Session(), top / "out" / "record")
     with pytest.raises(StorageError, match="its journal is missing"):
         write(top)
     assert files(top) == before
     (tmp_path / "not yet").rename(journal)
-    start_command()
-    assert storage.read_bytes(top / "out" / "record") == b"old record"
+    assert storage.read_bytes(Session(), top / "out" / "record") == b"old record"
     assert files(top) == course.old
 
 
@@ -345,7 +346,7 @@ def test_a_copy_of_the_folder_beside_alone_is_put_right_by_itself(
 ) -> None:
     top = stopped(tmp_path / "top", course.last_move + 1)
     shutil.copytree(top / "beside", top / "copy")
-    assert storage.read_bytes(top / "copy" / "answer.json") == b"old answer"
+    assert storage.read_bytes(Session(), top / "copy" / "answer.json") == b"old answer"
     shutil.rmtree(top / "copy")
     assert files(top) == course.old
 
@@ -366,10 +367,11 @@ def test_what_another_write_left_is_not_taken_back_with_it(
     assert {"journal.json", "0.old"} <= left
     shutil.rmtree(top / "out")
     shutil.copytree(begun / "out", top / "out")
-    storage.read_bytes(top / reader)
-    assert put_right() == ((str(top / "out"),) if reader.startswith("out") else ())
-    assert storage.read_bytes(top / JSON) == b"new answer"
-    assert storage.read_bytes(top / "out" / "set" / "x") == b"old x"
+    session = Session()
+    storage.read_bytes(session, top / reader)
+    assert session.restored == ([str(top / "out")] if reader.startswith("out") else [])
+    assert storage.read_bytes(Session(), top / JSON) == b"new answer"
+    assert storage.read_bytes(Session(), top / "out" / "set" / "x") == b"old x"
     assert files(top) == {**course.old, JSON: b"new answer"}
 
 
@@ -387,7 +389,7 @@ def test_a_process_that_is_stopped_while_one_waits_for_it(
         return take(staging, patience=patience)
 
     monkeypatch.setattr(recovery, "take", later)
-    assert storage.read_bytes(top / JSON) == b"old answer"
+    assert storage.read_bytes(Session(), top / JSON) == b"old answer"
     assert files(top) == course.old
 
 
@@ -396,14 +398,13 @@ def test_where_the_folder_that_decides_is_gone_its_file_is_refused_and_others_ar
 ) -> None:
     top = stopped(tmp_path / "top", course.last_move + 1)
     shutil.rmtree(top / "out")
-    assert storage.read_bytes(top / "beside" / "notes.txt") == b"mine too"
+    assert storage.read_bytes(Session(), top / "beside" / "notes.txt") == b"mine too"
     with pytest.raises(InputError, match="the folder that says whether it had finished is gone"):
-        storage.read_bytes(top / JSON)
+        storage.read_bytes(Session(), top / JSON)
     with pytest.raises(StorageError, match="belongs to what a stopped command had begun"):
-        storage.write_file(top / JSON, b"", force=True)
+        storage.write_file(Session(), top / JSON, b"", force=True)
     shutil.rmtree(top / "beside" / UNFINISHED)  # as the message says
-    start_command()
-    assert storage.read_bytes(top / JSON) == b"new answer"
+    assert storage.read_bytes(Session(), top / JSON) == b"new answer"
 
 
 def test_what_the_user_changed_meanwhile_is_refused_by_name_and_stays(
@@ -413,13 +414,12 @@ def test_what_the_user_changed_meanwhile_is_refused_by_name_and_stays(
     (top / "out" / "set" / "x").write_bytes(b"mine")
     before = files(top)
     with pytest.raises(InputError) as caught:
-        storage.read_bytes(top / "out" / "record")
+        storage.read_bytes(Session(), top / "out" / "record")
     assert f"{top / 'out' / 'set' / 'x'}: was changed since" in str(caught.value)
-    assert storage.read_bytes(top / "out" / "notes.txt") == b"mine"
+    assert storage.read_bytes(Session(), top / "out" / "notes.txt") == b"mine"
     assert files(top) == before
     (top / "out" / "set" / "x").rename(top / "out" / "my-x")
-    start_command()
-    assert storage.read_bytes(top / "out" / "set" / "x") == b"old x"
+    assert storage.read_bytes(Session(), top / "out" / "set" / "x") == b"old x"
     assert files(top) == {**course.old, "out/my-x": b"mine"}
 
 
@@ -437,17 +437,17 @@ def test_what_cannot_be_put_right_is_refused_by_name(
 
     with monkeypatch.context() as patch:
         patch.setattr(os, "open", read_only)
+        session = Session()
         for name in ("out/set/x", "out/deep/er/z", JSON):
             with pytest.raises(InputError) as caught:
-                storage.read_bytes(top / name)
+                storage.read_bytes(session, top / name)
             assert str(top / name) in str(caught.value)
             assert os.strerror(errno.EROFS) in str(caught.value)
         with pytest.raises(InputError):
-            storage.list_files(top / "out" / "set")
-        assert storage.folders_holding(top, ["notes.txt"])[1]
-        assert storage.read_bytes(top / "out" / "notes.txt") == b"mine"
-    start_command()
-    assert storage.read_bytes(top / "out" / "set" / "x") == b"old x"
+            storage.list_files(session, top / "out" / "set")
+        assert storage.folders_holding(session, top, ["notes.txt"])[1]
+        assert storage.read_bytes(session, top / "out" / "notes.txt") == b"mine"
+    assert storage.read_bytes(Session(), top / "out" / "set" / "x") == b"old x"
 
 
 def test_what_was_only_prepared_is_in_nobody_s_way_on_a_read_only_medium(
@@ -455,7 +455,7 @@ def test_what_was_only_prepared_is_in_nobody_s_way_on_a_read_only_medium(
 ) -> None:
     top = stopped(tmp_path / "top", 20)
     monkeypatch.setattr(os, "unlink", Process(1, refused=refusal()).standing_for("unlink"))
-    assert storage.read_bytes(top / "out" / "set" / "x") == b"old x"
+    assert storage.read_bytes(Session(), top / "out" / "set" / "x") == b"old x"
     assert named(top) == course.old
 
 
@@ -475,7 +475,7 @@ def test_a_damaged_journal_is_not_followed(tmp_path: Path, course: Course, damag
     journal.write_text(json.dumps(DAMAGE[damage](json.loads(journal.read_text()))))
     before = files(top)
     with pytest.raises(InputError, match="journal"):
-        storage.read_bytes(top / "out" / "record")
+        storage.read_bytes(Session(), top / "out" / "record")
     with pytest.raises(StorageError, match="journal"):
         write(top)
     assert files(top) == before
@@ -499,9 +499,9 @@ def test_a_journal_that_names_files_outside_of_its_folder_is_not_followed(
     put_journal(folder, Journal(key="1", entries=(entry,), parts=("..",)))
     (folder / "plan").write_bytes(b"plan")
     with pytest.raises(InputError, match="names a file outside"):
-        storage.read_bytes(folder / "plan")
+        storage.read_bytes(Session(), folder / "plan")
     assert victim.read_bytes() == b"mine"
-    assert storage.read_bytes(victim) == b"mine"
+    assert storage.read_bytes(Session(), victim) == b"mine"
 
 
 def test_a_link_in_place_of_the_folder_is_not_followed(tmp_path: Path, course: Course) -> None:
@@ -511,7 +511,7 @@ def test_a_link_in_place_of_the_folder_is_not_followed(tmp_path: Path, course: C
     (top / "other" / "x").write_bytes(b"x")
     before = files(top)
     with pytest.raises(InputError, match="is no folder"):
-        storage.read_bytes(top / "other" / "x")
+        storage.read_bytes(Session(), top / "other" / "x")
     assert files(top) == before
 
 
@@ -519,7 +519,7 @@ def test_a_living_process_is_waited_for(tmp_path: Path, monkeypatch: pytest.Monk
     (tmp_path / "x").write_bytes(b"old")
     lock = take(tmp_path / UNFINISHED, make=True)
     monkeypatch.setattr(locking, "sleep", lambda _seconds: lock.remove())  # it finishes meanwhile
-    storage.write_file(tmp_path / "x", b"new", force=True)
+    storage.write_file(Session(), tmp_path / "x", b"new", force=True)
     assert files(tmp_path) == {"x": b"new"}
 
 
@@ -549,10 +549,10 @@ def test_a_living_process_that_does_not_end_is_named(
     monkeypatch.setattr(locking, "monotonic", lambda: next(clock))
     monkeypatch.setattr(locking, "sleep", lambda _seconds: None)
     with pytest.raises(StorageError, match="another command is writing there"):
-        storage.write_file(tmp_path / "x", b"new")
-    assert storage.list_files(tmp_path) == []  # what it only prepares hinders no reader
+        storage.write_file(Session(), tmp_path / "x", b"new")
+    assert storage.list_files(Session(), tmp_path) == []  # what it only prepares hinders no reader
     lock.remove()
-    storage.write_file(tmp_path / "x", b"new")
+    storage.write_file(Session(), tmp_path / "x", b"new")
 
 
 def test_two_commands_may_put_right_at_once(
@@ -563,12 +563,11 @@ def test_two_commands_may_put_right_at_once(
 
     def second(staging: Path, *, patience: float) -> Lock:
         monkeypatch.setattr(recovery, "take", take)
-        start_command()
-        storage.read_bytes(top / "out" / "notes.txt")  # by the first one
+        storage.read_bytes(Session(), top / "out" / "notes.txt")  # by the first one
         return take(staging, patience=patience)
 
     monkeypatch.setattr(recovery, "take", second)
-    assert storage.read_bytes(top / "out" / "set" / "x") == b"old x"
+    assert storage.read_bytes(Session(), top / "out" / "set" / "x") == b"old x"
     assert files(top) == course.old
 
 
@@ -580,7 +579,9 @@ def test_a_file_that_appears_in_the_last_moment_is_not_overwritten(tmp_path: Pat
         return True
 
     with pytest.raises(StorageError, match="was changed by another program in this moment"):
-        storage.write_files(tmp_path, {"x": b"new", "y": b"new"}, force=True, known=changing)
+        storage.write_files(
+            Session(), tmp_path, {"x": b"new", "y": b"new"}, force=True, known=changing
+        )
     assert files(tmp_path) == {"x": b"of another program"}
 
 
@@ -596,10 +597,10 @@ def test_links_stay_links(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
     with monkeypatch.context() as patch:
         patch.setattr(os, "replace", Process(7, refused=refusal()).standing_for("replace"))
         with pytest.raises(StorageError):
-            storage.write_files(tmp_path / "out", new, force=True)
+            storage.write_files(Session(), tmp_path / "out", new, force=True)
     assert (tmp_path / "out" / "y").readlink() == Path("set/w")
     assert files(tmp_path) == {"far/w": b"old", "far/x": b"old", "out/y": b"old"}
-    storage.write_files(tmp_path / "out", new, force=True)
+    storage.write_files(Session(), tmp_path / "out", new, force=True)
     assert (tmp_path / "out" / "set").is_symlink()
     assert files(tmp_path) == {
         "far/w": b"old",
@@ -624,8 +625,12 @@ def test_folders_on_another_file_system(tmp_path: Path, course: Course) -> None:
             (top / "out" / "set").symlink_to(far)
             with running(Process(at)):
                 write(top)
-            assert storage.read_bytes(top / "out" / "set" / "x") == (b"old x" if at else b"new x")
-            assert storage.read_bytes(top / JSON) == (b"old answer" if at else b"new answer")
+            assert storage.read_bytes(Session(), top / "out" / "set" / "x") == (
+                b"old x" if at else b"new x"
+            )
+            assert storage.read_bytes(Session(), top / JSON) == (
+                b"old answer" if at else b"new answer"
+            )
             assert {path.name for path in Path(far).iterdir()} == {"x", "y"}
             assert (top / "out" / "record").read_bytes() == (b"old record" if at else b"new record")
             assert not list(top.rglob(UNFINISHED))
@@ -685,34 +690,34 @@ def test_where_the_file_system_has_no_locks(
 
 
 def test_a_single_file_is_one_rename(tmp_path: Path) -> None:
-    storage.write_file(tmp_path / "x", b"old")
+    storage.write_file(Session(), tmp_path / "x", b"old")
     process = Process()
     with running(process):
-        storage.write_file(tmp_path / "x", b"new", force=True)
+        storage.write_file(Session(), tmp_path / "x", b"new", force=True)
     assert process.made.count("replace") == 1
     for at in range(1, len(process.made) + 1):
         folder = tmp_path / str(at)
         folder.mkdir()
         (folder / "x").write_bytes(b"old")
         with running(Process(at)):
-            storage.write_file(folder / "x", b"new", force=True)
-        assert storage.read_bytes(folder / "x") in (b"old", b"new")
+            storage.write_file(Session(), folder / "x", b"new", force=True)
+        assert storage.read_bytes(Session(), folder / "x") in (b"old", b"new")
         assert list(files(folder)) == ["x"]
         assert [path.name for path in folder.iterdir()] == ["x"]
 
 
 def test_looking_costs_a_folder_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    storage.write_files(tmp_path, {f"{number}.csv": b"" for number in range(50)})
-    start_command()
+    storage.write_files(Session(), tmp_path, {f"{number}.csv": b"" for number in range(50)})
     calls: list[Path] = []
+    session = Session()
 
     def looked(path: Path) -> bool:
         calls.append(path)
         return False
 
     monkeypatch.setattr(os.path, "lexists", looked)
-    for path in storage.list_files(tmp_path):
-        storage.read_bytes(path)
+    for path in storage.list_files(session, tmp_path):
+        storage.read_bytes(session, path)
     assert len(calls) == len(set(calls)) == len(tmp_path.parents) + 1
 
 
@@ -720,9 +725,10 @@ PROGRAM = """
 import sys
 from pathlib import Path
 from compwright.foundations import storage
+from compwright.foundations.session import Session
 top = Path(sys.argv[1])
 new = {"x": b"new x", "set/y": b"new y"}
-storage.write_files(top / "out", new, force=True, elsewhere={top / "answer": b"new"})
+storage.write_files(Session(), top / "out", new, force=True, elsewhere={top / "answer": b"new"})
 """
 
 
@@ -747,8 +753,7 @@ def test_killed_by_the_kernel(tmp_path: Path) -> None:
     for number, call in enumerate((*renames[1:8:3], removal)):
         top = make_old(str(number))
         killed_at(call, [*command, str(top)], log)
-        start_command()
         assert is_begun(top) == (number > 0)
-        storage.read_bytes(top / "out" / "notes")
-        storage.read_bytes(top / "answer")
+        storage.read_bytes(Session(), top / "out" / "notes")
+        storage.read_bytes(Session(), top / "answer")
         assert files(top) == old

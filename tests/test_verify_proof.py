@@ -19,6 +19,7 @@ from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.documents.plan import read_plan
 from compwright.documents.verification import _within
+from compwright.foundations.session import Session
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.verification.measurement import noise_odds
@@ -555,9 +556,9 @@ def test_a_guarded_verification_says_what_guarded_it(
 
 def test_an_answer_whether_the_state_acted_that_was_edited_is_refused(folder: Path) -> None:
     """The plan was made for a table that acted; the job now says that it slept."""
-    job = read_job_file(folder / "job.yaml")
+    job = read_job_file(Session(), folder / "job.yaml")
     plan = read_plan((folder / "job" / "plan.json").read_bytes(), "plan.json")
-    differs = partial(stale_plan, options=plan.options, read=partial(read_again, job))
+    differs = partial(stale_plan, options=plan.options, read=partial(read_again, Session(), job))
     assert not differs(job, plan, "plan.json")
     told = differs(
         replace(job, active={"as_found": False}),

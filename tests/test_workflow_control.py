@@ -10,6 +10,7 @@ import pytest
 from compwright.controls.control import open_control
 from compwright.foundations import storage
 from compwright.foundations.errors import UsageError
+from compwright.foundations.session import Session
 from format_samples import DEFINITIONS
 
 
@@ -28,23 +29,23 @@ def test_a_control_is_opened_from_the_file_of_its_name(
 ) -> None:
     # The other files may be damaged: they are not read, which is also what keeps the start of a run
     # short.
-    there = dict(storage.definition_files())
+    there = dict(storage.definition_files(Session()))
     needed = extended(there, f"{format_id}.yaml")
     files = {name: content if name in needed else b"id: [" for name, content in there.items()}
-    monkeypatch.setattr(storage, "definition_files", lambda: iter(files.items()))
-    control = open_control(format_id, {})
+    monkeypatch.setattr(storage, "definition_files", lambda _: iter(files.items()))
+    control = open_control(Session(), format_id, {})
     assert control.definition == DEFINITIONS[format_id]
 
 
 def test_a_definition_in_a_file_of_another_name_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
-    there = dict(storage.definition_files())
+    there = dict(storage.definition_files(Session()))
     bases = {base for name in there for base in extended(there, name)[1:]}
     files = {name if name in bases else f"my-{name}": content for name, content in there.items()}
-    monkeypatch.setattr(storage, "definition_files", lambda: iter(files.items()))
-    assert open_control("linuxcnc", {}).definition.file == "my-linuxcnc.yaml"
+    monkeypatch.setattr(storage, "definition_files", lambda _: iter(files.items()))
+    assert open_control(Session(), "linuxcnc", {}).definition.file == "my-linuxcnc.yaml"
 
 
 def test_an_unknown_control_is_told_with_all_that_exist() -> None:
     with pytest.raises(UsageError) as caught:
-        open_control("linux", {})
+        open_control(Session(), "linux", {})
     assert all(format_id in str(caught.value) for format_id in DEFINITIONS)

@@ -13,6 +13,7 @@ import pytest
 from rich.console import Console
 
 from compwright.foundations.errors import StorageError, UsageError
+from compwright.foundations.session import Session
 from compwright.workflow.commands.evaluate import (
     evaluate_files,
     evaluation_renderables,
@@ -46,12 +47,12 @@ def csv_file(folder: Path, name: str, scale: float = 1.0, directions: str = "+-"
 
 def test_files_and_standards(tmp_path: Path) -> None:
     paths = [csv_file(tmp_path, "a.csv"), csv_file(tmp_path, "b.csv", 2.0)]
-    run = evaluate_files(paths, ["vdi3441", "iso230-4:1996"])  # one per kind of test
+    run = evaluate_files(Session(), paths, ["vdi3441", "iso230-4:1996"])  # one per kind of test
     assert run.exit_code == 0
     found = [(r["name"], r["standard"]) for r in run.document["results"]]
     assert found == [(n, "vdi3441") for n in "ab"]
     assert run.document["results"][0]["sources"][0]["file"] == str(paths[0])
-    single = evaluate_files(paths[:1]).document["results"][0]
+    single = evaluate_files(Session(), paths[:1]).document["results"][0]
     assert single["standard"] == "iso230-2:2014"
     # 2 µm more in − at every target
     assert single["parameters"]["B"] == pytest.approx(
@@ -67,7 +68,7 @@ def test_a_folder_is_read_whole_and_what_is_unreadable_is_listed(tmp_path: Path)
     )
     (tmp_path / ".hidden").write_text("x", encoding="utf-8")
     (tmp_path / "inner").mkdir()
-    run = evaluate_files([tmp_path, good, tmp_path / "nowhere.csv"])
+    run = evaluate_files(Session(), [tmp_path, good, tmp_path / "nowhere.csv"])
     assert run.exit_code == 3
     assert [r["name"] for r in run.document["results"]] == ["b"]  # once, though named twice
     files = [Path(error["file"]).name for error in run.document["errors"]]
@@ -88,11 +89,11 @@ def test_a_file_that_cannot_be_read_goes_before_a_test_that_the_method_does_not_
     good = csv_file(tmp_path, "good.csv")
     (broken := tmp_path / "broken.csv").write_text("shopping list\n", encoding="utf-8")
     for paths, code in (([good], 0), ([many, good], 2), ([many, good, broken], 3)):
-        assert evaluate_files(paths, ["iso230-2:1988"], "range").exit_code == code
+        assert evaluate_files(Session(), paths, ["iso230-2:1988"], "range").exit_code == code
 
 
 def test_an_empty_folder_is_an_error(tmp_path: Path) -> None:
-    run = evaluate_files([tmp_path])
+    run = evaluate_files(Session(), [tmp_path])
     assert run.exit_code == 3
     assert run.document["errors"] == [
         {"file": str(tmp_path), "message": "the folder holds no files"}
@@ -102,37 +103,46 @@ def test_an_empty_folder_is_an_error(tmp_path: Path) -> None:
 def test_wrong_options_are_told_all_at_once(tmp_path: Path) -> None:
     path = csv_file(tmp_path, "a.csv")
     with pytest.raises(UsageError) as caught:
-        evaluate_files([path], ["iso230-4:2004", "iso230-2:1999", "vdi3441", "iso230-2:1988"])
+        evaluate_files(
+            Session(), [path], ["iso230-4:2004", "iso230-2:1999", "vdi3441", "iso230-2:1988"]
+        )
     assert len(caught.value.faults) == 3
     assert "found iso230-4:2004" in str(caught.value)
     assert "found iso230-2:1999" in str(caught.value)
     assert "expected one per kind of test, found vdi3441, iso230-2:1988" in str(caught.value)
     with pytest.raises(UsageError, match="range"):
-        evaluate_files([path], [], "range")
+        evaluate_files(Session(), [path], [], "range")
     with pytest.raises(UsageError, match="nothing to evaluate"):
-        evaluate_files([])
+        evaluate_files(Session(), [])
     assert (
-        evaluate_files([path], ["iso230-2:1988"], "range").document["results"][0]["spread"]
+        evaluate_files(Session(), [path], ["iso230-2:1988"], "range").document["results"][0][
+            "spread"
+        ]
         == "range"
     )
 
 
 def test_writing(tmp_path: Path) -> None:
-    run = evaluate_files([csv_file(tmp_path, "a.csv")])
+    run = evaluate_files(Session(), [csv_file(tmp_path, "a.csv")])
     target = tmp_path / "out.json"
-    assert write_evaluation(run.document, json_path=target) == [target]
+    assert write_evaluation(Session(), run.document, json_path=target) == [target]
     assert json.loads(target.read_text("utf-8")) == run.document
     with pytest.raises(StorageError, match="exists"):
-        write_evaluation(run.document, json_path=target)
+        write_evaluation(Session(), run.document, json_path=target)
     first = target.read_bytes()
-    write_evaluation(evaluate_files([tmp_path / "a.csv"]).document, json_path=target, force=True)
+    write_evaluation(
+        Session(),
+        evaluate_files(Session(), [tmp_path / "a.csv"]).document,
+        json_path=target,
+        force=True,
+    )
     assert target.read_bytes() == first
 
 
 def several(folder: Path, standards: list[str]) -> dict[str, Any]:
     """The results to several standards in one document, as ``evaluate`` gives them one by one."""
     documents = [
-        evaluate_files([folder], [standard] if standard else []).document
+        evaluate_files(Session(), [folder], [standard] if standard else []).document
         for standard in standards or [""]
     ]
     return {
@@ -207,8 +217,9 @@ def test_the_evaluate_path_loads_nothing_heavy(tmp_path: Path) -> None:
     path = csv_file(tmp_path, "a.csv")
     code = (
         "import sys; from pathlib import Path; from compwright.workflow.results.answers import"
-        " document_text;from compwright.workflow.commands.evaluate import"
-        f" evaluate_files;document_text(evaluate_files([Path({str(path)!r})]).document);print([m"
+        " document_text;from compwright.foundations.session import Session;"
+        "from compwright.workflow.commands.evaluate import"
+        f" evaluate_files;document_text(evaluate_files(Session(), [Path({str(path)!r})]).document);print([m"
         " for m in ('scipy', 'cvxpy', 'osqp', 'matplotlib', 'pydantic', 'rich') if m in"
         " sys.modules])"
     )

@@ -25,6 +25,7 @@ from circular_samples import ballbar_file, table
 from compwright.cli import run as compwright
 from compwright.estimation.circle import diagnose
 from compwright.foundations.errors import UsageError
+from compwright.foundations.session import Session
 from compwright.planning import diagnosed
 from compwright.records.circular import CircularTest, Diagnosis
 from compwright.simulation.circular import CircleErrors, CirclePlan, record_circle
@@ -242,7 +243,7 @@ def test_known_causes_come_back_through_csv(
 
 def names_and_codes(folder: Path) -> list[tuple[str, int, list[str]]]:
     """Return name, number of sources, and findings about pairs, of each result."""
-    results = evaluate_files([folder]).document["results"]
+    results = evaluate_files(Session(), [folder]).document["results"]
     codes = [
         [
             finding["code"]
@@ -267,8 +268,8 @@ def test_two_files_of_one_direction_each_are_one_test(tmp_path: Path) -> None:
     (tmp_path / "whole").mkdir()
     put(tmp_path / "whole", xy=csv_of())
     put(tmp_path / "pair", xy_ccw=csv_of("ccw"), xy_CW=csv_of("cw"))
-    (one,) = evaluate_files([tmp_path / "pair"]).document["results"]
-    (other,) = evaluate_files([tmp_path / "whole"]).document["results"]
+    (one,) = evaluate_files(Session(), [tmp_path / "pair"]).document["results"]
+    (other,) = evaluate_files(Session(), [tmp_path / "whole"]).document["results"]
     for key in ("name", "plane", "parameters", "centre", "diagnosis", "plain", "feed", "arc"):
         assert one[key] == other[key], key
     assert sorted(Path(source["file"]).name for source in one["sources"]) == [
@@ -307,7 +308,9 @@ def test_files_of_different_tests_are_not_joined(tmp_path: Path, other: str) -> 
 def test_what_fits_several_is_left_alone_and_told(tmp_path: Path) -> None:
     put(tmp_path, a=csv_of("ccw"), b=csv_of("cw"), c=csv_of("cw", keys={"date": "2"}))
     assert names_and_codes(tmp_path) == [(name, 1, ["CW-R039"]) for name in "abc"]
-    told = {r["name"]: r["findings"] for r in evaluate_files([tmp_path]).document["results"]}
+    told = {
+        r["name"]: r["findings"] for r in evaluate_files(Session(), [tmp_path]).document["results"]
+    }
     message = next(finding["message"] for finding in told["a"] if finding["code"] == "CW-R039")
     assert "b.csv, c.csv" in message
 
@@ -324,7 +327,7 @@ def test_names_decide_where_the_content_does_not(tmp_path: Path, order: tuple[in
     }
     put(tmp_path, **made)
     paths = [tmp_path / f"{name}.csv" for name in made]
-    results = evaluate_files([paths[index] for index in order]).document["results"]
+    results = evaluate_files(Session(), [paths[index] for index in order]).document["results"]
     squareness = {result["name"]: result["diagnosis"]["squareness"]["value"] for result in results}
     # um/m; the causes differ by 35, the standard errors are below 2
     assert squareness == {
@@ -375,7 +378,7 @@ def test_one_standard_per_kind(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert [old["parameters"][name] for name in ("D", "G_bidirectional")] == [None, None]
     assert "1996" in old["not_applicable"]["D"]
     with pytest.raises(UsageError, match="more than one for circular tests") as caught:
-        evaluate_files([tmp_path], ["iso230-4:1996", "iso230-4:2005", "vdi3441"])
+        evaluate_files(Session(), [tmp_path], ["iso230-4:1996", "iso230-4:2005", "vdi3441"])
     assert len(caught.value.faults) == 1
     assert compwright(["evaluate", str(tmp_path), "--standard", "iso230-4:2015"]) == 2
     assert "expected iso230-4:1996, iso230-4:2005, found iso230-4:2015" in capsys.readouterr().err
@@ -412,7 +415,7 @@ def test_causes_without_a_standard_error_are_not_given(
 
     monkeypatch.setattr(diagnosed, "diagnose", unsound)
     put(tmp_path, xy=csv_of())
-    (result,) = evaluate_files([tmp_path]).document["results"]
+    (result,) = evaluate_files(Session(), [tmp_path]).document["results"]
     assert result["diagnosis"] is None
     assert "do not tell the causes apart" in result["not_applicable"]["diagnosis"]
 
@@ -433,7 +436,7 @@ def test_samples_without_noise_are_no_fault_of_compwright(
     )
     text = csv_of(sense, setup=Setup(radius=100.0, feed=1000.0, samples=720, extent=extent + 0.25))
     put(tmp_path, arc=text)
-    run = evaluate_files([tmp_path])
+    run = evaluate_files(Session(), [tmp_path])
     assert run.exit_code == 0
     for result in run.document["results"]:
         causes = result["diagnosis"]
@@ -555,7 +558,7 @@ def shown(document: Mapping[str, Any], width: int) -> str:
 
 def test_the_terminal_shows_the_documents_numbers_at_80_columns(tmp_path: Path) -> None:
     put(tmp_path, x=POSITIONING, xy=csv_of())
-    document = evaluate_files([tmp_path]).document
+    document = evaluate_files(Session(), [tmp_path]).document
     text = shown(document, 80)
     assert all(len(line.rstrip()) <= 80 for line in text.splitlines())
     assert "…" not in text
@@ -588,7 +591,7 @@ def test_the_terminal_shows_the_documents_numbers_at_80_columns(tmp_path: Path) 
 
 @needs_shared
 def test_the_terminal_shows_what_the_instrument_printed() -> None:
-    text = shown(evaluate_files([BALLBAR / name for name in FILES]).document, 80)
+    text = shown(evaluate_files(Session(), [BALLBAR / name for name in FILES]).document, 80)
     assert all(len(line.rstrip()) <= 80 for line in text.splitlines())
     assert "…" not in text.replace("(…)", "")
     assert "Printed in the file: G 7.2 / 6.7 / 7.2, D −5.7 µm" in text
@@ -611,8 +614,9 @@ def test_positioning_loads_nothing_circular_and_circles_nothing_heavy(tmp_path: 
     put(tmp_path, x=POSITIONING, xy=csv_of())
     code = (
         "import sys; from pathlib import Path; from compwright.workflow.results.answers import"
-        " document_text;from compwright.workflow.commands.evaluate import"
-        " evaluate_files;document_text(evaluate_files([Path(sys.argv[1])]).document);print(sorted(m"
+        " document_text;from compwright.foundations.session import Session;"
+        "from compwright.workflow.commands.evaluate import"
+        " evaluate_files;document_text(evaluate_files(Session(), [Path(sys.argv[1])]).document);print(sorted(m"
         " for m in sys.modules if m.startswith('compwright.') and 'circ' in m or m in ('scipy',"
         " 'cvxpy', 'matplotlib', 'pydantic', 'rich', 'xml', 'compwright.instruments.b5r')))"
     )

@@ -9,6 +9,7 @@ import click
 from compwright.cli.saying import deliver, print_lines, tell
 from compwright.cli.words import (
     PATH,
+    Invocation,
     compwright,
     control_options,
     exiting,
@@ -33,7 +34,10 @@ from compwright.cli.words import (
 @json_option
 @force_option
 @exiting
+@click.pass_obj
 def decode(
+    invocation: Invocation,
+    /,
     paths: tuple[Path, ...],
     format_id: str,
     options: tuple[str, ...],
@@ -46,8 +50,8 @@ def decode(
     from compwright.workflow.commands.decode import decode_files
     from compwright.workflow.results.answers import decode_summary
 
-    document = decode_files(paths, format_id, pairs(options), axis=axis, at=at)
-    deliver(document, json_path, lambda: decode_summary(document), force=force)
+    document = decode_files(invocation.session, paths, format_id, pairs(options), axis=axis, at=at)
+    deliver(invocation.session, document, json_path, lambda: decode_summary(document), force=force)
     return 0
 
 
@@ -59,7 +63,10 @@ def decode(
 @click.option("--out", required=True, type=PATH, help="Folder for the control's files.")
 @force_option
 @exiting
+@click.pass_obj
 def export(
+    invocation: Invocation,
+    /,
     plan: Path,
     format_id: str,
     options: tuple[str, ...],
@@ -70,7 +77,9 @@ def export(
     """Write the tables of a plan again, for its control or another."""
     from compwright.workflow.commands.export import export_plan
 
-    outcome = export_plan(plan, format_id, pairs(options), states, out, force=force)
+    outcome = export_plan(
+        invocation.session, plan, format_id, pairs(options), states, out, force=force
+    )
     for entry in outcome.assumed:
         tell(f"assumed: {entry.fact} = {entry.value} ({entry.evidence})")
     for name in outcome.missing:
@@ -94,7 +103,10 @@ def export(
 @json_option
 @force_option
 @exiting
+@click.pass_obj
 def compare(
+    invocation: Invocation,
+    /,
     plan: Path,
     loaded: tuple[Path, ...],
     json_path: Path | None,
@@ -105,8 +117,14 @@ def compare(
     from compwright.workflow.commands.verify import plan_path
     from compwright.workflow.results.answers import compare_summary
 
-    outcome = compare_plan(plan_path(plan, plan), loaded)
-    deliver(outcome.document, json_path, lambda: compare_summary(outcome.document), force=force)
+    outcome = compare_plan(invocation.session, plan_path(invocation.session, plan, plan), loaded)
+    deliver(
+        invocation.session,
+        outcome.document,
+        json_path,
+        lambda: compare_summary(outcome.document),
+        force=force,
+    )
     return outcome.exit_code
 
 
@@ -126,7 +144,10 @@ def compare(
 @json_option
 @force_option
 @exiting
+@click.pass_obj
 def diff(
+    invocation: Invocation,
+    /,
     old: tuple[Path, ...],
     new: tuple[Path, ...],
     format_id: str,
@@ -138,8 +159,14 @@ def diff(
     from compwright.workflow.commands.diff import diff_files
     from compwright.workflow.results.answers import diff_summary
 
-    outcome = diff_files(old, new, format_id, pairs(options))
-    deliver(outcome.document, json_path, lambda: diff_summary(outcome.document), force=force)
+    outcome = diff_files(invocation.session, old, new, format_id, pairs(options))
+    deliver(
+        invocation.session,
+        outcome.document,
+        json_path,
+        lambda: diff_summary(outcome.document),
+        force=force,
+    )
     return outcome.exit_code
 
 
@@ -150,31 +177,34 @@ def formats() -> None:
 
 @formats.command("list")
 @exiting
-def formats_list() -> int:
+@click.pass_obj
+def formats_list(invocation: Invocation, /) -> int:
     """List the controls that compwright can write for."""
     from compwright.workflow.commands.formats import list_formats
 
-    print_lines(list_formats())
+    print_lines(list_formats(invocation.session))
     return 0
 
 
 @formats.command("show")
 @click.argument("format_id", metavar="ID|FILE")
 @exiting
-def formats_show(format_id: str) -> int:
+@click.pass_obj
+def formats_show(invocation: Invocation, /, format_id: str) -> int:
     """Show what a control can hold, its options, and how well each fact is known."""
     from compwright.workflow.commands.formats import show_format
 
-    print_lines(show_format(format_id))
+    print_lines(show_format(invocation.session, format_id))
     return 0
 
 
 @formats.command("check")
 @click.argument("paths", nargs=-1, metavar="[PATH...]", type=PATH)
 @exiting
-def formats_check(paths: tuple[Path, ...]) -> int:
+@click.pass_obj
+def formats_check(invocation: Invocation, /, paths: tuple[Path, ...]) -> int:
     """Check definitions: those that ship with compwright, or files and folders of your own."""
     from compwright.workflow.commands.formats import check_formats
 
-    print_lines(check_formats(paths))
+    print_lines(check_formats(invocation.session, paths))
     return 0

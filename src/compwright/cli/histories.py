@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from compwright.cli.saying import answer, errors, json_file, tell
-from compwright.cli.words import PATH, compwright, exiting, force_option, json_option
+from compwright.cli.words import PATH, Invocation, compwright, exiting, force_option, json_option
 
 
 @compwright.command()
@@ -23,7 +23,10 @@ from compwright.cli.words import PATH, compwright, exiting, force_option, json_o
 @json_option
 @force_option
 @exiting
+@click.pass_obj
 def history(
+    invocation: Invocation,
+    /,
     folders: tuple[Path, ...],
     plot: Path | None,
     table: Path | None,
@@ -38,6 +41,7 @@ def history(
     from compwright.workflow.results.answers import history_summary
 
     outcome = history_of(
+        invocation.session,
         folders,
         index=index,
         json_path=json_file(json_path),

@@ -11,6 +11,7 @@ from compwright.cli.saying import answer, errors, json_file, print_lines, tell
 from compwright.cli.words import (
     FILE_WORD,
     PATH,
+    Invocation,
     compwright,
     control_options,
     exiting,
@@ -21,7 +22,6 @@ from compwright.cli.words import (
     profile_option,
     state_option,
 )
-from compwright.foundations.side_by_side import Crew
 
 
 @compwright.command("run")
@@ -54,7 +54,12 @@ from compwright.foundations.side_by_side import Crew
 @exiting
 @click.pass_obj
 def run_command(
-    crew: Crew, /, inputs: tuple[Path, ...], out: Path | None, json_path: Path | None, **words: Any
+    invocation: Invocation,
+    /,
+    inputs: tuple[Path, ...],
+    out: Path | None,
+    json_path: Path | None,
+    **words: Any,
 ) -> int:
     """Evaluate, fit, export, predict and report: the whole job."""
     from compwright.workflow.commands.run import run_job
@@ -63,6 +68,7 @@ def run_command(
     from compwright.workflow.results.answers import run_summary
 
     asked = job_of(
+        invocation.session,
         [str(path) for path in inputs],
         format_id=words["format_id"],
         axis=words["axis"],
@@ -72,8 +78,9 @@ def run_command(
         profile=None if words["profile"] is None else str(words["profile"]),
         out=out,
     )
-    with crew(len(asked.job.axes), ready_for_axes) as each:
+    with invocation.crew(len(asked.job.axes), ready_for_axes) as each:
         outcome = run_job(
+            invocation.session,
             asked.job,
             asked.folder,
             asked.out,
@@ -111,7 +118,10 @@ def run_command(
 @click.option("--out", required=True, type=PATH, metavar="JOB.yaml", help="The job file to write.")
 @force_option
 @exiting
+@click.pass_obj
 def new(
+    invocation: Invocation,
+    /,
     files: tuple[Path, ...],
     format_id: str,
     options: tuple[str, ...],
@@ -121,7 +131,7 @@ def new(
     """Write a job prefilled from the control's own files."""
     from compwright.workflow.commands.new import new_job
 
-    outcome = new_job(files, format_id, pairs(options), out, force=force)
+    outcome = new_job(invocation.session, files, format_id, pairs(options), out, force=force)
     print_lines([str(outcome.path)])
     for line in outcome.open:
         tell(f"fill in: {line}")
@@ -162,7 +172,7 @@ def new(
 @exiting
 @click.pass_obj
 def verify(
-    crew: Crew,
+    invocation: Invocation,
     /,
     job_file: Path,
     after: tuple[str, ...],
@@ -179,11 +189,12 @@ def verify(
     from compwright.workflow.ready import ready_for_axes
     from compwright.workflow.results.answers import verify_summary
 
-    folder = default_folder(job_file)
-    plan_file = plan_path(plan, folder)
-    job = read_job_file(job_file, plan_file)
-    with crew(len(job.axes) if words["update"] else 1, ready_for_axes) as each:
+    folder = default_folder(invocation.session, job_file)
+    plan_file = plan_path(invocation.session, plan, folder)
+    job = read_job_file(invocation.session, job_file, plan_file)
+    with invocation.crew(len(job.axes) if words["update"] else 1, ready_for_axes) as each:
         outcome = verify_job(
+            invocation.session,
             job,
             after,
             plan_file=plan_file,

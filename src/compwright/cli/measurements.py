@@ -19,6 +19,7 @@ from compwright.cli.saying import (
 )
 from compwright.cli.words import (
     PATH,
+    Invocation,
     compwright,
     exiting,
     force_option,
@@ -26,7 +27,6 @@ from compwright.cli.words import (
     profile_option,
 )
 from compwright.foundations.own_faults import OWN_FAULT
-from compwright.foundations.side_by_side import Crew
 
 #: Notes of one kind that are told; the others are counted.
 _MOST_NOTES = 10
@@ -65,7 +65,7 @@ _STANDARDS = (
 @exiting
 @click.pass_obj
 def evaluate(
-    crew: Crew,
+    invocation: Invocation,
     /,
     paths: tuple[Path, ...],
     standards: tuple[str, ...],
@@ -88,15 +88,17 @@ def evaluate(
 
     with progress(shown=json_path is None and on_terminal()) as watch:
         outcome = evaluate_files(
+            invocation.session,
             paths,
             standards,
             spread,
             profile=profile,
             whole=json_path is not None or plot is not None or targets,
-            crew=crew,
+            crew=invocation.crew,
             watch=watch,
         )
     written = write_evaluation(
+        invocation.session,
         outcome.document,
         json_path=json_file(json_path),
         plot_path=plot,
@@ -153,7 +155,10 @@ def _tell_errors(entries: Sequence[Mapping[str, str]], *, one_each: bool) -> Non
 @click.option("--out", required=True, type=PATH, metavar="P.yaml", help="The profile to write.")
 @force_option
 @exiting
+@click.pass_obj
 def profile(
+    invocation: Invocation,
+    /,
     file: Path,
     out: Path,
     force: bool,  # noqa: FBT001 - a flag of the command line
@@ -161,7 +166,7 @@ def profile(
     """Propose a mapping profile for a table made by another program."""
     from compwright.workflow.commands.profile import propose_profile
 
-    outcome = propose_profile(file, out, force=force)
+    outcome = propose_profile(invocation.session, file, out, force=force)
     print_lines([str(outcome.path), *outcome.worked])
     for line in outcome.notes:
         tell(f"note: {line}")
@@ -181,7 +186,10 @@ def profile(
 )
 @force_option
 @exiting
+@click.pass_obj
 def simulate(
+    invocation: Invocation,
+    /,
     machine: Path,
     out: Path,
     seed: int,
@@ -192,7 +200,13 @@ def simulate(
     from compwright.workflow.commands.simulate import load_machine, simulate_files
 
     written = simulate_files(
-        load_machine(machine), out, seed=seed, tables=tables, force=force, file=str(machine)
+        invocation.session,
+        load_machine(invocation.session, machine),
+        out,
+        seed=seed,
+        tables=tables,
+        force=force,
+        file=str(machine),
     )
     print_lines(map(str, written))
     return 0
@@ -205,12 +219,12 @@ def simulate(
 @force_option
 @exiting
 @click.pass_obj
-def demo(crew: Crew, /, out: Path, force: bool) -> int:  # noqa: FBT001 - a flag of the command line
+def demo(invocation: Invocation, /, out: Path, force: bool) -> int:  # noqa: FBT001 - a flag of the command line
     """Play the whole loop on a virtual machine."""
     from compwright.workflow.commands.demo import run_demo
     from compwright.workflow.results.answers import demo_summary, show
 
-    outcome = run_demo(out, force=force, crew=crew)
+    outcome = run_demo(invocation.session, out, force=force, crew=invocation.crew)
     print_safely(lambda: show(demo_summary(outcome)))
     for note in (*outcome.run.notes, *outcome.verification.notes):
         tell(f"note: {note}")

@@ -9,6 +9,7 @@ import click
 from compwright.cli.saying import answer_lines, errors, json_file, tell
 from compwright.cli.words import (
     PATH,
+    Invocation,
     compwright,
     exiting,
     force_option,
@@ -31,7 +32,10 @@ from compwright.cli.words import (
 @json_option
 @force_option
 @exiting
+@click.pass_obj
 def redact(
+    invocation: Invocation,
+    /,
     paths: tuple[Path, ...],
     out: Path,
     profile: Path | None,
@@ -44,6 +48,7 @@ def redact(
     from compwright.workflow.commands.redact import redact_files, redaction_lines
 
     outcome = redact_files(
+        invocation.session,
         paths,
         out,
         profile=profile,

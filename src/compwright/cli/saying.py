@@ -11,6 +11,7 @@ from typing import Any
 import click
 
 from compwright import __version__
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import visible, visible_lines
 
 #: A file of the wrong kind is wrong in every line: nobody reads more than these.
@@ -46,6 +47,7 @@ def answer(
 
 
 def deliver(
+    session: Session,
     document: Mapping[str, Any],
     json_path: Path | None,
     renderables: Callable[[], list[Any]],
@@ -59,7 +61,7 @@ def deliver(
 
     to_file = json_file(json_path)
     if to_file is not None:
-        write_document(document, to_file, force=force)
+        write_document(session, document, to_file, force=force)
     answer(document, json_path, renderables)
 
 

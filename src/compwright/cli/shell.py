@@ -12,11 +12,11 @@ from typing import NoReturn
 import click
 
 from compwright.cli.saying import ask_for_report, errors, tell
-from compwright.cli.words import compwright
-from compwright.foundations.command_inputs import put_right, start_command
+from compwright.cli.words import Invocation, compwright
 from compwright.foundations.errors import CompwrightError, StorageError, UsageError
 from compwright.foundations.own_faults import OWN_FAULT, own_fault
 from compwright.foundations.processors import look_for_garbage_seldom, use_one_thread
+from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Crew, Each, alone
 from compwright.foundations.utf8 import visible
 
@@ -44,21 +44,21 @@ def run(arguments: list[str], crew: Crew = alone) -> int:
     """Run a command and return its exit code. Every error becomes lines on standard error, never a
     traceback. ``crew``: who works on the axes of a job.
     """
-    start_command()
+    session = Session()
     try:
-        return _done(arguments, crew)
+        return _done(arguments, Invocation(session, crew))
     finally:
-        for folder in put_right():
+        for folder in session.restored:
             tell(
                 f"{visible(folder)}: a command that was stopped had begun to write here; its files"
                 " are again as they were before it"
             )
 
 
-def _done(arguments: list[str], crew: Crew) -> int:
+def _done(arguments: list[str], invocation: Invocation) -> int:
     try:
         code = compwright.main(
-            args=arguments, prog_name="compwright", standalone_mode=False, obj=crew
+            args=arguments, prog_name="compwright", standalone_mode=False, obj=invocation
         )
     except click.exceptions.Exit as leaving:
         return leaving.exit_code

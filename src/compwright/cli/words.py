@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from functools import wraps
 from pathlib import Path
 from typing import Any, ParamSpec
@@ -13,11 +14,23 @@ import click
 from compwright import __version__
 from compwright.foundations.command_words import Form, Own, spread
 from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.session import Session
+from compwright.foundations.side_by_side import Crew
 
 P = ParamSpec("P")
 
 
 _STANDARD_ID = re.compile(r"(iso[0-9-]+|gost[0-9]+):[0-9]{4}|vdi[0-9]+")
+
+
+@dataclass(frozen=True, slots=True)
+class Invocation:
+    """What one call of the command line hands to its command. ``crew``: who works on the axes of a
+    job.
+    """
+
+    session: Session
+    crew: Crew
 
 
 class _PathType(click.ParamType[Path]):
@@ -47,7 +60,9 @@ class _FileWord(click.ParamType[str]):
         return str(value)
 
 
-def _matched(kind: click.ParamType[Any], values: Iterable[object]) -> Iterator[Any]:
+def _matched(
+    session: Session, kind: click.ParamType[Any], values: Iterable[object]
+) -> Iterator[Any]:
     """Yield the files that values of several stand for: where the shell leaves ``*`` and ``?`` to
     the program (Windows), those that fit.
     """
@@ -58,7 +73,7 @@ def _matched(kind: click.ParamType[Any], values: Iterable[object]) -> Iterator[A
             continue
         from compwright.workflow.inputs.matching import files_matching
 
-        yield from (kind.convert(name, None, None) for name in files_matching(text))
+        yield from (kind.convert(name, None, None) for name in files_matching(session, text))
 
 
 class _Command(click.Command):
@@ -88,7 +103,7 @@ class _Command(click.Command):
         for param in self.get_params(ctx):
             values = ctx.params.get(param.name or "")
             if isinstance(values, tuple) and isinstance(param.type, _PathType | _FileWord):
-                ctx.params[param.name or ""] = tuple(_matched(param.type, values))
+                ctx.params[param.name or ""] = tuple(_matched(ctx.obj.session, param.type, values))
         return left
 
 

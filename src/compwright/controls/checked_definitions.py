@@ -16,6 +16,7 @@ from compwright.formats.definitions import given_twice, load_definition
 from compwright.formats.gate.gate import check_definition, disagreements
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault
+from compwright.foundations.session import Session
 from compwright.records.correction import ControlFile
 
 
@@ -31,14 +32,14 @@ class CheckedDefinition:
     judged: bool = False
 
 
-def checked_definitions(paths: Sequence[Path]) -> Iterator[CheckedDefinition]:
+def checked_definitions(session: Session, paths: Sequence[Path]) -> Iterator[CheckedDefinition]:
     """Yield the definitions in ``paths`` (files or folders; none: those that ship), each checked:
     keys, corrections worked by hand by both readers, its sample. Raises InputError for what
     cannot be read.
     """
     ids: dict[str, str] = {}
-    ships = set(dict(storage.definition_files()).values())
-    for file, content, find in _contents(paths):
+    ships = set(dict(storage.definition_files(session)).values())
+    for file, content, find in _contents(session, paths):
         try:
             definition = load_definition(content, file, find)
         except CompwrightError as error:
@@ -49,21 +50,21 @@ def checked_definitions(paths: Sequence[Path]) -> Iterator[CheckedDefinition]:
         if not found and judged:
             found = tuple(_judge(definition))
         if content not in ships:
-            found = (*found, *taken(definition))
+            found = (*found, *taken(session, definition))
         name = definition.id.casefold()  # of folders, on some disks one
         twice = (given_twice(definition, ids[name]),) if name in ids else ()
         ids[name] = file
         yield CheckedDefinition(file, definition, (*found, *twice), judged)
 
 
-def _contents(paths: Sequence[Path]) -> Iterator[tuple[str, bytes, Find]]:
+def _contents(session: Session, paths: Sequence[Path]) -> Iterator[tuple[str, bytes, Find]]:
     if not paths:
-        files = dict(storage.definition_files())
+        files = dict(storage.definition_files(session))
         for name, content in files.items():
             if not is_base(Path(name)):
                 yield name, content, found_in(files)
     for path in paths:
-        yield from definitions_at(path)
+        yield from definitions_at(session, path)
 
 
 def _judge(definition: Definition) -> Iterator[Fault]:

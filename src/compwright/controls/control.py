@@ -40,6 +40,7 @@ from compwright.foundations.input_sizes import (
     MOST_DIGITS,
     in_words,
 )
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis
 from compwright.records.correction import (
     Assumption,
@@ -213,13 +214,13 @@ class Control:
 
 
 def open_control(
-    format_id: str, given: Mapping[str, object], origin: Origin = COMMAND_LINE
+    session: Session, format_id: str, given: Mapping[str, object], origin: Origin = COMMAND_LINE
 ) -> Control:
     """Return a control by its id, or by the path of a definition of one's own. Raises UsageError
     for an unknown name or option (saying which exist), and with every fault of such a definition.
     """
     try:
-        definition, notes = _definition(format_id, origin)
+        definition, notes = _definition(session, format_id, origin)
     except UsageError as error:
         faults = (
             fault if fault.file else replace(fault, place=origin.format_place)
@@ -233,26 +234,28 @@ def open_control(
     return Control(format=format_, origin=origin, notes=notes)
 
 
-def _definition(name: str, origin: Origin) -> tuple[Definition, tuple[Finding, ...]]:
+def _definition(
+    session: Session, name: str, origin: Origin
+) -> tuple[Definition, tuple[Finding, ...]]:
     """Return the definition of a control, and what has to be said of it. What a plan carries counts
     before the file that it came from. Raises UsageError.
     """
     if not origin.carried:
-        found = definition_named(name, origin.folder)
+        found = definition_named(session, name, origin.folder)
         return found, () if found.id == name or is_path(name) else (_taken_for(name, found),)
-    carried = carried_definition(origin.carried)
+    carried = carried_definition(session, origin.carried)
     if name == carried.id:
         return carried, ()
     if not is_path(name):
-        return definition_named(name, origin.folder), ()
+        return definition_named(session, name, origin.folder), ()
     try:
-        found = own_definition(storage.named_from(origin.folder, name))
+        found = own_definition(session, storage.named_from(origin.folder, name))
     except InputError as error:
         if Path(name).name != Path(carried.file).name:
             raise UsageError(*error.faults) from error
         return carried, (_not_as_planned(carried, f"{name} can no longer be read"),)
     if found.id != carried.id:
-        return definition_named(name, origin.folder), ()
+        return definition_named(session, name, origin.folder), ()
     same = [text for _, text in found.own] == [text for _, text in carried.own]
     return carried, () if same else (_not_as_planned(carried, f"{name} has changed since the run"),)
 
@@ -316,7 +319,7 @@ def holds_archive(files: Sequence[ControlFile]) -> bool:
     return any(map(is_container, files))
 
 
-def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
+def read_files(session: Session, paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     """Read control files; a folder stands for all files in it. Raises InputError with every file
     that cannot be read.
     """
@@ -324,11 +327,12 @@ def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     files: list[ControlFile] = []
     for path in paths:
         try:
-            entries = control_entries(path)
+            entries = control_entries(session, path)
             own = entries == [path]
             folder, kind = ("", CONTROL) if own else (str(entries[0].parent), IN_FOLDER)
             files.extend(
-                from_line(entry.name, storage.read_bytes(entry, kind), folder) for entry in entries
+                from_line(entry.name, storage.read_bytes(session, entry, kind), folder)
+                for entry in entries
             )
         except InputError as error:
             faults.extend(error.faults)
@@ -344,7 +348,9 @@ def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     return tuple(files)
 
 
-def set_aside(control: Control, files: Sequence[Path]) -> tuple[list[Path], tuple[str, ...]]:
+def set_aside(
+    session: Session, control: Control, files: Sequence[Path]
+) -> tuple[list[Path], tuple[str, ...]]:
     """Return the files that a job takes, and what it leaves of folders because nothing in it is
     the control's, one line each. A folder of which all is taken stays a folder; a file that is
     named is always taken. Raises InputError.
@@ -352,8 +358,8 @@ def set_aside(control: Control, files: Sequence[Path]) -> tuple[list[Path], tupl
     taken: list[Path] = []
     aside: list[Path] = []
     for path in files:
-        inside = [one for one in storage.list_files(path) if one != path]
-        read = read_files([path]) if inside else ()
+        inside = [one for one in storage.list_files(session, path) if one != path]
+        read = read_files(session, [path]) if inside else ()
         others = {file.name for file in read if says_nothing(control.definition, file)}
         left = [one for one in inside if one.name in others]
         whole = not left or len(left) == len(inside)

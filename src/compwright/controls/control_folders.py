@@ -8,6 +8,7 @@ from compwright.documents.record import RECORD
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.input_sizes import CONTROL
+from compwright.foundations.session import Session
 
 #: Results of a run; its tables are in folders below (``tables/<format>/``).
 _RESULTS = ("plan.json", RECORD)
@@ -15,20 +16,20 @@ _TABLES = "tables"
 _DEEPEST = 3
 
 
-def control_entries(path: Path, deepest: int = _DEEPEST) -> list[Path]:
+def control_entries(session: Session, path: Path, deepest: int = _DEEPEST) -> list[Path]:
     """Return ``[path]`` for a file, and for a folder its files; of one without files those of the
     only folder below it that has some.
 
     Raises InputError for a folder of results, for several such folders, and for none.
     """
-    entries = _entries(path, deepest)
+    entries = _entries(session, path, deepest)
     if not entries:  # nothing to read is not "nothing is active": that is the word none
         raise _fault(path, "the folder holds no files", CONTROL.help)
     return entries
 
 
-def _entries(path: Path, deepest: int) -> list[Path]:
-    entries = storage.list_files(path)
+def _entries(session: Session, path: Path, deepest: int) -> list[Path]:
+    entries = storage.list_files(session, path)
     if entries == [path]:
         return entries
     if any(entry.name in _RESULTS for entry in entries):
@@ -37,7 +38,9 @@ def _entries(path: Path, deepest: int) -> list[Path]:
     if entries or deepest == 0:
         return entries
     found = [
-        files for folder in storage.folders_in(path) if (files := _entries(folder, deepest - 1))
+        files
+        for folder in storage.folders_in(path)
+        if (files := _entries(session, folder, deepest - 1))
     ]
     if len(found) > 1:
         folders = " or ".join(str(files[0].parent) for files in found)

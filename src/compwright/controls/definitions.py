@@ -19,6 +19,7 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.input_sizes import DEFINITION
 from compwright.foundations.key_faults import nearest
+from compwright.foundations.session import Session
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.plan import Texts
 
@@ -31,43 +32,45 @@ def is_path(name: str) -> bool:
     return name.lower().endswith(_YAML) or "/" in name or "\\" in name
 
 
-def definition_named(name: str, folder: Path) -> Definition:
+def definition_named(session: Session, name: str, folder: Path) -> Definition:
     """Return the definition of an id that ships, or of a file of the user's own that passes the
     gate. ``folder``: what its path is relative to.
 
     Raises UsageError for an unknown id (saying which exist) and with every fault of a file.
     """
     if not is_path(name):
-        return _shipped(name)
+        return _shipped(session, name)
     try:
-        definition = own_definition(storage.named_from(folder, name))
+        definition = own_definition(session, storage.named_from(folder, name))
         raise_all(InputError, _gate(definition.own))
     except InputError as error:
         raise UsageError(*error.faults) from error
     return definition
 
 
-def own_definition(path: Path) -> Definition:
+def own_definition(session: Session, path: Path) -> Definition:
     """Return the definition in a file of the user's own, its keys checked.
 
     What it extends lies beside it, or ships. Raises InputError with every fault, and for an id
     that ships: results and folders are named by it.
     """
-    definition = load_definition(_content(path), str(path), _beside(path.parent), own=True)
-    raise_all(InputError, taken(definition))
+    definition = load_definition(
+        _content(session, path), str(path), _beside(session, path.parent), own=True
+    )
+    raise_all(InputError, taken(session, definition))
     return definition
 
 
-def shipped_definitions() -> dict[str, Definition]:
+def shipped_definitions(session: Session) -> dict[str, Definition]:
     """Return every definition that ships, by its id. Raises InputError for one that cannot be
     read.
     """
-    return definitions_from(storage.definition_files())
+    return definitions_from(storage.definition_files(session))
 
 
-def taken(definition: Definition) -> tuple[Fault, ...]:
+def taken(session: Session, definition: Definition) -> tuple[Fault, ...]:
     """Return the fault of a definition under the id of a control that ships, whatever its case."""
-    stems = (Path(name).stem for name, _ in storage.definition_files())
+    stems = (Path(name).stem for name, _ in storage.definition_files(session))
     shipped = {stem.casefold(): stem for stem in stems}.get(definition.id.casefold())
     if shipped is None:
         return ()
@@ -82,11 +85,11 @@ def taken(definition: Definition) -> tuple[Fault, ...]:
     )
 
 
-def carried_definition(texts: Texts) -> Definition:
+def carried_definition(session: Session, texts: Texts) -> Definition:
     """Return the definition that a plan carries. Raises InputError with every fault."""
     raise_all(InputError, _gate(texts))
     definition = definition_of(texts, own=True)
-    raise_all(InputError, taken(definition))
+    raise_all(InputError, taken(session, definition))
     return definition
 
 
@@ -109,7 +112,7 @@ def files_of_definition(texts: Texts) -> dict[str, bytes]:
     return found
 
 
-def definitions_at(path: Path) -> list[tuple[str, bytes, Find]]:
+def definitions_at(session: Session, path: Path) -> list[tuple[str, bytes, Find]]:
     """Return the definitions in a file or folder: name, bytes, and where what they extend lies.
     Raises InputError for what cannot be read, and for a base that was named alone.
     """
@@ -117,8 +120,8 @@ def definitions_at(path: Path) -> list[tuple[str, bytes, Find]]:
         message = "is only extended by others, and no control by itself"
         raise InputError(Fault(message=message, file=str(path), expected="what extends it"))
     return [
-        (str(entry), _content(entry), _beside(entry.parent))
-        for entry in storage.list_files(path)
+        (str(entry), _content(session, entry), _beside(session, entry.parent))
+        for entry in storage.list_files(session, path)
         if entry == path or (entry.name.lower().endswith(_YAML) and not is_base(entry))
     ]
 
@@ -133,35 +136,35 @@ def _gate(texts: Texts) -> tuple[Fault, ...]:
     return check_definition(definition_of(texts, own=True))
 
 
-def _content(path: Path) -> bytes:
-    return storage.read_bytes(path, DEFINITION)
+def _content(session: Session, path: Path) -> bytes:
+    return storage.read_bytes(session, path, DEFINITION)
 
 
-def _beside(folder: Path) -> Find:
+def _beside(session: Session, folder: Path) -> Find:
     """Return what finds a definition that is extended: a YAML file seen from ``folder``, else what
     ships.
     """
 
     def find(name: str) -> tuple[str, bytes] | None:
         path = folder / name
-        if is_path(name) and storage.is_there(path):
-            return str(path), _content(path)
-        return found_in(dict(storage.definition_files()))(name)
+        if is_path(name) and storage.is_there(session, path):
+            return str(path), _content(session, path)
+        return found_in(dict(storage.definition_files(session)))(name)
 
     return find
 
 
-def _shipped(format_id: str) -> Definition:
+def _shipped(session: Session, format_id: str) -> Definition:
     """Return a definition that ships, reading only the file of that name where there is one
     (reading all takes a while).
     """
-    files = dict(storage.definition_files())
+    files = dict(storage.definition_files(session))
     own = f"{format_id}.yaml"
     if own in files and not own.endswith(BASE_ENDING):
         named = load_definition(files[own], own, found_in(files))
         if named.id == format_id:
             return named
-    definitions = shipped_definitions()
+    definitions = shipped_definitions(session)
     if format_id in definitions:
         return definitions[format_id]
     meant = [one for one in definitions.values() if _plain(format_id) in _names(one)]

@@ -5,7 +5,6 @@ with every digit that the workbook holds.
 from __future__ import annotations
 
 import re
-import warnings
 import zipfile
 import zlib
 from collections.abc import Iterator, Sequence
@@ -24,6 +23,7 @@ from compwright.foundations.input_sizes import (
     MOST_UNPACKED_BESIDE,
     in_words,
 )
+from compwright.foundations.one_thread import warnings_ignored
 from compwright.instruments.hidden_cells import NOTHING_HIDDEN, Hidden, hidden_of
 
 _SIGNATURE: Final = b"PK\x03\x04"
@@ -70,8 +70,7 @@ def sheets_of(content: bytes, file: str) -> tuple[Sheet, ...]:
             )
         ) from error
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of what a workbook has beside its cells
+        with warnings_ignored():  # of what a workbook has beside its cells
             values = openpyxl.load_workbook(BytesIO(content), read_only=True, data_only=True)
             written = openpyxl.load_workbook(BytesIO(content), read_only=True) if formulas else None
             sheets = tuple(_sheets(values, written, file))

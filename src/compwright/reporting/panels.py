@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import io
-import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, Final, Literal, cast
 
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.extras import need
+from compwright.foundations.one_thread import warnings_ignored
 from compwright.reporting.charts import INK, LEGEND_TITLE, Chart, Curve, covered, legend_of
 
 PlotFormat = Literal["svg", "png", "pdf"]
@@ -126,14 +126,13 @@ def known_format(format_: str) -> PlotFormat:
 
 @contextmanager
 def style() -> Iterator[None]:
-    """Set the look of all figures while one is drawn and written. Raises UsageError when the report
-    extra is missing.
+    """Set the look of all figures while one is drawn and written; one thread draws at a time, for
+    the plotting library keeps one style for the process. Raises UsageError when the report extra is
+    missing.
     """
     matplotlib = need("matplotlib")
-    with warnings.catch_warnings(), matplotlib.rc_context(_STYLE):
-        warnings.filterwarnings(
-            "ignore", message="Glyph"
-        )  # a name in a script that the font lacks shows boxes
+    # a name in a script that the font lacks shows boxes
+    with warnings_ignored("Glyph"), matplotlib.rc_context(_STYLE):
         yield
 
 

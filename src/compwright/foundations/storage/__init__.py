@@ -4,8 +4,8 @@ What a command writes goes from old to new as one (`transaction`); a failure on 
 what was there before, and where the process itself was stopped, the next one that reads or writes
 there does (`recovery`).
 
-What a command has read is never overwritten or deleted by it, whatever name leads there (a link,
-another case of the letters, a way around through ``..``): see `command_inputs`.
+What a command has read is never overwritten or deleted by it, whatever name leads there: the
+`Session` that every function takes which reads, writes or looks for what was left unfinished.
 """
 
 from compwright.foundations.storage.hindrances import refuse_overwriting

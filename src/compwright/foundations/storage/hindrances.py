@@ -8,6 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from compwright.foundations.errors import Fault, StorageError
+from compwright.foundations.session import Session
 from compwright.foundations.storage.looking import identity, is_existing_file, reason, relative
 from compwright.foundations.storage.reading import was_read
 
@@ -15,7 +16,7 @@ _MOST_NAMED = 4  # files named in a line about several
 
 
 def refuse_overwriting(
-    targets: Mapping[Path, bytes], *, force: bool, completed: Sequence[Path] = ()
+    session: Session, targets: Mapping[Path, bytes], *, force: bool, completed: Sequence[Path] = ()
 ) -> None:
     """Raise StorageError, naming every file that may not be written.
 
@@ -24,7 +25,7 @@ def refuse_overwriting(
     what is no file at all (a device, a pipe), and a file that would be written twice.
     """
     faults = dict.fromkeys(
-        fault for path, content in targets.items() for fault in _hindrances(path, content)
+        fault for path, content in targets.items() for fault in _hindrances(session, path, content)
     )
     existing = [
         path for path in targets if not force and path not in completed and is_existing_file(path)
@@ -36,13 +37,13 @@ def refuse_overwriting(
         raise StorageError(*faults)
 
 
-def _hindrances(path: Path, content: bytes) -> Iterator[Fault]:
+def _hindrances(session: Session, path: Path, content: bytes) -> Iterator[Fault]:
     try:
         exists, is_file, is_folder = os.path.lexists(path), path.is_file(), path.is_dir()
         is_link = path.is_symlink()
         above = next((folder for folder in path.parents if os.path.lexists(folder)), None)
         blocked = above is not None and not above.is_dir()
-        input_lost = is_file and was_read(path) and path.read_bytes() != content
+        input_lost = is_file and was_read(session, path) and path.read_bytes() != content
     except (OSError, ValueError) as error:
         yield Fault(message="cannot be written", file=str(path), found=reason(error))
         return

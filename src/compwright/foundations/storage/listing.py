@@ -9,20 +9,20 @@ from contextlib import suppress
 from pathlib import Path
 
 from compwright.foundations.errors import Fault, InputError
-from compwright.foundations.foreseen import foreseen_bytes
+from compwright.foundations.session import Session
 from compwright.foundations.storage.journal import UNFINISHED
 from compwright.foundations.storage.looking import is_folder, reason
 from compwright.foundations.storage.recovery import put_right_above, put_right_in
 
 
-def list_files(path: Path) -> list[Path]:
+def list_files(session: Session, path: Path) -> list[Path]:
     """Return ``[path]`` for a file or for nothing, and for a folder all in it but folders by name,
     hidden ones left out.
 
     What is no ordinary file (a pipe, a link to nowhere) is listed too: `read_bytes` says so. Raises
     InputError when the folder cannot be listed.
     """
-    put_right_in(path, InputError)
+    put_right_in(session, path, InputError)
     try:
         if not path.is_dir():
             return [path]
@@ -47,7 +47,7 @@ def folders_in(path: Path) -> list[Path]:
         return []
 
 
-def in_folders_of(folder: Path, name: str) -> list[Path]:
+def in_folders_of(session: Session, folder: Path, name: str) -> list[Path]:
     """Return the files called ``name`` that lie in the folders of ``folder``, one level down; what
     cannot be listed has none.
     """
@@ -55,14 +55,16 @@ def in_folders_of(folder: Path, name: str) -> list[Path]:
     try:
         for inner in sorted(path for path in folder.iterdir() if path.is_dir()):
             with suppress(InputError):
-                put_right_in(inner, InputError)
+                put_right_in(session, inner, InputError)
                 found += [inner / name] if (inner / name).is_file() else []
     except (OSError, ValueError):
         return []
     return found
 
 
-def folders_holding(top: Path, names: Sequence[str]) -> tuple[list[Path], list[Fault]]:
+def folders_holding(
+    session: Session, top: Path, names: Sequence[str]
+) -> tuple[list[Path], list[Fault]]:
     """Return ``top`` and the folders below it that hold a file of one of ``names``, in the order of
     their names, and those that cannot be read; hidden folders and links to folders are left out.
 
@@ -74,7 +76,7 @@ def folders_holding(top: Path, names: Sequence[str]) -> tuple[list[Path], list[F
                 message="is no folder",
                 file=str(top),
                 expected="a folder with results",
-                found="a file" if is_there(top) else "nothing",
+                found="a file" if is_there(session, top) else "nothing",
             )
         )
     found: list[Path] = []
@@ -89,11 +91,11 @@ def folders_holding(top: Path, names: Sequence[str]) -> tuple[list[Path], list[F
             )
         )
 
-    put_right_above(top, InputError)
+    put_right_above(session, top, InputError)
     for folder, below, files in os.walk(top, onerror=refused):
         if UNFINISHED in below:
             try:
-                put_right_in(Path(folder), InputError)
+                put_right_in(session, Path(folder), InputError)
                 below[:], files[:] = _names_in(Path(folder))
             except InputError as left:
                 faults.extend(left.faults)
@@ -118,23 +120,23 @@ def _names_in(folder: Path) -> tuple[list[str], list[str]]:
     ]
 
 
-def is_there(path: Path) -> bool:
+def is_there(session: Session, path: Path) -> bool:
     """Whether there is a file, folder or link at ``path``; False for a name that no file can
     have. Raises InputError where a stopped command left that open.
     """
-    if foreseen_bytes(path) is not None:
+    if path in session.pending:
         return True
-    put_right_above(path, InputError)
+    put_right_above(session, path, InputError)
     return os.path.lexists(path)
 
 
-def matching(pattern: str) -> list[str]:
+def matching(session: Session, pattern: str) -> list[str]:
     """Return the paths that fit a pattern with ``*`` and ``?`` by name, hidden ones left out; the
     pattern itself where something is called so, and where nothing fits.
     """
     if not {"*", "?"} & set(pattern) or os.path.lexists(pattern):
         return [pattern]
-    put_right_above(Path(pattern), InputError)
+    put_right_above(session, Path(pattern), InputError)
     try:
         # not of pathlib: hidden files stay out, as in a shell
         found = sorted(glob.glob(pattern.replace("[", "[[]")))  # noqa: PTH207

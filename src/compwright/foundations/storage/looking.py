@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from compwright.foundations.command_inputs import Identity
+from compwright.foundations.session import Identity
 
 
 def is_folder(path: Path) -> bool:

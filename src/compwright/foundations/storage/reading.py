@@ -1,4 +1,4 @@
-"""Reading whole: ordinary files alone, and what a command has read is remembered as its input."""
+"""Reading whole: ordinary files alone, and what was read is an input of the session."""
 
 from __future__ import annotations
 
@@ -9,11 +9,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import BinaryIO
 
-from compwright.foundations.command_inputs import is_input, remember
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.file_kinds import refuse_other_kind
-from compwright.foundations.foreseen import foreseen_bytes
 from compwright.foundations.input_sizes import ANY, InputKind, in_words
+from compwright.foundations.session import Session
 from compwright.foundations.storage.looking import identity, reason
 from compwright.foundations.storage.recovery import put_right_above
 
@@ -24,18 +23,18 @@ _NO_WAITING = (
 )
 
 
-def read_bytes(path: Path, kind: InputKind = ANY) -> bytes:
-    """Return the bytes of a file, and remember that it was read; of one that is to be written with
-    what is made of it (`foreseen`) the bytes that it will have.
+def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
+    """Return the bytes of a file, which is an input of the session from now on; of a pending file
+    the bytes that it will have.
 
     Raises InputError when it is missing, cannot be read, is no ordinary file (a pipe or device
     could be waited for without end), is larger than any file of its ``kind`` or plainly of another
     kind; UsageError where a job, profile, definition or virtual machine was expected.
     """
-    expected = foreseen_bytes(path)
-    if expected is not None:
-        return expected
-    put_right_above(path, InputError)
+    pending = session.pending.get(path)
+    if pending is not None:
+        return pending
+    put_right_above(session, path, InputError)
     try:
         refused = _not_to_be_read(path.stat(), kind)
         if refused is None:
@@ -43,7 +42,7 @@ def read_bytes(path: Path, kind: InputKind = ANY) -> bytes:
                 seen = os.fstat(stream.fileno())
                 refused = _not_to_be_read(seen, kind)
                 content = b"" if refused else _at_most(stream, kind.most_bytes + 1)
-            remember((seen.st_dev, seen.st_ino))
+            session.inputs.add((seen.st_dev, seen.st_ino))
     except (OSError, ValueError) as error:  # ValueError: a name that no file can have (a null byte)
         refused = Fault(message="cannot be read", found=reason(error))
         raise InputError(refused.in_file(str(path))) from error
@@ -65,12 +64,12 @@ def _at_most(stream: BinaryIO, count: int) -> bytes:
     return content
 
 
-def earlier_bytes(path: Path) -> bytes:
+def earlier_bytes(session: Session, path: Path) -> bytes:
     """Return the bytes of a result of an earlier run, empty where there is none; it counts as a
     result, not as an input. Raises InputError where a stopped command left it half-written and that
     cannot be put right.
     """
-    put_right_above(path, InputError)
+    put_right_above(session, path, InputError)
     try:
         return (
             path.read_bytes() if path.is_file() and path.stat().st_size <= ANY.most_bytes else b""
@@ -107,22 +106,22 @@ def _too_large(kind: InputKind, found: str) -> Fault:
     return Fault(message="is too large", expected=expected, found=found)
 
 
-def state_of(paths: Sequence[Path]) -> str:
+def state_of(session: Session, paths: Sequence[Path]) -> str:
     """Return what the file system says of files: the same text as long as none was changed, added
     or taken away. They count as read: what is said of them comes from here.
     """
     told = []
     for path in paths:
-        put_right_above(path, InputError)
+        put_right_above(session, path, InputError)
         try:
             seen = path.stat()
-            remember((seen.st_dev, seen.st_ino))
+            session.inputs.add((seen.st_dev, seen.st_ino))
             told.append(f"{seen.st_size}:{seen.st_mtime_ns}")
         except (OSError, ValueError):
             told.append("-")
     return " ".join(told)
 
 
-def was_read(path: Path) -> bool:
-    """Whether this command has read the file at ``path``, by this or another name."""
-    return is_input(identity(path))
+def was_read(session: Session, path: Path) -> bool:
+    """Whether the file at ``path`` was read in this session, by this or another name."""
+    return identity(path) in session.inputs

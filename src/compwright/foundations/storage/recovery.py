@@ -14,14 +14,8 @@ from contextlib import ExitStack, suppress
 from itertools import takewhile
 from pathlib import Path
 
-from compwright.foundations.command_inputs import (
-    is_seen_to,
-    left_over,
-    note_left,
-    note_put_right,
-    see_to,
-)
 from compwright.foundations.errors import CompwrightError, Fault
+from compwright.foundations.session import Session
 from compwright.foundations.storage import disk
 from compwright.foundations.storage.journal import (
     JOURNAL,
@@ -53,50 +47,50 @@ class NotPutRightError(Exception):
 # ---------------------------------------------------------------- whoever reads or writes next
 
 
-def put_right_above(path: Path, error: type[CompwrightError]) -> None:
-    """Take back what stopped processes left in the folder of ``path`` and in those above it, looked
-    for once a command.
+def put_right_above(session: Session, path: Path, error: type[CompwrightError]) -> None:
+    """Take back what stopped processes left in the folder of ``path`` and in those above it, which
+    is searched for once in a session.
 
     Raises ``error`` where that is impossible and ``path`` is a file that would have to be put back,
     or a folder with such a file directly in it.
     """
     folder = os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - for every file read
-    if not is_seen_to(folder):
-        for above in _not_seen_to(Path(folder)):
+    if folder not in session.searched:
+        for above in _not_searched(session, Path(folder)):
             if os.path.lexists(above / UNFINISHED):
-                _put_right(above)
-            see_to(str(above))
-    for left, faults in left_over().items():
+                _put_right(session, above)
+            session.searched.add(str(above))
+    for left, faults in session.unrestored.items():
         if _concerns(Path(left), path):
             what = "belongs to what a stopped command had begun to write"
             raise error(Fault(message=what, file=str(path)), *faults)
 
 
-def put_right_in(folder: Path, error: type[CompwrightError]) -> None:
+def put_right_in(session: Session, folder: Path, error: type[CompwrightError]) -> None:
     """Do as `put_right_above` for a folder and the files in it."""
-    put_right_above(folder / UNFINISHED, error)
-    put_right_above(folder, error)
+    put_right_above(session, folder / UNFINISHED, error)
+    put_right_above(session, folder, error)
 
 
-def _not_seen_to(folder: Path) -> list[Path]:
+def _not_searched(session: Session, folder: Path) -> list[Path]:
     """Return ``folder`` and the folders above it, as it is named and as it is without links, outer
-    ones first, as far as nobody has looked there yet.
+    ones first, as far as they were not searched yet.
     """
     found: list[Path] = []
     for way in (folder, resolved(folder)):
-        inner = takewhile(lambda path: not is_seen_to(str(path)), (way, *way.parents))
+        inner = takewhile(lambda path: str(path) not in session.searched, (way, *way.parents))
         found.extend(reversed(list(inner)))
     return list(dict.fromkeys(found))
 
 
-def _put_right(folder: Path) -> None:
+def _put_right(session: Session, folder: Path) -> None:
     """Take back what was begun in a folder, or note why that is impossible."""
-    if str(folder) in left_over():
+    if str(folder) in session.unrestored:
         return
     try:
-        _take_back(folder)
+        _take_back(session, folder)
     except NotPutRightError as left:
-        note_left(str(folder), left.faults)
+        session.unrestored[str(folder)] = left.faults
     except (OSError, DamagedError) as error:
         if not os.path.lexists(folder / UNFINISHED):  # another process has done it meanwhile
             return
@@ -105,7 +99,7 @@ def _put_right(folder: Path) -> None:
             file=str(folder / UNFINISHED),
             found=reason(error) if isinstance(error, OSError) else str(error),
         )
-        note_left(str(folder), (fault,))
+        session.unrestored[str(folder)] = (fault,)
 
 
 def _concerns(folder: Path, path: Path) -> bool:
@@ -124,14 +118,14 @@ def _concerns(folder: Path, path: Path) -> bool:
 # ---------------------------------------------------------------- one folder, or several as one
 
 
-def _take_back(folder: Path) -> None:
+def _take_back(session: Session, folder: Path) -> None:
     journal = read_journal(folder)
     if journal is None:
         _sweep(folder)
     elif journal.first:
-        _take_back_part(folder, journal)
+        _take_back_part(session, folder, journal)
     else:
-        _take_back_first(folder)
+        _take_back_first(session, folder)
 
 
 def _sweep(folder: Path) -> None:
@@ -147,7 +141,7 @@ def _sweep(folder: Path) -> None:
             lock.release()
 
 
-def _take_back_first(folder: Path) -> None:
+def _take_back_first(session: Session, folder: Path) -> None:
     with ExitStack() as held:
         first = _held(folder, held)
         journal = read_journal(folder)
@@ -159,7 +153,7 @@ def _take_back_first(folder: Path) -> None:
         for lock in (*(lock for *_, lock in others), first):
             with suppress(OSError):
                 clear(lock)
-    note_put_right(str(folder))
+    session.restored.append(str(folder))
 
 
 def _held(folder: Path, held: ExitStack) -> Lock:
@@ -185,7 +179,7 @@ def _from(folder: Path, name: str) -> Path:
     return Path(os.path.normpath(folder / name))
 
 
-def _take_back_part(folder: Path, journal: Journal) -> None:
+def _take_back_part(session: Session, folder: Path, journal: Journal) -> None:
     first = _from(folder, journal.first)
     if not first.is_dir():
         raise NotPutRightError(
@@ -199,12 +193,12 @@ def _take_back_part(folder: Path, journal: Journal) -> None:
             )
         )
     if _decides(first, journal):
-        _take_back_undone(first, folder, journal)
+        _take_back_undone(session, first, folder, journal)
     elif not _is_swept(first, folder, journal):
-        _take_back_part(folder, journal)
+        _take_back_part(session, folder, journal)
 
 
-def _take_back_undone(first: Path, folder: Path, journal: Journal) -> None:
+def _take_back_undone(session: Session, first: Path, folder: Path, journal: Journal) -> None:
     """Take back all that ``first`` decides on; a copy of a part, of which it knows nothing, before
     that by itself.
     """
@@ -215,8 +209,8 @@ def _take_back_undone(first: Path, folder: Path, journal: Journal) -> None:
             lock = _held(folder, held)
             withdraw([(folder, journal)])
             clear(lock)
-        note_put_right(str(folder))
-    _take_back_first(first)
+        session.restored.append(str(folder))
+    _take_back_first(session, first)
 
 
 def _is_swept(first: Path, folder: Path, journal: Journal) -> bool:

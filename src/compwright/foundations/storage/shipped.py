@@ -5,22 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+from compwright.foundations.session import Session
 from compwright.foundations.storage.reading import read_bytes
 
 
-def definition_files() -> Iterator[tuple[str, bytes]]:
+def definition_files(session: Session) -> Iterator[tuple[str, bytes]]:
     """Yield name and bytes of the controller definitions that ship with compwright, in the order of
     their names.
     """
-    return _shipped("controller_formats")
+    return _shipped(session, "controller_formats")
 
 
-def demo_files() -> dict[str, bytes]:
+def demo_files(session: Session) -> dict[str, bytes]:
     """Return machine and job of the demo, which name a control, by the names of their files."""
-    return dict(_shipped("controller_formats/demo"))
+    return dict(_shipped(session, "controller_formats/demo"))
 
 
-def _shipped(folder: str) -> Iterator[tuple[str, bytes]]:
+def _shipped(session: Session, folder: str) -> Iterator[tuple[str, bytes]]:
     """Yield name and bytes of the YAML files of a folder, which lies beside the code in an
     installed wheel and at the top of a source checkout.
     """
@@ -28,5 +29,5 @@ def _shipped(folder: str) -> Iterator[tuple[str, bytes]]:
     for place in (package / folder, package.parents[1] / folder):
         if place.is_dir():
             for path in sorted(place.glob("*.yaml")):
-                yield path.name, read_bytes(path)
+                yield path.name, read_bytes(session, path)
             return

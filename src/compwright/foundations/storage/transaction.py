@@ -16,8 +16,8 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from compwright.foundations.command_inputs import left_over
 from compwright.foundations.errors import Fault, StorageError
+from compwright.foundations.session import Session
 from compwright.foundations.storage import disk
 from compwright.foundations.storage.journal import (
     JOURNAL,
@@ -42,6 +42,7 @@ from compwright.foundations.storage.recovery import (
 
 
 def put(
+    session: Session,
     folder: Path,
     targets: Mapping[Path, bytes],
     removed: Sequence[Path],
@@ -59,7 +60,7 @@ def put(
         fault = Fault(message="cannot be written", file=str(folder), found=reason(error))
         raise StorageError(fault) from error
     if parts:
-        _Work(parts, next(iter((*targets, *removed)))).do(check)
+        _Work(session, parts, next(iter((*targets, *removed)))).do(check)
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +105,8 @@ def _device(folder: Path) -> int:
 class _Work:
     """What was done so far, so that it can be taken back."""
 
-    def __init__(self, parts: list[_Part], current: Path) -> None:
+    def __init__(self, session: Session, parts: list[_Part], current: Path) -> None:
+        self.session = session
         self.parts = parts
         self.current = current  # the file that is said to be the trouble
         self.above: list[Path] = []  # folders that were made to hold the results
@@ -152,7 +154,7 @@ class _Work:
     def _sweep(self, lock: Lock) -> None:
         """Remove what a stopped process prepared; what it began was taken back before."""
         if os.path.lexists(lock.staging / JOURNAL):
-            why = left_over().get(str(lock.staging.parent), ())
+            why = self.session.unrestored.get(str(lock.staging.parent), ())
             now = Fault(
                 message="what another command had begun stands there", file=str(lock.staging)
             )

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path, PurePosixPath
 
-from compwright.foundations.command_inputs import look_again
 from compwright.foundations.errors import Fault, StorageError, raise_all
+from compwright.foundations.session import Session
 from compwright.foundations.storage.hindrances import refuse_overwriting
 from compwright.foundations.storage.looking import identity, is_existing_file, is_folder, resolved
 from compwright.foundations.storage.reading import earlier_bytes, was_read
@@ -19,6 +19,7 @@ Known = Callable[[str, bytes], bool]
 
 
 def write_files(
+    session: Session,
     folder: Path,
     files: Mapping[str, bytes],
     *,
@@ -45,37 +46,45 @@ def write_files(
     out of ``folder``; then everything is as it was before, files replaced included.
     """
     below = {_below(folder, name): name for name in files}
-    _put_right(folder, [*below, *(elsewhere or ())], [*whole, *renewed])
+    _put_right(session, folder, [*below, *(elsewhere or ())], [*whole, *renewed])
     targets = _merged({path: files[name] for path, name in below.items()}, dict(elsewhere or {}))
     unchanged = _Unchanged(targets)
-    refuse_overwriting(targets, force=force, completed=[_below(folder, name) for name in completed])
+    refuse_overwriting(
+        session, targets, force=force, completed=[_below(folder, name) for name in completed]
+    )
     gone = _strangers(folder, [*whole, *renewed], targets) | {
         path: name for name in outdated if is_existing_file(path := _below(folder, name))
     }
     unchanged.add(gone)
     lost = {
-        path: known(name, earlier_bytes(path)) and (path in below or _lies_in(path, folder))
+        path: known(name, earlier_bytes(session, path))
+        and (path in below or _lies_in(path, folder))
         for path, name in (below | gone).items()
         if is_existing_file(path)
     }
     raise_all(
         StorageError,
-        [*_users_files(below, lost, targets), *_in_the_way(folder, whole, gone, lost, force=force)],
+        [
+            *_users_files(session, below, lost, targets),
+            *_in_the_way(session, folder, whole, gone, lost, force=force),
+        ],
     )
-    removed = [path for path in gone if force and lost.get(path, False) and not was_read(path)]
-    put(folder, targets, removed, unchanged.check)
+    removed = [
+        path for path in gone if force and lost.get(path, False) and not was_read(session, path)
+    ]
+    put(session, folder, targets, removed, unchanged.check)
     return list(targets)
 
 
-def _put_right(folder: Path, paths: Sequence[Path], names: Sequence[str]) -> None:
+def _put_right(session: Session, folder: Path, paths: Sequence[Path], names: Sequence[str]) -> None:
     """Take back what stopped commands had begun where this one writes; another look is taken, for
     one may have been stopped meanwhile.
     """
-    look_again()
+    session.search_again()
     for path in paths:
-        put_right_above(path, StorageError)
+        put_right_above(session, path, StorageError)
     for name in names:
-        put_right_in(_below(folder, name), StorageError)
+        put_right_in(session, _below(folder, name), StorageError)
 
 
 class _Unchanged:
@@ -151,11 +160,14 @@ def _strangers(
 
 
 def _users_files(
-    below: Mapping[Path, str], known: Mapping[Path, bool], targets: Mapping[Path, bytes]
+    session: Session,
+    below: Mapping[Path, str],
+    known: Mapping[Path, bool],
+    targets: Mapping[Path, bytes],
 ) -> Iterator[Fault]:
     """Yield a fault for each file that would be replaced although no earlier run wrote it so."""
     for path in below:
-        if not known.get(path, True) and earlier_bytes(path) != targets[path]:
+        if not known.get(path, True) and earlier_bytes(session, path) != targets[path]:
             yield Fault(
                 message=(
                     "was not written by an earlier run, or was changed since, and is not"
@@ -167,6 +179,7 @@ def _users_files(
 
 
 def _in_the_way(
+    session: Session,
     folder: Path,
     whole: Sequence[str],
     gone: Mapping[Path, str],
@@ -177,7 +190,7 @@ def _in_the_way(
     """Yield a fault for each file that may not stay in a folder that is handed on as a whole."""
     inside = {_below(folder, name) for name in whole}
     for path in gone:
-        removable = known.get(path, False) and not was_read(path)
+        removable = known.get(path, False) and not was_read(session, path)
         if path.parent in inside and not (force and removable):
             hint = (
                 "a folder that holds nothing else, or --force to remove it"
@@ -191,7 +204,7 @@ def _in_the_way(
             )
 
 
-def write_file(path: Path, content: bytes, *, force: bool = False) -> Path:
+def write_file(session: Session, path: Path, content: bytes, *, force: bool = False) -> Path:
     """Write one file whole. Errors as in `write_files`; with ``force`` any file is replaced that
     this command has not read.
     """
@@ -199,7 +212,7 @@ def write_file(path: Path, content: bytes, *, force: bool = False) -> Path:
         raise StorageError(
             Fault(message="is a folder", file=str(path), expected="the name of a file")
         )
-    return write_files(path.parent, {path.name: content}, force=force)[0]
+    return write_files(session, path.parent, {path.name: content}, force=force)[0]
 
 
 def _below(folder: Path, name: str) -> Path:

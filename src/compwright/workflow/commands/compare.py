@@ -31,6 +31,7 @@ from compwright.documents.plan import read_plan
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.input_sizes import PLAN
+from compwright.foundations.session import Session
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import ControlFile
@@ -48,15 +49,15 @@ class CompareOutcome:
     document: Mapping[str, Any]
 
 
-def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
+def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     """Hold files that were read back from the control against a plan, and everything else in them
     against the state that was patched.
 
     Raises UsageError for a plan without tables, InputError for files that cannot be read,
     contradict themselves or say nothing of an axis of the plan.
     """
-    plan = read_plan(storage.read_bytes(plan_file, PLAN), str(plan_file))
-    control = open_control(plan.format, plan.options, plan_origin(plan, plan_file))
+    plan = read_plan(storage.read_bytes(session, plan_file, PLAN), str(plan_file))
+    control = open_control(session, plan.format, plan.options, plan_origin(plan, plan_file))
     planned = [entry for entry in plan.axes.values() if entry.fitted is not None]
     if not planned:
         raise UsageError(
@@ -67,7 +68,7 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
         control, plan.states.get(AS_FOUND, ()), axes, active=plan.active.get(AS_FOUND)
     )
     files, wish = _written(control.in_state(as_found.state), plan, as_found)
-    given = read_files(loaded)
+    given = read_files(session, loaded)
     found, refused = _found(control, given, axes, loaded)
     names = {
         address: axis.name

@@ -12,6 +12,7 @@ from compwright.controls.acting import judged_cross
 from compwright.controls.decoded import judged
 from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.session import Session
 from compwright.jobs.command_line import stated_activity
 from compwright.records.axis import Direction, FloatArray
 from compwright.workflow.inputs.axis_kinds import decode_kinds
@@ -20,6 +21,7 @@ MOST_POSITIONS = 1_000_000
 
 
 def decode_files(
+    session: Session,
     paths: Sequence[Path],
     format_id: str,
     options: dict[str, object],
@@ -36,7 +38,7 @@ def decode_files(
     """
     active = stated_activity(options)
     wanted = None if at is None else positions_of(at)
-    control, decoded, kinds = decode_kinds(paths, format_id, options, axis, active=active)
+    control, decoded, kinds = decode_kinds(session, paths, format_id, options, axis, active=active)
     answer = {}
     for address, entry in decoded.state.axes.items():
         where = entry.positions if wanted is None else wanted

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from compwright.foundations import storage
 from compwright.foundations.input_sizes import JOB
+from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Crew, alone
 from compwright.jobs.reading import read_job
 from compwright.workflow.commands.run import RunOutcome, run_job
@@ -27,25 +28,34 @@ class DemoOutcome:
     folder: Path
 
 
-def run_demo(out: Path, *, force: bool = False, crew: Crew = alone) -> DemoOutcome:
+def run_demo(
+    session: Session, out: Path, *, force: bool = False, crew: Crew = alone
+) -> DemoOutcome:
     """Play the whole loop below ``out``: machine, measurement, job, tables, measurement with the
     tables loaded, verification.
 
     ``crew``: who works on the axes. Raises StorageError when a file exists (unless ``force``) or
     cannot be written.
     """
-    shipped = storage.demo_files()
+    shipped = storage.demo_files(session)
     files = {name: shipped[name] for name in ("machine.yaml", "job.yaml")}
-    machine_file, job_file = write_listed(out, files, command="demo", force=force, as_set=True)
-    machine = load_machine(machine_file)
-    simulate_files(machine, out / "before", seed=1, force=force)
-    job = read_job(storage.read_bytes(job_file, JOB), str(job_file))
+    machine_file, job_file = write_listed(
+        session, out, files, command="demo", force=force, as_set=True
+    )
+    machine = load_machine(session, machine_file)
+    simulate_files(session, machine, out / "before", seed=1, force=force)
+    job = read_job(storage.read_bytes(session, job_file, JOB), str(job_file))
     result = out / "job"
     with crew(len(job.axes), ready_for_axes) as each:
-        run = run_job(job, out, result, force=force, each=each)
+        run = run_job(session, job, out, result, force=force, each=each)
     tables = result / "tables" / job.format
-    after = simulate_files(machine, out / "after", seed=2, tables=tables, force=force)
+    after = simulate_files(session, machine, out / "after", seed=2, tables=tables, force=force)
     verification = verify_job(
-        job, [str(path) for path in after], plan_file=result / "plan.json", out=result, force=force
+        session,
+        job,
+        [str(path) for path in after],
+        plan_file=result / "plan.json",
+        out=result,
+        force=force,
     )
     return DemoOutcome(run=run, verification=verification, folder=out)

@@ -10,6 +10,7 @@ from typing import Any
 from compwright.controls.control import open_control, read_files
 from compwright.controls.differences import CorrectionChange, Placed, differences, side
 from compwright.documents.diff import Changed, EntryDifference, diff_document
+from compwright.foundations.session import Session
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,14 +22,18 @@ class DiffOutcome:
 
 
 def diff_files(
-    old: Sequence[Path], new: Sequence[Path], format_id: str, options: dict[str, object]
+    session: Session,
+    old: Sequence[Path],
+    new: Sequence[Path],
+    format_id: str,
+    options: dict[str, object],
 ) -> DiffOutcome:
     """Hold two backups of one machine against each other.
 
     Raises UsageError for an unknown format or option, InputError for files that cannot be read.
     """
-    control = open_control(format_id, options)
-    files = read_files(old), read_files(new)
+    control = open_control(session, format_id, options)
+    files = read_files(session, old), read_files(session, new)
     before = side(control, files[0], "OLD", files[1])
     after = side(control, files[1], "NEW", files[0])
     found = differences(control, before, after)

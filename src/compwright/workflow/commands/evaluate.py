@@ -24,6 +24,7 @@ from compwright.foundations.errors import (
 )
 from compwright.foundations.input_sizes import MEASUREMENT
 from compwright.foundations.own_faults import OWN_FAULT
+from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Crew, alone, in_order
 from compwright.foundations.utf8 import encoded, shown_path
 from compwright.workflow.inputs.evaluated import (
@@ -79,6 +80,7 @@ def _unwatched(what: str, done: int, count: int) -> None:
 
 
 def evaluate_files(
+    session: Session,
     paths: Sequence[Path],
     standards: Sequence[str] = (),
     spread: str = "std",
@@ -106,8 +108,8 @@ def evaluate_files(
         raise UsageError(
             Fault(message="nothing to evaluate", expected="at least one measurement file or folder")
         )
-    mapping = None if profile is None else load_profile(profile)
-    found, faults = _files(paths)
+    mapping = None if profile is None else load_profile(session, profile)
+    found, faults = _files(session, paths)
     files = found.files
     asked = Asked(
         positioning=positioning,
@@ -116,7 +118,7 @@ def evaluate_files(
         profile=mapping,
         whole=whole or len(files) <= _PAGES,
     )
-    tests, noted = _evaluated(files, asked, crew, watch)
+    tests, noted = _evaluated(session, files, asked, crew, watch)
     why = _by_reason(noted)
     faults += [*why["unread"], *why["refused"]]
     if why["unfit"] and not (tests or faults or why["own"]):
@@ -174,6 +176,7 @@ def many_renderables(document: Mapping[str, Any]) -> list[Any]:
 
 
 def write_evaluation(
+    session: Session,
     document: Mapping[str, Any],
     *,
     json_path: Path | None = None,
@@ -217,8 +220,8 @@ def write_evaluation(
     if files:
         from compwright.workflow.results.single_files import refuse_other_kinds
 
-        refuse_other_kinds(files, force=force)
-    return storage.write_files(Path(), {}, elsewhere=files, force=force)
+        refuse_other_kinds(session, files, force=force)
+    return storage.write_files(session, Path(), {}, elsewhere=files, force=force)
 
 
 def _plot(document: Mapping[str, Any], path: Path) -> bytes:
@@ -276,7 +279,7 @@ def _circular_standard(name: str) -> str:
     return circular_standard_by_id(name).id
 
 
-def _files(paths: Sequence[Path]) -> tuple[Found, list[Fault]]:
+def _files(session: Session, paths: Sequence[Path]) -> tuple[Found, list[Fault]]:
     """Return the files of all paths, each once, what was skipped beside them, and the faults of
     paths without any.
     """
@@ -284,7 +287,7 @@ def _files(paths: Sequence[Path]) -> tuple[Found, list[Fault]]:
     faults: list[Fault] = []
     for path in paths:
         try:
-            found.append(measurement_files(path))
+            found.append(measurement_files(session, path))
         except InputError as error:
             faults.extend(error.faults)
     files = dict.fromkeys(file for one in found for file in one.files)
@@ -296,12 +299,12 @@ def _files(paths: Sequence[Path]) -> tuple[Found, list[Fault]]:
 
 
 def _evaluated(
-    files: Sequence[Path], asked: Asked, crew: Crew, watch: Watch
+    session: Session, files: Sequence[Path], asked: Asked, crew: Crew, watch: Watch
 ) -> tuple[list[Evaluated], list[Noted]]:
     """Return the tests in the files, those of one circular test joined, and what is wrong."""
     found: list[Evaluated | CircularTest] = []
     noted: list[Noted] = []
-    given = (_given(file) for file in files)
+    given = (_given(session, file) for file in files)
     work = in_order(
         FilesEvaluator(asked),
         given,
@@ -319,9 +322,9 @@ def _evaluated(
     return _with_circles(found, noted, asked, crew, watch)
 
 
-def _given(file: Path) -> GivenFile:
+def _given(session: Session, file: Path) -> GivenFile:
     try:
-        return GivenFile(shown_path(file), storage.read_bytes(file, MEASUREMENT))
+        return GivenFile(shown_path(file), storage.read_bytes(session, file, MEASUREMENT))
     except InputError as error:
         return GivenFile(shown_path(file), faults=error.faults)
 

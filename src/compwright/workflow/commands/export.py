@@ -29,6 +29,7 @@ from compwright.foundations.errors import (
 )
 from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import PLAN
+from compwright.foundations.session import Session
 from compwright.jobs.command_line import stated_activity
 from compwright.planning.practical_tables import as_planned
 from compwright.planning.tables import fit_within
@@ -58,6 +59,7 @@ class ExportOutcome:
 
 
 def export_plan(
+    session: Session,
     path: Path,
     format_id: str,
     options: dict[str, object],
@@ -73,7 +75,7 @@ def export_plan(
     the plan says, where it is for the same format. Raises UsageError (2) where the state is not
     known, InputError (3), CapacityError (4), StorageError (5).
     """
-    plan = read_plan(storage.read_bytes(path, PLAN), str(path))
+    plan = read_plan(storage.read_bytes(session, path, PLAN), str(path))
     addresses = {
         key.removeprefix(ADDRESS): str(options.pop(key))
         for key in list(options)
@@ -82,11 +84,11 @@ def export_plan(
     active = stated_activity(options)
     raise_all(UsageError, _unknown(addresses, plan, str(path)))
     origin = replace(COMMAND_LINE, carried=plan.definition)
-    control = open_control(format_id, options, origin)
+    control = open_control(session, format_id, options, origin)
     if control.id == plan.format:
-        control = open_control(format_id, {**plan.options, **options}, origin)
+        control = open_control(session, format_id, {**plan.options, **options}, origin)
     moved, taken = _axes_here(plan, control, addresses, options)
-    state = _state(plan, control, list(moved.values()), states, str(path), active=active)
+    state = _state(session, plan, control, list(moved.values()), states, str(path), active=active)
     refuse_added_again(plan, path, state)
     moved = {name: settled_axis(axis, [state.state], control.given) for name, axis in moved.items()}
     control = control.in_state(state.state)
@@ -107,6 +109,7 @@ def export_plan(
     axes = [axis for axis, _ in fitted]
     delivery = deliver(control, cross.files, state, axes, None if cross.written else image)
     written = write_listed(
+        session,
         out,
         {file.name: file.raw for file in delivery.files},
         command="export",
@@ -202,6 +205,7 @@ def _unknown(addresses: Mapping[str, str], plan: Plan, file: str) -> list[Fault]
 
 
 def _state(
+    session: Session,
     plan: Plan,
     control: Control,
     axes: Sequence[Axis],
@@ -223,7 +227,11 @@ def _state(
         )
     if states:
         return decode(
-            control, read_files([Path(text) for text in states]), axes, active=active, asking=True
+            control,
+            read_files(session, [Path(text) for text in states]),
+            axes,
+            active=active,
+            asking=True,
         )
     if plan.format == control.id and AS_FOUND in plan.states:
         files: tuple[ControlFile, ...] = plan.states[AS_FOUND]

@@ -17,27 +17,32 @@ from compwright.controls.definitions import (
 )
 from compwright.controls.description import description
 from compwright.foundations.errors import Fault, InputError, raise_all
+from compwright.foundations.session import Session
 
 NOT_JUDGED = "not independently judged: there is no virtual control for it"
 
 
-def list_formats() -> tuple[str, ...]:
+def list_formats(session: Session) -> tuple[str, ...]:
     """Return one line per installed control: its id and what it is. Raises InputError for a
     definition that cannot be read.
     """
-    definitions = shipped_definitions()
+    definitions = shipped_definitions(session)
     width = max((len(name) for name in definitions), default=0)
     return tuple(f"{name:<{width}}  {definition.title}" for name, definition in definitions.items())
 
 
-def show_format(name: str) -> tuple[str, ...]:
+def show_format(session: Session, name: str) -> tuple[str, ...]:
     """Return what is known about a control as lines: form, quantities, limits, options, each with
     its evidence. ``name``: an id that ships, or the path of a definition of one's own.
 
     Raises UsageError for an unknown id, naming those that exist, InputError for a file that is no
     definition.
     """
-    definition = own_definition(Path(name)) if is_path(name) else definition_named(name, Path())
+    definition = (
+        own_definition(session, Path(name))
+        if is_path(name)
+        else definition_named(session, name, Path())
+    )
     read_back = definition.judged != "independent"
     return (
         f"{definition.id}: {definition.title}",
@@ -46,7 +51,7 @@ def show_format(name: str) -> tuple[str, ...]:
     )
 
 
-def check_formats(paths: Sequence[Path]) -> tuple[str, ...]:
+def check_formats(session: Session, paths: Sequence[Path]) -> tuple[str, ...]:
     """Check the definitions in ``paths`` (files or folders; none: those that ship with compwright)
     and return one line for each.
 
@@ -55,7 +60,7 @@ def check_formats(paths: Sequence[Path]) -> tuple[str, ...]:
     """
     lines: list[str] = []
     faults: list[Fault] = []
-    for checked in checked_definitions(paths):
+    for checked in checked_definitions(session, paths):
         faults.extend(checked.faults)
         definition = checked.definition
         if definition is None or checked.faults:

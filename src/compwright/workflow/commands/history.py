@@ -13,6 +13,7 @@ from compwright.documents.json_text import to_json
 from compwright.evaluation.series import noted_changes, without_repeats
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, collect
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.records.history import HistoryEntry
 from compwright.workflow.history.history_entries import entries_of
@@ -34,6 +35,7 @@ class HistoryOutcome:
 
 
 def history_of(
+    session: Session,
     tops: Sequence[Path],
     *,
     index: Path | None = None,
@@ -52,9 +54,9 @@ def history_of(
         path is not None for path in (json_path, plot_path, table_path, index)
     ):
         raise UsageError("two of --json, --plot, --table and --index name one file")
-    folders, faults = result_folders(tops)
-    with opened(index) as database:
-        entries, told, read = _read(folders, database, faults)
+    folders, faults = result_folders(session, tops)
+    with opened(session, index) as database:
+        entries, told, read = _read(session, folders, database, faults)
         _forget_gone(tops, folders, database)
         kept = {index: database.content()} if index is not None and database.changed else {}
     if faults and not entries:
@@ -62,7 +64,7 @@ def history_of(
     series = _series(entries, tops)
     document = history_document(series, told, _notes(series), faults)
     asked = _asked(document, json_path, plot_path, table_path)
-    files = _written(asked, kept, force=force)
+    files = _written(session, asked, kept, force=force)
     return HistoryOutcome(
         exit_code=InputError.exit_code if faults else 0,
         document=document,
@@ -72,7 +74,7 @@ def history_of(
 
 
 def _read(
-    folders: Sequence[Path], database: HistoryIndex, faults: list[Fault]
+    session: Session, folders: Sequence[Path], database: HistoryIndex, faults: list[Fault]
 ) -> tuple[list[HistoryEntry], list[dict[str, Any]], int]:
     """Return the tests of all folders, and what is to be said of each; ``faults`` grows by what
     cannot be read.
@@ -85,7 +87,7 @@ def _read(
             read += 1
             database.forget(folder)
             try:
-                found = read_folder(folder)
+                found = read_folder(session, folder)
                 database.put(folder, entries_of(found), found.notes, found.files, found.names)
             except InputError as error:
                 faults.extend(collect([error]))
@@ -244,16 +246,18 @@ def _asked(
 
 
 def _written(
-    asked: Mapping[Path, bytes], index: Mapping[Path, bytes], *, force: bool
+    session: Session, asked: Mapping[Path, bytes], index: Mapping[Path, bytes], *, force: bool
 ) -> tuple[Path, ...]:
     """Write what was asked for and the index, all of it or none; the index is renewed without being
     asked.
     """
-    storage.refuse_overwriting(asked, force=force)
-    refuse_other_kinds(asked, force=force)
+    storage.refuse_overwriting(session, asked, force=force)
+    refuse_other_kinds(session, asked, force=force)
     files = {**asked, **index}
     if not files:
         return ()
     first, *_ = files
-    storage.write_files(first.parent, {first.name: files[first]}, force=True, elsewhere=files)
+    storage.write_files(
+        session, first.parent, {first.name: files[first]}, force=True, elsewhere=files
+    )
     return tuple(files)

@@ -11,6 +11,7 @@ from compwright.controls.definitions import is_path
 from compwright.controls.one_by_one import axis_by_axis
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import encoded
 from compwright.jobs.command_line import stated_activity
 from compwright.jobs.writing import AxisDraft, Prefilled, job_text
@@ -36,6 +37,7 @@ class NewOutcome:
 
 
 def new_job(
+    session: Session,
     files: Sequence[Path],
     format_id: str,
     options: dict[str, object],
@@ -50,11 +52,11 @@ def new_job(
     contradict themselves) and StorageError.
     """
     active = stated_activity(options)
-    control = open_control(format_id, options)
+    control = open_control(session, format_id, options)
     unsaid = _unsaid(control)
     stands_in = False
-    files, aside = set_aside(control, files)
-    own = read_files(files)
+    files, aside = set_aside(session, control, files)
+    own = read_files(session, files)
     try:
         state, left_out = _read(control, own, active=active)
     except UsageError:
@@ -62,7 +64,7 @@ def new_job(
             raise
         # Which axes there are does not depend on it.
         stands_in = True
-        whole = open_control(format_id, {**options, unsaid.name: unsaid.stand_in})
+        whole = open_control(session, format_id, {**options, unsaid.name: unsaid.stand_in})
         state, left_out = _read(whole, own, active=active)
     drafts = list(_drafts(control, state, unsaid))
     if not drafts:
@@ -79,8 +81,8 @@ def new_job(
     named = storage.relative(Path(format_id), out.parent) if is_path(format_id) else format_id
     listed = [storage.relative(path, out.parent) for path in files]
     text = job_text(named, given, listed, drafts, active=active)
-    refuse_other_kinds({out: encoded(text)}, force=force)
-    storage.write_file(out, encoded(text), force=force)
+    refuse_other_kinds(session, {out: encoded(text)}, force=force)
+    storage.write_file(session, out, encoded(text), force=force)
     shown = (finding for finding in state.findings if finding.code in _TOLD)
     said = (finding.message for finding in (*control.findings, *shown))
     told = (*aside, *left_out, *_idle(control, state, drafts), *said)

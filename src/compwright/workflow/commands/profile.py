@@ -7,6 +7,7 @@ from pathlib import Path
 
 from compwright.foundations import storage
 from compwright.foundations.input_sizes import MEASUREMENT
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import encoded, shown_path
 from compwright.instruments.profile_of_file import proposed_profile
 from compwright.workflow.results.single_files import refuse_other_kinds
@@ -24,16 +25,18 @@ class ProfileOutcome:
     open: tuple[str, ...]
 
 
-def propose_profile(file: Path, out: Path, *, force: bool = False) -> ProfileOutcome:
+def propose_profile(
+    session: Session, file: Path, out: Path, *, force: bool = False
+) -> ProfileOutcome:
     """Write the profile for ``file`` to ``out``.
 
     Raises InputError for a file without a table, UsageError for one that needs no profile,
     StorageError when ``out`` exists (unless ``force``) or cannot be written.
     """
-    proposed = proposed_profile(storage.read_bytes(file, MEASUREMENT), shown_path(file))
+    proposed = proposed_profile(storage.read_bytes(session, file, MEASUREMENT), shown_path(file))
     target = {out: encoded(proposed.text)}
-    refuse_other_kinds(target, force=force)
-    (path,) = storage.write_files(Path(), {}, elsewhere=target, force=force)
+    refuse_other_kinds(session, target, force=force)
+    (path,) = storage.write_files(session, Path(), {}, elsewhere=target, force=force)
     return ProfileOutcome(
         path=path, worked=proposed.worked, notes=proposed.notes, open=proposed.open
     )

@@ -12,6 +12,7 @@ from compwright.documents.json_text import to_json
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError
 from compwright.foundations.redaction import Cuts, Names
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import encoded, shown_path, visible
 from compwright.instruments.profile import Profile
 from compwright.instruments.redaction.measurement import holds_table, is_measurement
@@ -105,6 +106,7 @@ class _Input:
 
 
 def redact_files(
+    session: Session,
     paths: Sequence[Path],
     out: Path,
     *,
@@ -128,10 +130,10 @@ def redact_files(
                 expected="a path outside of the folder of the copies",
             )
         )
-    read_by = load_profile(profile) if profile is not None else None
+    read_by = load_profile(session, profile) if profile is not None else None
     names, faults = Names(), list[Fault]()
-    inputs = _read(paths, names, faults)
-    _copy(inputs, read_by, format_id, faults)
+    inputs = _read(session, paths, names, faults)
+    _copy(session, inputs, read_by, format_id, faults)
     done = [one for one in inputs if one.taken_for]
     removed = [text for one in done for text in one.cuts.removed]
     files = names_of_copies([one.name for one in done], removed, names)
@@ -147,13 +149,13 @@ def redact_files(
         for name, content in _of(one, name)
     }
     elsewhere = {} if json_path is None else {json_path: encoded(to_json(outcome.document))}
-    refuse_other_kinds(elsewhere, force=force, results=[out / name for name in contents])
+    refuse_other_kinds(session, elsewhere, force=force, results=[out / name for name in contents])
     if contents:
         written = write_listed(
-            out, contents, command="redact", force=force, as_set=False, elsewhere=elsewhere
+            session, out, contents, command="redact", force=force, as_set=False, elsewhere=elsewhere
         )
     else:
-        written = storage.write_files(out, {}, elsewhere=elsewhere, force=force)
+        written = storage.write_files(session, out, {}, elsewhere=elsewhere, force=force)
     return replace(outcome, written=tuple(written))
 
 
@@ -164,14 +166,16 @@ def _beside(paths: Sequence[Path], out: Path) -> tuple[Path, ...]:
     return tuple(one for one in inner if storage.resolved(one) not in known)
 
 
-def _read(paths: Sequence[Path], names: Names, faults: list[Fault]) -> list[_Input]:
+def _read(
+    session: Session, paths: Sequence[Path], names: Names, faults: list[Fault]
+) -> list[_Input]:
     """Return what there is to copy, the texts of a container in its place; a file that is given
     twice is copied once, two files of one name are a fault, for their copies would be one.
     """
     inputs: dict[str, _Input] = {}
-    for entry in _entries(paths, faults):
+    for entry in _entries(session, paths, faults):
         try:
-            found = _inputs(entry, names)
+            found = _inputs(session, entry, names)
         except InputError as error:
             faults.extend(fault.in_file(shown_path(entry)) for fault in error.faults)
             continue
@@ -187,25 +191,26 @@ def _read(paths: Sequence[Path], names: Names, faults: list[Fault]) -> list[_Inp
     return list(inputs.values())
 
 
-def _entries(paths: Sequence[Path], faults: list[Fault]) -> list[Path]:
+def _entries(session: Session, paths: Sequence[Path], faults: list[Fault]) -> list[Path]:
     """Return the files of ``paths``, each once."""
     entries: dict[Path, Path] = {}
     for path in paths:
         try:
-            for entry in storage.list_files(path):
+            for entry in storage.list_files(session, path):
                 entries.setdefault(storage.resolved(entry.parent) / entry.name, entry)
         except InputError as error:
             faults.extend(fault.in_file(shown_path(path)) for fault in error.faults)
     return list(entries.values())
 
 
-def _inputs(path: Path, names: Names) -> list[_Input]:
-    content = storage.read_bytes(path)
+def _inputs(session: Session, path: Path, names: Names) -> list[_Input]:
+    content = storage.read_bytes(session, path)
     texts = texts_in(ControlFile(path.name, content)) or (ControlFile(path.name, content),)
     return [_Input(path, text.name, text.content, Cuts(names)) for text in texts]
 
 
 def _copy(
+    session: Session,
     inputs: Sequence[_Input],
     profile: Profile | None,
     format_id: str | None,
@@ -221,7 +226,7 @@ def _copy(
         else:
             others.append(one)
     files = [ControlFile(one.name, one.content) for one in others]
-    copies = control_copies(files, {one.name: one.cuts for one in others}, format_id)
+    copies = control_copies(session, files, {one.name: one.cuts for one in others}, format_id)
     for one in others:
         copy = copies.made.get(one.name)
         if copy is not None:

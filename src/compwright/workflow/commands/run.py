@@ -12,6 +12,7 @@ from compwright.documents.decode import assumed_documents, finding_documents
 from compwright.documents.record import RECORD, listed_in_record
 from compwright.foundations import storage
 from compwright.foundations.errors import UsageError
+from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.foundations.utf8 import encoded
 from compwright.jobs.assumed_job import assumed_job, assumed_of
@@ -51,6 +52,7 @@ class RunOutcome:
 
 
 def run_job(
+    session: Session,
     job: Job,
     folder: Path,
     out: Path,
@@ -70,21 +72,22 @@ def run_job(
     and StorageError (5); nothing is written then. Without a state of the control, evaluation,
     prediction and report are written but no table (exit 2).
     """
-    finished = worked_through(job, folder, out, accept_worse=accept_worse, each=each)
+    finished = worked_through(session, job, folder, out, accept_worse=accept_worse, each=each)
     results = result_files(finished, each)
-    earlier = listed_in_record(storage.earlier_bytes(out / RECORD))
+    earlier = listed_in_record(storage.earlier_bytes(session, out / RECORD))
     draft = {} if stated is None else _assumed_job(stated, finished)
     given = [
         *(given_job(JOB, out / JOB, content) for content in draft.values()),
-        *files_of_job(job, folder, finished.measured.control.definition.own),
+        *files_of_job(session, job, folder, finished.measured.control.definition.own),
     ]
-    recorded, outdated = recorded_run(finished, results, given, out, draft=draft)
+    recorded, outdated = recorded_run(session, finished, results, given, out, draft=draft)
     files = {**results.files, **recorded, **draft}
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
-    refuse_other_kinds(elsewhere, force=force, results=[out / name for name in files])
+    refuse_other_kinds(session, elsewhere, force=force, results=[out / name for name in files])
     sets = [f"{name}/{finished.measured.control.id}" for name in ("tables", "rollback")]
-    any_there = any(storage.is_there(path) for path in elsewhere)
+    any_there = any(storage.is_there(session, path) for path in elsewhere)
     paths = storage.write_files(
+        session,
         out,
         files,
         # An earlier run without a state wrote no tables: its evaluation may be replaced.
@@ -93,7 +96,7 @@ def run_job(
         whole=sets,
         renewed=["card", *folders_of_copies(earlier)],
         outdated=outdated,
-        known=known_results(out),
+        known=known_results(session, out),
     )
     return RunOutcome(
         exit_code=_exit_code(finished),

@@ -17,6 +17,7 @@ from compwright.controls.control import (
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.input_sizes import MACHINE
+from compwright.foundations.session import Session
 from compwright.prediction.acting import IDLE, Acting
 from compwright.prediction.circular import moved_test
 from compwright.records.axis import FloatArray
@@ -32,14 +33,15 @@ from compwright.workflow.results.own_files import write_listed
 SIMULATED = {"simulated": "by compwright, not measured on a machine"}
 
 
-def load_machine(path: Path) -> VirtualMachine:
+def load_machine(session: Session, path: Path) -> VirtualMachine:
     """Read a machine file. Raises UsageError with every fault of it, InputError when it cannot be
     read.
     """
-    return read_machine(storage.read_bytes(path, MACHINE), str(path))
+    return read_machine(storage.read_bytes(session, path, MACHINE), str(path))
 
 
 def simulate_files(
+    session: Session,
     machine: VirtualMachine,
     out: Path,
     *,
@@ -54,7 +56,7 @@ def simulate_files(
     ``tables``: a folder with what the control loads; ``file``: the machine file, for messages.
     Noise comes from ``seed`` alone: the same seed gives the same bytes.
     """
-    loaded = IDLE if tables is None else _loaded(machine, tables, file)
+    loaded = IDLE if tables is None else _loaded(session, machine, tables, file)
     files = {}
     for number, name in enumerate(machine.axes):
         rng = np.random.default_rng([seed, number])
@@ -64,7 +66,7 @@ def simulate_files(
         files[_circle_file(machine, name)] = _measured_circle(
             machine, name, seed=_seed_of(seed, number), loaded=loaded
         )
-    return write_listed(out, files, command="simulate", force=force, as_set=True)
+    return write_listed(session, out, files, command="simulate", force=force, as_set=True)
 
 
 def _seed_of(seed: int, number: int) -> int:
@@ -123,7 +125,7 @@ def _rerecorded(traverse: Traverse, moved: CircularRun) -> Traverse:
     )
 
 
-def _loaded(machine: VirtualMachine, tables: Path, file: str) -> Acting:
+def _loaded(session: Session, machine: VirtualMachine, tables: Path, file: str) -> Acting:
     """Return what the tables in a folder do to a machine and between its axes. Raises UsageError,
     InputError.
     """
@@ -137,13 +139,13 @@ def _loaded(machine: VirtualMachine, tables: Path, file: str) -> Acting:
             )
         )
     origin = Origin(file, "controller.format", "controller.options.", Path(file).parent)
-    control = open_control(machine.format, machine.options, origin)
+    control = open_control(session, machine.format, machine.options, origin)
     axes = {
         name: replace(virtual.axis, address=control.format.address(virtual.axis)[0])
         for name, virtual in machine.axes.items()
     }
     known = [axis.address for axis in axes.values()]
-    decoded = decode(control, read_files([tables]), list(axes.values()))
+    decoded = decode(control, read_files(session, [tables]), list(axes.values()))
     unknown = sorted(set(decoded.state.axes) - set(known))
     raise_all(
         InputError,

@@ -31,6 +31,7 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import PLAN
+from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.records.job import AS_FOUND, Job
 from compwright.records.plan import Plan
@@ -83,16 +84,17 @@ class VerifyOutcome:
     notes: tuple[str, ...] = ()
 
 
-def plan_path(given: Path | None, default: Path) -> Path:
+def plan_path(session: Session, given: Path | None, default: Path) -> Path:
     """Return the plan file: ``given`` (a file or the folder of a run) or that of the default
     folder.
     """
     chosen = default if given is None else given
-    is_file = storage.is_there(chosen) and not storage.is_folder(chosen)
+    is_file = storage.is_there(session, chosen) and not storage.is_folder(chosen)
     return chosen if is_file or chosen.suffix.lower() == ".json" else chosen / "plan.json"
 
 
 def verify_job(
+    session: Session,
     job: Job,
     after: Sequence[str],
     *,
@@ -118,12 +120,16 @@ def verify_job(
     if update and not loaded:
         raise UsageError(NOT_READ_BACK)
     if update:
-        refuse_later_rounds(out)
-    found, verdict = _verified(job, after, plan_file, loaded, profile)
+        refuse_later_rounds(session, out)
+    found, verdict = _verified(session, job, after, plan_file, loaded, profile)
     document = verification_document(
         found.plan.format, found.axes, verdict, found.circles, found.findings
     )
-    then = next_round(found, _compared(plan_file, loaded), out, each) if update else None
+    then = (
+        next_round(session, found, _compared(session, plan_file, loaded), out, each)
+        if update
+        else None
+    )
     if then is not None:
         document = {**document, "next": then.document}
     evaluated = _evaluated(found.axes, found.circles)
@@ -132,9 +138,10 @@ def verify_job(
     proof, told = proven_files(found, document, (out, plan_file.parent), loaded)
     files |= proof
     files |= recorded_verification(
+        session,
         RunResult(found.plan, found.control, plan_file),
         out,
-        files_of_verify(found.job, found.specs, found.circle_files, loaded, profile),
+        files_of_verify(session, found.job, found.specs, found.circle_files, loaded, profile),
         files,
         document=document,
         before=before,
@@ -143,12 +150,13 @@ def verify_job(
     return VerifyOutcome(
         exit_code=0 if verdict == "good" and (then is None or then.files) else 1,
         document=document,
-        files=_stored(out, files, then, json_path, force=force),
+        files=_stored(session, out, files, then, json_path, force=force),
         notes=(*notes, *told, *(then.notes if then is not None else ()), *_left_over(out, then)),
     )
 
 
 def _verified(
+    session: Session,
     job: Job,
     after: Sequence[str],
     plan_file: Path,
@@ -156,12 +164,12 @@ def _verified(
     profile: Path | None = None,
 ) -> tuple[Verified, OverallVerdict]:
     """Return what the tests after loading show, and the verdict of all of it."""
-    plan, control, job, states = _planned(job, plan_file)
+    plan, control, job, states = _planned(session, job, plan_file)
     known = [entry.axis for entry in plan.axes.values()]
-    others, circle_files = split_after(plan, after)
-    tests = after_tests(job, plan, others, profile) if others or not circle_files else []
+    others, circle_files = split_after(session, plan, after)
+    tests = after_tests(session, job, plan, others, profile) if others or not circle_files else []
     as_found = states.get(AS_FOUND) or decode(control, (), known)
-    read_back = decode(control, read_files(loaded), known) if loaded else None
+    read_back = decode(control, read_files(session, loaded), known) if loaded else None
     ours = tuple(not_read_back(plan_file, loaded))
     twice = copies(tests)
     axes = {
@@ -178,7 +186,7 @@ def _verified(
         )
         for test in tests
     }
-    circles = verify_circles(plan, circle_files, as_found, states)
+    circles = verify_circles(session, plan, circle_files, as_found, states)
     measured = {name: circle.after.test for name, circle in circles.items()}
     general = [
         *changed_limits(job, plan),
@@ -202,15 +210,16 @@ def _verified(
     return found, _verdict(axes, circles, general)
 
 
-def _compared(plan_file: Path, loaded: Sequence[Path]) -> Mapping[str, Any] | str:
+def _compared(session: Session, plan_file: Path, loaded: Sequence[Path]) -> Mapping[str, Any] | str:
     """Return what ``compare`` answers, or why it cannot."""
     try:
-        return compare_plan(plan_file, loaded).document
+        return compare_plan(session, plan_file, loaded).document
     except (InputError, UsageError) as error:
         return "; ".join(str(fault) for fault in error.faults)
 
 
 def _stored(
+    session: Session,
     out: Path,
     files: Mapping[str, bytes],
     then: Round | None,
@@ -221,9 +230,12 @@ def _stored(
     """Write the verification and the next round, all of it or nothing."""
     below = {} if then is None else then.files
     answer = {} if json_path is None else {json_path: files[VERIFICATION]}
-    refuse_other_kinds(answer, force=force, results=[out / name for name in (*files, *below)])
+    refuse_other_kinds(
+        session, answer, force=force, results=[out / name for name in (*files, *below)]
+    )
     return tuple(
         storage.write_files(
+            session,
             out,
             {**files, **below},
             force=force,
@@ -231,7 +243,7 @@ def _stored(
             whole=() if then is None else then.whole,
             renewed=[PROVEN, f"{INPUTS}/{BY_VERIFY}", *(() if then is None else then.renewed)],
             completed=[RECORD],
-            known=known_with_rounds(out, known_results(out)),
+            known=known_with_rounds(session, out, known_results(session, out)),
         )
     )
 
@@ -243,20 +255,23 @@ def _left_over(out: Path, then: Round | None) -> tuple[str, ...]:
     return (f"{out / FOLDER} is of an earlier verification; do not load anything of it",)
 
 
-def _planned(job: Job, file: Path) -> tuple[Plan, Control, Job, dict[str, DecodedState]]:
+def _planned(
+    session: Session, job: Job, file: Path
+) -> tuple[Plan, Control, Job, dict[str, DecodedState]]:
     """Return the plan of a job, its control, the job with the names and options that the control
     gives it, and what the plan's copies of the control's files say.
 
     Raises InputError for the plan of another job.
     """
-    if not storage.is_there(file):
+    if not storage.is_there(session, file):
         expected = "--plan with the folder that run has written, or its plan.json"
         raise InputError(
             Fault(message="No such file: there is no plan here", file=str(file), expected=expected)
         )
-    plan = read_plan(storage.read_bytes(file, PLAN), str(file))
-    control = open_control(plan.format, plan.options, plan_origin(plan, file))
+    plan = read_plan(storage.read_bytes(session, file, PLAN), str(file))
+    control = open_control(session, plan.format, plan.options, plan_origin(plan, file))
     named = open_control(
+        session,
         job.format,
         job.options,
         replace(origin_of(job, Path(job.file).parent), carried=plan.definition),
@@ -273,7 +288,9 @@ def _planned(job: Job, file: Path) -> tuple[Plan, Control, Job, dict[str, Decode
     }
     job = settled_by_files(job, states, AS_FOUND)
     job, _ = with_counted_turns(job, control, {name: one.tests for name, one in plan.axes.items()})
-    faults = stale_plan(job, plan, str(file), options=named.options, read=partial(read_again, job))
+    faults = stale_plan(
+        job, plan, str(file), options=named.options, read=partial(read_again, session, job)
+    )
     raise_all(InputError, faults)
     return plan, control, job, states
 

@@ -18,6 +18,7 @@ from typing import Any
 from compwright.documents.history import VALUES
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.records.history import HistoryEntry
 
@@ -46,14 +47,14 @@ PRAGMA user_version = {_VERSION};
 class HistoryIndex:
     """What is known of result folders. ``file``: for messages."""
 
-    def __init__(self, database: sqlite3.Connection, file: str) -> None:
-        self._database, self._file = database, file
+    def __init__(self, session: Session, database: sqlite3.Connection, file: str) -> None:
+        self._session, self._database, self._file = session, database, file
         self.changed = False
 
     def known(self, folder: Path) -> bool:
         """Whether a folder is in the index and none of its files was touched since."""
         row = self._one("SELECT state, names FROM folder WHERE path = ?", _key(folder))
-        return row is not None and row[0] == _state(folder, json.loads(row[1]))
+        return row is not None and row[0] == _state(self._session, folder, json.loads(row[1]))
 
     def put(
         self,
@@ -70,7 +71,7 @@ class HistoryIndex:
             "INSERT INTO folder VALUES (?, ?, ?, ?, ?)",
             (
                 key,
-                _state(folder, names),
+                _state(self._session, folder, names),
                 *(json.dumps(list(each)) for each in (names, notes, files)),
             ),
         )
@@ -121,7 +122,7 @@ class HistoryIndex:
 
 
 @contextmanager
-def opened(path: Path | None) -> Iterator[HistoryIndex]:
+def opened(session: Session, path: Path | None) -> Iterator[HistoryIndex]:
     """Open the index in a file, a new one where there is none, or in memory alone.
 
     Raises InputError for a file that is no index of this version; it stays as it is.
@@ -129,17 +130,17 @@ def opened(path: Path | None) -> Iterator[HistoryIndex]:
     file = "" if path is None else shown_path(path)
     with closing(sqlite3.connect(":memory:")) as database:
         try:
-            _fill(database, path, file)
-            yield HistoryIndex(database, file)
+            _fill(session, database, path, file)
+            yield HistoryIndex(session, database, file)
         except sqlite3.Error as error:
             raise _refused(file, "is a damaged index", str(error)) from error
 
 
-def _fill(database: sqlite3.Connection, path: Path | None, file: str) -> None:
-    if path is None or not storage.is_there(path):
+def _fill(session: Session, database: sqlite3.Connection, path: Path | None, file: str) -> None:
+    if path is None or not storage.is_there(session, path):
         database.executescript(_TABLES)
         return
-    content = storage.earlier_bytes(path)
+    content = storage.earlier_bytes(session, path)
     if not content.startswith(b"SQLite format 3\0"):
         raise _refused(file, "is no index of a history", "another file")
     database.deserialize(content)
@@ -166,8 +167,8 @@ def _key(folder: Path) -> str:
     return shown_path(storage.resolved(folder))
 
 
-def _state(folder: Path, names: Sequence[str]) -> str:
-    return storage.state_of([folder / name for name in names])
+def _state(session: Session, folder: Path, names: Sequence[str]) -> str:
+    return storage.state_of(session, [folder / name for name in names])
 
 
 def _row(key: str, entry: HistoryEntry) -> tuple[object, ...]:

@@ -17,6 +17,7 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.input_sizes import JSON
 from compwright.foundations.provenance import fingerprint
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.workflow.results.scatter import errors_of
 
@@ -40,13 +41,13 @@ class ResultFolder:
     names: tuple[str, ...]
 
 
-def result_folders(tops: Sequence[Path]) -> tuple[list[Path], list[Fault]]:
+def result_folders(session: Session, tops: Sequence[Path]) -> tuple[list[Path], list[Fault]]:
     """Return the result folders in and below ``tops``, each once, and what could not be read."""
     found: dict[Path, Path] = {}
     faults: list[Fault] = []
     for top in tops:
         try:
-            folders, refused = storage.folders_holding(top, _MARKS)
+            folders, refused = storage.folders_holding(session, top, _MARKS)
         except InputError as error:
             faults.extend(error.faults)
             continue
@@ -72,19 +73,19 @@ def _is_part(folder: Path, folders: Collection[Path]) -> bool:
     return any(above in folders and below.name in _NO_RESULTS for below, above in pairwise(way))
 
 
-def read_folder(path: Path) -> ResultFolder:
+def read_folder(session: Session, path: Path) -> ResultFolder:
     """Read a result folder. Raises InputError for a record or document that is damaged."""
     file = path / RECORD
-    if not storage.is_there(file):
-        return _read_older(path)
-    content = storage.read_bytes(file, JSON)
+    if not storage.is_there(session, file):
+        return _read_older(session, path)
+    content = storage.read_bytes(session, file, JSON)
     record = read_record(content, shown_path(file))
     expected = _expected(record)
     return ResultFolder(
         path=path,
         record=record,
         notes=(),
-        files=tuple(_not_as_written(path, expected)),
+        files=tuple(_not_as_written(session, path, expected)),
         names=(RECORD, *expected),
     )
 
@@ -100,14 +101,16 @@ def _expected(record: Mapping[str, Any]) -> dict[str, str]:
     return inputs | listed
 
 
-def _not_as_written(path: Path, expected: Mapping[str, str]) -> Iterator[tuple[str, str]]:
+def _not_as_written(
+    session: Session, path: Path, expected: Mapping[str, str]
+) -> Iterator[tuple[str, str]]:
     for name, digest in expected.items():
         place = path / name
-        if not storage.is_there(place):
+        if not storage.is_there(session, place):
             yield name, "missing"
             continue
         try:
-            same = fingerprint(storage.read_bytes(place)) == digest
+            same = fingerprint(storage.read_bytes(session, place)) == digest
         except InputError:
             yield name, "unreadable"
             continue
@@ -115,8 +118,8 @@ def _not_as_written(path: Path, expected: Mapping[str, str]) -> Iterator[tuple[s
             yield name, "changed"
 
 
-def _read_older(path: Path) -> ResultFolder:
-    documents = {name: _document(path / name) for name in _DOCUMENTS}
+def _read_older(session: Session, path: Path) -> ResultFolder:
+    documents = {name: _document(session, path / name) for name in _DOCUMENTS}
     try:
         record = older_record(
             documents["evaluation.json"],
@@ -133,12 +136,12 @@ def _read_older(path: Path) -> ResultFolder:
     return ResultFolder(path, record, (f"{told}{without}",), (), _DOCUMENTS)
 
 
-def _document(path: Path) -> Mapping[str, Any] | None:
+def _document(session: Session, path: Path) -> Mapping[str, Any] | None:
     """Return a document of an older version, None where there is none. Raises InputError."""
-    if not storage.is_there(path):
+    if not storage.is_there(session, path):
         return None
     try:
-        text = storage.read_bytes(path, JSON).decode("utf-8")
+        text = storage.read_bytes(session, path, JSON).decode("utf-8")
         data = json.loads(text, parse_constant=no_number)
     except (ValueError, RecursionError) as error:
         raise InputError(

@@ -16,6 +16,7 @@ from compwright.foundations.errors import (
     collect,
     raise_all,
 )
+from compwright.foundations.session import Session
 from compwright.records.job import AxisJob, Job, TestRequest
 from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
@@ -31,16 +32,18 @@ _OTHER_PROFILE = Fault(
 )
 
 
-def read_again(job: Job, entry: AxisJob, request: TestRequest) -> PositioningTest | None:
+def read_again(
+    session: Session, job: Job, entry: AxisJob, request: TestRequest
+) -> PositioningTest | None:
     """Return a test of the job as its files say it now; None where they are not there any more."""
     try:
-        return read_test(entry, request, Path(job.file).parent)
+        return read_test(session, entry, request, Path(job.file).parent)
     except CompwrightError:
         return None
 
 
 def after_tests(
-    job: Job, plan: Plan, specs: Sequence[str], profile: Path | None = None
+    session: Session, job: Job, plan: Plan, specs: Sequence[str], profile: Path | None = None
 ) -> list[AfterTest]:
     """Read the after tests; several files of one test become one. ``profile``: that of the tests
     after loading, in the place of the job's. Raises with every fault at once.
@@ -50,7 +53,7 @@ def after_tests(
     wanted: dict[tuple[str, str], list[str]] = {}
     for spec in specs:
         try:
-            key, path = _assign(job, spec, profiles)
+            key, path = _assign(session, job, spec, profiles)
             wanted.setdefault(key, []).append(path)
         except CompwrightError as error:
             errors.append(error)
@@ -65,8 +68,8 @@ def after_tests(
             later = _later(request, paths)
             used = profile or beside
             later = replace(later, profile=str(used) if used else None)
-            test = read_test(entry, later, Path())
-            _refuse_files_apart(entry, later)
+            test = read_test(session, entry, later, Path())
+            _refuse_files_apart(session, entry, later)
         except CompwrightError as error:
             errors.append(error)
             continue
@@ -91,13 +94,15 @@ def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
     return replace(request, files=tuple(paths), own_temperatures=())
 
 
-def _refuse_files_apart(entry: AxisJob, request: TestRequest) -> None:
+def _refuse_files_apart(session: Session, entry: AxisJob, request: TestRequest) -> None:
     """Raise where the files of one test do not go together: one of another state, or of another
     set-up.
     """
     if len(request.files) < 2:
         return
-    parts = [read_test(entry, replace(request, files=(file,)), Path()) for file in request.files]
+    parts = [
+        read_test(session, entry, replace(request, files=(file,)), Path()) for file in request.files
+    ]
     found = files_apart(parts)
     if found is not None:
         part, words = found
@@ -173,7 +178,9 @@ def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
         )
 
 
-def _assign(job: Job, spec: str, profiles: Sequence[Path]) -> tuple[tuple[str, str], str]:
+def _assign(
+    session: Session, job: Job, spec: str, profiles: Sequence[Path]
+) -> tuple[tuple[str, str], str]:
     """Return (axis, test name) and the path of an ``--after`` value: ``TEST=FILE``, else by the
     file's axis.
     """
@@ -189,8 +196,8 @@ def _assign(job: Job, spec: str, profiles: Sequence[Path]) -> tuple[tuple[str, s
             )
         )
     if mark and head in names:
-        return (_axis_of_name(job, head, tail, profiles), head), tail
-    if mark and not storage.is_there(Path(spec)):
+        return (_axis_of_name(session, job, head, tail, profiles), head), tail
+    if mark and not storage.is_there(session, Path(spec)):
         known = " or ".join(names)
         raise UsageError(
             Fault(
@@ -200,7 +207,7 @@ def _assign(job: Job, spec: str, profiles: Sequence[Path]) -> tuple[tuple[str, s
                 found=repr(spec),
             )
         )
-    axis = _axis_of_file(job, spec, list(names), profiles)
+    axis = _axis_of_file(session, job, spec, list(names), profiles)
     before = job.axes[axis].before
     if not before:
         raise UsageError(
@@ -214,11 +221,13 @@ def _assign(job: Job, spec: str, profiles: Sequence[Path]) -> tuple[tuple[str, s
     return (axis, before[0].name), spec
 
 
-def _axis_of_file(job: Job, spec: str, names: Sequence[str], profiles: Sequence[Path]) -> str:
+def _axis_of_file(
+    session: Session, job: Job, spec: str, names: Sequence[str], profiles: Sequence[Path]
+) -> str:
     """Return the axis that a file says it measured, or the only one of the job. ``names``: of the
     job's tests.
     """
-    measured = _axis_in(spec, profiles)
+    measured = _axis_in(session, spec, profiles)
     if measured:
         axis = next((name for name in job.axes if name.upper() == measured.upper()), None)
         if axis is None:
@@ -242,19 +251,19 @@ def _axis_of_file(job: Job, spec: str, names: Sequence[str], profiles: Sequence[
     return next(iter(job.axes))
 
 
-def _axis_in(path: str, profiles: Sequence[Path]) -> str:
+def _axis_in(session: Session, path: str, profiles: Sequence[Path]) -> str:
     """Return the axis that a file names; a table of another program is read by one of
     ``profiles``. Raises InputError: where none fits, with the reasons of each.
     """
     try:
-        return read_measurement(Path(path)).axis
+        return read_measurement(session, Path(path)).axis
     except InputError:
         if not profiles:
             raise
     faults: list[Fault] = []
     for profile in profiles:
         try:
-            return read_measurement(Path(path), load_profile(profile)).axis
+            return read_measurement(session, Path(path), load_profile(session, profile)).axis
         except InputError as error:
             faults += [fault.within(f"by the profile {profile}") for fault in error.faults]
     raise InputError(*faults, _OTHER_PROFILE)
@@ -267,7 +276,9 @@ def _profiles(job: Job) -> list[Path]:
     return [storage.named_from(Path(job.file).parent, name) for name in named]
 
 
-def _axis_of_name(job: Job, name: str, path: str, profiles: Sequence[Path]) -> str:
+def _axis_of_name(
+    session: Session, job: Job, name: str, path: str, profiles: Sequence[Path]
+) -> str:
     """Return the axis of a test name; where several axes use the name, the file says which one it
     is.
     """
@@ -278,7 +289,7 @@ def _axis_of_name(job: Job, name: str, path: str, profiles: Sequence[Path]) -> s
     ]
     if len(axes) == 1:
         return axes[0]
-    measured = _axis_in(path, profiles).upper()
+    measured = _axis_in(session, path, profiles).upper()
     for axis in axes:
         if axis.upper() == measured:
             return axis

@@ -18,6 +18,7 @@ from compwright.documents.plan import read_plan
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, UsageError
 from compwright.foundations.findings import Finding
+from compwright.foundations.session import Session
 from compwright.records.axis import AxisKind
 from compwright.records.correction import Assumption, ControlFile
 from compwright.records.options import KIND
@@ -40,6 +41,7 @@ class Kinds:
 
 
 def decode_kinds(
+    session: Session,
     paths: Sequence[Path],
     format_id: str,
     options: Mapping[str, object],
@@ -53,18 +55,18 @@ def decode_kinds(
     Raises UsageError where the numbers themselves depend on an unknown kind, or a given kind
     contradicts the files.
     """
-    control = open_control(format_id, options)
-    files = read_files(paths)
-    planned = {} if KIND in options else _planned_kinds(paths, control.id)
+    control = open_control(session, format_id, options)
+    files = read_files(session, paths)
+    planned = {} if KIND in options else _planned_kinds(session, paths, control.id)
     if planned:
-        control = open_control(format_id, {**options, KIND: planned})
+        control = open_control(session, format_id, {**options, KIND: planned})
     found = decode(control, files, address=address, active=active)
     given = control.options[KIND]
     _check(control, found, given)
     unknown = _unknown(found, given)
     if unknown:
         rotary = {**planned, **dict.fromkeys(unknown, AxisKind.ROTARY)}
-        other = open_control(format_id, {**options, KIND: rotary})
+        other = open_control(session, format_id, {**options, KIND: rotary})
         _same_numbers(found, _readable(other, files, address, active=active))
     assumed = tuple(
         Assumption(f"axis {name}: kind", str(kind), f"{PLAN} above the files")
@@ -87,13 +89,13 @@ def _unknown(found: DecodedState, given: object) -> tuple[str, ...]:
     )
 
 
-def _planned_kinds(paths: Sequence[Path], format_id: str) -> dict[str, AxisKind]:
+def _planned_kinds(session: Session, paths: Sequence[Path], format_id: str) -> dict[str, AxisKind]:
     """Return the kinds by address in the plan of the run that wrote these files."""
     kinds: dict[str, AxisKind] = {}
     for folder in dict.fromkeys(
         above for path in paths for above in (path, *path.absolute().parents[:_LEVELS])
     ):
-        content = storage.earlier_bytes(folder / PLAN)
+        content = storage.earlier_bytes(session, folder / PLAN)
         if not content:
             continue
         try:

@@ -13,6 +13,7 @@ from typing import TypeVar
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
 from compwright.foundations.input_sizes import MEASUREMENT
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_pairs import paired
 from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
@@ -43,7 +44,7 @@ def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:
     return list(kept.values())
 
 
-def read_circles(job: Job, folder: Path) -> tuple[CircularTest, ...]:
+def read_circles(session: Session, job: Job, folder: Path) -> tuple[CircularTest, ...]:
     """Read the circular tests of a job in its order. Raises InputError with the faults of all their
     files.
     """
@@ -53,7 +54,9 @@ def read_circles(job: Job, folder: Path) -> tuple[CircularTest, ...]:
         try:
             tests.append(
                 read_circle(
-                    [storage.named_from(folder, file) for file in request.files], request.name
+                    session,
+                    [storage.named_from(folder, file) for file in request.files],
+                    request.name,
                 )
             )
         except InputError as error:
@@ -62,27 +65,27 @@ def read_circles(job: Job, folder: Path) -> tuple[CircularTest, ...]:
     return tuple(tests)
 
 
-def read_circle(paths: list[Path], name: str) -> CircularTest:
+def read_circle(session: Session, paths: list[Path], name: str) -> CircularTest:
     """Read the files of one circular test. Raises InputError."""
     errors: list[CompwrightError] = []
     parts = []
     for given in paths:
         try:
-            files = measurement_files(given).files
+            files = measurement_files(session, given).files
         except InputError as error:
             errors.append(error)
             continue
         for path in files:
             try:
-                parts.append(_read_part(path))
+                parts.append(_read_part(session, path))
             except InputError as error:
                 errors.append(error)
     raise_all(InputError, collect(errors))
     return merge_circular(parts, name)
 
 
-def _read_part(path: Path) -> CircularTest:
-    content, file = storage.read_bytes(path, MEASUREMENT), shown_path(path)
+def _read_part(session: Session, path: Path) -> CircularTest:
+    content, file = storage.read_bytes(session, path, MEASUREMENT), shown_path(path)
     if not is_circular(content, file):
         raise InputError(
             Fault(

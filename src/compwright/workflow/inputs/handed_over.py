@@ -11,6 +11,7 @@ from pathlib import Path, PurePosixPath
 from compwright.controls.control_folders import control_entries
 from compwright.foundations import storage
 from compwright.foundations.provenance import fingerprint
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.records.job import Job
 from compwright.records.plan import Texts
@@ -35,35 +36,45 @@ class GivenFile:
     content: bytes
 
 
-def files_of_job(job: Job, folder: Path, definition: Texts) -> list[GivenFile]:
+def files_of_job(session: Session, job: Job, folder: Path, definition: Texts) -> list[GivenFile]:
     """Return every file that a job was made from, the job's own first; ``definition``: the texts
     of a definition of the user's own, by their files. Raises InputError for what cannot be read
     (any more).
     """
-    found = [] if not job.file else [_given("job", "", Path(job.file).name, Path(job.file))]
-    found += [_text_of_definition(Path(name), content) for name, content in definition]
+    found = (
+        [] if not job.file else [_given(session, "job", "", Path(job.file).name, Path(job.file))]
+    )
+    found += [_text_of_definition(session, Path(name), content) for name, content in definition]
     for name, entry in job.axes.items():
         for request in entry.before:
             of = f"{name} {request.name}"
-            found += _measured("test", of, request.files, folder)
+            found += _measured(session, "test", of, request.files, folder)
             if request.profile:
                 found.append(
                     _given(
-                        "profile", of, request.profile, storage.named_from(folder, request.profile)
+                        session,
+                        "profile",
+                        of,
+                        request.profile,
+                        storage.named_from(folder, request.profile),
                     )
                 )
     for circle in job.circles:
-        found += _measured("circle", circle.name, circle.files, folder)
+        found += _measured(session, "circle", circle.name, circle.files, folder)
     for drift in job.drifts.values():
-        found.append(_given("drift", "", drift.file, storage.named_from(folder, drift.file)))
+        found.append(
+            _given(session, "drift", "", drift.file, storage.named_from(folder, drift.file))
+        )
     for state, texts in job.states.items():
-        found += [file for text in texts for file in files_at("state", state, text, folder)]
+        found += [
+            file for text in texts for file in files_at(session, "state", state, text, folder)
+        ]
     return found
 
 
-def _text_of_definition(path: Path, content: bytes) -> GivenFile:
+def _text_of_definition(session: Session, path: Path, content: bytes) -> GivenFile:
     """Return a text of a definition: it may come from a plan, or ship."""
-    there = storage.is_there(path) and storage.read_bytes(path) == content
+    there = storage.is_there(session, path) and storage.read_bytes(session, path) == content
     return GivenFile(
         role="definition", of="", name=path.name, path=path if there else None, content=content
     )
@@ -74,14 +85,17 @@ def given_job(name: str, path: Path, content: bytes) -> GivenFile:
     return GivenFile(role="job", of="", name=name, path=path, content=content)
 
 
-def _measured(role: InputRole, of: str, texts: Iterable[str], folder: Path) -> Iterator[GivenFile]:
+def _measured(
+    session: Session, role: InputRole, of: str, texts: Iterable[str], folder: Path
+) -> Iterator[GivenFile]:
     for text in texts:
         start = storage.named_from(folder, text)
-        for path in measurement_files(start).files:
-            yield _given(role, of, _named(text, path, start), path)
+        for path in measurement_files(session, start).files:
+            yield _given(session, role, of, _named(text, path, start), path)
 
 
 def files_of_verify(
+    session: Session,
     job: Job,
     after: Sequence[str],
     circles: Mapping[str, Sequence[Path]],
@@ -97,21 +111,25 @@ def files_of_verify(
     for spec in after:
         head, mark, tail = spec.partition("=")
         named = bool(mark) and head in names
-        found += _measured("after", head if named else "", [tail if named else spec], Path())
+        found += _measured(
+            session, "after", head if named else "", [tail if named else spec], Path()
+        )
     for name, paths in circles.items():
-        found += _measured("after", name, [str(path) for path in paths], Path())
+        found += _measured(session, "after", name, [str(path) for path in paths], Path())
     for path in loaded:
-        found += files_at("loaded", "", str(path), Path())
+        found += files_at(session, "loaded", "", str(path), Path())
     if profile is not None:
-        found.append(_given("profile", "", str(profile), profile))
+        found.append(_given(session, "profile", "", str(profile), profile))
     return found
 
 
-def files_at(role: InputRole, of: str, text: str, folder: Path) -> Iterator[GivenFile]:
+def files_at(
+    session: Session, role: InputRole, of: str, text: str, folder: Path
+) -> Iterator[GivenFile]:
     """Yield the file that ``text`` names, or those in the folder that it names."""
     start = storage.named_from(folder, text)
-    for path in control_entries(start):
-        yield _given(role, of, _named(text, path, start), path)
+    for path in control_entries(session, start):
+        yield _given(session, role, of, _named(text, path, start), path)
 
 
 def _named(text: str, path: Path, start: Path) -> str:
@@ -120,13 +138,13 @@ def _named(text: str, path: Path, start: Path) -> str:
     return name if path == start else f"{name}/{path.relative_to(start).as_posix()}"
 
 
-def _given(role: InputRole, of: str, name: str, path: Path) -> GivenFile:
+def _given(session: Session, role: InputRole, of: str, name: str, path: Path) -> GivenFile:
     return GivenFile(
         role=role,
         of=of,
         name=shown_path(Path(name)),
         path=path,
-        content=storage.read_bytes(path),
+        content=storage.read_bytes(session, path),
     )
 
 

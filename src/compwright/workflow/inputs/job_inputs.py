@@ -21,6 +21,7 @@ from compwright.foundations.errors import (
     raise_all,
 )
 from compwright.foundations.input_sizes import MEASUREMENT
+from compwright.foundations.session import Session
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.plausibility import skipped_finding
@@ -49,7 +50,7 @@ class JobInputs:
     states: Mapping[str, DecodedState]
 
 
-def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
+def read_job_inputs(session: Session, job: Job, control: Control, folder: Path) -> JobInputs:
     """Read every file that a job names. Raises InputError with the faults of all of them."""
     errors: list[CompwrightError] = []
     tests: dict[str, tuple[PlannedTest, ...]] = {}
@@ -59,7 +60,7 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
             try:
                 found.append(
                     PlannedTest(
-                        test=read_test(entry, request, folder),
+                        test=read_test(session, entry, request, folder),
                         measured_in=request.measured_in,
                         motion=request.motion,
                     )
@@ -72,7 +73,7 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
     axes = [entry.axis for entry in job.axes.values()]
     for name, paths in job.states.items():
         try:
-            files = read_files([storage.named_from(folder, path) for path in paths])
+            files = read_files(session, [storage.named_from(folder, path) for path in paths])
             states[name] = decode(control, files, axes, active=job.active.get(name), asking=True)
         except InputError as error:
             errors.append(error)
@@ -96,11 +97,13 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
     return JobInputs(tests=tests, states=states)
 
 
-def read_measurement(path: Path, profile: Profile | None = None, axis: str = "") -> PositioningTest:
+def read_measurement(
+    session: Session, path: Path, profile: Profile | None = None, axis: str = ""
+) -> PositioningTest:
     """Read the test in one measurement file, with a profile where there is one; of several that of
     ``axis``. Raises InputError.
     """
-    tests = read_tests(storage.read_bytes(path, MEASUREMENT), shown_path(path), profile)
+    tests = read_tests(storage.read_bytes(session, path, MEASUREMENT), shown_path(path), profile)
     if len(tests) == 1:
         return tests[0]
     ours = [test for test in tests if axis and test.axis.upper() == axis.upper()]
@@ -132,24 +135,30 @@ def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) ->
     return replace(ours, findings=(*ours.findings, finding))
 
 
-def read_test(entry: AxisJob, request: TestRequest, folder: Path) -> PositioningTest:
+def read_test(
+    session: Session, entry: AxisJob, request: TestRequest, folder: Path
+) -> PositioningTest:
     """Read the files of one test into one record in machine coordinates, expansion removed where
     the job says so: at the temperature of the test's own keys, else of its files, else of the axis.
     """
     errors: list[CompwrightError] = []
     parts = []
     skipped: tuple[Path, ...] = ()
-    profile = load_profile(storage.named_from(folder, request.profile)) if request.profile else None
+    profile = (
+        load_profile(session, storage.named_from(folder, request.profile))
+        if request.profile
+        else None
+    )
     for text in request.files:
         try:
-            found = measurement_files(storage.named_from(folder, text))
+            found = measurement_files(session, storage.named_from(folder, text))
         except InputError as error:
             errors.append(error)
             continue
         skipped += found.skipped
         for path in found.files:
             try:
-                parts.append(read_measurement(path, profile, entry.axis.name))
+                parts.append(read_measurement(session, path, profile, entry.axis.name))
             except InputError as error:
                 errors.append(error)
     raise_all(InputError, collect(errors))

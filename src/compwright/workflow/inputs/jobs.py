@@ -24,6 +24,7 @@ from compwright.foundations.errors import (
 )
 from compwright.foundations.input_sizes import JOB, MEASUREMENT
 from compwright.foundations.key_faults import KeyFault
+from compwright.foundations.session import Session
 from compwright.instruments.drift_csv import read_drift
 from compwright.jobs.command_line import job_from_options
 from compwright.jobs.consistency import NONE_WORD
@@ -39,24 +40,26 @@ PLAN = "plan.json"
 _ANY_TRAVEL = "0:1"
 
 
-def read_job_file(path: Path, plan: Path | None = None) -> Job:
+def read_job_file(session: Session, path: Path, plan: Path | None = None) -> Job:
     """Read a job file, with the stand-still tests that its uncertainty names. ``plan``: that of an
     earlier run, whose definition of one's own counts.
 
     Raises InputError when one of them cannot be read, UsageError with every fault of the job.
     """
-    carried = () if plan is None else carried_definition(storage.earlier_bytes(plan))
-    further = partial(wrong_control, folder=path.parent, carried=carried)
-    return _with_drifts(read_job(storage.read_bytes(path, JOB), str(path), further), path.parent)
+    carried = () if plan is None else carried_definition(storage.earlier_bytes(session, plan))
+    further = partial(wrong_control, session, folder=path.parent, carried=carried)
+    return _with_drifts(
+        session, read_job(storage.read_bytes(session, path, JOB), str(path), further), path.parent
+    )
 
 
-def _with_drifts(job: Job, folder: Path) -> Job:
+def _with_drifts(session: Session, job: Job, folder: Path) -> Job:
     """Return the job with the range E_VE that its stand-still tests show."""
     errors: list[CompwrightError] = []
     for kind, request in job.drifts.items():
         file = storage.named_from(folder, request.file)
         try:
-            drift = read_drift(storage.read_bytes(file, MEASUREMENT), request.file, kind)
+            drift = read_drift(storage.read_bytes(session, file, MEASUREMENT), request.file, kind)
         except InputError as error:
             errors.append(error)
             continue
@@ -68,7 +71,7 @@ def _with_drifts(job: Job, folder: Path) -> Job:
 
 
 def wrong_control(
-    data: Mapping[str, Any], *, folder: Path = Path(), carried: Texts = ()
+    session: Session, data: Mapping[str, Any], *, folder: Path = Path(), carried: Texts = ()
 ) -> Iterator[KeyFault]:
     """Yield what is wrong with the control's name and options in a job's data, so that it stands
     beside the other faults. ``folder``: what the path of a definition is relative to.
@@ -79,7 +82,7 @@ def wrong_control(
     if not isinstance(format_id, str) or not isinstance(options, dict):
         return  # the schema says so
     try:
-        control = open_control(format_id, options, Origin("", "", "", folder, carried))
+        control = open_control(session, format_id, options, Origin("", "", "", folder, carried))
     except UsageError as error:
         for fault in error.faults:
             if fault.file:  # a definition of one's own: its faults have places of their own
@@ -176,7 +179,7 @@ def _wrong_axis_options(axes: object, control: Control, *, unit_needed: bool) ->
                 yield KeyFault((*own, "options", place), fault.message, fault.expected, fault.found)
 
 
-def default_folder(job_file: Path) -> Path:
+def default_folder(session: Session, job_file: Path) -> Path:
     """Return the folder of a job's results: the job file's name without its ending, beside it. A
     job that lies among the results of its own run, as that of a next round does, has them there; so
     does the copy of a job in the folder of its results.
@@ -187,10 +190,10 @@ def default_folder(job_file: Path) -> Path:
         else job_file.with_name(f"{job_file.name}-results")
     )
     above = job_file.parent.parent
-    copies = copied_by_record(storage.earlier_bytes(above / RECORD))
+    copies = copied_by_record(storage.earlier_bytes(session, above / RECORD))
     if f"{job_file.parent.name}/{job_file.name}" in copies and not storage.is_folder(own):
         return above
-    among = any(storage.is_there(job_file.parent / name) for name in (PLAN, RECORD))
+    among = any(storage.is_there(session, job_file.parent / name) for name in (PLAN, RECORD))
     return job_file.parent if among and not storage.is_folder(own) else own
 
 
@@ -207,6 +210,7 @@ class JobToRun:
 
 
 def job_of(
+    session: Session,
     inputs: Sequence[str],
     *,
     format_id: str | None,
@@ -225,7 +229,7 @@ def job_of(
     first = Path(inputs[0])
     needed = {"--format": format_id, "--axis": axis, "--travel": travel}
     if len(inputs) == 1 and first.suffix.lower() in _YAML:
-        storage.read_bytes(first, JOB)
+        storage.read_bytes(session, first, JOB)
         said = "does not go with a job file, which says it itself"
         extra = {**needed, "--state": states, "--option": options, "--profile": profile}
         faults = [
@@ -234,11 +238,13 @@ def job_of(
             if value
         ]
         raise_all(UsageError, faults)
-        return JobToRun(read_job_file(first), first.parent, out or default_folder(first))
+        return JobToRun(
+            read_job_file(session, first), first.parent, out or default_folder(session, first)
+        )
     for text in inputs:
         if not storage.is_folder(Path(text)):
-            storage.read_bytes(Path(text), MEASUREMENT)
-        elif storage.is_there(Path(text) / PLAN):
+            storage.read_bytes(session, Path(text), MEASUREMENT)
+        elif storage.is_there(session, Path(text) / PLAN):
             fault = Fault(message="is a folder of results", file=text, expected=JOB.help)
             raise UsageError(fault)
     expected = "a value, or one job file JOB.yaml instead of measurement files"
@@ -247,7 +253,7 @@ def job_of(
         for name, value in needed.items()
         if not value
     ]
-    folder = out or default_folder(first)
+    folder = out or default_folder(session, first)
 
     def there(text: str) -> str:
         return storage.way_to(Path(text), folder)
@@ -264,7 +270,7 @@ def job_of(
             states=[text if text == NONE_WORD else there(text) for text in states],
             options=options,
             profile=None if profile is None else there(profile),
-            further=partial(wrong_control, folder=folder),
+            further=partial(wrong_control, session, folder=folder),
         )
     except UsageError as error:
         raise UsageError(*faults, *error.faults) from error

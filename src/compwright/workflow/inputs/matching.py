@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from compwright.foundations import storage
+from compwright.foundations.session import Session
 
 
-def files_matching(text: str) -> list[str]:
+def files_matching(session: Session, text: str) -> list[str]:
     """Return the files that ``text`` stands for, by name: itself where it is the name of one or
     nothing fits. Of ``TEST=FILE`` each file has the test in front.
     """
-    found = storage.matching(text)
+    found = storage.matching(session, text)
     name, mark, rest = text.partition("=")
     if found == [text] and mark:
-        return [f"{name}={file}" for file in storage.matching(rest)]
+        return [f"{name}={file}" for file in storage.matching(session, rest)]
     return found

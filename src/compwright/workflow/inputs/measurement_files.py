@@ -10,6 +10,7 @@ from pathlib import Path
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.input_sizes import PROFILE
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.profile import Profile
 
@@ -31,24 +32,24 @@ class Found:
     folders: tuple[Path, ...] = ()
 
 
-def load_profile(path: Path) -> Profile:
+def load_profile(session: Session, path: Path) -> Profile:
     """Read a mapping profile. Raises UsageError with every fault in it, InputError for a file that
     cannot be read.
     """
     # slow to import, and few measurements need a profile
     from compwright.instruments.profile_reading import read_profile
 
-    return read_profile(storage.read_bytes(path, PROFILE), shown_path(path))
+    return read_profile(storage.read_bytes(session, path, PROFILE), shown_path(path))
 
 
-def measurement_files(path: Path) -> Found:
+def measurement_files(session: Session, path: Path) -> Found:
     """Return the measurement files of ``path``: itself, or what its folder holds; plots, JSON,
     jobs, pages are left out.
 
     Whether the others are measurements is found out when they are read. Raises InputError for a
     folder without any.
     """
-    entries = storage.list_files(path)
+    entries = storage.list_files(session, path)
     if entries == [path]:
         return Found((path,))
     folders = tuple(storage.folders_in(path))

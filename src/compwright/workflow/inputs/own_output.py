@@ -21,6 +21,7 @@ from compwright.evaluation.rounded_copies import is_rounded_copy, last_digit
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.provenance import fingerprint, share_a_file
+from compwright.foundations.session import Session
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularTest
 from compwright.records.job import Job
@@ -57,6 +58,7 @@ class _Earlier:
 
 
 def refuse_own_output(
+    session: Session,
     job: Job,
     inputs: JobInputs,
     circles: Sequence[tuple[CircularTest, str]],
@@ -72,7 +74,7 @@ def refuse_own_output(
     """
     faults = list(_inside_out(job, folder, out))
     raise_all(UsageError, faults)
-    for earlier in earlier_plans(_near(job, folder, out)):
+    for earlier in earlier_plans(session, _near(session, job, folder, out)):
         faults.extend(_counted_twice(job, inputs, circles, earlier))
     raise_all(UsageError, list({fault.place: fault for fault in faults}.values()))
 
@@ -94,7 +96,7 @@ def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
             )
 
 
-def _near(job: Job, folder: Path, out: Path) -> Iterator[Path]:
+def _near(session: Session, job: Job, folder: Path, out: Path) -> Iterator[Path]:
     """Yield where plans of earlier runs may stand: where this run writes, above the files of a
     state, beside job, measurements and results.
     """
@@ -113,11 +115,11 @@ def _near(job: Job, folder: Path, out: Path) -> Iterator[Path]:
     )
     for place in dict.fromkeys((folder, *measured)):
         yield place / PLAN
-        yield from storage.in_folders_of(place, PLAN)
-    yield from storage.in_folders_of(storage.resolved(out).parent, PLAN)
+        yield from storage.in_folders_of(session, place, PLAN)
+    yield from storage.in_folders_of(session, storage.resolved(out).parent, PLAN)
 
 
-def earlier_plans(paths: Iterable[Path]) -> Iterator[_Earlier]:
+def earlier_plans(session: Session, paths: Iterable[Path]) -> Iterator[_Earlier]:
     """Yield the plans that can be read at ``paths``, each once."""
     seen: set[Path] = set()
     for path in paths:
@@ -125,7 +127,7 @@ def earlier_plans(paths: Iterable[Path]) -> Iterator[_Earlier]:
         if whole in seen:
             continue
         seen.add(whole)
-        content = storage.earlier_bytes(path)
+        content = storage.earlier_bytes(session, path)
         try:
             plan = read_plan(content, str(path)) if content else None
         except InputError:

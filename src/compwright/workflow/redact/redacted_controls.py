@@ -7,7 +7,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache
 from pathlib import Path, PurePath
 from typing import Any
 
@@ -32,6 +31,7 @@ from compwright.formats.text.texts import ReadText, text_reader
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError
 from compwright.foundations.redaction import Cuts
+from compwright.foundations.session import Session
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.workflow.redact.redacted_measurements import not_the_same, refuse_left_over
@@ -68,7 +68,7 @@ class ControlCopies:
 
 
 def control_copies(
-    files: Sequence[ControlFile], cuts: Mapping[str, Cuts], format_id: str | None
+    session: Session, files: Sequence[ControlFile], cuts: Mapping[str, Cuts], format_id: str | None
 ) -> ControlCopies:
     """Return the proven copies of the files of controls; each file has ``cuts`` of its own, by its
     name. ``format_id``: the control, where somebody says it.
@@ -76,7 +76,7 @@ def control_copies(
     Raises UsageError for a control that is not known.
     """
     faults: list[Fault] = []
-    likely = _likely(files, format_id)
+    likely = _likely(session, files, format_id)
     copies: dict[str, ControlCopy] = {}
     for file in files:
         try:
@@ -86,20 +86,21 @@ def control_copies(
     unknown = frozenset(
         file.name for file in files if not (likely[file.name] or is_entry_sheet(file))
     )
-    for name in _decoded_otherwise(files, copies):
+    for name in _decoded_otherwise(session, files, copies):
         del copies[name]
         faults.extend(not_the_same(name, "another correction").faults)
     return ControlCopies(copies, tuple(faults), unknown)
 
 
 def _decoded_otherwise(
-    files: Sequence[ControlFile], copies: Mapping[str, ControlCopy]
+    session: Session, files: Sequence[ControlFile], copies: Mapping[str, ControlCopy]
 ) -> Iterator[str]:
     """Yield the names of files whose copies, taken together, give another correction."""
+    shipped = _definitions(session)
     shapes = {
-        name: _definitions()[copy.control].layout.shape
+        name: shipped[copy.control].layout.shape
         for name, copy in copies.items()
-        if copy.control in _definitions()
+        if copy.control in shipped
     }
     for shape in sorted(set(shapes.values())):
         group = [file for file in files if shapes.get(file.name) == shape]
@@ -112,7 +113,7 @@ def _decoded_otherwise(
             ControlFile(named.get(file.name.upper(), file.name), copies[file.name].content)
             for file in group
         ]
-        if not _decoded_alike(control, group, made, renamed):
+        if not _decoded_alike(session, shipped, control, group, made, renamed):
             yield from [file.name for file in group]
 
 
@@ -177,14 +178,20 @@ def _sheet(file: ControlFile, cuts: Cuts) -> ControlCopy:
     return ControlCopy(made.content, SHEET)
 
 
-def _likely(files: Sequence[ControlFile], format_id: str | None) -> dict[str, list[Definition]]:
+def _likely(
+    session: Session, files: Sequence[ControlFile], format_id: str | None
+) -> dict[str, list[Definition]]:
     """Return for each file the controls that it may be of, by what its beginning says: first that
     of which it says most itself, then that of which those beside it do.
 
     Statements without a word of their own are in files of many kinds: a file of nothing else is a
     control's by its ending, where ``format_id`` says so, or as a text out of a container.
     """
-    known = [definition_named(format_id, Path())] if format_id else list(_definitions().values())
+    known = (
+        [definition_named(session, format_id, Path())]
+        if format_id
+        else list(_definitions(session).values())
+    )
     counts = {
         file.name: {definition.id: _said_at_first(file, definition) for definition in known}
         for file in files
@@ -250,13 +257,14 @@ def _said_at_first(file: ControlFile, definition: Definition) -> int:
     return 0 if read is None else sum(one.statement in heads for one in read.occurrences)
 
 
-@cache
-def _definitions() -> Mapping[str, Definition]:
+def _definitions(session: Session) -> Mapping[str, Definition]:
     """Return what ships, by its id."""
-    return definitions_from(storage.definition_files())
+    return definitions_from(storage.definition_files(session))
 
 
 def _decoded_alike(
+    session: Session,
+    shipped: Mapping[str, Definition],
     control_id: str,
     old: Sequence[ControlFile],
     new: Sequence[ControlFile],
@@ -266,32 +274,34 @@ def _decoded_alike(
     the originals alone do not make a state of a control. ``renamed``: new names of axes by the old
     ones, in capitals.
     """
-    for likely, options in _ways_to_read(control_id):
+    for likely, options in _ways_to_read(shipped, control_id):
         try:
-            first = _decoded(likely, options, old, renamed)
+            first = _decoded(session, likely, options, old, renamed)
         except CompwrightError:
             continue
         try:
-            return first == _decoded(likely, options, new, {})
+            return first == _decoded(session, likely, options, new, {})
         except CompwrightError:
             return False
     return True
 
 
-def _ways_to_read(control_id: str) -> Iterator[tuple[str, dict[str, object]]]:
+def _ways_to_read(
+    shipped: Mapping[str, Definition], control_id: str
+) -> Iterator[tuple[str, dict[str, object]]]:
     """Yield controls whose tables have the shape of this one's, itself first, with their options:
     the beginning of a file does not tell relatives apart.
     """
-    shape = _definitions()[control_id].layout.shape
-    relatives = [name for name, one in _definitions().items() if one.layout.shape == shape]
+    shape = shipped[control_id].layout.shape
+    relatives = [name for name, one in shipped.items() if one.layout.shape == shape]
     for name in sorted(relatives, key=lambda name: name != control_id):
-        for options in _options(name):
+        for options in _options(shipped[name]):
             yield name, options
 
 
-def _options(control_id: str) -> Iterator[dict[str, object]]:
+def _options(definition: Definition) -> Iterator[dict[str, object]]:
     """Yield answers to what the files of a control leave open, until one lets them be read."""
-    rules = _definitions()[control_id].options
+    rules = definition.options
     asked: dict[str, object] = {
         name: _ANY_UNIT for name, rule in rules.items() if rule.asked is not None
     }
@@ -305,6 +315,7 @@ def _options(control_id: str) -> Iterator[dict[str, object]]:
 
 
 def _decoded(
+    session: Session,
     control_id: str,
     options: dict[str, object],
     files: Sequence[ControlFile],
@@ -313,7 +324,7 @@ def _decoded(
     def name(address: str) -> str:
         return renamed.get(address.upper(), address).upper()
 
-    decoded = decode(open_control(control_id, options), files)
+    decoded = decode(open_control(session, control_id, options), files)
     axes = {
         name(address): DecodedAxis(
             kind=entry.kind,

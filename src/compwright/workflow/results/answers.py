@@ -10,6 +10,7 @@ from typing import Any
 
 from compwright.documents.json_text import to_json
 from compwright.foundations import storage
+from compwright.foundations.session import Session
 
 
 def document_text(document: Mapping[str, Any]) -> str:
@@ -17,15 +18,17 @@ def document_text(document: Mapping[str, Any]) -> str:
     return to_json(document)
 
 
-def write_document(document: Mapping[str, Any], path: Path, *, force: bool) -> None:
+def write_document(
+    session: Session, document: Mapping[str, Any], path: Path, *, force: bool
+) -> None:
     """Write a document to a file of its own. Raises StorageError."""
     content = to_json(document).encode()
     from compwright.workflow.results.single_files import (
         refuse_other_kinds,
     )  # only now: `evaluate` of a positioning test loads no reader of circles
 
-    refuse_other_kinds({path: content}, force=force)
-    storage.write_file(path, content, force=force)
+    refuse_other_kinds(session, {path: content}, force=force)
+    storage.write_file(session, path, content, force=force)
 
 
 def show(renderables: list[Any]) -> None:

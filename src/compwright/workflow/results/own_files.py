@@ -10,10 +10,12 @@ from pathlib import Path
 from compwright.documents.file_list import LIST, list_text, listed_before, listed_now
 from compwright.foundations import storage
 from compwright.foundations.provenance import fingerprint
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import encoded
 
 
 def write_listed(
+    session: Session,
     out: Path,
     files: Mapping[str, bytes],
     *,
@@ -30,17 +32,17 @@ def write_listed(
     StorageError as `storage.write_files` does, for a file that is not in the list or was changed
     too.
     """
-    earlier = listed_before(storage.earlier_bytes(out / LIST))
+    earlier = listed_before(storage.earlier_bytes(session, out / LIST))
     still = {
         name: entry
         for name, entry in earlier.items()
-        if fingerprint(storage.earlier_bytes(out / name)) == entry.sha256
+        if fingerprint(storage.earlier_bytes(session, out / name)) == entry.sha256
     }
     # what lies there already just so, and is in no list, stays the user's
     own = {
         name: content
         for name, content in files.items()
-        if encoded(name).decode() in earlier or not storage.is_there(out / name)
+        if encoded(name).decode() in earlier or not storage.is_there(session, out / name)
     }
     now = listed_now(own, command)
     names = {encoded(name).decode() for name in files}
@@ -58,6 +60,7 @@ def write_listed(
         return entry is not None and entry.sha256 == fingerprint(content)
 
     return storage.write_files(
+        session,
         out,
         {**files, LIST: list_text({**kept, **now})},
         force=force,

@@ -29,6 +29,7 @@ from compwright.documents.record import (
 from compwright.foundations import storage
 from compwright.foundations.errors import InputError
 from compwright.foundations.provenance import fingerprint
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import encoded
 from compwright.records.plan import Plan
 from compwright.workflow.inputs.handed_over import (
@@ -43,6 +44,7 @@ from compwright.workflow.run.finished import Finished
 
 
 def recorded_run(
+    session: Session,
     finished: Finished,
     results: Results,
     given: Sequence[GivenFile],
@@ -79,7 +81,7 @@ def recorded_run(
         for name, tests in finished.measured.inputs.tests.items()
         for planned in tests
     } | {circle.name: circle.planned.measured_in for circle in finished.wanted.circles}
-    earlier = _earlier_record(out)
+    earlier = _earlier_record(session, out)
     files = {**results.files, **copies, **draft, **_own_job(given, out, earlier)}
     record = run_record(
         about,
@@ -96,7 +98,7 @@ def recorded_run(
     stale = [
         name
         for name, digest in outdated.items()
-        if fingerprint(storage.earlier_bytes(out / name)) == digest
+        if fingerprint(storage.earlier_bytes(session, out / name)) == digest
     ]
     return {**copies, RECORD: to_json(record).encode()}, tuple(stale)
 
@@ -118,9 +120,9 @@ def _own_job(
     }
 
 
-def _earlier_record(out: Path) -> dict[str, Any] | None:
+def _earlier_record(session: Session, out: Path) -> dict[str, Any] | None:
     try:
-        return read_record(storage.earlier_bytes(out / RECORD), RECORD)
+        return read_record(storage.earlier_bytes(session, out / RECORD), RECORD)
     except InputError:
         return None
 
@@ -133,12 +135,12 @@ def _definition(control: Control) -> Any:
     )
 
 
-def known_results(folder: Path) -> storage.Known:
+def known_results(session: Session, folder: Path) -> storage.Known:
     """Return what tells the results that earlier commands left in a result folder from what the
     user has put or changed there: by the lists in its record and its plan.
     """
-    planned = listed_files(storage.earlier_bytes(folder / PLAN))
-    listed = {**planned, **listed_in_record(storage.earlier_bytes(folder / RECORD))}
+    planned = listed_files(storage.earlier_bytes(session, folder / PLAN))
+    listed = {**planned, **listed_in_record(storage.earlier_bytes(session, folder / RECORD))}
 
     def known(name: str, found: bytes) -> bool:
         if name == RECORD:
@@ -164,6 +166,7 @@ def folders_of_copies(names: Mapping[str, Any] | Sequence[str]) -> list[str]:
 
 
 def recorded_verification(
+    session: Session,
     run: RunResult,
     out: Path,
     given: Sequence[GivenFile],
@@ -179,8 +182,8 @@ def recorded_verification(
     ``files``: what else it writes; ``document``: the verification; ``before``, ``after``:
     evaluations of its tests.
     """
-    begun = _begun(run, out, before)
-    there = _still_there(begun, out, files)
+    begun = _begun(session, run, out, before)
+    there = _still_there(session, begun, out, files)
     inputs, copies = kept(given, out, by=BY_VERIFY, there=there, written=files)
     record = verified_record(
         begun,
@@ -204,11 +207,14 @@ class RunResult:
 
 
 def _still_there(
-    record: Mapping[str, Any], out: Path, written: Mapping[str, bytes]
+    session: Session, record: Mapping[str, Any], out: Path, written: Mapping[str, bytes]
 ) -> dict[str, bytes]:
     """Return the files of the run that stand in its folder as they were written, and stay."""
     found = {
-        str(entry["file"]): (str(entry["sha256"]), storage.earlier_bytes(out / entry["file"]))
+        str(entry["file"]): (
+            str(entry["sha256"]),
+            storage.earlier_bytes(session, out / entry["file"]),
+        )
         for entry in record["files"]
         if entry.get("by") != BY_VERIFY and entry["file"] not in written
     }
@@ -217,14 +223,16 @@ def _still_there(
     }
 
 
-def _begun(run: RunResult, out: Path, before: Mapping[str, Any]) -> dict[str, Any]:
+def _begun(
+    session: Session, run: RunResult, out: Path, before: Mapping[str, Any]
+) -> dict[str, Any]:
     """Return the record that the run of a plan left: as it stands where the verification goes into
     its folder, else without what does not lie there. A run of an older version left none: its plan
     says what it can.
     """
-    digest = fingerprint(storage.earlier_bytes(run.file))
+    digest = fingerprint(storage.earlier_bytes(session, run.file))
     try:
-        record = read_record(storage.earlier_bytes(run.file.parent / RECORD), RECORD)
+        record = read_record(storage.earlier_bytes(session, run.file.parent / RECORD), RECORD)
         own = (record["plan"] or {}).get("sha256") == digest
     except (InputError, KeyError, AttributeError):
         record, own = {}, False

@@ -15,6 +15,7 @@ from typing import Final
 
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, StorageError, raise_all
+from compwright.foundations.session import Session
 from compwright.instruments.circular_reading import is_circular
 from compwright.instruments.forms import PLAIN_CSV, form_of
 from compwright.instruments.own_forms import is_plain_csv
@@ -56,7 +57,7 @@ _LOOKED_AT: Final = 65536  # bytes
 
 
 def refuse_other_kinds(
-    targets: Mapping[Path, bytes], *, force: bool, results: Iterable[Path] = ()
+    session: Session, targets: Mapping[Path, bytes], *, force: bool, results: Iterable[Path] = ()
 ) -> None:
     """Raise StorageError for every file that would be replaced although it is something else than
     what is written there. Nothing without ``force``: then no file is replaced at all.
@@ -70,13 +71,13 @@ def refuse_other_kinds(
     alone = {
         path: content for path, content in targets.items() if storage.resolved(path) not in twice
     }
-    raise_all(StorageError, list(_others(alone)))
+    raise_all(StorageError, list(_others(session, alone)))
 
 
-def _others(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
+def _others(session: Session, targets: Mapping[Path, bytes]) -> Iterator[Fault]:
     for path, content in targets.items():
-        there = storage.earlier_bytes(path)
-        if not there.strip() or there == content or storage.was_read(path):
+        there = storage.earlier_bytes(session, path)
+        if not there.strip() or there == content or storage.was_read(session, path):
             continue  # what was read is refused where it is written
         kind, new = kind_of(there), kind_of(content)
         endings = _ENDINGS.get(new, _DOCUMENT)

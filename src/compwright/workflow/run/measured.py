@@ -19,6 +19,7 @@ from compwright.evaluation.repeats import Named
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.session import Session
 from compwright.jobs.idle_keys import idle_keys
 from compwright.prediction.acting import Acting
 from compwright.records.axis import Axis
@@ -63,22 +64,24 @@ class Measured:
         return {name: decoded.state for name, decoded in self.inputs.states.items()}
 
 
-def measured(job: Job, folder: Path, out: Path) -> Measured:
+def measured(session: Session, job: Job, folder: Path, out: Path) -> Measured:
     """Open the control of a job and read all its files, relative to ``folder``.
 
     Raises UsageError and InputError: what cannot be read, contradicts itself, is no measurement of
     this machine, or was made by an earlier run from the same tests.
     """
-    control = open_control(job.format, job.options, origin_of(job, folder))
+    control = open_control(session, job.format, job.options, origin_of(job, folder))
     own = [storage.named_from(folder, path) for path in job.states.get(AS_FOUND, ())]
-    job, named = named_axes(job, control, lambda: control.format.addresses_by_name(read_files(own)))
+    job, named = named_axes(
+        job, control, lambda: control.format.addresses_by_name(read_files(session, own))
+    )
     idle = idle_keys(
         job,
         systems=control.format.counts_systems,
         numbers=control.format.counts_axes,
         motions=control.format.knows_motion,
     )
-    inputs, circles = _inputs(job, control, folder)
+    inputs, circles = _inputs(session, job, control, folder)
     job = settled_by_files(job, inputs.states, AS_FOUND)
     job, turns = with_counted_turns(job, control, inputs.tests)
     now = inputs.states.get(AS_FOUND)
@@ -87,7 +90,7 @@ def measured(job: Job, folder: Path, out: Path) -> Measured:
     taken_in = [
         (test, request.measured_in) for test, request in zip(circles, job.circles, strict=True)
     ]
-    refuse_own_output(job, inputs, taken_in, folder, out)
+    refuse_own_output(session, job, inputs, taken_in, folder, out)
     return Measured(
         job=job,
         control=control,
@@ -99,16 +102,18 @@ def measured(job: Job, folder: Path, out: Path) -> Measured:
     )
 
 
-def _inputs(job: Job, control: Control, folder: Path) -> tuple[JobInputs, tuple[CircularTest, ...]]:
+def _inputs(
+    session: Session, job: Job, control: Control, folder: Path
+) -> tuple[JobInputs, tuple[CircularTest, ...]]:
     """Read the files of a job. Raises InputError with the faults of all of them."""
     tests: tuple[CircularTest, ...] = ()
     faults: tuple[Fault, ...] = ()
     try:
-        tests = read_circles(job, folder)
+        tests = read_circles(session, job, folder)
     except InputError as error:
         faults = error.faults
     try:
-        inputs = read_job_inputs(job, control, folder)
+        inputs = read_job_inputs(session, job, control, folder)
     except InputError as error:
         raise InputError(*error.faults, *faults) from error
     raise_all(InputError, list(faults))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.records.job import Job
 from compwright.workflow.run.finished import Finished
@@ -15,7 +16,13 @@ from compwright.workflow.run.written import written
 
 
 def worked_through(
-    job: Job, folder: Path, out: Path, *, accept_worse: bool = False, each: Each = in_turn
+    session: Session,
+    job: Job,
+    folder: Path,
+    out: Path,
+    *,
+    accept_worse: bool = False,
+    each: Each = in_turn,
 ) -> Finished:
     """Return a job measured, wanted, fitted, written and read back, and predicted; nothing is on
     the disk yet.
@@ -23,7 +30,7 @@ def worked_through(
     ``folder``: what the job's paths are relative to; ``out``: where its results go; ``each`` works
     on the axes. Raises UsageError, InputError and CapacityError.
     """
-    start = measured(job, folder, out)
+    start = measured(session, job, folder, out)
     wish = wanted(start, each)
     table = fitted(start, wish, each)
     files = written(start, wish, table, accept_worse=accept_worse, each=each)

@@ -14,6 +14,7 @@ from compwright.controls.definitions import files_of_definition
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.input_sizes import JOB as JOB_FILE
+from compwright.foundations.session import Session
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.instruments.circular_reading import read_circular
 from compwright.jobs.next_job import (
@@ -90,27 +91,27 @@ def _folder(*names: str) -> str:
     return "/".join(plain)
 
 
-def next_files(job: Job, plan: Plan, then: Looped) -> dict[str, bytes]:
+def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str, bytes]:
     """Return every input of the next round by its relative name, the job first.
 
     Raises InputError where a measurement of the last round is not there any more.
     """
     file = Path(job.file)
-    data = read_yaml(storage.read_bytes(file, JOB_FILE), job.file).data
+    data = read_yaml(storage.read_bytes(session, file, JOB_FILE), job.file).data
     copies = _Copies()
     was = name_of_round([*job.states, *plan.states])
-    paths = _beside_tests(data, file.parent, copies)
+    paths = _beside_tests(session, data, file.parent, copies)
     round_ = NextRound(
         format=_definition(data["controller"]["format"], plan, copies),
         states=_states(job, plan, then, was, copies),
         axes={
             **{
-                name: _axis(data["axes"][name], job, after, was, paths, copies)
+                name: _axis(session, data["axes"][name], job, after, was, paths, copies)
                 for name, after in then.axes.items()
             },
             **{name: _untested(data["axes"][name], job, name) for name in then.beside},
         },
-        circles=_circles(job, plan, then, was, copies),
+        circles=_circles(session, job, plan, then, was, copies),
         squareness=then.squareness,
         paths=paths,
     )
@@ -140,6 +141,7 @@ def _state(files: Sequence[ControlFile], name: str, copies: _Copies, *, active: 
 
 
 def _axis(
+    session: Session,
     section: Mapping[str, Any],
     job: Job,
     after: AfterTest,
@@ -160,14 +162,14 @@ def _axis(
         now = old if name == after.repeats else name
         folder = f"{MEASUREMENTS}/{_folder(after.axis, now)}"
         files = [storage.named_from(Path(job.file).parent, text) for text in each["files"]]
-        tests.append(earlier_test(each, _measured(files, folder, copies), now, was, paths))
+        tests.append(earlier_test(each, _measured(session, files, folder, copies), now, was, paths))
     repeated = sections[names.index(after.repeats)]
     folder = f"{MEASUREMENTS}/{_folder(after.axis, after.repeats)}"
     first = test_after(
-        repeated, _measured(after.files, folder, copies), _temperatures(after.test), paths
+        repeated, _measured(session, after.files, folder, copies), _temperatures(after.test), paths
     )
     if after.profile is not None:
-        content = storage.read_bytes(after.profile)
+        content = storage.read_bytes(session, after.profile)
         first["profile"] = copies.add(MEASUREMENTS, after.profile.name, content)
     limits = section.get("accept")
     moved = limits is not None and "test" not in limits and names[0] != after.repeats
@@ -178,10 +180,10 @@ def _axis(
     )
 
 
-def _measured(paths: Iterable[Path], folder: str, copies: _Copies) -> list[str]:
+def _measured(session: Session, paths: Iterable[Path], folder: str, copies: _Copies) -> list[str]:
     """Return copies of measurement files; of a folder those that are measurements."""
-    found = [path for given in paths for path in measurement_files(given).files]
-    return [copies.add(folder, path.name, storage.read_bytes(path)) for path in found]
+    found = [path for given in paths for path in measurement_files(session, given).files]
+    return [copies.add(folder, path.name, storage.read_bytes(session, path)) for path in found]
 
 
 def _temperatures(test: PositioningTest) -> dict[str, tuple[float, float]]:
@@ -221,7 +223,9 @@ def _untested(section: Mapping[str, Any], job: Job, name: str) -> NextAxis:
     return NextAxis(before=(), settled=_settled(section, job, name))
 
 
-def _circles(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> list[dict[str, Any]]:
+def _circles(
+    session: Session, job: Job, plan: Plan, then: Looped, was: str, copies: _Copies
+) -> list[dict[str, Any]]:
     """Return the circles: after loading, and those before that were not measured again, in their
     states.
 
@@ -243,7 +247,7 @@ def _circles(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> l
         )
         found.append(
             {
-                **_runs(files, f"{MEASUREMENTS}/{_folder(request.name)}", copies),
+                **_runs(session, files, f"{MEASUREMENTS}/{_folder(request.name)}", copies),
                 "name": request.name,
                 "measured_in": state if again is None else AS_FOUND,
                 **({} if request.centre is None else {"centre": list(request.centre)}),
@@ -252,10 +256,10 @@ def _circles(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> l
     return found
 
 
-def _runs(paths: Iterable[Path], folder: str, copies: _Copies) -> dict[str, str]:
+def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies) -> dict[str, str]:
     """Return the files of a circle: one with all runs, or one for each direction."""
-    files = [path for given in paths for path in measurement_files(given).files]
-    contents = [storage.read_bytes(path) for path in files]
+    files = [path for given in paths for path in measurement_files(session, given).files]
+    contents = [storage.read_bytes(session, path) for path in files]
     names = [
         copies.add(folder, path.name, content)
         for path, content in zip(files, contents, strict=True)
@@ -272,7 +276,9 @@ def _runs(paths: Iterable[Path], folder: str, copies: _Copies) -> dict[str, str]
     return {next(iter(sense)): name for sense, name in zip(senses, names, strict=True)}
 
 
-def _beside_tests(data: Mapping[str, Any], folder: Path, copies: _Copies) -> dict[str, str]:
+def _beside_tests(
+    session: Session, data: Mapping[str, Any], folder: Path, copies: _Copies
+) -> dict[str, str]:
     """Return where profiles and stand-still tests are copied to, by their paths in the job."""
     tests = [test for axis in data["axes"].values() for test in test_sections(axis)]
     named = [test["profile"] for test in tests if "profile" in test]
@@ -285,7 +291,7 @@ def _beside_tests(data: Mapping[str, Any], folder: Path, copies: _Copies) -> dic
         text: copies.add(
             MEASUREMENTS,
             PureWindowsPath(text).name,
-            storage.read_bytes(storage.named_from(folder, text)),
+            storage.read_bytes(session, storage.named_from(folder, text)),
         )
         for text in dict.fromkeys(named)
     }

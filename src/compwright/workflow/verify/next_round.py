@@ -27,8 +27,8 @@ from compwright.foundations.errors import (
     UsageError,
 )
 from compwright.foundations.findings import Finding
-from compwright.foundations.foreseen import foreseen
 from compwright.foundations.provenance import fingerprint, share_a_file
+from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.foundations.utf8 import encoded
@@ -89,7 +89,11 @@ class Round:
 
 
 def next_round(
-    found: Verified, compared: Mapping[str, Any] | str, out: Path, each: Each = in_turn
+    session: Session,
+    found: Verified,
+    compared: Mapping[str, Any] | str,
+    out: Path,
+    each: Each = in_turn,
 ) -> Round:
     """Return the next round of a verified job, to be written into ``out``; without files where no
     axis may be corrected further, with the reasons.
@@ -103,8 +107,8 @@ def next_round(
         return Round(document=next_document(general or _nobody(found), told))
     try:
         looped = _looped(found, well)
-        inputs = next_files(found.job, found.plan, looped)
-        finished, results, notes = _worked(inputs, out / FOLDER, each)
+        inputs = next_files(session, found.job, found.plan, looped)
+        finished, results, notes = _worked(session, inputs, out / FOLDER, each)
     except (InputError, UsageError, CapacityError) as error:
         reason = "; ".join(str(fault) for fault in error.faults)
         return Round(document=next_document(f"the next round cannot be made: {reason}", told))
@@ -121,7 +125,7 @@ def next_round(
             written=True,
         ),
         files={f"{FOLDER}/{name}": content for name, content in files.items()},
-        whole=[f"{FOLDER}/{name}" for name in _whole(out, inputs, found.plan.format)],
+        whole=[f"{FOLDER}/{name}" for name in _whole(session, out, inputs, found.plan.format)],
         renewed=[f"{FOLDER}/card"],
         notes=notes,
     )
@@ -284,15 +288,15 @@ def _squareness(found: Verified, measured: Collection[str], axes: Collection[str
 
 
 def _worked(
-    inputs: Mapping[str, bytes], folder: Path, each: Each
+    session: Session, inputs: Mapping[str, bytes], folder: Path, each: Each
 ) -> tuple[Finished, Mapping[str, bytes], tuple[str, ...]]:
     """Return the next job worked through as if its folder stood there already, and its files."""
-    with foreseen(folder, inputs):
-        job = read_job_file(folder / JOB)
-        finished = worked_through(job, folder, folder, each=each)
-        results = result_files(finished, each)
-        given = files_of_job(job, folder, finished.measured.control.definition.own)
-    record, _ = recorded_run(finished, results, given, folder)
+    next_session = session.with_pending(folder, inputs)
+    job = read_job_file(next_session, folder / JOB)
+    finished = worked_through(next_session, job, folder, folder, each=each)
+    results = result_files(finished, each)
+    given = files_of_job(next_session, job, folder, finished.measured.control.definition.own)
+    record, _ = recorded_run(session, finished, results, given, folder)
     return finished, {**results.files, **record}, results.notes
 
 
@@ -353,12 +357,12 @@ def _between(found: Verified, looped: Looped) -> Iterator[str]:
 # ---------------------------------------------------------------- its folder
 
 
-def refuse_later_rounds(out: Path) -> None:
+def refuse_later_rounds(session: Session, out: Path) -> None:
     """Raise StorageError where the next round in ``out`` has been verified: what came of it would
     lie beside another one.
     """
     gone_on = out / FOLDER / "verification.json"
-    if storage.is_there(gone_on):
+    if storage.is_there(session, gone_on):
         raise StorageError(
             Fault(
                 message=(
@@ -371,12 +375,12 @@ def refuse_later_rounds(out: Path) -> None:
         )
 
 
-def known_with_rounds(out: Path, known: storage.Known) -> storage.Known:
+def known_with_rounds(session: Session, out: Path, known: storage.Known) -> storage.Known:
     """Return what tells results in ``out`` from what the user has put or changed there; ``known``
     tells it of all but the folder of the next round.
     """
-    inputs = copied_by_record(storage.earlier_bytes(out / FOLDER / RECORD))
-    of_round = known_results(out / FOLDER)
+    inputs = copied_by_record(storage.earlier_bytes(session, out / FOLDER / RECORD))
+    of_round = known_results(session, out / FOLDER)
 
     def known_below(name: str, content: bytes) -> bool:
         if not name.startswith(f"{FOLDER}/"):
@@ -387,11 +391,11 @@ def known_with_rounds(out: Path, known: storage.Known) -> storage.Known:
     return known_below
 
 
-def _whole(out: Path, inputs: Mapping[str, bytes], format_id: str) -> list[str]:
+def _whole(session: Session, out: Path, inputs: Mapping[str, bytes], format_id: str) -> list[str]:
     """Return the folders of the next round that hold exactly its files: those of its inputs, of an
     earlier round too, and of what the control loads.
     """
-    earlier = copied_by_record(storage.earlier_bytes(out / FOLDER / RECORD))
+    earlier = copied_by_record(storage.earlier_bytes(session, out / FOLDER / RECORD))
     folders = {str(PurePosixPath(name).parent) for name in (*inputs, *earlier)}
     sets = {f"{name}/{format_id}" for name in ("tables", "rollback")}
     return sorted((folders | sets) - {"."})

@@ -24,6 +24,7 @@ from compwright.foundations.errors import (
     raise_all,
 )
 from compwright.foundations.input_sizes import MEASUREMENT
+from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_reading import is_circular, read_circular
 from compwright.planning.circles import (
@@ -41,7 +42,9 @@ from compwright.records.plan import Plan, PlannedCircle
 from compwright.workflow.inputs.circles import read_circle
 
 
-def split_after(plan: Plan, specs: Sequence[str]) -> tuple[list[str], dict[str, list[Path]]]:
+def split_after(
+    session: Session, plan: Plan, specs: Sequence[str]
+) -> tuple[list[str], dict[str, list[Path]]]:
     """Return the ``--after`` values that are no circular tests, and the files of those that are, by
     the circle they repeat.
 
@@ -54,7 +57,7 @@ def split_after(plan: Plan, specs: Sequence[str]) -> tuple[list[str], dict[str, 
     errors: list[CompwrightError] = []
     for spec in specs:
         try:
-            found = _circle(plan, spec)
+            found = _circle(session, plan, spec)
         except CompwrightError as error:
             errors.append(error)
             continue
@@ -69,13 +72,13 @@ def split_after(plan: Plan, specs: Sequence[str]) -> tuple[list[str], dict[str, 
     return others, circles
 
 
-def _circle(plan: Plan, spec: str) -> tuple[str, Path] | None:
+def _circle(session: Session, plan: Plan, spec: str) -> tuple[str, Path] | None:
     head, mark, tail = spec.partition("=")
     named = bool(mark and tail) and head in plan.circles
     path = Path(tail if named else spec)
-    if not storage.is_there(path) or storage.is_folder(path):
+    if not storage.is_there(session, path) or storage.is_folder(path):
         return (head, path) if named else None
-    content = storage.read_bytes(path, MEASUREMENT)
+    content = storage.read_bytes(session, path, MEASUREMENT)
     file = shown_path(path)
     if not is_circular(content, file):
         return None
@@ -111,6 +114,7 @@ def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
 
 
 def verify_circles(
+    session: Session,
     plan: Plan,
     files: Mapping[str, Sequence[Path]],
     as_found: DecodedState,
@@ -125,7 +129,9 @@ def verify_circles(
     verified: dict[str, VerifiedCircle] = {}
     for name, paths in files.items():
         try:
-            test = in_job_names(read_circle(list(paths), name), plan.circles[name].test.axes)
+            test = in_job_names(
+                read_circle(session, list(paths), name), plan.circles[name].test.axes
+            )
             during = acting(states.get(plan.circles[name].measured_in), axes)
             verified[name] = _verified(plan, plan.circles[name], test, during, then)
         except InputError as error:
