@@ -868,7 +868,12 @@ def test_a_longer_test_beside_it_covers_only_where_it_does_not_contradict(
 
 @pytest.mark.parametrize(
     ("pitch", "limit", "decision", "code"),
-    [("5", 9, "undecided", 1), ("5", 0.5, "undecided", 1), ("", 9, "accept", 0)],
+    [
+        ("5", 9, "undecided", 1),
+        ("5", 0.5, "undecided", 1),
+        ("", 9, "undecided", 1),
+        ("", 20, "accept", 0),
+    ],
 )
 def test_a_known_wave_that_the_targets_show_as_a_longer_one_leaves_a_limit_undecided(
     tmp_path: Path,
@@ -878,7 +883,8 @@ def test_a_known_wave_that_the_targets_show_as_a_longer_one_leaves_a_limit_undec
     decision: str,
     code: int,
 ) -> None:
-    """Every 25.4 mm a wave of 5 mm looks like one of 317.5 mm (1/5 - 5/25.4 per mm).
+    """Every 25.4 mm a wave of 5 mm looks like one of 317.5 mm (1/5 - 5/25.4 per mm), and an unknown
+    one may be there that costs more than 5 µm.
 
     No test at these targets tells whether the table fits it."""
     targets = np.asarray(25.4 * np.arange(32), dtype=np.float64)

@@ -88,9 +88,18 @@ class AxisPosterior:
 
     @property
     def hidden(self) -> HiddenPeriods:
-        """The periods that the targets cannot show."""
-        known = any(each.source == "job" for each in self.periods)
-        return hidden_periods(self.cells.targets, self.kind, self.search, known=known)
+        """The periods that the readings leave open."""
+        basis = replace(self.parts[0].basis, periods=(), kept=(), reversal_sines=0)
+        given = [each.period for each in self.periods if each.source == "job"]
+        shown = visible_periods(self.cells.targets, given)
+        return hidden_periods(
+            middles_of(self.cells, endless=basis.turn is not None),
+            basis,
+            self.kind,
+            self.search,
+            shown,
+            [period for period in given if period not in shown],
+        )
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
         """Return mean and standard deviation of the deviation at ``positions`` (g,) strictly

@@ -1,73 +1,370 @@
-"""Periods of the error that the targets of an axis cannot show, whatever the readings are: too few
-targets for a search, or an interval that is a multiple of the period.
+"""Periods of the error that the readings leave open: the targets are too few for a search, hit a
+wave always at the same phase, or show it as a longer one, which the smooth part follows.
 
-Nothing is measured of them, so what is expected before the data is all that is known: as often as
-`periods` expects a period, with an amplitude that is half of a normal law. Its width is a
-judgement: ISO 3408-3 (2006) lets the lead of a screw vary by 6 to 8 µm within one turn (grades 3
-and 5), and most screws keep half of it.
+Each usual period, and some between, is one hypothesis: free columns, smooth part and one wave
+(`period_likelihood`). Its posterior is what the readings leave of the prior: at targets that show
+nothing of the wave all of it, at targets that show it next to nothing. Between the targets a wave
+differs from the smooth part that follows it at the targets; the difference is what a test at new
+targets shows more (aliasing: Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988,
+chapter 6; mixture of hypotheses: Hoeting et al., Statistical Science 14, 1999).
+
+A wave that looks like a long one at the targets is not told from smooth error that is such a wave:
+both are in the hypothesis, the long one as large as the values are, and share what the values show.
+
+Prior of a period: that of the search (`periods`), but only every fourth axis is taken for one that
+is closed over a scale along it and shows no period at all (a judgement, from no document). The
+search asks what axes are like on the whole; here a limit is accepted of one of which nothing says
+that it has a scale. Prior of the amplitude: half of a normal law, `_AMPLITUDE` wide. ISO 3408-3
+(2006) lets the lead of a ground screw vary by 6 to 8 µm within one turn (grades 3 and 5), and the
+axial run-out of its seat adds up to 5 µm (DIN ISO 3408-3, E 8.2, diameters to 50 mm, by the tables
+of makers). Together that is an amplitude of 6.5 µm, which one of a hundred axes exceeds.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 
-from compwright.estimation.basis import hidden_share
-from compwright.estimation.cells import HIDDEN
-from compwright.estimation.period_models import PeriodSearch
-from compwright.estimation.periods import FIRST, FURTHER
-from compwright.estimation.usual_periods import USUAL_PERIODS
+from compwright.estimation.basis import ALIASED, Basis
+from compwright.estimation.period_candidates import PEAK, Odds
+from compwright.estimation.period_likelihood import (
+    Middles,
+    PeriodLikelihood,
+    gain,
+    log_smooth,
+    log_sums,
+)
+from compwright.estimation.period_models import PeriodSearch, log_sum
+from compwright.estimation.period_window import Window, alikeness
+from compwright.estimation.periods import FURTHER, LEAST_REPEATS, LEFT, SHORTEST, wave_columns
+from compwright.estimation.usual_periods import usual_periods
 from compwright.records.axis import AxisKind, FloatArray
 
-#: Standard deviation of the normal law of which the amplitude is one half: 1.5 µm, 1.5 arcsec.
-_AMPLITUDE: Final = {AxisKind.LINEAR: 1.5e-3, AxisKind.ROTARY: 1.5 / 3600.0}
-_NOTHING: Final = 1e-12
+#: What is expected before the data where no period is known.
+_FIRST: Final = Odds(none=0.25, usual=0.57)
+#: Standard deviation of the normal law of which the amplitude is one half: 2.5 µm, 2.5 arcsec.
+_AMPLITUDE: Final = {AxisKind.LINEAR: 2.5e-3, AxisKind.ROTARY: 2.5 / 3600.0}
+#: That law as waves of normal cosine and sine: widths of equal probability, in its own (a square
+#: of one degree of freedom is that of two times a number of the arcsine law).
+_WIDTHS: Final = np.sin(0.5 * np.pi * (np.arange(5) + 0.5) / 5.0)
+#: Periods other than the usual ones that stand for all of them; drawn from frequencies of which so
+#: many lie in 1 / length, at most this number over that of the targets.
+_OTHERS: Final = 64
+_STEPS: Final = 8.0
+_MOST: Final = 400_000
+_NOTHING: Final = 1e-300
+#: Equally likely draws of a hypothesis that are kept.
+_KEPT: Final = 96
+#: Standard deviation of what the readings alone decide, in those of their noise.
+_VAGUE: Final = 1e4
+#: Hypotheses that are less probable are not worked out.
+_LEAST: Final = 0.01
+
+
+@dataclass(frozen=True, slots=True)
+class CurveColumns:
+    """The columns of offset, slope, ``known`` periods (mm or deg) and smooth part (``basis``) of an
+    axis measured at ``targets`` (m,), mm or deg.
+    """
+
+    basis: Basis
+    targets: FloatArray
+    known: tuple[float, ...]
+
+    def columns(self, positions: FloatArray) -> FloatArray:
+        """Return the columns (k, j) at ``positions`` (k,), mm or deg."""
+        first, span = self.targets[0], float(np.ptp(self.targets))
+        line = [np.ones_like(positions)]
+        if self.basis.turn is None:
+            line.append((positions - first) / span)
+        from_first = np.append(first, positions)
+        waves = [wave[1:] for one in self.known for wave in wave_columns(from_first, 1.0 / one)]
+        sines = self.basis.design(positions)[0][:, 2 : 2 + self.basis.sines]
+        return np.column_stack([*line, *waves, sines])
+
+    def wave(self, frequency: float, positions: FloatArray, phase: float = 0.0) -> FloatArray:
+        """Return cosine and sine (k, 2) of a wave of a ``frequency`` (1 / mm or 1 / deg) at
+        ``positions`` (k,), mm or deg.
+        """
+        angle = 2.0 * np.pi * frequency * (positions - self.targets[0]) + phase
+        return np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+@dataclass(frozen=True, slots=True)
+class WaveDraw:
+    """One draw of a hypothesis: cosine and sine that the values show, of ``mean`` (2,) and
+    covariance ``root`` ``root``' (2, 2), mm or deg. Of these the ``share``, and what is apart from
+    it by the standard deviation ``apart``, are a wave of ``period`` (mm or deg), the rest is the
+    long wave of frequency ``long`` (1 / mm or 1 / deg, phase ``phase``) that looks like it. Beside
+    them the columns of the curve change by ``curve`` (j,), and by ``followed`` (j, 2) for cosine
+    and sine of size 1.
+    """
+
+    period: float
+    mean: FloatArray
+    root: FloatArray
+    share: float
+    apart: float
+    long: float
+    phase: float
+    curve: FloatArray
+    followed: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class WaveHypotheses:
+    """That one of the ``waves``, equally likely, is there, with ``probability``, beside the
+    ``curve``.
+    """
+
+    probability: float
+    waves: tuple[WaveDraw, ...]
+    curve: CurveColumns
+
+    def drawn(self, targets: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
+        """Return draws (count, m) of what they add at ``targets`` (m,), zero where none is."""
+        added = np.zeros((count, targets.size))
+        there = np.flatnonzero(rng.uniform(size=count) < self.probability)
+        owner = rng.permutation(np.arange(there.size) % max(len(self.waves), 1))
+        columns = self.curve.columns(targets)
+        for number, wave in enumerate(self.waves):
+            mine = there[owner == number]
+            both = wave.mean + rng.standard_normal((mine.size, 2)) @ wave.root.T
+            own = wave.share * both + wave.apart * rng.standard_normal((mine.size, 2))
+            added[mine] = columns @ wave.curve + both @ (columns @ wave.followed).T
+            added[mine] += own @ self.curve.wave(1.0 / wave.period, targets).T
+            added[mine] += (both - own) @ self.curve.wave(wave.long, targets, wave.phase).T
+        return added
 
 
 @dataclass(frozen=True, slots=True)
 class HiddenPeriods:
-    """That one of the ``periods`` (mm or deg) may be in the error: ``probability`` of any, and the
-    ``shares`` of each (sum 1); ``amplitude``: see the module, mm or deg.
-    """
+    """What the readings leave open, as ``hypotheses`` beside what is known and what was found."""
 
-    probability: float
-    periods: tuple[float, ...]
-    shares: tuple[float, ...]
-    amplitude: float
+    hypotheses: tuple[WaveHypotheses, ...]
+
+    @property
+    def probability(self) -> float:
+        """Probability that any of them is true."""
+        return sum(each.probability for each in self.hypotheses)
+
+    @property
+    def periods(self) -> tuple[tuple[float, float], ...]:
+        """The periods, mm or deg, each with its probability, the most probable first."""
+        found: dict[float, float] = {}
+        for each in self.hypotheses:
+            for wave in each.waves:
+                part = each.probability / len(each.waves)
+                found[wave.period] = found.get(wave.period, 0.0) + part
+        return tuple(sorted(found.items(), key=lambda pair: (-round(pair[1], 9), pair[0])))
 
     def waves(self, targets: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return draws (count, m) of what they may add at ``targets`` (m,)."""
-        if not self.periods:
-            return np.zeros((count, targets.size))
-        size = np.abs(rng.normal(0.0, self.amplitude, count))
-        size = size * (rng.uniform(size=count) < self.probability)
-        period = rng.choice(np.array(self.periods), count, p=np.array(self.shares))
-        turns = targets / period[:, np.newaxis] + rng.uniform(size=count)[:, np.newaxis]
-        found: FloatArray = size[:, np.newaxis] * np.sin(2.0 * np.pi * turns)
-        return found
+        """Return draws (count, m) of what they add to the deviation at ``targets`` (m,), mm or
+        deg.
+        """
+        added = np.zeros((count, targets.size))
+        for each in self.hypotheses:
+            added += each.drawn(targets, count, rng)
+        return added
 
 
 def hidden_periods(
-    targets: FloatArray, kind: AxisKind, search: PeriodSearch, *, known: bool
+    middles: Middles,
+    basis: Basis,
+    kind: AxisKind,
+    search: PeriodSearch,
+    known: Sequence[float],
+    suggested: Sequence[float] = (),
 ) -> HiddenPeriods:
-    """Return what the ``targets`` (m,), mm or deg, cannot show; ``known``: whether a period is
-    known to be in the error, beside which another one is rare. All that is not searched is hidden.
+    """Return what the ``middles`` leave open beside what the ``search`` found.
+
+    ``basis`` holds the functions of the smooth part; ``known``: periods (mm or deg) that are in the
+    estimate; ``suggested``: known ones that are not, because the targets do not show them.
     """
-    searched = search.curve is not None
-    usual = USUAL_PERIODS[kind]
-    hidden = [each for each in usual if not searched or hidden_share(targets, each.size) >= HIDDEN]
-    weight = sum(each.weight for each in hidden)
-    share = weight / sum(each.weight for each in usual)
-    without = 0.0 if known else sum(one.probability for one in search.models if not one.periods)
-    probability = 0.0
-    for odds, part in ((FIRST, without), (FURTHER, 1.0 - without)):
-        there = share * (odds.usual if searched else 1.0 - odds.none)
-        probability += part * there / (there + odds.none)
+    found = [model for model in search.models if model.periods]
+    without = sum(model.probability for model in search.models if not model.periods)
+    cases = [(without, FURTHER if known else _FIRST, tuple(known))]
+    if found:
+        cases.append((1.0 - without, FURTHER, (*known, *found[0].periods)))
+    taken = {period for model in found for period in model.periods}
+    expected = _ExpectedPeriods(kind, tuple(suggested), frozenset(taken.union(known)))
     return HiddenPeriods(
-        probability=probability,
-        periods=tuple(each.size for each in hidden),
-        shares=tuple(each.weight / max(weight, _NOTHING) for each in hidden),
-        amplitude=_AMPLITUDE[kind],
+        tuple(
+            _hypotheses(part, middles, basis, odds, beside, expected)
+            for part, odds, beside in cases
+            if part >= _LEAST
+        )
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _ExpectedPeriods:
+    """What is expected of an axis of a ``kind`` before the data: usual and ``suggested`` periods,
+    and any other; those ``taken`` are in the estimate. mm or deg.
+    """
+
+    kind: AxisKind
+    suggested: tuple[float, ...]
+    taken: frozenset[float]
+
+    def periods(self, likelihood: PeriodLikelihood, odds: Odds) -> tuple[FloatArray, FloatArray]:
+        """Return periods (p,), mm or deg, and the logarithms (p,) of the odds of each against none:
+        the usual ones, and some that stand for all others, drawn where the readings speak for a
+        wave and anywhere (defensive importance sampling: Hesterberg, Technometrics 37, 1995).
+        """
+        usual = usual_periods(self.kind, self.suggested)
+        sizes, weights = np.array([(each.size, each.weight) for each in usual]).T
+        shortest, longest = SHORTEST[self.kind], float(np.max(sizes))
+        targets = likelihood.targets
+        steps = _STEPS * float(np.ptp(targets)) * (1.0 / shortest - 1.0 / longest)
+        count = int(np.clip(steps, _OTHERS, _MOST // targets.size))
+        frequencies = np.linspace(1.0 / longest, 1.0 / shortest, count)
+        even = np.where(self._there(frequencies, targets), 1.0 / frequencies, 0.0)
+        even = even / max(float(np.sum(even)), _NOTHING)
+        logs = likelihood.log_odds(frequencies, likelihood.coarse())[0]
+        told = even * np.exp(logs - np.max(logs))
+        drawn = 0.5 * even + 0.5 * told / max(float(np.sum(told)), _NOTHING)
+        places = _evenly(drawn, _OTHERS)
+        other = 1.0 - odds.none - odds.usual
+        prior = np.concatenate(
+            [
+                odds.usual * weights / np.sum(weights) * self._there(1.0 / sizes, targets),
+                other * even[places] / np.maximum(_OTHERS * drawn[places], _NOTHING),
+            ]
+        )
+        periods = np.concatenate([sizes, 1.0 / frequencies[places]])
+        return periods, np.log(np.maximum(prior, _NOTHING) / odds.none)
+
+    def _there(
+        self, frequencies: FloatArray, targets: FloatArray
+    ) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+        """Return which of the ``frequencies`` (f,) the estimate does not have with those taken, and
+        can tell from these at the ``targets`` (m,).
+        """
+        near = PEAK / float(np.ptp(targets))
+        free = np.ones(frequencies.size, dtype=np.bool_)
+        for each in sorted(self.taken):
+            for frequency in (1.0 / each, 2.0 / each):
+                free &= np.abs(frequencies - frequency) > near
+            free &= alikeness(targets, frequencies, 1.0 / each) < ALIASED
+        return free
+
+
+def _hypotheses(
+    part: float,
+    middles: Middles,
+    basis: Basis,
+    odds: Odds,
+    beside: tuple[float, ...],
+    expected: _ExpectedPeriods,
+) -> WaveHypotheses:
+    """Return the periods that are ``expected``, beside those (``beside``) that are there with
+    probability ``part``.
+    """
+    room = middles.targets.size - LEFT - middles.free.shape[1]
+    curve = CurveColumns(basis, middles.targets, beside[: max(room // 4, 0)])
+    waves = [w for one in curve.known for w in wave_columns(curve.targets, 1.0 / one)]
+    free = np.column_stack([middles.free, *waves])
+    likelihood = PeriodLikelihood(replace(middles, free=free), basis)
+    periods, log_odds = expected.periods(likelihood, odds)
+    long, phases = _long_waves(1.0 / periods, middles.targets)
+    width = (_AMPLITUDE[expected.kind] * _WIDTHS / likelihood.unit) ** 2
+    width = width[:, np.newaxis, np.newaxis]
+    gram, moment = likelihood.moments(1.0 / periods, likelihood.everything())
+    smooth = np.where(np.isfinite(long), likelihood.roughness**2, 0.0)
+    gains = gain(gram, moment[:2], width + smooth)
+    logs = np.concatenate([node.log for node in likelihood.nodes])
+    logs = logs - log_sum(logs)
+    without = logs[:, np.newaxis] + gain(gram, moment[:2], np.broadcast_to(smooth, gains.shape[1:]))
+    each = gains + logs[:, np.newaxis] - log_sums(without) + log_odds - np.log(width.size)
+    together = log_sum(each.ravel())
+    fit = _SmoothFit(likelihood, middles, free, curve)
+    nodes = _evenly(np.exp(logs), _KEPT // 4)
+    usual = np.mean([fit.followed(int(node))[0] for node in nodes], axis=0)
+    kept = []
+    for place in _evenly(np.exp(each - together).ravel(), _KEPT):
+        level, node, number = (int(one) for one in np.unravel_index(place, each.shape))
+        own, other = float(width[level, 0, 0]), float(smooth[number])
+        squares = [[gram[max(i, j), min(i, j)][node, number] for i in (0, 1)] for j in (0, 1)]
+        covariance = np.linalg.inv(np.array(squares) + np.eye(2) / (own + other))
+        mean = covariance @ np.array([moment[i][node, number] for i in (0, 1)])
+        mine, followed = fit.followed(node, float(periods[number]))
+        kept.append(
+            WaveDraw(
+                float(periods[number]),
+                likelihood.unit * mean,
+                likelihood.unit * np.linalg.cholesky(covariance),
+                own / (own + other),
+                likelihood.unit * float(np.sqrt(own * other / (own + other))),
+                float(long[number]) if other else 0.0,
+                float(phases[number]),
+                mine - usual,
+                followed,
+            )
+        )
+    return WaveHypotheses(part / (1.0 + float(np.exp(-together))), tuple(kept), curve)
+
+
+def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the frequencies (f,), 1 / mm or 1 / deg, and phases (f,) of the long waves that waves
+    of the ``frequencies`` look like at the ``targets`` (m,); nan where they look like none.
+    """
+    length = float(np.ptp(targets))
+    window = Window(targets, float(np.max(frequencies)) + LEAST_REPEATS / length)
+    near = window.peaks[np.argmin(np.abs(frequencies[:, np.newaxis] - window.peaks), axis=1)]
+    turns = np.exp(2j * np.pi * near[:, np.newaxis] * (targets - targets[0]))
+    slow = window.slow(frequencies, LEAST_REPEATS / length)
+    return np.where(slow, frequencies - near, np.nan), np.angle(np.mean(turns, axis=1))
+
+
+@dataclass(frozen=True, slots=True)
+class _SmoothFit:
+    """The smooth part that follows values at the targets, by node of the ``likelihood``."""
+
+    likelihood: PeriodLikelihood
+    middles: Middles
+    free: FloatArray
+    curve: CurveColumns
+
+    def followed(self, node: int, period: float | None = None) -> tuple[FloatArray, FloatArray]:
+        """Return the columns of the curve (j,) as they follow the values, mm or deg, and as (j, 2)
+        they follow less cosine and sine of a wave.
+        """
+        likelihood, basis = self.likelihood, self.curve.basis
+        place = node
+        for nodes in likelihood.nodes:
+            if place < nodes.log.size:
+                break
+            place -= nodes.log.size
+        sines = self.curve.columns(self.middles.targets)[:, -basis.sines :]
+        density = log_smooth(basis.frequencies, nodes.length, nodes.smoothness)
+        deviations = np.concatenate(
+            [
+                np.full(self.free.shape[1], _VAGUE),
+                float(nodes.smooth[place]) * np.exp(0.5 * density),
+            ]
+        )
+        noise = np.sqrt(float(nodes.white[place])) * likelihood.root
+        rows = noise[:, np.newaxis] * np.hstack([self.free, sines]) * deviations
+        sides = [self.middles.values[:, np.newaxis]]
+        if period is not None:
+            sides.append(-self.curve.wave(1.0 / period, self.middles.targets))
+        matrix = rows.T @ rows
+        matrix.flat[:: matrix.shape[0] + 1] += 1.0
+        found = np.linalg.solve(matrix, rows.T @ (noise[:, np.newaxis] * np.hstack(sides)))
+        found = deviations[:, np.newaxis] * found
+        # Datum and slope of single tests, and a missing direction, are not of the axis.
+        line = 1 if basis.turn is not None else 2
+        alone = self.middles.free.shape[1]
+        found = np.delete(found, np.arange(line, alone), axis=0)
+        return found[:, 0], found[:, 1:]
+
+
+def _evenly(shares: FloatArray, count: int) -> np.ndarray[tuple[int], np.dtype[np.intp]]:
+    """Return ``count`` places drawn systematically from their ``shares`` (n,)."""
+    ends = np.round(np.cumsum(shares), 9)
+    points = (np.arange(count) + 0.5) / count * ends[-1]
+    return np.asarray(np.searchsorted(ends, points), dtype=np.intp)

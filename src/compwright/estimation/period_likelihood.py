@@ -118,7 +118,10 @@ class PeriodLikelihood:
         free = _independent(self.root[:, np.newaxis] * middles.free)
         rows = self.root[:, np.newaxis] * basis.design(middles.targets)[0][:, 2:]
         rows = rows[:, : basis.sines]
+        size = float(np.linalg.norm(rows))
         rows = rows - free @ (free.T @ rows)
+        if float(np.linalg.norm(rows)) < 1e-9 * size:  # the free columns take all of it
+            rows = np.zeros_like(rows)
         smooth = _independent(rows)
         smooth = _independent(smooth - free @ (free.T @ smooth))
         self.free, self.smooth = free, smooth
@@ -151,7 +154,7 @@ class PeriodLikelihood:
             variances = (
                 white[np.newaxis, :, np.newaxis]
                 + smooth[:, np.newaxis, np.newaxis] * np.maximum(values, 0.0)
-            ).reshape(-1, values.size)
+            ).reshape(smooth.size * white.size, values.size)
             each = np.tile(white, smooth.size)
             log = -0.5 * (
                 np.sum(np.log(variances), axis=1)
@@ -186,10 +189,7 @@ class PeriodLikelihood:
         log = self._log(choice)
         chunk = max(1, _CHUNK // (log.size * choice.amplitudes.size))
         parts = [
-            [
-                _log_sums(_log_sums(gains) + log[:, np.newaxis])
-                for gains in self._gains(part, choice)
-            ]
+            [log_sums(log_sums(gains) + log[:, np.newaxis]) for gains in self._gains(part, choice)]
             for part in np.split(frequencies, range(chunk, frequencies.size, chunk))
         ]
         one, both = (np.concatenate(each) - _log_sum(log) for each in zip(*parts, strict=True))
@@ -230,22 +230,28 @@ class PeriodLikelihood:
         log_prior = -0.5 * steps**2
         log_prior = log_prior - _log_sum(log_prior)
         variances = np.exp(2.0 * (self.amplitude[0] + self.amplitude[1] * steps))
-        waves = self._waves(frequencies)
-        each = [self._moments(self.nodes[number], kept, waves) for number, kept in choice.nodes]
-        gram = {key: np.concatenate([part[0][key] for part in each]) for key in each[0][0]}
-        moment = [np.concatenate(part) for part in zip(*(part[1] for part in each), strict=True)]
+        gram, moment = self.moments(frequencies, choice)
         return [
-            _gain(gram, moment[:size], variances[:, np.newaxis, np.newaxis])
+            gain(gram, moment[:size], variances[:, np.newaxis, np.newaxis])
             + log_prior[:, np.newaxis, np.newaxis]
             for size in (2, 4)
         ]
 
+    def moments(
+        self, frequencies: FloatArray, choice: Choice
+    ) -> tuple[dict[tuple[int, int], FloatArray], list[FloatArray]]:
+        """Return W' P W and W' P y of the waves W (n, f) at each node, for each pair of columns and
+        each column: cosine and sine of the first harmonic, half of those of the second.
+        """
+        waves = self._waves(frequencies)
+        each = [self._moments(self.nodes[number], kept, waves) for number, kept in choice.nodes]
+        gram = {key: np.concatenate([part[0][key] for part in each]) for key in each[0][0]}
+        moment = [np.concatenate(part) for part in zip(*(part[1] for part in each), strict=True)]
+        return gram, moment
+
     def _moments(
         self, node: Nodes, kept: IntArray, waves: _Waves
     ) -> tuple[dict[tuple[int, int], FloatArray], list[FloatArray]]:
-        """Return W' P W and W' P y of the waves W (n, f), for each pair of columns and each
-        column.
-        """
         turned = [node.turned @ along for along in waves.along]
         mine = (node.turned @ self.projected)[:, np.newaxis]
         weights, white = node.weights[kept], node.white[kept, np.newaxis]
@@ -295,7 +301,7 @@ class PeriodLikelihood:
         return _Waves(along, beside, [self.beside @ column for column in columns])
 
 
-def _gain(
+def gain(
     gram: dict[tuple[int, int], FloatArray], moment: list[FloatArray], variance: FloatArray
 ) -> FloatArray:
     """Return b' (G + D^-1)^-1 b / 2 - ln det(I + D G) / 2 elementwise, by elimination without
@@ -321,20 +327,26 @@ def _gain(
     return total
 
 
+def log_smooth(frequencies: FloatArray, length: float, smoothness: float) -> FloatArray:
+    """Return the log spectral density of a smooth part of unit variance at the ``frequencies``:
+    Matérn, without any kink (infinite) the squared exponential (Rasmussen and Williams 2006,
+    section 4.2.1).
+    """
+    if np.isinf(smoothness):
+        level = np.log(np.sqrt(2.0 * np.pi) * length)
+        return np.asarray(level - 0.5 * (length * frequencies) ** 2)
+    excess = float(np.log(max(smoothness - LEAST_SMOOTHNESS, _NO_EXCESS)))
+    return smooth_density(frequencies, float(np.log(length)), excess)[0]
+
+
 def _densities(frequencies: FloatArray) -> Iterator[tuple[float, float, float, FloatArray]]:
-    """Yield length, smoothness, how likely that is before the data, and log spectral density at the
-    ``frequencies`` of the smooth parts: Matérn, without any kink (infinite) the squared exponential
-    (Rasmussen and Williams 2006, section 4.2.1).
+    """Yield length, smoothness, how likely that is before the data, and the log spectral density at
+    the ``frequencies`` of the smooth parts.
     """
     for step in np.arange(-1.6, 1.61, _LENGTH_STEP / LENGTH[1]):
         length = float(np.exp(LENGTH[0] + LENGTH[1] * step))
         for smoothness, share in SMOOTHNESS:
-            if np.isinf(smoothness):
-                density = np.log(np.sqrt(2.0 * np.pi) * length) - 0.5 * (length * frequencies) ** 2
-            else:
-                excess = float(np.log(max(smoothness - LEAST_SMOOTHNESS, _NO_EXCESS)))
-                density = smooth_density(frequencies, float(np.log(length)), excess)[0]
-            yield length, smoothness, share, density
+            yield length, smoothness, share, log_smooth(frequencies, length, smoothness)
 
 
 def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArray, FloatArray]:
@@ -380,7 +392,7 @@ def _log_sum(logs: FloatArray) -> float:
     return top + float(np.log(np.sum(np.exp(logs - top))))
 
 
-def _log_sums(logs: FloatArray) -> FloatArray:
+def log_sums(logs: FloatArray) -> FloatArray:
     """Return the logarithm of the sum of exponentials over the first dimension."""
     top = np.max(logs, axis=0)
     total: FloatArray = top + np.log(np.sum(np.exp(logs - top), axis=0))

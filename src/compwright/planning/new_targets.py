@@ -1,5 +1,5 @@
 """What a test at new targets shows of an axis beyond one at the targets that were measured: periods
-that may be there, and such as the targets cannot show at all.
+that may be there, and such as the readings leave open.
 """
 
 from __future__ import annotations
@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, Literal
 
+from compwright.estimation.hidden_periods import HiddenPeriods
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.declared import fresh_slope
@@ -47,13 +48,13 @@ def decided(
     like = Like(place, fresh_slope(rule, test))
     drawn = fresh_tests(results[place], posterior, axis, like) if place else first
     rng = generator(axis.name, tests[place].name, "hidden periods")
-    count = drawn.draws.positive.shape[0]
+    count, hidden = drawn.draws.positive.shape[0], posterior.own.hidden
     shown = drawn.quantiles(
         with_motion(change, axis, test.backlash_more),
-        waves=posterior.own.hidden.waves(drawn.targets, count, rng),
+        waves=hidden.waves(drawn.targets, count, rng),
     )
     accept = accept_decisions(entry, tests, rule, shown)
-    return accept, tuple(_left_open(axis, accept, tests[place], shown, posterior))
+    return accept, tuple(_left_open(axis, accept, tests[place], shown, posterior, hidden))
 
 
 def _left_open(
@@ -62,6 +63,7 @@ def _left_open(
     test: TestPrediction,
     new: Mapping[str, Quantiles],
     posterior: MeasuredError,
+    hidden: HiddenPeriods,
 ) -> Iterator[Finding]:
     """Yield what keeps a limit open that is kept at the same targets (CW-P133), and what to
     measure.
@@ -77,18 +79,26 @@ def _left_open(
     ]
     if not left:
         return
-    targets, hidden = test.before.test.targets, posterior.own.hidden
-    possible = [each for each in posterior.own.periods if _NAMED <= each.probability < 1.0]
+    targets, periods = test.before.test.targets, posterior.own.periods
     reasons = [
-        f"every {each.period:.5g} {axis.kind.unit} ({each.probability:.0%})" for each in possible
+        f"every {each.period:.5g} {axis.kind.unit} ({each.probability:.0%})"
+        for each in periods
+        if _NAMED <= each.probability < 1.0
     ]
     if hidden.probability >= _NAMED:
-        reasons.append(f"with a period that these targets cannot show ({hidden.probability:.0%})")
+        likely = ", ".join(f"{period:.3g}" for period, _ in hidden.periods[:3])
+        reasons.append(
+            f"with a period that these targets leave open ({hidden.probability:.0%}; first of all"
+            f" {likely} {axis.kind.unit})"
+        )
     why = f" The error may repeat {', or '.join(reasons)}." if reasons else ""
+    known = any(each.source == "job" for each in periods)
+    better = told_targets(float(targets[0]), float(targets[-1]), targets.size, axis.kind.unit)
+    give = "" if known else " Give the lead of the screw, where it is known (screw_pitch)."
     yield Finding(
         "CW-P133",
         "warning",
         f"Axis {axis.name}: the limit is predicted to be kept at the same targets, not at new ones:"
         f" 5 % of tests there show more than {', '.join(left)}. Undecided.{why} Measure at"
-        f" {told_targets(float(targets[0]), float(targets[-1]), targets.size, axis.kind.unit)}.",
+        f" {better}.{give}",
     )
