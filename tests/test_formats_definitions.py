@@ -248,7 +248,7 @@ def _without(data: Any, path: tuple[str, ...]) -> Any:
             "linuxcnc.yaml",
             "  mirrored:\n",
             "  asleep:\n",
-            "key is missing",
+            "look_at.mirrored: is missing",
         ),
         (
             "an unknown field in what to look at",

@@ -347,7 +347,7 @@ def hand_worked(*points: tuple[float, float, float]) -> str:
 @pytest.mark.parametrize(
     ("expect", "says"),
     [
-        ("other: {}\n", "expect: key is missing"),
+        ("other: {}\n", "expect: is missing"),
         ("expect: []\n", "line 181, expect: there is no hand-worked expectation"),
         (hand_worked((50, 1.5, -10.5), (100, 3, -9)), "has too few positions"),
         (hand_worked((0, 0, -12), (100, 3, -9), (200, -2, -14)), "only nodes are worked by hand"),
@@ -390,7 +390,7 @@ def test_zeros_and_equal_directions_show_nothing(
     [
         (b"id: [", "is not valid YAML"),
         (b"\xff\xfe", "is not UTF-8 text"),
-        (b"- a list\n", "a mapping with the keys"),
+        (b"- a list\n", "is not a mapping; expected a mapping"),
         (b"#" * (1024 * 1024 + 1), "is too large"),
         (None, "cannot be read"),
     ],
@@ -524,7 +524,7 @@ def test_a_plan_with_a_broken_definition_is_refused(
     capsys.readouterr()
     for broken, says in (
         (text.replace("sign: correction", "sign: error"), "is not the one worked by hand"),
-        (text.replace("sign: correction", "sign: perhaps"), "is not known here"),
+        (text.replace("sign: correction", "sign: perhaps"), "sign: is not an accepted value"),
         (text.replace("id: nc7", "id: linuxcnc"), "is the id of a control that ships"),
         (7, "definition[0]: is not a file; expected the keys name and text, both text"),
     ):
@@ -573,8 +573,8 @@ def test_faults_name_the_file_and_the_line_in_which_they_stand(
     over.write_text("extends: nc7.yaml\nid: nc6\nbindings:\n  value:\n    digits: ten\n")
     assert compwright(["formats", "check", str(over)]) == 3
     first, second = told(capsys)
-    assert f"{base}: line 15, dialect.newline: is not known here" in first
-    assert f"{over}: line 5, bindings.value.digits: has the wrong value" in second
+    assert f"{base}: line 15, dialect.newline: is not an accepted value" in first
+    assert f"{over}: line 5, bindings.value.digits: is not a number" in second
     over.write_text("extends: nc7.yaml\nid: nc6\nbindings:\n  value:\n    digts: 1\n")
     assert compwright(["formats", "check", str(over)]) == 3
     assert any(

@@ -108,11 +108,12 @@ FORMS: Final[Mapping[type, Form]] = {
         more={"schema": cs.any_schema()},
         absent=frozenset(
             {"decision_rule", "budgets", "definition", "active", "cross", "circles", "results"}
-            | {"untested"}
+            | {"untested", "schema"}
         ),
         types={"definition": cs.no_info_plain_validator_function(_definition)},
     ),
     PlannedAxis: Form(
+        absent=frozenset({"unit", "periods"}),
         more={
             "unit": cs.with_info_plain_validator_function(_unit),
             "periods": tuple[AxisPeriod, ...],

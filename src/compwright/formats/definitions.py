@@ -7,6 +7,7 @@ docs/formats.md.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from functools import cache
 
 from compwright.formats.definition.consistency import contradictions
@@ -19,38 +20,14 @@ from compwright.formats.definition.extends import (
     merged,
     texts_of,
 )
+from compwright.formats.definition.forms import definition_validator
+from compwright.formats.definition.required import Required
 from compwright.formats.definition.schema import Definition
-from compwright.formats.definition.sections import definition_of_sections
 from compwright.formats.definition.vocabulary import SCHEMA_VERSION
-from compwright.formats.definition.yaml_fields import Node
 from compwright.formats.families.shapes import RULES
 from compwright.foundations.errors import Fault, InputError, collect, raise_all
+from compwright.foundations.validation import checked
 from compwright.records.plan import Texts
-
-_TOP = (
-    "compwright_format",
-    "id",
-    "title",
-    "sources",
-    "proven",
-    "addresses",
-    "dialect",
-    "texts",
-    "statements",
-    "layout",
-    "bindings",
-    "between_axes",
-    "diameter",
-    "limits",
-    "options",
-    "writing",
-    "card",
-    "sample",
-    "expect",
-)
-#: Keys that may be missing: of some shapes only, where what needs them says so (`consistency`); and
-#: what `verify` then says only as far as it holds for every control.
-_MAY_LACK = ("parameters", "look_at", "aliases")
 
 
 def load_definition(
@@ -79,13 +56,18 @@ def definition_of(texts: Texts, *, own: bool = False) -> Definition:
 
 def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
     """Return the definition that merged data describe. Raises as `load_definition`."""
-    faults: list[Fault] = []
-    root = Node(text, faults, (), text.data)
-    _check_version(root)
-    part = root.keys(*_TOP, besides=_MAY_LACK)
-    part["compwright_format"].integer(SCHEMA_VERSION, SCHEMA_VERSION)
-    definition = definition_of_sections(part, text, own)
+    _check_version(text)
+    read, wrong = checked(definition_validator(), text.data)
+    faults = [
+        text.fault(each.path, each.message, expected=each.expected, found=each.found)
+        for each in wrong
+    ]
     raise_all(InputError, faults)
+    sections = {
+        name: Required(getattr(read, name), section=name, file=text.file)
+        for name in ("texts", "statements", "bindings", "options")
+    }
+    definition: Definition = replace(read, file=text.file, text=text, own=own, **sections)
     raise_all(InputError, contradictions(definition, RULES))
     return definition
 
@@ -119,8 +101,8 @@ def given_twice(definition: Definition, first: str) -> Fault:
     return definition.text.fault(("id",), "the id is given twice", found=found)
 
 
-def _check_version(root: Node) -> None:
-    version = root.data.get("compwright_format") if isinstance(root.data, dict) else None
+def _check_version(text: DefinitionText) -> None:
+    version = text.data.get("compwright_format") if isinstance(text.data, dict) else None
     if isinstance(version, int) and not isinstance(version, bool) and version != SCHEMA_VERSION:
         message = (
             "is written for a newer version of compwright"
@@ -129,4 +111,4 @@ def _check_version(root: Node) -> None:
         )
         expected, found = str(SCHEMA_VERSION), str(version)
         path = ("compwright_format",)
-        raise InputError(root.source.fault(path, message, expected=expected, found=found))
+        raise InputError(text.fault(path, message, expected=expected, found=found))

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import types
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from enum import Enum
+from functools import partial
 from typing import Any, Literal, Union, cast, get_args, get_origin, get_type_hints
 
 from pydantic_core import SchemaValidator
@@ -26,22 +27,25 @@ Rules = Mapping[type, Callable[[Any], Iterator[str]]]
 class Form:
     """How the mapping of a record is written where it is not simply field by field.
 
-    ``keys``: the key of a field that is called otherwise. ``absent``: fields that may be missing;
-    they keep their default. ``constant``: fields that the mapping does not hold. ``inline``: the
-    field whose own keys stand in the mapping of the record. ``types``: other types or schemas
-    of fields. ``more``: types or schemas of keys that belong to no field and may be missing;
-    ``others``: every other key is left alone. ``build``: from the values by key to those of
-    the record.
+    ``keys``: the key of a field that is called otherwise. ``absent``: keys that may be missing.
+    ``constant``: values of fields that the mapping does not hold, or not always (``absent``).
+    ``named``: the field that is the key under which the record stands. ``inline``: the field whose
+    own keys stand in the mapping of the record; ``nested``: fields that stand in a mapping of their
+    own, by its key and theirs. ``types``: other types or schemas of fields. ``more``: types or
+    schemas of keys that belong to no field; ``others``: every other key is left alone. ``build``:
+    from the values by field, and by key of ``more``, to those of the record.
     """
 
     keys: Mapping[str, str] = field(default_factory=dict)
     absent: frozenset[str] = frozenset()
     constant: Mapping[str, object] = field(default_factory=dict)
+    named: str = ""
     inline: str = ""
+    nested: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     types: Mapping[str, Any] = field(default_factory=dict)
     more: Mapping[str, Any] = field(default_factory=dict)
     others: bool = False
-    build: Callable[[dict[str, Any]], dict[str, Any]] | None = None
+    build: Callable[[dict[str, Any]], Mapping[str, Any]] = dict
 
 
 def listed(item: cs.CoreSchema) -> cs.CoreSchema:
@@ -105,7 +109,7 @@ class RecordSchemas:
         if origin is tuple:
             return _of_length(len(inner), cs.tuple_schema([self.of(one) for one in inner]))
         if inner:
-            return cs.dict_schema(self.of(inner[0]), self.of(inner[1]), strict=True)
+            return self._by_name(*inner)
         if is_dataclass(hint):
             return self._record(hint)
         return _word(hint)
@@ -133,30 +137,49 @@ class RecordSchemas:
             self._records[ref] = self._mapping(cls, self._forms.get(cls, Form()), ref)
         return cs.definition_reference_schema(ref)
 
+    def _by_name(self, key: Any, value: Any) -> cs.CoreSchema:
+        keys = None if key is str else self.of(key)
+        return self.named(value, cs.dict_schema(keys, self.of(value), strict=True))
+
+    def named(self, cls: Any, schema: cs.CoreSchema) -> cs.CoreSchema:
+        """Return the schema of a mapping whose records of ``cls`` bear the names of its keys."""
+        name = self._forms.get(cls, Form()).named if isinstance(cls, type) else ""
+        if not name:
+            return schema
+        return cs.no_info_after_validator_function(
+            lambda found: {key: replace(one, **{name: key}) for key, one in found.items()}, schema
+        )
+
     def _mapping(self, cls: Any, form: Form, ref: str) -> cs.CoreSchema:
-        hints = get_type_hints(cls)
-        names = {
-            form.keys.get(one.name, one.name): one.name
-            for one in fields(cls)
-            if one.name not in form.constant
-        }
-        schemas = {key: self.of(form.types.get(name, hints[name])) for key, name in names.items()}
+        types_of = get_type_hints(cls)
+        hints = {one.name: types_of[one.name] for one in fields(cls)} | dict(form.types)
+        apart = {one for keys in form.nested.values() for one in keys.values()}
+        apart |= {form.named, *form.constant.keys() - form.absent}
+        names = {form.keys.get(name, name): name for name in hints if name not in apart}
+        schemas = {key: self.of(hints[name]) for key, name in names.items()}
+        for key, inner in form.nested.items():
+            schemas[key] = mapping(
+                {one: self.of(hints[name]) for one, name in inner.items()}, partial(_renamed, inner)
+            )
+        schemas |= {key: self.of(more) for key, more in form.more.items()}
         rule = self._rules.get(cls)
 
         def record(values: dict[str, Any]) -> Any:
-            if form.build is not None:
-                values = form.build(values)
-            own = {name: values[key] for key, name in names.items() if key in values}
-            made = cls(**own, **form.constant)
+            given = {names.get(key, key): value for key, value in values.items()}
+            for key in form.nested:
+                given |= given.pop(key)
+            own = {name: value for name, value in form.build(given).items() if name in hints}
+            constant = {**form.constant, **({form.named: ""} if form.named else {})}
+            made = cls(**constant | own)
             broken = [] if rule is None else list(rule(made))
             if broken:
                 refuse(*(KeyFault((), "contradicts itself", expected) for expected in broken))
             return made
 
         whole = mapping(
-            schemas | {key: self.of(more) for key, more in form.more.items()},
+            schemas,
             record,
-            optional={*form.more, *(key for key, name in names.items() if name in form.absent)},
+            optional={form.keys.get(name, name) for name in form.absent},
             others=form.others,
             ref=None if form.inline else ref,
         )
@@ -172,6 +195,10 @@ class RecordSchemas:
             }
 
         return cs.no_info_before_validator_function(nested, whole, ref=ref)
+
+
+def _renamed(names: Mapping[str, str], values: Mapping[str, Any]) -> dict[str, Any]:
+    return {names[key]: value for key, value in values.items()}
 
 
 def _of_length(length: int, schema: cs.CoreSchema) -> cs.CoreSchema:

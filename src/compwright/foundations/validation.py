@@ -153,6 +153,8 @@ def _words(complaint: ErrorDetails) -> tuple[str, str]:
         "finite_number": ("is not finite", "a finite number"),
         "bool_type": ("is neither true nor false", "true or false"),
         "is_instance_of": ("is not text", "text, in quotes where it looks like a number"),
+        "string_type": ("is not text", "text, in quotes where it looks like a number"),
+        "string_too_short": ("is empty", "text"),
         "text_in_quotes": ("is not text", "a word, or text in quotes"),
         "one_line": ("is blank or holds control characters", "text on one line"),
         "truth_value": ("is a truth value", "a number"),
