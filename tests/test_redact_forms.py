@@ -4,11 +4,14 @@ without it, and what it forgets does not stay.
 
 from __future__ import annotations
 
+import csv
 import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
+from hypothesis import assume, example, given
+from hypothesis import strategies as st
 
 from compwright.cli import run as compwright
 from compwright.formats.definition.shape_rules import ShapeRules
@@ -22,13 +25,14 @@ from compwright.instruments.circular_reading import (
     circular_form,
     read_circular,
 )
+from compwright.instruments.csv_table import row_cells
 from compwright.instruments.forms import FORMS, PLAIN_CSV, Form, form_of
 from compwright.instruments.other_files import ACCEPTED_FORMS
 from compwright.instruments.redaction.cutting import KEPT, redacted_lines
 from compwright.instruments.safe_xml import Element
 from compwright.instruments.spans import Span, Spans, whole
 from places import PROJECT
-from redaction_samples import BALLBAR, FREE, PLAIN, filled
+from redaction_samples import BALLBAR, CONTROLS, FREE, PLAIN, filled
 
 _LASER = "MYLASER 1\nUser {S}\n0 0.001\n100 0.002\n"
 
@@ -145,3 +149,77 @@ def test_no_line_of_a_shape_that_stays_holds_a_name(shape: str) -> None:
     for line in ("Zerspanwerk", "Muehlbauer GmbH", "N10037Q0P0(Erika)", "; Erika", "$MN_A=Erika"):
         assert not kept.stays(line)
         assert not kept.holds_names(line)
+
+
+@given(
+    cells=st.lists(
+        st.text(alphabet='ab1 "\t', max_size=5) | st.sampled_from(['"a,b"', '"a ""b"" ;"', "1.5"]),
+        min_size=1,
+        max_size=5,
+    ),
+    delimiter=st.sampled_from(",;\t"),
+)
+@example(['1"', "b", '"', "2"], ",")
+def test_spans_of_cells_are_the_cells_that_are_read(cells: list[str], delimiter: str) -> None:
+    line = delimiter.join(cells)
+    read = row_cells(line, delimiter)
+    assume(read is not None and line.strip(" \t,;") and not line.lstrip(' "').startswith("#"))
+    _, spans = PLAIN_CSV.spans_of([f"target_mm{delimiter}x", line])
+    for span, cell in zip(spans, read or (), strict=True):
+        text = line[span.start : span.end]
+        (bare,) = next(csv.reader([text], delimiter=delimiter, skipinitialspace=True), None) or [""]
+        assert bare.strip() == cell
+
+
+def copied(tmp_path: Path, name: str, text: str) -> str:
+    """Return the only copy of a file."""
+    (tmp_path / name).write_text(text)
+    assert compwright(["redact", str(tmp_path / name), "--out", str(tmp_path / "out")]) == 0
+    return (tmp_path / "out" / name).read_text()
+
+
+def test_quoted_numbers_and_their_quotes_stay(tmp_path: Path) -> None:
+    text = '"target_mm","direction","run","deviation_um"\n"0.5","+","1", 0.4\n"100","+","1","2.1"\n'
+    assert copied(tmp_path, "x.csv", text) == text
+
+
+def test_numbers_above_the_rows_of_a_compensation_text_go(tmp_path: Path) -> None:
+    text = filled(PLAIN["ren"]).decode()
+    made = copied(tmp_path, "x.ren", f"48151623\r\n{text}")
+    assert made.startswith("redacted")
+
+
+def test_a_value_with_two_remarks_stays_without_them(tmp_path: Path) -> None:
+    text = CONTROLS["heidenhain"]["MP.TXT"].replace(" ; {W}", " ; Erika ; Vogt")
+    made = copied(tmp_path, "MP.TXT", text.replace("{S}", "").replace("{W}", "5"))
+    assert "MP710.1 : 0.0010 ; redacted\n" in made
+
+
+def test_what_stands_behind_the_name_of_a_section_is_counted_and_goes(tmp_path: Path) -> None:
+    text = CONTROLS["linuxcnc"]["machine.ini"].replace("{S}", "").replace("{W}", "vogt")
+    made = copied(tmp_path, "machine.ini", text.replace("[vogt]", "[vogt] Erika"))
+    assert "erika" not in made.lower()
+    assert "# redacted\n# redacted\n[TRAJ]" in made
+
+
+def test_a_table_is_known_by_its_first_line_whatever_else_stands_on_it(tmp_path: Path) -> None:
+    text = CONTROLS["heidenhain"]["X.COM"].partition("#STRUCT")[0].strip() + " U\n"
+    rows = "NR      1=F()     2=F()\n0       +0.000    +0.0000\n1       -0.002    +0.0001\n"
+    text = f"{text}{rows}END X .COM\n"
+    assert copied(tmp_path, "X.COM", text) == text
+
+
+def test_what_stands_behind_a_remark_goes_with_it(tmp_path: Path) -> None:
+    made = copied(tmp_path, "CNC-PARA.TXT", "%\nN03620Q1A1P40A2P0\n(A)Erika (B) Vogt\n%\n")
+    assert made == "%\nN03620Q1A1P40A2P0\n(redacted)\n%\n"
+
+
+def test_a_machine_that_is_called_as_a_result_is_has_no_name_and_the_instrument_keeps_its_own(
+    tmp_path: Path,
+) -> None:
+    text = BALLBAR.replace('MACHINE_TESTED NAME="{S}"', 'MACHINE_TESTED NAME="TEST-54"')
+    text = re.sub("<COMMENT.*</COMMENT>", "<COMMENT>QC20 of Vogt, redacted</COMMENT>", text)
+    made = copied(tmp_path, "x.b5r", filled(text).decode())
+    assert "TEST-54" not in made
+    assert "Vogt" not in made
+    assert 'MODEL="QC20-W"' in made

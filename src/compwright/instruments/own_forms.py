@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
-from itertools import chain
+from itertools import chain, repeat
 
 from compwright.instruments.circular_csv import COLUMNS as CIRCULAR_COLUMNS
 from compwright.instruments.comments import comment_text, cycle_of, read_comments
@@ -158,19 +158,20 @@ def _of_column(name: str) -> Meaning:
 
 
 def _in_cells(line: str, delimiter: str, meanings: Sequence[Meaning]) -> Spans:
-    """Return the spans of the cells of a line, with their quotes and blanks; one of the whole line
-    where the cells are not told apart.
+    """Return the spans of the cells of a line, with their quotes and blanks, as `row_cells` tells
+    them apart.
     """
-    places = [match.span() for match in _cells(delimiter).finditer(line)]
-    if len(places) != len(row_cells(line, delimiter) or ()):
-        return whole(line, "other cell")
-    beyond: list[Meaning] = ["other cell"] * (len(places) - len(meanings))
-    return [
-        Span(*place, meaning) for place, meaning in zip(places, (*meanings, *beyond), strict=False)
-    ]
+    spans: list[Span] = []
+    start, cell = 0, _cell(delimiter)
+    names: Iterator[Meaning] = chain(meanings, repeat("other cell"))
+    while start <= len(line) and (found := cell.match(line, start)) is not None:
+        spans.append(Span(*found.span(), next(names)))
+        start = found.end() + 1
+    return spans
 
 
 @cache
-def _cells(delimiter: str) -> re.Pattern[str]:
+def _cell(delimiter: str) -> re.Pattern[str]:
     mark = re.escape(delimiter)
-    return re.compile(rf'(?:^|(?<={mark}))(?: *"(?:[^"]|"")*"[^{mark}]*|[^{mark}]*)')
+    quoted = rf' *"(?:[^"]|"")*(?:"[^{mark}]*|$)'  # one that is not closed takes the rest
+    return re.compile(rf"{quoted}|[^{mark}]*")

@@ -143,7 +143,7 @@ def spans_in(line: str) -> Spans:
         return whole(line, "remark")
     value, (begin, end) = match.start("value"), match.span("indices")
     meaning = KEYS.get(match["name"])
-    if meaning is None or (begin >= 0) != (meaning == "row"):
+    if meaning is None:
         return (
             Span(match.start("name"), value - 1, "name"),
             Span(value, len(line), "remark"),
