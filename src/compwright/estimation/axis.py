@@ -159,18 +159,22 @@ class AxisPosterior:
     def draw(
         self, positions: FloatArray, count: int, rng: np.random.Generator, test: int = 0
     ) -> Draws:
-        """Return ``count`` draws at ``positions`` (k,), joint over positions and directions, mm or
-        deg: mean + root z of the weights with z standard normal (Rasmussen and Williams 2006,
-        appendix A.2), with the noise of the ``test`` (its place among those of the estimate).
+        """Return ``count`` draws at ``positions`` (k,), or (count, k) with places of their own,
+        joint over positions and directions, mm or deg: mean + root z of the weights with z standard
+        normal (Rasmussen and Williams 2006, appendix A.2), with the noise of the ``test`` (its
+        place among those of the estimate).
 
         At the targets of the tests the local part is what the readings say; anywhere else it is
         drawn afresh.
         """
-        unique, back = np.unique(np.asarray(positions, dtype=np.float64), return_inverse=True)
-        positive, negative = np.empty((count, unique.size)), np.empty((count, unique.size))
+        where = np.asarray(positions, dtype=np.float64)
+        unique, back = np.unique(where, return_inverse=True)
+        places = np.broadcast_to(back.reshape(where.shape), (count, where.shape[-1]))
+        positive, negative = np.empty(places.shape), np.empty(places.shape)
         line, seats = self.cells.line_at(unique), self.cells.seats(unique)
         noises = np.concatenate([part.noises for part in self.parts])
-        owner = rng.permutation(np.arange(count) % noises.size)
+        # All equally often; few draws take any of them, not always the first.
+        owner = np.resize(rng.permutation(noises.size), count)
         first = 0
         for part in self.parts:
             design = part.basis.design(unique)
@@ -182,17 +186,19 @@ class AxisPosterior:
                 local = rng.standard_normal((mine.size, unique.size)) * np.sqrt(weights.local)
                 at_targets = self._local(part, weights, values, rng)
                 local[:, seats >= 0] = at_targets[:, seats[seats >= 0]]
-                curve = values[:, : part.basis.size]
+                own = np.take_along_axis(local, places[mine], axis=1)
+                curve = values[:, : part.basis.size, np.newaxis]
                 for into, rows in zip((positive, negative), design, strict=True):
-                    into[mine] = curve @ rows.T + local
+                    into[mine] = (rows[places[mine]] @ curve)[:, :, 0] + own
         scale = self.cells.data.scale
-        steps = sum(jump.drawn(unique, count, rng) for jump in self.cells.jumps)
+        steps = sum(jump.drawn(where, count, rng) for jump in self.cells.jumps)
         half: FloatArray | float = 0.0
         if self.cells.rough_reversal:
-            half = rng.normal(0.0, self.cells.rough_reversal, (count, unique.size))
+            rough = rng.normal(0.0, self.cells.rough_reversal, (count, unique.size))
+            half = np.take_along_axis(rough, places, axis=1)
         return Draws(
-            positive=(line[0] + scale * positive + steps + half)[:, back],
-            negative=(line[1] + scale * negative + steps - half)[:, back],
+            positive=line[0][places] + scale * positive + steps + half,
+            negative=line[1][places] + scale * negative + steps - half,
             noise=self._noise(noises[owner], owner, test),
         )
 
@@ -255,7 +261,7 @@ def estimate_axis(
     that is not positive.
     """
     _refuse_misuse(tests, travel, periods)
-    cells = cells_of(tests, endless=turn is not None)
+    cells = cells_of(tests, turn=turn)
     shown = visible_periods(cells.targets, periods)
     over = Travel(*travel, turn)
     middles = middles_of(cells, endless=turn is not None)

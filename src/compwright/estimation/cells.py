@@ -98,9 +98,10 @@ def _same(positions: FloatArray) -> float:
 
 
 def cells_of(
-    tests: Sequence[ObservedTest], *, endless: bool = False, stepped: bool = True
+    tests: Sequence[ObservedTest], *, turn: float | None = None, stepped: bool = True
 ) -> Cells:
-    """Return means, counts and spread of the tests of an axis; an ``endless`` axis has no slope.
+    """Return means, counts and spread of the tests of an axis; an endless axis, whose error repeats
+    with its ``turn`` (deg), has no slope.
 
     Means as in ISO 230-2:1997, 2.10; the spread pools the squares about the means of all targets
     and directions over their n - 1 (JCGM 100:2008, 4.2.4). Raises InputError for fewer than two
@@ -127,9 +128,9 @@ def cells_of(
                 found=f"readings at {targets.size}",
             )
         )
-    line = _line(parts, targets, endless=endless)
-    if stepped and not endless:
-        line = _with_jumps(parts, targets, line, LEAST_NOISE[tests[0].test.kind])
+    line = _line(parts, targets, endless=turn is not None)
+    if stepped:
+        line = _with_jumps(parts, targets, line, LEAST_NOISE[tests[0].test.kind], turn)
     return _stacked(tests, parts, targets, line, noises, donor)
 
 
@@ -170,13 +171,21 @@ class _Line:
 
 
 def _with_jumps(
-    parts: Sequence[CellMeans], targets: FloatArray, line: _Line, least: float
+    parts: Sequence[CellMeans],
+    targets: FloatArray,
+    line: _Line,
+    least: float,
+    turn: float | None,
 ) -> _Line:
     """Return the line with the jumps that the means of the targets show beside it: the line is then
     that of what the jumps leave.
     """
     places = np.concatenate([part.positions for part in parts])
-    seats = np.clip(np.searchsorted(targets, places + _same(targets)) - 1, 0, None)
+    different = targets
+    if turn is not None:  # the end of a turn is its beginning
+        places = np.mod(np.round(np.mod(places, turn), 9), turn)
+        different = _distinct(places)
+    seats = np.clip(np.searchsorted(different, places + _same(different)) - 1, 0, None)
     lefts = [part.means - line.at(part, k, float(targets[0])) for k, part in enumerate(parts)]
     left = np.concatenate(lefts)
     rough = np.median(np.abs(np.diff(left, 2))) / np.sqrt(6.0) if left.size > 2 else 0.0
@@ -191,14 +200,14 @@ def _with_jumps(
     weights = 1.0 / np.maximum(variances, least**2)
     total = np.bincount(seats, weights)
     means = np.bincount(seats, weights * left) / total
-    jumps = jumps_of(targets, means, 1.0 / np.sqrt(total))
+    jumps = jumps_of(different, means, 1.0 / np.sqrt(total), turn)
     if not jumps:
         return line
     bare = [
         replace(part, means=part.means - sum(jump.ramp(part.positions) for jump in jumps))
         for part in parts
     ]
-    return replace(_line(bare, targets, endless=False), jumps=jumps)
+    return replace(_line(bare, targets, endless=turn is not None), jumps=jumps)
 
 
 def _line(parts: Sequence[CellMeans], targets: FloatArray, *, endless: bool) -> _Line:

@@ -125,18 +125,25 @@ class WaveHypotheses:
     curve: CurveColumns
 
     def drawn(self, targets: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return draws (count, m) of what they add at ``targets`` (m,), zero where none is."""
-        added = np.zeros((count, targets.size))
+        """Return draws (count, m) of what they add at ``targets`` (m,) or (count, m), zero where
+        none is.
+        """
+        unique, back = np.unique(targets, return_inverse=True)
+        places = np.broadcast_to(back.reshape(targets.shape), (count, targets.shape[-1]))
+        added = np.zeros(places.shape)
         there = np.flatnonzero(rng.uniform(size=count) < self.probability)
         owner = rng.permutation(np.arange(there.size) % max(len(self.waves), 1))
-        columns = self.curve.columns(targets)
+        columns = self.curve.columns(unique)
         for number, wave in enumerate(self.waves):
             mine = there[owner == number]
             both = wave.mean + rng.standard_normal((mine.size, 2)) @ wave.root.T
             own = wave.share * both + wave.apart * rng.standard_normal((mine.size, 2))
-            added[mine] = columns @ wave.curve + both @ (columns @ wave.followed).T
-            added[mine] += own @ self.curve.wave(1.0 / wave.period, targets).T
-            added[mine] += (both - own) @ self.curve.wave(wave.long, targets, wave.phase).T
+            for rows, sizes in (
+                (columns, wave.curve + both @ wave.followed.T),
+                (self.curve.wave(1.0 / wave.period, unique), own),
+                (self.curve.wave(wave.long, unique, wave.phase), both - own),
+            ):
+                added[mine] += np.einsum("skj,sj->sk", rows[places[mine]], sizes)
         return added
 
 
@@ -162,10 +169,10 @@ class HiddenPeriods:
         return tuple(sorted(found.items(), key=lambda pair: (-round(pair[1], 9), pair[0])))
 
     def waves(self, targets: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return draws (count, m) of what they add to the deviation at ``targets`` (m,), mm or
-        deg.
+        """Return draws (count, m) of what they add to the deviation at ``targets`` (m,), or (count,
+        m) with targets of their own, mm or deg.
         """
-        added = np.zeros((count, targets.size))
+        added = np.zeros((count, targets.shape[-1]))
         for each in self.hypotheses:
             added += each.drawn(targets, count, rng)
         return added

@@ -42,10 +42,9 @@ def log_likelihood(
     constant that depends on its targets and counts alone. Raises InputError for readings at fewer
     than two targets.
     """
-    endless = travel.turn is not None
-    stepped = cells_of([observed], endless=endless)
+    stepped = cells_of([observed], turn=travel.turn)
     # A jump that is only taken out would cost nothing: whatever looks torn would be as likely.
-    cells = cells_of([observed], endless=endless, stepped=False) if stepped.jumps else stepped
+    cells = cells_of([observed], turn=travel.turn, stepped=False) if stepped.jumps else stepped
     torn = sum(float(np.log1p(jump.odds)) for jump in stepped.jumps)
     if shape is not None:
         cells = _with(cells, observed, shape)
@@ -58,7 +57,7 @@ def smooth_part(observed: ObservedTest, travel: Travel) -> tuple[FloatArray, Flo
     """Return of the means of a test what the model holds at its targets (m,), approached in + and
     in -: without noise and without what changes from target to target.
     """
-    cells = cells_of([observed], endless=travel.turn is not None)
+    cells = cells_of([observed], turn=travel.turn)
     part = _fitted(cells, travel, ()).part(np.array([cells.data.typical()]))
     weights = part.weights[0].mean[: part.basis.size]
     where = observed.test.targets

@@ -17,7 +17,7 @@ from compwright.prediction.acting import Correction
 from compwright.prediction.positioning import dithered_targets, fresh_slopes, predict_test
 from compwright.prediction.scatter import Scatter, fresh_scatter
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
-from compwright.records.noise import NoiseDraws, NoisePart, without
+from compwright.records.noise import IndexArray, NoiseDraws, NoisePart, without
 from compwright.records.prediction import Quantiles
 from compwright.records.result import PositioningResult
 
@@ -27,6 +27,10 @@ _READINGS: Final = 4000
 _FEWEST_DRAWS: Final = 400
 #: Newly dithered targets stay this far from the ends of the travel: mm, and for rotary axes deg.
 END_MARGIN: Final = {AxisKind.LINEAR: 4.0, AxisKind.ROTARY: 0.0}
+#: Different sets of new targets: so many that some have a target wherever the error may differ from
+#: the table, such as between two targets about a jump; and targets of all sets, at most.
+_SETS: Final = 40
+_MOST_TARGETS: Final = 2000
 #: From 5 to 95 % a normal law is so many standard deviations wide.
 BAND: Final = 3.29
 
@@ -48,18 +52,27 @@ FIRST: Final = Like()
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FreshTests:
-    """Draws of the deviation at new ``targets`` (m,), mm or deg; what tests like ``result`` add:
-    the scatter of the readings, from the generator in ``state``, and ``slopes`` (s, m) from a
-    temperature that is not known better. ``drawn``: the scatter of all parts of the noise, once it
-    is asked for, and that without the parts that were asked for last (both are large).
+    """Draws of the deviation at new targets, mm or deg: ``sets`` (k, m) of them with the
+    ``expected`` deviation (k, m), and ``chosen`` (s,), the set of each draw, ascending; what tests
+    like ``result`` add: the scatter of the readings, from the generator in ``state``, and
+    ``slopes`` (s, m) from a temperature that is not known better. ``drawn``: the scatter of all
+    parts of the noise, once it is asked for, and that without the parts that were asked for last
+    (both are large).
     """
 
     result: PositioningResult
-    targets: FloatArray
+    sets: FloatArray
+    expected: Mapping[Direction, FloatArray]
+    chosen: IndexArray
     draws: Draws
     slopes: FloatArray
     state: Any
     drawn: dict[frozenset[NoisePart], Scatter] = field(default_factory=dict)
+
+    @property
+    def targets(self) -> FloatArray:
+        """The targets (s, m) of each draw."""
+        return self.sets[self.chosen]
 
     def quantiles(
         self,
@@ -84,12 +97,12 @@ class FreshTests:
             (Direction.POSITIVE, self.draws.positive),
             (Direction.NEGATIVE, self.draws.negative),
         ):
-            mean = drawn.mean(axis=0)
-            there = mean + change(self.targets, direction) if known else np.zeros_like(mean)
-            left_open = drawn - mean if unknown else np.zeros_like(drawn)
+            mean = self.expected[direction]
+            there = (mean + change(self.sets, direction))[self.chosen] if known else 0.0
+            left_open = drawn - mean[self.chosen] if unknown else np.zeros_like(drawn)
             added = 0.0 if waves is None else waves
             deviations.append(there + left_open + (self.slopes if warm else 0.0) + added)
-        still = np.zeros_like(self.targets)
+        still = np.zeros(self.sets.shape[1])
         found = predict_test(
             deviations[0],
             deviations[1],
@@ -123,7 +136,7 @@ class FreshTests:
             rng = np.random.default_rng()
             rng.bit_generator.state = self.state
             bare = without(self.draws.noise, *asked)
-            self.drawn[asked] = _scatter(self.result, bare, self.targets, rng)
+            self.drawn[asked] = _scatter(self.result, bare, self.sets, self.chosen, rng)
         return self.drawn[asked]
 
 
@@ -141,37 +154,54 @@ def fresh_tests(
     """Return fresh tests of ``axis`` like ``result`` at newly dithered targets; the same for the
     same names of axis and test.
     """
-    name = result.test.name
-    targets = dithered_targets(
-        axis.travel,
-        result.test.targets.size,
-        generator(axis.name, name, "targets"),
-        END_MARGIN[axis.kind],
-    )
-    rng = generator(axis.name, name, "draws")
+    name, m = result.test.name, result.test.targets.size
     count = draws_like(result)
-    draws = posterior.draw(targets, count, rng, like.place)
+    rng = generator(axis.name, name, "targets")
+    several = min(_SETS, count, max(1, _MOST_TARGETS // m))
+    sets = np.array(
+        [dithered_targets(axis.travel, m, rng, END_MARGIN[axis.kind]) for _ in range(several)]
+    )
+    unique, back = np.unique(sets, return_inverse=True)
+    estimate = posterior.summary(unique)
+    rng = generator(axis.name, name, "draws")
+    chosen = np.arange(count) * several // count
+    draws = posterior.draw(sets[chosen], count, rng, like.place)
     state = rng.bit_generator.state
     drawn: dict[frozenset[NoisePart], Scatter] = {}
     if like.slope_std > 0.0:  # the slopes come after the scatter
-        drawn[frozenset()] = _scatter(result, draws.noise, targets, rng)
+        drawn[frozenset()] = _scatter(result, draws.noise, sets, chosen, rng)
     return FreshTests(
         result=result,
-        targets=targets,
+        sets=sets,
+        expected={way: estimate.mean(way)[back.reshape(sets.shape)] for way in Direction},
+        chosen=chosen,
         draws=draws,
-        slopes=fresh_slopes(targets, count, like.slope_std, rng),
+        slopes=fresh_slopes(sets[chosen], count, like.slope_std, rng),
         state=state,
         drawn=drawn,
     )
 
 
 def _scatter(
-    result: PositioningResult, noise: NoiseDraws, targets: FloatArray, rng: np.random.Generator
+    result: PositioningResult,
+    noise: NoiseDraws,
+    sets: FloatArray,
+    chosen: IndexArray,
+    rng: np.random.Generator,
 ) -> Scatter:
     plus, minus = (
         int(np.max(result.test.readings(direction), initial=0.0)) for direction in Direction
     )
-    return fresh_scatter(noise, targets, plus, minus, rng)
+    parts = [
+        fresh_scatter(noise.taken(np.flatnonzero(chosen == place)), targets, plus, minus, rng)
+        for place, targets in enumerate(sets)
+    ]
+    return Scatter(
+        **{
+            each.name: np.vstack([getattr(one, each.name) for one in parts])
+            for each in fields(Scatter)
+        }
+    )
 
 
 def generator(*names: str) -> np.random.Generator:

@@ -92,12 +92,13 @@ def fresh_parameters(
 def fresh_slopes(
     positions: FloatArray, count: int, slope_std: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return deviations (count, m) at ``positions`` (m,), mm, of fresh tests whose axis and
-    instrument have another temperature than they should: a slope each, of standard deviation
-    ``slope_std`` (mm/mm), the same in both directions. No parameter depends on where it is zero.
+    """Return deviations (count, m) at ``positions`` (m,) or (count, m), mm, of fresh
+    tests whose axis and instrument have another temperature than they should: a slope each, of
+    standard deviation ``slope_std`` (mm/mm), the same in both directions. No parameter depends on
+    where it is zero.
     """
     slopes = slope_std * rng.standard_normal((count, 1))
-    deviations: FloatArray = slopes * (positions - np.mean(positions))
+    deviations: FloatArray = slopes * (positions - np.mean(positions, axis=-1, keepdims=True))
     return deviations
 
 
