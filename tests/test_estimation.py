@@ -178,8 +178,8 @@ def parameters(positive: Array, negative: Array) -> tuple[Array, Array]:
 
 
 def one_axis(seed: int, *, period: bool) -> list[float]:
-    """The share of predicted A and E below those of a fresh test: at the same targets, and at new
-    ones.
+    """The share of fresh tests whose A and E lie in the band of 90 %: at the same targets, and at
+    new ones.
     """
     rng = np.random.default_rng(seed)
     m, n, count = 15, 5, 300
@@ -201,14 +201,16 @@ def one_axis(seed: int, *, period: bool) -> list[float]:
     posterior = estimated(test, travel=TRAVEL, periods=(10.0,) if period else ())
     shares = []
     for where in (targets, other):
-        draws = posterior.draw(where, count, rng)
+        draws = posterior.draw(where, count, np.random.default_rng(seed))
         fresh = draws.noise.sigma[:, :1, np.newaxis] * rng.standard_normal((2, count, m, n))
         predicted = parameters(
             draws.positive[:, :, np.newaxis] + fresh[0], draws.negative[:, :, np.newaxis] + fresh[1]
         )
-        again = measured(rng, where, error(where), 0 * where + backlash, noise)
-        shown = parameters(again.positive, again.negative)
-        shares += [float(np.mean(p < s)) for p, s in zip(predicted, shown, strict=True)]
+        tests = [measured(rng, where, error(where), 0 * where + backlash, noise) for _ in range(20)]
+        shown = np.array([parameters(again.positive, again.negative) for again in tests]).T
+        for drawn, fresh_ones in zip(predicted, shown, strict=True):
+            low, high = np.quantile(drawn, [0.05, 0.95])
+            shares.append(float(np.mean((fresh_ones > low) & (fresh_ones < high))))
     return shares
 
 
@@ -220,12 +222,11 @@ def test_ninety_percent_bands_cover_a_fresh_test() -> None:
             for period in (False, True)
         ]
     )
-    inside = (each > 0.05) & (each < 0.95)
-    # 45 axes of each: the share of a true 90 % scatters by 4.5 %; together by 3.2 %.
-    assert np.all(inside.mean(axis=1) >= 0.78), inside.mean(axis=1)
-    covered = inside.mean(axis=(0, 1))
-    assert np.all(covered >= 0.82), covered
-    assert np.all(covered <= 0.98), covered
+    # From one half of the axes to another these shares scatter by 1 to 2 %.
+    assert np.all(each.mean(axis=1) >= 0.82), each.mean(axis=1)
+    covered = each.mean(axis=(0, 1))
+    assert np.all(covered >= 0.85), covered
+    assert np.all(covered <= 0.95), covered
 
 
 def test_one_direction_holds_for_both() -> None:

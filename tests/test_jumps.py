@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from compwright.estimation.axis import AxisPosterior, estimate_axis
-from compwright.estimation.jumps import jumps_of
+from compwright.estimation.jumps import Jump, jumps_of
 from compwright.estimation.noise import noise_of
 from compwright.estimation.observed import ObservedTest
 from compwright.records.axis import AxisKind, FloatArray
@@ -94,7 +94,7 @@ def test_smooth_errors_kinks_bumps_and_waves_are_no_jump(seed: int) -> None:
     errors = (
         smooth(seed)(x),
         smooth(seed)(x) + 0.1 * np.maximum(x - 350.0, 0.0),
-        smooth(seed)(x) + 15.0 * np.exp(-0.5 * ((x - 400.0) / 30.0) ** 2),
+        smooth(seed)(x) + 15.0 * np.exp(-0.5 * ((x - 400.0) / 60.0) ** 2),
         smooth(seed)(x) + 3.0 * np.sin(2.0 * np.pi * x / 10.0),
         smooth(seed)(x) + 20.0 * (np.arange(x.size) == 5),
         5.0 * np.round(smooth(seed)(x) / 5.0),
@@ -139,3 +139,74 @@ def test_the_gap_is_as_uncertain_as_the_jump() -> None:
     assert max(low, high) < 3.0
     std = posterior.summary(np.array([240.0, 275.0, 310.0])).std_positive / UM
     assert std[1] == pytest.approx(50.0, rel=0.05)
+
+
+# --- at the ends, and round an endless axis
+# --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("gap", [0, 9])
+def test_behind_the_last_gap_it_may_be_a_jump_or_one_target(gap: int) -> None:
+    """The table then ends in a straight line, and swings nowhere else."""
+    targets = dithered(11, 4)
+    error = jumping(0.0, (float(targets[gap]) + 20.0, 100.0))
+    posterior = estimated(error, targets, 4)
+    (jump,) = posterior.cells.jumps
+    assert (jump.low, jump.high) == (targets[gap], targets[gap + 1])
+    (told,) = [one for one in posterior.findings if one.code == "CW-E030"]
+    alone = targets[0] if gap == 0 else targets[10]
+    assert f"or the target at {alone:.10g} mm alone is off" in told.message
+    where = np.linspace(targets[0], targets[-1], 400)
+    where = where[(where < targets[gap]) | (where > targets[gap + 1])]
+    lines = np.interp(where, targets, error(targets))
+    assert left(posterior, error, where) < 1.2 * np.ptp(error(where) - lines) + 0.3
+
+
+def test_a_target_that_is_off_alone_is_no_jump() -> None:
+    targets = dithered(17, 5)
+    values = smooth(1.0)(targets) + 30.0 * (np.arange(17) == 8)
+    values = values + np.random.default_rng(5).normal(0.0, 0.2, 17)
+    assert not [one for one in jumps_of(targets, values * UM, np.full(17, 0.2 * UM)) if one.named]
+
+
+@pytest.mark.parametrize(("place", "low", "high"), [(205.0, 200.0, 210.0), (355.0, 350.0, 0.0)])
+def test_a_jump_of_an_endless_axis_is_found_across_the_seam_too(
+    place: float, low: float, high: float
+) -> None:
+    """A ring whose ends do not meet: the error runs away evenly, and jumps back at the joint."""
+    turn = 360.0
+    targets = np.arange(0.0, turn, 10.0)
+
+    def error(x: FloatArray) -> FloatArray:
+        return np.asarray(
+            4.0 * np.sin(np.radians(x)) - 20.0 * np.mod(x - place, turn) / turn + 20.0
+        )
+
+    values = error(targets) + np.random.default_rng(6).normal(0.0, 0.2, targets.size)
+    (jump,) = jumps_of(targets, values, np.full(targets.size, 0.2), turn)
+    assert jump.named
+    assert (jump.low, jump.high % turn) == (low, high)
+    assert jump.size == pytest.approx(20.0, abs=1.0)
+    assert f"between {low:g} and {high:g} deg" in jump.finding(AxisKind.ROTARY).message
+    far = np.array([low - 1e-6, low + 10.0 + 1e-6])
+    assert np.ptp(jump.ramp(far)) == pytest.approx(jump.size * 35.0 / 36.0, rel=1e-3)
+
+
+def test_the_table_bends_inside_the_gap_and_holds_its_targets() -> None:
+    """A control's points lie anywhere: 2 mm beside the targets of this gap of 50 mm."""
+    targets = np.linspace(0.0, LENGTH, 17)
+    error = jumping(1.0, (260.0, 100.0))
+    posterior = estimated(error, targets, 5, noise=0.1)
+    points = np.append(np.arange(0.0, LENGTH, 4.0) + 2.0, LENGTH)
+    table = np.interp(targets, points, posterior.summary(points).mean_positive / UM)
+    assert np.ptp(error(targets)[1:-1] - table[1:-1]) < 1.0
+
+
+def test_what_is_hardly_there_is_drawn_as_rarely() -> None:
+    jump = Jump(low=0.0, high=10.0, size=1.0, std=0.1, odds=0.25)
+    drawn = jump.drawn(np.array([1.0, 9.0]), 4000, np.random.default_rng(7))
+    there = np.any(drawn != 0.0, axis=1)  # a step in the fifth of the draws, here or there
+    assert np.mean(there) == pytest.approx(0.2 * 0.2, abs=0.01)
+    own = np.array([[1.0], [9.0]])
+    assert jump.drawn(own, 2, np.random.default_rng(8)).shape == (2, 1)
+    assert jump.variance(np.array([5.0]))[0] == pytest.approx(0.2 * 0.25)

@@ -71,10 +71,11 @@ def test_new_targets_stay_away_from_the_ends_and_see_what_lies_between(
     monkeypatch.setattr(fresh, "draws_like", lambda _: 5)
     found = fresh.fresh_tests(work.results[0], work.posterior, work.planned.axis).quantiles(nothing)
     assert set(found) >= {"A", "E", "R"}
-    assert seen[0].size == work.results[0].test.targets.size
+    assert seen[0].shape == (5, work.results[0].test.targets.size)
     assert (seen[0] >= 4.0).all()
     assert (seen[0] <= 996.0).all()
     assert np.abs(seen[0] - work.results[0].test.targets).max() > 1.0
+    assert len(np.unique(seen[0])) == seen[0].size  # no two tests at the same targets
 
 
 def test_the_same_job_predicts_the_same_and_another_axis_something_else() -> None:

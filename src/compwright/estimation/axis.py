@@ -187,9 +187,9 @@ class AxisPosterior:
                 at_targets = self._local(part, weights, values, rng)
                 local[:, seats >= 0] = at_targets[:, seats[seats >= 0]]
                 own = np.take_along_axis(local, places[mine], axis=1)
-                curve = values[:, : part.basis.size, np.newaxis]
+                curve = values[:, : part.basis.size]
                 for into, rows in zip((positive, negative), design, strict=True):
-                    into[mine] = (rows[places[mine]] @ curve)[:, :, 0] + own
+                    into[mine] = np.einsum("skj,sj->sk", rows[places[mine]], curve) + own
         scale = self.cells.data.scale
         steps = sum(jump.drawn(where, count, rng) for jump in self.cells.jumps)
         half: FloatArray | float = 0.0

@@ -22,10 +22,10 @@ from compwright.records.noise import BoolArray, IndexArray
 
 #: Axes with a jump, a judgement: one in a hundred; and odds from which on one is named.
 _AXES: Final = 1.0 / 100.0
-_NAMED: Final = 10.0
+_NAMED: Final = 20.0
 #: Odds from which on it is counted with, as far as it is likely: between its targets the mean of
 #: the error then is nearly a straight line, which does no harm where none is there.
-_COUNTED: Final = 0.01
+_COUNTED: Final = 0.05
 #: Odds above this rest on approximations.
 _SURE: Final = 1000.0
 _MOST: Final = 3  # jumps of one axis
