@@ -19,6 +19,8 @@ COARSEST: Final = {AxisKind.LINEAR: 0.02, AxisKind.ROTARY: 0.005}
 _COARSE: Final = 0.4
 #: Differences are whole steps if they are so to this part of a step.
 _WHOLE: Final = 0.02
+#: Different readings along the traverses that show no step yet: any two differ by a whole one.
+_FEWEST: Final = 2
 #: Scatter that is believed at least: of the differences between traverses, of the largest reading
 #: (the digits that a number has), of the scatter in the other direction.
 _LEAST_SHARE: Final = 0.01
@@ -41,26 +43,46 @@ _ORDERS: Final = 100
 
 def step_of(readings: Readings, residuals: FloatArray, scatter: float, coarsest: float) -> float:
     """Return the step of the readings, mm or deg, where it is coarse against their ``scatter``; 0
-    where it is not, where it is above ``coarsest``, or where differences within cells (between
-    them, where all within are nothing) are no whole steps. Traverses that are shifted as a whole,
-    so that ``residuals`` (c, n) without cells and traverses are nothing, show no step.
+    where it is not, or where it is above ``coarsest``. All readings lie on it; if those of
+    different cells do not (a table was taken out of them), the differences within the cells do.
+
+    Traverses that are shifted as a whole, so that ``residuals`` (c, n) without cells and traverses
+    are nothing, show no step by their shifts: the readings along them have to.
     """
-    there = readings.there
+    there, values = readings.there, readings.values
+    moved = np.any(np.abs(residuals) > SAME_READING)
     first = np.argmax(there, axis=1)
-    away = readings.values - readings.values[np.arange(first.size), first][:, np.newaxis]
-    sizes = np.abs(away[there])
-    sizes = sizes[sizes > SAME_READING]
-    if sizes.size and not np.any(np.abs(residuals) > SAME_READING):
+    away = np.abs(values - values[np.arange(first.size), first][:, np.newaxis])[there]
+    along = np.abs(values - np.where(there, values, np.inf).min(axis=0))[there]
+    if not moved and _distinct(along).size <= _FEWEST:
         return 0.0
-    if not sizes.size:  # every cell repeats one number: cells beside each other show the step
-        sizes = np.abs(readings.values[there] - readings.values[there][0])
-        sizes = sizes[sizes > SAME_READING]
-    if not sizes.size:
-        return 0.0
-    step = float(np.min(sizes))
-    counts = sizes / step
-    whole = np.abs(counts - np.round(counts)) <= _WHOLE * np.maximum(1.0, 0.02 * counts)
-    return step if _COARSE * scatter < step <= coarsest and bool(np.all(whole)) else 0.0
+    tried = (values[there], np.append(0.0, away)) if moved else (values[there],)
+    for each in tried:
+        step = _common_step(np.diff(_distinct(each)), _COARSE * scatter)
+        if _COARSE * scatter < step <= coarsest:
+            return step
+    return 0.0
+
+
+def _distinct(values: FloatArray) -> FloatArray:
+    """Return the different ones of ``values`` (n,), ascending."""
+    ordered = np.sort(values)
+    distinct: FloatArray = ordered[np.diff(ordered, prepend=-np.inf) > SAME_READING]
+    return distinct
+
+
+def _common_step(gaps: FloatArray, least: float) -> float:
+    """Return the largest step of which all ``gaps`` (n,) are multiples, by Euclid's algorithm; 0
+    where it is not above ``least`` or there are no gaps.
+    """
+    step = float(np.min(gaps, initial=np.inf)) if gaps.size else 0.0
+    while step > least:
+        rest = np.abs(gaps - step * np.round(gaps / step))
+        rest = rest[rest > _WHOLE * step]
+        if not rest.size:
+            return step
+        step = float(np.min(rest))
+    return 0.0
 
 
 def blurred(
