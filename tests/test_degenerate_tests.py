@@ -191,6 +191,31 @@ def test_the_step_that_was_assumed_is_told() -> None:
     assert "5 µm" in told[0].message
 
 
+@pytest.mark.parametrize(
+    "runs",
+    [
+        3.0 * np.array([0.0, 1.0, 0.0, 1.0, 0.0]),
+        7.0 * np.arange(5.0),
+        3.0 * np.array([0.0, 0.0, 1.0, 0.0, 0.0]),
+        np.array([-3.0, 2.0, 0.0, 3.0, -1.0]),
+    ],
+)
+@pytest.mark.parametrize("step", [0.5, 5.0])
+def test_the_step_of_coarse_readings_is_told_whatever_runs_are_shifted_by(
+    runs: FloatArray, step: float
+) -> None:
+    """Within the cells all differences are alike, and no step by themselves."""
+    line = 0.1 * np.linspace(0.0, 500.0, 11)[:, np.newaxis] + step * runs
+    shown = [
+        step * np.round((line - lost + 0.1 * step * RNG(9).standard_normal((11, 5))) / step)
+        for lost in (0.0, 3.0)
+    ]
+    (told,) = [
+        one for one in known(made(shown[0], shown[1], 500.0)).findings if one.code == "CW-E029"
+    ]
+    assert f"instrument: {step:g} µm (" in told.message
+
+
 def test_shifts_of_whole_runs_and_gross_steps_are_no_resolution() -> None:
     flat = np.zeros((11, 5))
     gross = np.repeat(100.0 * np.arange(11)[:, np.newaxis], 5, axis=1)
