@@ -20,7 +20,7 @@ $(VENV)/.test: pyproject.toml $(VENV)/.report
 demo: $(VENV)/.report  ## the whole loop on a virtual machine, into demo/
 	$(BIN)/compwright demo --out demo --force
 
-test: $(VENV)/.test  ## all tests (those that need LinuxCNC are skipped visibly where it is absent)
+test: $(VENV)/.test  ## all tests; the last line says what was skipped and why
 	$(BIN)/python -m pytest -n auto --dist worksteal -p no:cacheprovider
 
 lint: $(VENV)/.test

@@ -22,25 +22,37 @@ from inspect import unwrap
 import pytest
 from hypothesis import settings
 
-from compwright.estimation import axis, likelihood, noise
+from compwright.estimation import axis, jumps, likelihood, model, noise, peaks
 from compwright.foundations.processors import look_for_garbage_seldom
 from compwright.planning import circles, fresh, misread, wanted, worth
+from compwright.verification import likelihood as after_tests
 from frames import unpaint
 from remembered import remembered
+from skips import skipped_line
 
-#: Where the planning asks for estimates, and the function that remembers them: brief ones, others.
+#: Where estimates are asked for, and the function that remembers them: brief ones, others.
 _BRIEF, _WHOLE = (
     (
-        (wanted, "noise_of", remembered(noise.noise_of)),
+        (wanted, "noise_of", noise_of),
+        (after_tests, "noise_of", noise_of),
         (wanted, "estimate_axis", remembered(axis.estimate_axis)),
         (misread, "log_likelihood", remembered(likelihood.log_likelihood)),
     )
-    for _ in range(2)
+    for noise_of in (remembered(noise.noise_of), remembered(noise.noise_of))
 )
+_starts = model._starts
 
 look_for_garbage_seldom()  # as every command does
 settings.register_profile("suite", derandomize=True, deadline=None)
 settings.load_profile("suite")
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Say in one line what was skipped and why."""
+    reports = terminalreporter.stats.get("skipped", [])
+    line = skipped_line(str(report.longrepr[2]) for report in reports)
+    if line:
+        terminalreporter.write_line(line)
 
 
 @pytest.fixture(autouse=True, scope="session")
@@ -84,6 +96,12 @@ def sampled(request: pytest.FixtureRequest) -> Iterator[None]:
             patch.setattr(circles, "DRAWS", 20)
             patch.setattr(worth, "_SIZES", 2)
             patch.setattr(likelihood, "_DRAWS", 4)
+            # One climb to the posterior's peak, and a coarser search for jumps.
+            patch.setattr(peaks, "_ITERATIONS", 8)
+            patch.setattr(model, "_starts", lambda cells, prior: _starts(cells, prior)[:1])
+            patch.setattr(jumps, "_LENGTHS", jumps._LENGTHS[::3])
+            for name in ("_SIZES", "_LOCAL"):
+                patch.setattr(jumps, name, 3)
         if brief or request.node.get_closest_marker("remembered"):
             for room, name, function in _BRIEF if brief else _WHOLE:
                 patch.setattr(room, name, function)

@@ -1165,7 +1165,8 @@ def test_a_mistake_in_the_files_is_another_correction(what: str, old: str, new: 
 # Random plans
 # --------------------------------------------------------------------------------------------------
 
-PLANS = 200
+#: Of each control; benchmarks/bench_plans.py does thousands.
+PLANS = 50
 
 
 @pytest.mark.parametrize("format_id", ADDRESSES)

@@ -1,7 +1,7 @@
 """Jobs on variations of a real SINUMERIK archive, before a virtual control that shares nothing with
 the package: none does harm.
 
-``benchmarks/bench_backups_sinumerik.py`` runs several hundred more of the same jobs.
+``benchmarks/bench_backups_sinumerik.py`` runs several hundred of the same jobs, these among them.
 """
 
 from __future__ import annotations
@@ -32,7 +32,10 @@ from sinumerik_judge import Outcome, control_before, foreign_bytes, fresh, load_
 
 pytestmark = [needs_archive, pytest.mark.brief]
 
-CHUNKS, EACH = 6, 25
+#: Of the first 150 random jobs the first of each kind.
+SEEDS = (0, 1, 2, 3, 4, 6, 7, 8, 10, 11, 12, 13, 9, 15, 16, 20, 22, 28, 29, 30, 32, 33, 34, 37, 38,
+         57, 59, 71, 73, 85, 87, 95, 123, 137, 145)  # fmt: skip
+SHARES = 5
 INCH_SEEDS = (0, 1, 2)  # both say it, the line alone, MD10240 alone
 
 
@@ -67,15 +70,16 @@ def good(outcome: Outcome, *, written: bool | None = None) -> Outcome:
 # --------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("chunk", range(CHUNKS))
-def test_no_job_does_harm(chunk: int, judged: Judge) -> None:
+@pytest.mark.parametrize("share", range(SHARES))
+def test_no_job_does_harm(share: int, judged: Judge) -> None:
     """Every job is right or refused by name, what nothing else acts on is written, and so are
-    most.
+    most that need not be refused.
     """
-    outcomes = [judged(case_of(seed)) for seed in range(chunk * EACH, (chunk + 1) * EACH)]
+    outcomes = [judged(case_of(seed)) for seed in SEEDS[share::SHARES]]
     harms = [outcome.line() for outcome in outcomes if outcome.harms]
     assert not harms, "\n".join(harms)
-    assert sum(outcome.written for outcome in outcomes) >= 0.6 * EACH
+    may = [outcome.written for outcome in outcomes if outcome.case.mark != MUST_REFUSE]
+    assert sum(may) >= 0.5 * len(may)
 
 
 # -- the archive in its container
@@ -468,9 +472,13 @@ def test_the_judge_notices_inches() -> None:
 
 
 def test_the_marks_hold_enough_of_each() -> None:
-    marks = [case_of(seed).mark for seed in range(CHUNKS * EACH)]
-    assert marks.count(PLAIN) >= 0.4 * len(marks)
+    cases = [case_of(seed) for seed in SEEDS]
+    marks = [case.mark for case in cases]
+    assert marks.count(PLAIN) >= 0.3 * len(marks)
     assert marks.count(MUST_REFUSE) >= 3
+    specials = {special.__name__ for special, _ in variations.SPECIALS}
+    named_below = {"table_over_itself_without_a_sign"}
+    assert specials - named_below == {word for case in cases for word in case.told} & specials
 
 
 def test_a_sleeping_table_that_is_woken_is_noticed() -> None:
