@@ -207,7 +207,7 @@ def test_any_rows_of_numbers(text: str) -> None:
 
 @pytest.mark.parametrize("name", list(CONTENT))
 @given(data=st.data())
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=20)
 def test_a_damaged_definition_is_refused_or_read(name: str, data: st.DataObject) -> None:
     lines = CONTENT[name].splitlines(keepends=True)
     place = data.draw(st.integers(0, len(lines) - 1))
