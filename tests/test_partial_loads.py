@@ -18,7 +18,7 @@ import pytest
 from compwright.cli import run as compwright
 from test_fanuc_backup_honoured import POINTS, Bench, added, data, error, said
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.remembered
 
 
 class NoisyBench(Bench):
