@@ -4,7 +4,7 @@ what was expected and what was found. Cases are worked by hand.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any, Literal
@@ -12,9 +12,18 @@ from typing import Any, Literal
 import pytest
 from pydantic_core import core_schema as cs
 
-from compwright.foundations.key_faults import KeyFault, nearest
+from compwright.formats.definitions import load_definition
+from compwright.foundations.errors import InputError, UsageError
+from compwright.foundations.key_faults import KeyFault, key_path_text, nearest
 from compwright.foundations.record_schemas import Form, RecordSchemas
 from compwright.foundations.validation import checked
+from compwright.foundations.yaml_reader import read_yaml
+from compwright.instruments.profile_reading import read_profile
+from compwright.jobs.reading import read_job
+from compwright.simulation.reading import read_machine
+from format_samples import CONTENT
+from places import PROJECT
+from profile_samples import LONG_PROFILE
 
 
 class Side(Enum):
@@ -126,3 +135,60 @@ def test_all_faults_come_at_once_and_name_what_is_near() -> None:
 def test_the_nearest_name_has_its_own_case() -> None:
     assert nearest("TRAVLE", ["travel", "Table"]) == "travel"
     assert nearest("zzz", ["travel"]) is None
+
+
+#: A sound mapping of each kind that a user writes, how it is read, and keys whose own keys are
+#: names that the user chooses.
+MAPPINGS: dict[str, tuple[bytes, Callable[[bytes], object], set[str]]] = {
+    "job": (
+        (PROJECT / "examples" / "fanuc-backup" / "job.yaml").read_bytes(),
+        lambda content: read_job(content, "f"),
+        {"axes", "states", "options", "accept", "acknowledged", "fixed_positions", "tool_change"},
+    ),
+    "machine": (
+        (PROJECT / "examples" / "linuxcnc-two-axes" / "machine.yaml").read_bytes(),
+        lambda content: read_machine(content, "f"),
+        {"axes", "circles", "options"},
+    ),
+    "profile": (
+        LONG_PROFILE.encode(),
+        lambda content: read_profile(content, "f"),
+        {"directions"},
+    ),
+    "definition": (
+        CONTENT["isg-kernel.yaml"],
+        lambda content: load_definition(content, "f"),
+        {"sources", "texts", "statements", "fields", "bindings", "options", "parameters", "files"}
+        | {"values", "error", "sign"},
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", sorted(MAPPINGS))
+def test_a_misspelt_key_is_named_with_its_place_and_the_key_that_was_meant(kind: str) -> None:
+    content, read, free = MAPPINGS[kind]
+    read(content)  # sound
+    document = read_yaml(content, "f")
+    keys = [
+        path for path in document.lines if isinstance(path[-1], str) and not free & {*path[-2:-1]}
+    ]
+    version = {
+        "compwright",
+        "virtual_machine",
+        "compwright_profile",
+        "compwright_format",
+        "extends",
+    }
+    tried = [path for path in keys if path[-1] not in version][:: max(1, len(keys) // 12)]
+    assert len(tried) > 5
+    lines = content.decode().split("\n")
+    for path in tried:
+        at, key = document.lines[path] - 1, str(path[-1])
+        before, found, after = lines[at].partition(f"{key}:")
+        text = "\n".join([*lines[:at], f"{before}{key}x:{after}", *lines[at + 1 :]])
+        with pytest.raises((UsageError, InputError)) as caught:
+            read(text.encode())
+        place = f"line {at + 1}, {key_path_text((*path[:-1], f'{key}x'))}"
+        known = [fault for fault in caught.value.faults if fault.place == place]
+        assert found, path
+        assert [fault.expected for fault in known] == [f"{key!r}, the nearest known name"], path

@@ -84,16 +84,6 @@ def _list(names: Any) -> str:
     return ", ".join(sorted(names)) or "none"
 
 
-def _axis(axis: Axis) -> Iterator[str]:
-    suggested = () if axis.suggested_period is None else (axis.suggested_period,)
-    periods = (*axis.screw_pitch, *suggested)
-    return _rules(
-        (axis.travel[0] < axis.travel[1], "a travel from a lower to a higher position"),
-        (axis.modulo is None or axis.modulo > 0, "a modulo above 0"),
-        (all(period > 0 for period in periods), "periods above 0"),
-    )
-
-
 def _table(table: AxisCompensation | CrossCompensation) -> Iterator[str]:
     yield from _curves(table.positions, table.positive, table.negative)
     yield from _rules((table.period is None or table.period > 0, "a period above 0"))
@@ -104,12 +94,6 @@ def _wanted(wanted: WantedCorrection) -> Iterator[str]:
     yield from _rules(
         (wanted.noise >= 0, "noise of at least 0"),
         (all(p > 0 for p in wanted.periods), "periods above 0"),
-    )
-
-
-def _period(one: AxisPeriod) -> Iterator[str]:
-    return _rules(
-        (one.period > 0 and 0 <= one.probability <= 1, "a period above 0 with its probability")
     )
 
 
@@ -139,23 +123,14 @@ def _scenarios(tests: Scenarios) -> Iterator[str]:
     )
 
 
-def _file(file: ControlFile) -> Iterator[str]:
-    plain = bool(file.name) and file.name not in {".", ".."} and not set(file.name) & set("/\\\0")
-    return _rules((plain, "the name of a file, without folders"))
-
-
 def _circle_run(run: CircularRun) -> Iterator[str]:
     same = run.angles.ndim == 1 and run.angles.shape == run.deviations.shape and run.angles.size > 1
     finite = same and bool(np.isfinite(run.angles).all() and np.isfinite(run.deviations).all())
     return _rules((finite, "as many angles as deviations, all of them numbers"))
 
 
-def _circle(test: CircularTest) -> Iterator[str]:
-    return _rules(
-        (test.nominal_radius > 0 and test.feed > 0, "a radius and a feed above 0"),
-        (0 < test.arc[1] <= 360, "an arc of more than 0 and at most 360 deg"),
-        (bool(test.runs), "at least one run"),
-    )
+def _all(*promises: tuple[Callable[[Any], bool], str]) -> Callable[[Any], Iterator[str]]:
+    return lambda record: (expected for holds, expected in promises if not holds(record))
 
 
 def _rules(*rules: tuple[bool, str]) -> Iterator[str]:
@@ -211,24 +186,51 @@ def _one_kind(axis: PlannedAxis) -> Iterator[str]:
 
 #: By class of a record.
 RULES: Final[Mapping[type, Callable[[Any], Iterator[str]]]] = {
-    Axis: _axis,
-    Encoder: lambda encoder: _rules((encoder.system in {1, 2}, "measuring system 1 or 2")),
+    Axis: _all(
+        (
+            lambda axis: axis.travel[0] < axis.travel[1],
+            "a travel from a lower to a higher position",
+        ),
+        (lambda axis: axis.modulo is None or axis.modulo > 0, "a modulo above 0"),
+        (
+            lambda axis: all(
+                period is None or period > 0
+                for period in (*axis.screw_pitch, axis.suggested_period)
+            ),
+            "periods above 0",
+        ),
+    ),
+    Encoder: _all((lambda encoder: encoder.system in {1, 2}, "measuring system 1 or 2")),
     AxisCompensation: _table,
     CrossCompensation: _table,
     WantedCorrection: _wanted,
     PlannedTest: _acted,
-    AxisPeriod: _period,
+    AxisPeriod: _all(
+        (
+            lambda one: one.period > 0 and 0 <= one.probability <= 1,
+            "a period above 0 with its probability",
+        )
+    ),
     Scenarios: _scenarios,
     ErrorEstimate: _estimate,
     PositioningTest: _readings,
-    TableRequest: lambda request: _rules(
+    TableRequest: _all(
         (
-            request.named_spacing is None or request.named_spacing > 0,
+            lambda request: request.named_spacing is None or request.named_spacing > 0,
             "a spacing above 0",
         )
     ),
     PlannedAxis: _one_kind,
-    ControlFile: _file,
+    ControlFile: _all(
+        (
+            lambda file: file.name not in {"", ".", ".."} and not set(file.name) & set("/\\\0"),
+            "the name of a file, without folders",
+        )
+    ),
     CircularRun: _circle_run,
-    CircularTest: _circle,
+    CircularTest: _all(
+        (lambda test: test.nominal_radius > 0 and test.feed > 0, "a radius and a feed above 0"),
+        (lambda test: 0 < test.arc[1] <= 360, "an arc of more than 0 and at most 360 deg"),
+        (lambda test: bool(test.runs), "at least one run"),
+    ),
 }
