@@ -149,14 +149,6 @@ def test_what_is_doubted_stands_first(tmp_path: Path, capsys: pytest.CaptureFixt
     told = json.loads((tmp_path / "job" / "prediction.json").read_text())
     assert [finding["code"] for finding in told["doubts"]].count("CW-P160") == 2
     assert "CW-T037" in capsys.readouterr().out
-    assert [told["axes"][axis]["table"] for axis in "XY"] == [None, None]
-    assert not (tmp_path / "job" / "card").exists()
-    with (tmp_path / "job.yaml").open("a") as job:
-        job.write("acknowledged: {CW-P160: {axis: Y, reason: compared with the instrument}}\n")
-    compwright(["run", str(tmp_path / "job.yaml"), "--force"])
-    told = json.loads((tmp_path / "job" / "prediction.json").read_text())
-    assert told["axes"]["X"]["table"] is None
-    assert told["axes"]["Y"]["table"] is not None
 
 
 def test_symmetric_targets_and_few_say_nothing() -> None:

@@ -29,7 +29,7 @@ from compwright.evaluation.copies import same_runs_findings
 from compwright.evaluation.plausibility import reversal_above_zero
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
-from compwright.planning.mirrored import MIRRORED, mirrored_tests
+from compwright.planning.mirrored import mirrored_tests
 from compwright.planning.together import acted_at
 from compwright.planning.ways_of_reading import (
     ActedAt,
@@ -44,10 +44,6 @@ from compwright.records.plan import PlannedTest
 from compwright.records.result import PositioningResult
 from compwright.records.settled import LOGARITHM, settled_number
 
-#: The code of the doubt.
-MISREAD: Final = "CW-P160"
-#: Doubts of a test of which a table would be wrong: none is written until the job acknowledges it.
-NO_TABLE: Final = (MIRRORED, MISREAD)
 #: How much less usual than a test as stated each other way of reading is: a weak prior.
 _PRIOR: Final[Mapping[WayOfReading, float]] = {
     "stated": 0.88,
@@ -194,7 +190,7 @@ def _doubt(logs: Mapping[WayOfReading, float], name: str) -> tuple[Finding, ...]
     checks = " ".join(_WORDS[way][1] for way in others)
     return (
         Finding(
-            MISREAD,
+            "CW-P160",
             "warning",
             f"The readings of test {name} do not look like what its file and state say: they are"
             f" {', or '.join(said)}. A table made from them would be wrong. {checks}",

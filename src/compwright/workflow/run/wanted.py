@@ -15,7 +15,7 @@ from compwright.planning import axis_tasks
 from compwright.planning.axes import AxisWork
 from compwright.planning.checks import Checks
 from compwright.planning.circles import CircleWork, checked_axes, start_circles
-from compwright.planning.misread import NO_TABLE
+from compwright.planning.mirrored import MIRRORED
 from compwright.records.job import Job
 from compwright.records.positioning import PositioningTest
 from compwright.workflow.run.measured import Measured
@@ -52,7 +52,7 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
         for name, work in zip(entries, started, strict=True)
     }
     works, old_tables = with_old_tables(measured, works, each)
-    works = {name: _without_wrong_table(job, work) for name, work in works.items()}
+    works = {name: _not_twice(job, work) for name, work in works.items()}
     circles = start_circles(job, measured.circles, axes)
     checks = Checks(job, works, measured.acting)
     with_circles, taken = checks.with_circle_backlash(circles)
@@ -74,17 +74,15 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
     )
 
 
-def _without_wrong_table(job: Job, work: AxisWork) -> AxisWork:
-    """Return an axis without a table where a test is doubted so that its table would be wrong, as
+def _not_twice(job: Job, work: AxisWork) -> AxisWork:
+    """Return an axis without a table where the one in the control was made from the same test, as
     long as the job does not acknowledge that.
     """
     name = work.planned.axis.name
-    why = [
-        each.message
-        for each in work.doubts
-        if each.code in NO_TABLE and job.acknowledgement(each.code, name) is None
-    ]
-    return replace(work, refused=why[0].rstrip(".")) if why else work
+    why = [each.message for each in work.doubts if each.code == MIRRORED]
+    if not why or job.acknowledgement(MIRRORED, name) is not None:
+        return work
+    return replace(work, refused=why[0].rstrip("."))
 
 
 def _not_alike(measured: Measured) -> dict[str, list[PositioningTest]]:
