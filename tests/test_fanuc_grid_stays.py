@@ -17,7 +17,7 @@ import pytest
 from compwright.cli import run as compwright
 from test_fanuc_backup_honoured import AXES, POINTS, Bench, said
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.remembered
 
 GRID = (3620, 3621, 3622, 3624, 3625, 3626)
 
