@@ -25,7 +25,15 @@ from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, MILLIMETRES
 from compwright.instruments.circular_arcs import LARGEST_ANGLE, Sweep, common_arc, run_of, sweep_of
 from compwright.instruments.code_page import read_plain_lines
 from compwright.instruments.comments import Comments, read_comments
-from compwright.instruments.csv_table import INCHES, Table, in_inches, read_table, split_lines
+from compwright.instruments.csv_table import (
+    CIRCULAR_COLUMNS,
+    CIRCULAR_VALUES,
+    INCHES,
+    Table,
+    in_inches,
+    read_table,
+    split_lines,
+)
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, counts_of, parse_number
 from compwright.instruments.reading_findings import (
@@ -42,8 +50,6 @@ KEYS: Final = frozenset(
     {"plane", "nominal_radius_mm", "feed_mm_min", "calibrated", "centre", "compwright"}
 )
 _NEWEST_FORM: Final = 1
-_VALUES: Final = ("radius_mm", "deviation_um")
-COLUMNS: Final[tuple[str, ...]] = ("direction", "run", "angle_deg", *_VALUES)
 PLANE: Final = re.compile(r"([A-Za-z][0-9]{0,2})[ ,/-]?([A-Za-z][0-9]{0,2})")
 _FORM_KEY: Final = re.compile(r"circular\s+([0-9]{1,9})")
 _SENSES: Final[tuple[Sense, Sense]] = ("ccw", "cw")
@@ -99,7 +105,7 @@ def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
     marks.check(comma_is_delimiter=table.delimiter == ",")
     faults.raise_if_any()
     sweeps, runs, arc = _assembled(samples, value, keys, faults)
-    left_out = [column for column in table.columns if column not in COLUMNS]
+    left_out = [column for column in table.columns if column not in CIRCULAR_COLUMNS]
     findings = [
         assumed_finding(
             []
@@ -255,7 +261,7 @@ def _value_column(table: Table, faults: FaultList) -> str:
                 expected="direction, angle_deg and a value",
                 found=found,
             )
-    values = [column for column in table.columns if column in _VALUES]
+    values = [column for column in table.columns if column in CIRCULAR_VALUES]
     inches = in_inches(table.columns)
     if inches:
         faults.add(
@@ -263,13 +269,16 @@ def _value_column(table: Table, faults: FaultList) -> str:
         )
     elif not values:
         faults.add(
-            "the value column is missing", place=place, expected=" or ".join(_VALUES), found=found
+            "the value column is missing",
+            place=place,
+            expected=" or ".join(CIRCULAR_VALUES),
+            found=found,
         )
     if len(values) > 1:
         faults.add(
             "there is more than one value column",
             place=place,
-            expected=" or ".join(_VALUES),
+            expected=" or ".join(CIRCULAR_VALUES),
             found=", ".join(values),
         )
     if len(values) != 1 or not {"direction", "angle_deg"} <= set(table.columns):

@@ -32,6 +32,9 @@ COLUMNS = frozenset(
         "measured_deg",
     }
 )
+#: Columns of circular tests: here, so that a positioning test loads nothing circular.
+CIRCULAR_VALUES = ("radius_mm", "deviation_um")
+CIRCULAR_COLUMNS = ("direction", "run", "angle_deg", *CIRCULAR_VALUES)
 #: The parts of a name of a traverse as spreadsheets and people write it: ``+1``, ``+ 1``, ``1 -``,
 #: ``-2.0``, ``+3 up``, ``run 3 (+)``, ``3↑``.
 _PART_OF_TRAVERSE = re.compile(

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from itertools import chain, repeat
 
-from compwright.instruments.circular_csv import COLUMNS as CIRCULAR_COLUMNS
 from compwright.instruments.comments import comment_text, cycle_of, read_comments
 from compwright.instruments.csv_table import (
+    CIRCULAR_COLUMNS,
     COLUMNS,
     column_name,
     first_row,
