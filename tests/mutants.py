@@ -27,9 +27,9 @@ from compwright.formats.definition.extends import DefinitionText, found_in, merg
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definition_in
 from compwright.foundations.errors import CompwrightError
+from compwright.foundations.key_faults import KeyPath, key_path_text
 from compwright.foundations.session import Session
 from compwright.foundations.storage import definition_files
-from compwright.foundations.yaml_reader import KeyPath, key_path_text
 from compwright.records.correction import Beyond
 
 Check = Callable[[Definition], None]

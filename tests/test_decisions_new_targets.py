@@ -37,7 +37,7 @@ class Waving(Machine):
 
     def error(self, x: Floats, sign: int) -> Floats:
         turns = [size * np.sin(2 * np.pi * x / lead + phase) for lead, size, phase in self.waves]
-        return super().error(x, sign) + np.sum(turns, axis=0)
+        return np.asarray(super().error(x, sign) + np.sum(turns, axis=0), dtype=np.float64)
 
 
 def run(folder: Path, machine: Machine, targets: Floats, limit: float) -> tuple[int, Any]:

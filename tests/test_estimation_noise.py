@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from compwright.estimation.noise import LEAST_DOF, noise_of
-from compwright.estimation.noise_chain import WAYS, Chain
+from compwright.estimation.noise_chain import WAYS, GibbsChain
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.noise_readings import readings_of
 from compwright.estimation.noise_rounding import common_std, rounded_std, rounded_stds
@@ -72,7 +72,7 @@ def test_each_sweep_offers_distributions_of_the_errors_as_probable_as_they_are()
     readings = white(3)
     readings[0, 4, 1] += 6.0
     test = made(readings)
-    chain = Chain(test, readings_of(test), np.random.default_rng(5))
+    chain = GibbsChain(test, readings_of(test), np.random.default_rng(5))
     for _ in range(12):
         chain.sweep()
         taken = np.bincount(chain.tails, minlength=chain.tail_chances.size)

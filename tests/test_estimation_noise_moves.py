@@ -7,7 +7,12 @@ from itertools import product
 import numpy as np
 import pytest
 
-from compwright.estimation.noise_moves import Evidence, draw_moved, draw_share, drawn_from_prior
+from compwright.estimation.noise_moves import (
+    ScoreEvidence,
+    draw_moved,
+    draw_share,
+    drawn_from_prior,
+)
 from compwright.estimation.noise_patterns import Patterns, patterns_of
 from compwright.estimation.noise_readings import readings_of
 from compwright.records.axis import AxisKind, FloatArray
@@ -48,7 +53,7 @@ def test_each_set_of_moves_is_drawn_as_often_as_it_is_probable() -> None:
         each: chance_of(each, moves, scores, rest, dof) for each in product((0, 1), repeat=MOVES)
     }
     total = sum(known.values())
-    evidence = Evidence(np.eye(3), scores, rest, dof)
+    evidence = ScoreEvidence(np.eye(3), scores, rest, dof)
     state = np.ones(MOVES, dtype=np.bool_)
     counts = dict.fromkeys(known, 0)
     for _ in range(4000):

@@ -18,8 +18,8 @@ from compwright.estimation.observed import ObservedTest
 from compwright.estimation.period_likelihood import (
     AMPLITUDES,
     SMOOTHNESS,
-    Choice,
     Middles,
+    NodeChoice,
     PeriodLikelihood,
 )
 from compwright.estimation.period_middles import FITTED, fitted_periods, middles_of, unseen_periods
@@ -100,7 +100,7 @@ def test_likelihood_is_that_of_a_normal_vector(
         if each.smoothness == smoothness and each.length > 0.25
     )
     node, index, step = likelihood.nodes[number], likelihood.nodes[number].log.size // 2, 5
-    choice = Choice(((number, np.array([index])),), np.array([step]))
+    choice = NodeChoice(((number, np.array([index])),), np.array([step]))
     found = likelihood.log_odds(np.array([frequency]), choice)[len(harmonics) - 1][0]
 
     unit = float(np.sqrt(np.median(middles.variances)))

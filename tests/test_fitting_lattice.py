@@ -19,7 +19,7 @@ from compwright.fitting.chain import Limits, Push, Wish, build_chain, no_push, p
 from compwright.fitting.endless import over_one_period
 from compwright.fitting.fit import fit_table
 from compwright.fitting.lattice import best_totals
-from compwright.fitting.lattice_part import Part
+from compwright.fitting.lattice_part import LatticePart
 from compwright.fitting.problem import hat_matrix, quadrature, rows_at
 from compwright.foundations.errors import CapacityError, UsageError
 from compwright.records.axis import AxisKind, Direction
@@ -416,7 +416,7 @@ def test_nothing_better_lies_outside_the_windows(steepness: float, step: bool) -
             closed=False,
         )
         found = best_totals(
-            (Part(chain=chain, low=-1e6, high=1e6),),
+            (LatticePart(chain=chain, low=-1e6, high=1e6),),
             unit=1.0,
             increments=(-2, 1),
             magnifications=(1,),
@@ -477,7 +477,7 @@ def test_nodes_that_the_travel_does_not_see_take_even_steps() -> None:
     # A constant is free: where the reference lies outside, the nearest end of the travel stands for
     # it and nothing remains to hold.
     assert result.compensation.positive == pytest.approx(0.0, abs=1e-12)
-    part = Part(chain=_far_chain(), low=-1e6, high=1e6)
+    part = LatticePart(chain=_far_chain(), low=-1e6, high=1e6)
     found = best_totals((part,), unit=1.0, increments=(-7, 7), magnifications=(1,))
     assert found is not None
     totals = part.chain.expanded(found.parts[0].totals)

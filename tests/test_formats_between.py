@@ -17,7 +17,7 @@ import pytest
 from compwright.controls.control import Control, decode
 from compwright.controls.cross_tables import CrossOutcome, write_planned
 from compwright.formats.control_format import control_format
-from compwright.formats.families.between import Asked, Between
+from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.family import PairsFamily
 from compwright.foundations.errors import CompwrightError, UsageError
@@ -84,7 +84,7 @@ def ask(
         return tables
 
     return control.between(
-        Asked(
+        BetweenRequest(
             planned=planned or (follows(),),
             axes={each.name: each for each in axes},
             tabled=tabled,
@@ -321,7 +321,7 @@ def test_something_else_in_the_files_is_a_fault_of_our_own(
 ) -> None:
     honest = PairsFamily.between
 
-    def wrong(control: PairsFamily, asked: Asked) -> Between:
+    def wrong(control: PairsFamily, asked: BetweenRequest) -> Between:
         bent = [
             replace(
                 entry,

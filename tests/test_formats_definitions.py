@@ -20,7 +20,7 @@ from compwright.formats.definitions import definition_in, definitions_from, load
 from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.gate.gate import check_definition
 from compwright.formats.look_at import look_at
-from compwright.formats.text.patching import Change, apply_changes, set_field
+from compwright.formats.text.patching import BytesChange, apply_changes, set_field
 from compwright.formats.text.texts import TextReader
 from compwright.foundations.errors import InputError, UsageError
 from compwright.foundations.session import Session
@@ -390,13 +390,15 @@ def test_spans_of_a_section_and_of_insertions() -> None:
     axis = place.tokens["axis"]
     assert text[axis.start : axis.end] == b"12"
     assert (
-        apply_changes(b"abc", [Change(1, 1, b"x"), Change(1, 1, b"y"), Change(2, 3, b"")])
+        apply_changes(
+            b"abc", [BytesChange(1, 1, b"x"), BytesChange(1, 1, b"y"), BytesChange(2, 3, b"")]
+        )
         == b"axyb"
     )
     with pytest.raises(ValueError, match="overlaps"):
-        apply_changes(b"abc", [Change(0, 2, b""), Change(1, 3, b"")])
+        apply_changes(b"abc", [BytesChange(0, 2, b""), BytesChange(1, 3, b"")])
     with pytest.raises(ValueError, match="outside"):
-        apply_changes(b"abc", [Change(2, 4, b"")])
+        apply_changes(b"abc", [BytesChange(2, 4, b"")])
 
 
 # The card and the commands

@@ -22,7 +22,12 @@ from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import found_in
 from compwright.formats.definition.options import resolve_options
 from compwright.formats.definitions import load_definition
-from compwright.formats.families.increments.numbering import NoRoom, Place, find_place, longest_gap
+from compwright.formats.families.increments.numbering import (
+    NoRoom,
+    NumberPlace,
+    find_place,
+    longest_gap,
+)
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.foundations.session import Session
@@ -782,13 +787,15 @@ def test_an_axis_keeps_its_reference_number_where_the_table_still_fits() -> None
     """Nodes -1 .. 5 around number 5 need 5 .. 10; nodes -1 .. 6 need 5 .. 11, which an array that
     ends at 10 does not have.
     """
-    assert find_place(-1, 5, highest=10, used=[], two=False, reference=5, start=0) == Place(
+    assert find_place(-1, 5, highest=10, used=[], two=False, reference=5, start=0) == NumberPlace(
         5, 5, 10
     )
-    assert find_place(-1, 6, highest=10, used=[], two=False, reference=5, start=0) == Place(0, 0, 6)
+    assert find_place(-1, 6, highest=10, used=[], two=False, reference=5, start=0) == NumberPlace(
+        0, 0, 6
+    )
     assert find_place(
         -1, 5, highest=10, used=[range(9, 10)], two=False, reference=5, start=0
-    ) == Place(0, 0, 5)
+    ) == NumberPlace(0, 0, 5)
 
 
 def test_an_axis_that_has_to_move_stays_in_its_own_numbers() -> None:
@@ -797,9 +804,9 @@ def test_an_axis_that_has_to_move_stays_in_its_own_numbers() -> None:
     """
     own = [range(50, 61)]
     found = find_place(-1, 6, highest=60, used=[], two=False, reference=56, claimed=own, start=0)
-    assert found == Place(50, 50, 56)
+    assert found == NumberPlace(50, 50, 56)
     none = find_place(-1, 6, highest=60, used=[], two=False, reference=56, start=0)
-    assert none == Place(0, 0, 6)
+    assert none == NumberPlace(0, 0, 6)
 
 
 def test_no_room_is_refused_with_the_longest_gap() -> None:

@@ -13,7 +13,12 @@ import pytest
 from compwright.controllers.virtual import virtual_control
 from compwright.controls.control import decode, open_control
 from compwright.controls.decoded import DecodedState
-from compwright.formats.families.increments.numbering import NoRoom, Place, find_place, used_numbers
+from compwright.formats.families.increments.numbering import (
+    NoRoom,
+    NumberPlace,
+    find_place,
+    used_numbers,
+)
 from compwright.foundations.errors import InputError
 from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -180,7 +185,7 @@ def test_numbers_in_use_are_all_but_one_s_own() -> None:
     assert used_numbers(None, ["1"]) == []
 
 
-def place(*used: range, highest: int = HIGHEST, reference: int | None = 23) -> Place:
+def place(*used: range, highest: int = HIGHEST, reference: int | None = 23) -> NumberPlace:
     """Where the sample's table goes: nodes -4 .. 4, so eight numbers, twice."""
     return find_place(-4, 4, highest=highest, used=used, two=True, reference=reference, start=0)
 

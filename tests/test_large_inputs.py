@@ -26,7 +26,7 @@ from compwright.foundations.session import Session
 from compwright.instruments import assembling
 from compwright.instruments.header_words import difference_of, said_unit, unit_of, without_unit
 from compwright.instruments.profile_of_file import proposed_profile
-from compwright.instruments.sections import Sections, header_of
+from compwright.instruments.sections import FileSections, header_of
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.circular import CircularRun
 from compwright.records.correction import ControlFile
@@ -237,9 +237,9 @@ def test_words_of_long_lines_are_found_in_time_in_proportion(unit: str) -> None:
 
 def test_header_lines_are_joined_in_time_in_proportion() -> None:
     def header(text: str) -> object:
-        return header_of(Sections({"A": [(1, "b" * 50)] * (4 * len(text))}), ["A"])
+        return header_of(FileSections({"A": [(1, "b" * 50)] * (4 * len(text))}), ["A"])
 
-    assert header_of(Sections({"A": [(1, "x: 1"), (2, "x: 2")]}), ["A"]) == {"x": "1\n2"}
+    assert header_of(FileSections({"A": [(1, "x: 1"), (2, "x: 2")]}), ["A"]) == {"x": "1\n2"}
     assert linear(header, " ")
 
 

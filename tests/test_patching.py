@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.text.patching import Change, Patches
+from compwright.formats.text.patching import BytesChange, Patches
 from compwright.formats.text.texts import text_reader
 from compwright.records.correction import ControlFile
 from format_samples import DEFINITIONS, SIEMENS
@@ -63,8 +63,8 @@ def test_line_feed_and_two_carriage_returns_are_one_line_end() -> None:
 
 def test_what_is_replaced_twice_counts_by_its_last_text() -> None:
     changes = patches(b"mask=01;\n")
-    changes.replace(1, Change(5, 7, b"11"))
-    changes.replace(1, Change(5, 7, b"10"))
+    changes.replace(1, BytesChange(5, 7, b"11"))
+    changes.replace(1, BytesChange(5, 7, b"10"))
     assert changes.patched([1])[0].content == b"mask=10;\n"
 
 
@@ -75,7 +75,7 @@ def test_a_field_says_what_was_put_into_it_last() -> None:
     assert read is not None
     token = read.occurrences[0].tokens["value"]
     assert changes.text(1, token) == "0.5"
-    changes.replace(1, Change(token.start, token.end, b"-1.25"))
+    changes.replace(1, BytesChange(token.start, token.end, b"-1.25"))
     assert changes.text(1, token) == "-1.25"
     assert changes.like(1, read.occurrences[0], {"value": "7"}) == (
         "N1 $MA_BACKLASH[0,AX1]=7 ; kept"

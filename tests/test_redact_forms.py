@@ -26,11 +26,11 @@ from compwright.instruments.circular_reading import (
     read_circular,
 )
 from compwright.instruments.csv_table import row_cells
-from compwright.instruments.forms import FORMS, PLAIN_CSV, Form, form_of
+from compwright.instruments.forms import FORMS, PLAIN_CSV, MeasurementForm, form_of
 from compwright.instruments.other_files import ACCEPTED_FORMS
 from compwright.instruments.redaction.cutting import KEPT, redacted_lines
 from compwright.instruments.safe_xml import Element
-from compwright.instruments.spans import Span, Spans, whole
+from compwright.instruments.spans import Spans, TextSpan, whole
 from places import PROJECT
 from redaction_samples import BALLBAR, CONTROLS, FREE, PLAIN, filled
 
@@ -44,13 +44,13 @@ def _spans(text: Sequence[str]) -> Iterator[Spans]:
         yield () if number == 1 else rows
 
 
-def _new_form() -> Form:
+def _new_form() -> MeasurementForm:
     def read(text: Sequence[str], faults: object, answers: object) -> object:
         rows = "".join(",+,1,".join(line.split()) + "\n" for line in text[2:] if line)
         plain = f"target_mm,direction,run,deviation_mm\n{rows}".split("\n")
         return PLAIN_CSV.read(plain, faults, answers)  # type: ignore[arg-type]
 
-    return Form(
+    return MeasurementForm(
         "a new laser (.new)",
         lambda text: text[0] == "MYLASER 1",
         read,  # type: ignore[arg-type]
@@ -69,8 +69,10 @@ def test_a_form_is_redacted_as_soon_as_it_is_entered(
     assert copy == "MYLASER 1\nredacted\n0 0.001\n100 0.002\n"
 
 
-@pytest.mark.parametrize("form", [Form, CircularForm])
-def test_no_form_is_made_without_what_redacts_it(form: type[Form | CircularForm]) -> None:
+@pytest.mark.parametrize("form", [MeasurementForm, CircularForm])
+def test_no_form_is_made_without_what_redacts_it(
+    form: type[MeasurementForm | CircularForm],
+) -> None:
     given = {"name": "x", "recognises": bool, "read": bool, "words": ()}
     names = {name: given[name] for name in given if name in form.__dataclass_fields__}
     with pytest.raises(TypeError, match=r"spans_of|grammar"):
@@ -89,12 +91,14 @@ def test_every_form_has_a_sample_with_a_secret_at_every_place() -> None:
 
 
 @pytest.mark.parametrize("form", [*FORMS, PLAIN_CSV, *CIRCULAR_FORMS], ids=lambda form: form.name)
-def test_every_form_stands_on_the_page_and_in_messages(form: Form | CircularForm) -> None:
+def test_every_form_stands_on_the_page_and_in_messages(
+    form: MeasurementForm | CircularForm,
+) -> None:
     page = (PROJECT / "docs" / "measurement-files.md").read_text(encoding="utf-8")
     rows = " ".join(re.findall(r"^\| ([^|]+) \|", page, re.MULTILINE))
     named = re.findall(r"\.[a-z0-9]{3}\b|TGT_DATA\[1\]=\.\.\.", form.name) or [form.name]
     assert [name for name in named if name not in rows] == []
-    if isinstance(form, Form):
+    if isinstance(form, MeasurementForm):
         assert [name for name in named if name not in ACCEPTED_FORMS] == []
 
 
@@ -117,7 +121,7 @@ def test_the_reader_of_a_ballbar_asks_for_no_element_that_its_copy_would_lose(
 def test_what_no_span_covers_goes_but_for_marks_and_blanks() -> None:
     cuts = Cuts(Names())
     lines = ["Erika: 5 mm", "::  ;;", "4711", "a 1 b", "x = y"]
-    spans: list[Spans] = [(), (), (), (Span(2, 3, "numbers"),), (Span(0, 1, "key"),)]
+    spans: list[Spans] = [(), (), (), (TextSpan(2, 3, "numbers"),), (TextSpan(0, 1, "key"),)]
     made = redacted_lines(lines, lambda _: iter(spans), cuts)
     assert made == ["redacted", "::  ;;", "redacted", "redacted1redacted", "xredacted"]
     assert [text for _, text in cuts.removed] == ["Erika: 5 mm", "4711", "a", "b", "= y"]

@@ -20,7 +20,7 @@ from compwright.reporting.axis_figures import (
     table_figure,
 )
 from compwright.reporting.chart_svg import chart_svg
-from compwright.reporting.charts import LOOKS, Band, Chart, Curve
+from compwright.reporting.charts import LOOKS, Band, Chart, ChartCurve
 from reporting_samples import made_up, positioning, quantiles, run_view, verify_view
 
 BLUE, ORANGE = "#0b4a82", "#c2590c"  # approached in + and in -
@@ -249,7 +249,7 @@ def test_a_flat_curve_is_not_blown_up() -> None:
 
 @pytest.mark.parametrize("top", [0.004, 0.7, 3.0, 12.5, 480.0, 99999.0])
 def test_numbers_along_the_axes_are_round_apart_and_few(top: float) -> None:
-    curve = Curve(x=[-top, top], y=[-3 * top, top], look=LOOKS[0], label="any", width=1.0)
+    curve = ChartCurve(x=[-top, top], y=[-3 * top, top], look=LOOKS[0], label="any", width=1.0)
     picture = Picture(chart_svg([Chart(curves=[curve])] * 3, 234.0, "numbers"))
     assert 3 <= len(picture.rows) <= 10
     for panel in picture.panels:
@@ -268,7 +268,7 @@ def test_a_dense_curve_loses_no_peak() -> None:
     curve = [math.sin(place / 300.0) for place in places]
     curve[1777], curve[2903] = 9.0, -7.0
     chart = Chart(
-        curves=[Curve(x=places, y=curve, look=LOOKS[0], width=1.0)],
+        curves=[ChartCurve(x=places, y=curve, look=LOOKS[0], width=1.0)],
         bands=[
             Band(x=places, low=[v - 1 for v in curve], high=[v + 1 for v in curve], look=LOOKS[1])
         ],

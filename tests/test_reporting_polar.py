@@ -22,7 +22,7 @@ from compwright.evaluation.circular import evaluate_circle
 from compwright.foundations.errors import UsageError
 from compwright.records.circular import CircularEffect, CircularTest, Diagnosis
 from compwright.reporting import polar
-from compwright.reporting.causes import Cause, ranked_causes
+from compwright.reporting.causes import CircleCause, ranked_causes
 from compwright.reporting.plots import evaluation_plot
 from compwright.reporting.polar import (
     draw_causes,
@@ -352,8 +352,8 @@ def test_causes_are_ranked_and_details_are_parts() -> None:
     assert ranked_causes({"diagnosis": None}) == []
 
 
-def cause(**values: Any) -> Cause:
-    return Cause(
+def cause(**values: Any) -> CircleCause:
+    return CircleCause(
         **{
             "name": "x",
             "words": "x",

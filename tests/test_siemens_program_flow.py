@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.controllers.sinumerik.flow import Block
+from compwright.controllers.sinumerik.flow import ProgramBlock
 from compwright.controllers.sinumerik.text import read_file
 from compwright.controllers.virtual import virtual_control
 from compwright.formats.control_format import control_format
@@ -62,7 +62,7 @@ def by_judge(text: str, active: bool | None = None, name: str = "LOAD.MPF") -> o
     )
 
 
-def judged(file: ControlFile) -> list[Block]:
+def judged(file: ControlFile) -> list[ProgramBlock]:
     """What the judge finds beside the values of a file."""
     return read_file(file).blocks
 

@@ -489,13 +489,13 @@ def test_a_journal_that_names_files_outside_of_its_folder_is_not_followed(
     tmp_path: Path, name: str
 ) -> None:
     """As one that somebody made and sent."""
-    from compwright.foundations.storage.journal import Entry, Journal, digest_of, put_journal
+    from compwright.foundations.storage.journal import Journal, JournalEntry, digest_of, put_journal
 
     folder, victim = tmp_path / "sent", tmp_path / "victim"
     (folder / UNFINISHED).mkdir(parents=True)
     (folder / "link").symlink_to(tmp_path)
     victim.write_bytes(b"mine")
-    entry = Entry(name=name, there=False, digest=digest_of(b"mine"))
+    entry = JournalEntry(name=name, there=False, digest=digest_of(b"mine"))
     put_journal(folder, Journal(key="1", entries=(entry,), parts=("..",)))
     (folder / "plan").write_bytes(b"plan")
     with pytest.raises(InputError, match="names a file outside"):

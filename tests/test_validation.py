@@ -15,7 +15,7 @@ from pydantic_core import core_schema as cs
 from compwright.formats.definitions import load_definition
 from compwright.foundations.errors import InputError, UsageError
 from compwright.foundations.key_faults import KeyFault, key_path_text, nearest
-from compwright.foundations.record_schemas import Form, RecordSchemas
+from compwright.foundations.record_schemas import RecordForm, RecordSchemas
 from compwright.foundations.validation import checked
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.instruments.profile_reading import read_profile
@@ -69,8 +69,8 @@ def _longer(part: Part) -> Iterator[str]:
 
 WHOLE = RecordSchemas(
     {
-        Whole: Form(keys={"by_name": "names"}, inline="part"),
-        Part: Form(absent=frozenset({"others"})),
+        Whole: RecordForm(keys={"by_name": "names"}, inline="part"),
+        Part: RecordForm(absent=frozenset({"others"})),
     },
     {Part: _longer},
     {str: cs.is_instance_schema(str), float: cs.float_schema(strict=True)},

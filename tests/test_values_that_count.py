@@ -8,7 +8,7 @@ import pytest
 
 from compwright.formats.definition.schema import Absent, EvidenceNote
 from compwright.formats.definition.vocabulary import Repeated, Say
-from compwright.formats.text.gathering import Found, gather
+from compwright.formats.text.gathering import FoundValue, gather
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import text_reader
 from compwright.formats.text.values import Values
@@ -16,7 +16,7 @@ from compwright.records.correction import ControlFile
 from format_samples import SIEMENS
 
 
-def places(*files: str) -> list[Found]:
+def places(*files: str) -> list[FoundValue]:
     """The backlash of AX1 wherever files a, b, .. say it."""
     reader = text_reader(SIEMENS)
     texts = [

@@ -13,7 +13,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from compwright.foundations.errors import InputError
-from compwright.foundations.yaml_reader import key_path_text, read_yaml, read_yaml_with_faults
+from compwright.foundations.key_faults import key_path_text
+from compwright.foundations.yaml_reader import read_yaml, read_yaml_with_faults
 
 
 def value_of(text: str) -> Any:

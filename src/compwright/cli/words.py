@@ -12,7 +12,7 @@ from typing import Any, ParamSpec
 import click
 
 from compwright import __version__
-from compwright.foundations.command_words import Form, Own, spread
+from compwright.foundations.command_words import OptionForm, Own, spread
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Crew
@@ -83,7 +83,7 @@ class _Command(click.Command):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         forms = {
-            name: Form(
+            name: OptionForm(
                 flag=param.is_flag or param.count,
                 several=param.multiple,
                 more=_MORE.get(name, _another),

@@ -12,7 +12,7 @@ from compwright.controls.acting import judged_cross
 from compwright.controls.changes import in_place
 from compwright.controls.control import Control, decode
 from compwright.controls.decoded import DecodedState
-from compwright.formats.families.between import Asked, together
+from compwright.formats.families.between import BetweenRequest, together
 from compwright.formats.families.control_texts import texts_of
 from compwright.foundations.errors import CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
@@ -78,7 +78,7 @@ def write_planned(
         return read(files, written=written).state
 
     answer = control.format.between(
-        Asked(
+        BetweenRequest(
             planned=tuple(planned),
             axes=axes,
             tabled=tabled,

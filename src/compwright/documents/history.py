@@ -23,7 +23,7 @@ _MOST = 99.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Series:
+class TestSeries:
     """The tests of one axis or plane of a machine, in their order in time, and what changed.
 
     ``key``: tells the machine from others, also where it has no name.
@@ -38,7 +38,7 @@ class Series:
 
 
 def history_document(
-    series: Iterable[Series],
+    series: Iterable[TestSeries],
     folders: Sequence[Mapping[str, Any]],
     notes: Iterable[str],
     errors: Iterable[Fault],

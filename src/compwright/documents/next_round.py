@@ -8,7 +8,7 @@ from typing import Any
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class NextAxis:
+class UpdatedAxis:
     """One axis of the plan. ``updated``: it is worked on in the next round; ``table``: it gets a
     further table there; ``reason``: in plain words, why or why not.
     """
@@ -20,7 +20,7 @@ class NextAxis:
 
 def next_document(
     reason: str,
-    axes: Mapping[str, NextAxis],
+    axes: Mapping[str, UpdatedAxis],
     between: Sequence[str] = (),
     *,
     written: bool = False,

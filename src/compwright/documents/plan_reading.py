@@ -15,7 +15,7 @@ from pydantic_core import core_schema as cs
 from compwright.documents.plain_values import PLAIN, is_number
 from compwright.documents.plan_rules import RULES, contradictions
 from compwright.foundations.key_faults import KeyFault, shown
-from compwright.foundations.record_schemas import Form, RecordSchemas, mapping
+from compwright.foundations.record_schemas import RecordForm, RecordSchemas, mapping
 from compwright.foundations.validation import checked, refuse
 from compwright.records.axis import Axis, Encoder, FloatArray
 from compwright.records.circular import CircularTest
@@ -102,8 +102,8 @@ _ACTED: Final = cs.no_info_before_validator_function(
     ),
 )
 #: How the JSON of each record of a plan is written.
-FORMS: Final[Mapping[type, Form]] = {
-    Plan: Form(
+FORMS: Final[Mapping[type, RecordForm]] = {
+    Plan: RecordForm(
         keys={"budgets": "uncertainty"},
         more={"schema": cs.any_schema()},
         absent=frozenset(
@@ -112,7 +112,7 @@ FORMS: Final[Mapping[type, Form]] = {
         ),
         types={"definition": cs.no_info_plain_validator_function(_definition)},
     ),
-    PlannedAxis: Form(
+    PlannedAxis: RecordForm(
         absent=frozenset({"unit", "periods"}),
         more={
             "unit": cs.with_info_plain_validator_function(_unit),
@@ -120,32 +120,32 @@ FORMS: Final[Mapping[type, Form]] = {
         },
         build=_periods,
     ),
-    PlannedTest: Form(
+    PlannedTest: RecordForm(
         inline="test",
         absent=frozenset({"motion", "backlash_more", "slope_std", "acted"}),
         types={"acted": cs.nullable_schema(_ACTED)},
     ),
-    PositioningTest: Form(
+    PositioningTest: RecordForm(
         constant={"frame": "machine"},
         absent=frozenset({"thermal"}),
         types={"positive": _READINGS, "negative": _READINGS},
     ),
-    ControlFile: Form(
+    ControlFile: RecordForm(
         keys={"content": "base64"}, constant={"folder": "", "leader": b"", "trailer": b""}
     ),
-    CircularTest: Form(constant={"vendor": {}}),
-    ErrorEstimate: Form(constant={"periods": ()}),
-    WantedCorrection: Form(absent=frozenset({"scenarios"})),
-    FittedTable: Form(constant={"keeps_grid": False}),
-    Axis: Form(
+    CircularTest: RecordForm(constant={"vendor": {}}),
+    ErrorEstimate: RecordForm(constant={"periods": ()}),
+    WantedCorrection: RecordForm(absent=frozenset({"scenarios"})),
+    FittedTable: RecordForm(constant={"keeps_grid": False}),
+    Axis: RecordForm(
         absent=frozenset(
             {"suggested_period", "motion", "gantry_table", "moves_alone"}
             | {"unapplied_steps", "zero_at_reference", "counts_turns"}
         )
     ),
-    Encoder: Form(absent=frozenset({"stated"})),
-    TableRequest: Form(absent=frozenset({"gain"})),
-    Thermal: Form(absent=frozenset({"rise_m", "rise_d"})),
-    UncertaintyBudget: Form(absent=frozenset({"setup", "E_VE"})),
-    Acceptance: Form(absent=frozenset({"test"})),
+    Encoder: RecordForm(absent=frozenset({"stated"})),
+    TableRequest: RecordForm(absent=frozenset({"gain"})),
+    Thermal: RecordForm(absent=frozenset({"rise_m", "rise_d"})),
+    UncertaintyBudget: RecordForm(absent=frozenset({"setup", "E_VE"})),
+    Acceptance: RecordForm(absent=frozenset({"test"})),
 }

@@ -14,7 +14,7 @@ from pydantic_core import SchemaValidator
 
 from compwright.documents.plain_values import PLAIN
 from compwright.foundations.key_faults import KeyFault
-from compwright.foundations.record_schemas import Form, RecordSchemas
+from compwright.foundations.record_schemas import RecordForm, RecordSchemas
 from compwright.foundations.validation import checked
 from compwright.records.axis import FloatArray
 from compwright.records.record import InputRole
@@ -35,7 +35,7 @@ class _File:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _Input:
+class _RecordInput:
     role: InputRole
     of: str
     file: str
@@ -116,7 +116,7 @@ class _Verification:
 class _Record:
     machine: Mapping[str, object]
     states: tuple[str, ...]
-    inputs: tuple[_Input, ...]
+    inputs: tuple[_RecordInput, ...]
     files: tuple[_File, ...]
     tests: tuple[_AxisTest | _CircularTest, ...]
     verification: _Verification | None
@@ -142,13 +142,13 @@ def _record(record: _Record) -> Iterator[str]:
         yield "a verification, because there are tests after loading"
 
 
-_ALONE: Final = Form(others=True)
-_FORMS: Final[Mapping[type, Form]] = {
-    _Record: Form(others=True),
-    _File: Form(others=True, absent=frozenset({"by"})),
-    _Input: Form(others=True, absent=frozenset({"by"})),
-    _AxisTest: Form(others=True, absent=frozenset({"targets", "uncertainty"})),
-    _VerifiedAxis: Form(others=True, absent=frozenset({"read_back"})),
+_ALONE: Final = RecordForm(others=True)
+_FORMS: Final[Mapping[type, RecordForm]] = {
+    _Record: RecordForm(others=True),
+    _File: RecordForm(others=True, absent=frozenset({"by"})),
+    _RecordInput: RecordForm(others=True, absent=frozenset({"by"})),
+    _AxisTest: RecordForm(others=True, absent=frozenset({"targets", "uncertainty"})),
+    _VerifiedAxis: RecordForm(others=True, absent=frozenset({"read_back"})),
     **dict.fromkeys(
         (_CircularTest, _Error, _Uncertainty, _Squareness, _Loading, _Verification), _ALONE
     ),

@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.cells import Cells
-from compwright.estimation.model import Fitted, Part, Periods, Travel, fitted, moved
+from compwright.estimation.model import FittedModel, MixturePart, Periods, Travel, fitted, moved
 from compwright.estimation.period_models import PeriodModel
 
 _SEED: Final = 231  # by it draws of the noise go with models
@@ -24,7 +24,7 @@ class Averaged:
     logarithm of the evidence for a reversal that varies over a constant one.
     """
 
-    parts: tuple[Part, ...]
+    parts: tuple[MixturePart, ...]
     reversal_log_odds: float
 
 
@@ -41,8 +41,8 @@ def averaged(
     first, odds = _with_and_without(cells, travel, known, models[0], draws)
     share = 1.0 / (1.0 + float(np.exp(-np.clip(odds, -50.0, 50.0)))) if len(first) > 1 else 0.0
     favoured = max(first, key=lambda varying: share if varying else 1.0 - share)
-    fits: dict[tuple[tuple[int, ...], ...], dict[bool, Fitted]] = {models[0].harmonics: first}
-    weights: list[tuple[Fitted, float]] = []
+    fits: dict[tuple[tuple[int, ...], ...], dict[bool, FittedModel]] = {models[0].harmonics: first}
+    weights: list[tuple[FittedModel, float]] = []
     for model in models:
         periods = known.beside(model.periods, model.harmonics)
         if model.harmonics not in fits:
@@ -63,7 +63,7 @@ def averaged(
 
 def _with_and_without(
     cells: Cells, travel: Travel, known: Periods, model: PeriodModel, draws: int
-) -> tuple[dict[bool, Fitted], float]:
+) -> tuple[dict[bool, FittedModel], float]:
     """Return a model with the reversal varying and constant, and the log odds for the first."""
     periods = known.beside(model.periods, model.harmonics)
     both = {

@@ -37,7 +37,7 @@ from compwright.estimation.cells import (
 )
 from compwright.estimation.evidence import Weights
 from compwright.estimation.hidden_periods import HiddenPeriods, hidden_periods
-from compwright.estimation.model import Part, Periods, Travel, basis_of
+from compwright.estimation.model import MixturePart, Periods, Travel, basis_of
 from compwright.estimation.observed import ObservedTest
 from compwright.estimation.own_slopes import slope_findings
 from compwright.estimation.period_findings import period_findings, unseen_findings
@@ -82,7 +82,7 @@ class AxisPosterior:
     reversal_log_odds: float
     findings: tuple[Finding, ...]
     cells: Cells
-    parts: tuple[Part, ...]
+    parts: tuple[MixturePart, ...]
     periods: tuple[AxisPeriod, ...]
     search: PeriodSearch
 
@@ -203,7 +203,7 @@ class AxisPosterior:
         )
 
     def _local(
-        self, part: Part, weights: Weights, values: FloatArray, rng: np.random.Generator
+        self, part: MixturePart, weights: Weights, values: FloatArray, rng: np.random.Generator
     ) -> FloatArray:
         """Return draws (count, m) of the local part at the targets, given the weights ``values``
         (count, j): a normal mean with normal prior and known variance (Gelman et al. 2013, section

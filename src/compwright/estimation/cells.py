@@ -15,7 +15,7 @@ from compwright.estimation.basis import HARMONICS, folded, hidden_share
 from compwright.estimation.evidence import CellData
 from compwright.estimation.jumps import Jump, jumps_of
 from compwright.estimation.noise_posterior import NoisePosterior
-from compwright.estimation.observed import CellMeans, ObservedTest, cell_means
+from compwright.estimation.observed import ObservedCells, ObservedTest, cell_means
 from compwright.estimation.own_lines import own_columns
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
@@ -149,7 +149,7 @@ def _distinct(positions: FloatArray) -> FloatArray:
 
 
 @dataclass(frozen=True, slots=True)
-class _Line:
+class _CommonLine:
     """Straight line of all tests: a datum each, one slope, one mean reversal; mm or deg; and the
     ``jumps``.
     """
@@ -159,7 +159,7 @@ class _Line:
     reversal: float
     jumps: tuple[Jump, ...] = ()
 
-    def at(self, part: CellMeans, test: int, first: float) -> FloatArray:
+    def at(self, part: ObservedCells, test: int, first: float) -> FloatArray:
         taken: FloatArray = (
             self.offsets[test]
             + self.slope * (part.positions - first)
@@ -171,12 +171,12 @@ class _Line:
 
 
 def _with_jumps(
-    parts: Sequence[CellMeans],
+    parts: Sequence[ObservedCells],
     targets: FloatArray,
-    line: _Line,
+    line: _CommonLine,
     least: float,
     turn: float | None,
-) -> _Line:
+) -> _CommonLine:
     """Return the line with the jumps that the means of the targets show beside it: the line is then
     that of what the jumps leave.
     """
@@ -210,7 +210,7 @@ def _with_jumps(
     return replace(_line(bare, targets, endless=turn is not None), jumps=jumps)
 
 
-def _line(parts: Sequence[CellMeans], targets: FloatArray, *, endless: bool) -> _Line:
+def _line(parts: Sequence[ObservedCells], targets: FloatArray, *, endless: bool) -> _CommonLine:
     """Return the line by least squares over all readings (JCGM 100:2008, H.3): the mean reversal of
     the targets approached in both directions first.
     """
@@ -229,10 +229,10 @@ def _line(parts: Sequence[CellMeans], targets: FloatArray, *, endless: bool) -> 
     solved = np.linalg.lstsq(
         np.vstack(rows) * root[:, np.newaxis], np.concatenate(values) * root, rcond=None
     )[0]
-    return _Line(offsets=solved[:-1], slope=float(solved[-1]) / along, reversal=reversal)
+    return _CommonLine(offsets=solved[:-1], slope=float(solved[-1]) / along, reversal=reversal)
 
 
-def _reversals(part: CellMeans) -> FloatArray:
+def _reversals(part: ObservedCells) -> FloatArray:
     """Return mean(+) - mean(-) at the targets of a test that were approached in both directions."""
     up, down = part.signs > 0, part.signs < 0
     _, mine, theirs = np.intersect1d(
@@ -242,7 +242,7 @@ def _reversals(part: CellMeans) -> FloatArray:
     return difference
 
 
-def _rough_reversal(part: CellMeans) -> float:
+def _rough_reversal(part: ObservedCells) -> float:
     """Return by how much the mean of a cell (variance, mm² or deg²) differs from a smooth reversal.
 
     Differences from target to target that noise does not explain (median of the second differences;
@@ -269,7 +269,7 @@ class _Sizes:
     floor: float
 
 
-def _sizes(parts: Sequence[CellMeans], left: Sequence[FloatArray], least: float) -> _Sizes:
+def _sizes(parts: Sequence[ObservedCells], left: Sequence[FloatArray], least: float) -> _Sizes:
     """Return the sizes of what is ``left`` of the means beside the line; ``least``: noise that any
     instrument has, mm or deg.
     """
@@ -287,9 +287,9 @@ def _sizes(parts: Sequence[CellMeans], left: Sequence[FloatArray], least: float)
 
 def _stacked(
     tests: Sequence[ObservedTest],
-    parts: Sequence[CellMeans],
+    parts: Sequence[ObservedCells],
     targets: FloatArray,
-    line: _Line,
+    line: _CommonLine,
     noises: tuple[NoiseDraws | None, ...],
     donor: NoiseDraws | None,
 ) -> Cells:
@@ -366,7 +366,7 @@ def _blocks(columns: Sequence[FloatArray]) -> FloatArray:
     return together
 
 
-def _neighbour_spread(parts: Sequence[CellMeans], left: Sequence[FloatArray]) -> float:
+def _neighbour_spread(parts: Sequence[ObservedCells], left: Sequence[FloatArray]) -> float:
     """Return the scatter that second differences of neighbouring targets show: all that single
     readings can tell (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
     """

@@ -14,14 +14,14 @@ import numpy as np
 from compwright.estimation.circle_centre import recentre
 from compwright.estimation.circle_model import (
     AXES,
-    Column,
+    CauseColumn,
     Samples,
     cyclic_columns,
     fixed_columns,
     lag_column,
     spike_columns,
 )
-from compwright.estimation.circle_noise import Grid, Spectrum, halves, spectrum_of
+from compwright.estimation.circle_noise import AngleGrid, Spectrum, halves, spectrum_of
 from compwright.records.axis import FloatArray
 
 _SETTLED: Final = 0.02  # change in standard errors that no interval shows
@@ -92,8 +92,8 @@ class Problem:
     """
 
     samples: Samples
-    grid: Grid
-    fixed: tuple[Column, ...]
+    grid: AngleGrid
+    fixed: tuple[CauseColumn, ...]
     x: FloatArray
     y: FloatArray
     towards_x: FloatArray
@@ -103,7 +103,7 @@ class Problem:
     start: dict[str, float]
 
 
-def problem_of(samples: Samples, grid: Grid) -> Problem:
+def problem_of(samples: Samples, grid: AngleGrid) -> Problem:
     """Return what the fits of these samples share."""
     fixed = fixed_columns(samples)
     x = np.ascontiguousarray(np.array([column.x for column in fixed]).T)
@@ -235,7 +235,10 @@ class _Steps:
         )
 
     def solved(
-        self, free: tuple[Column, ...], values: FloatArray, prior: tuple[FloatArray, FloatArray]
+        self,
+        free: tuple[CauseColumn, ...],
+        values: FloatArray,
+        prior: tuple[FloatArray, FloatArray],
     ) -> _Step:
         """Return the step from ``values`` (k,); ``prior``: precision (k,) and where it draws each
         step to (k,).
@@ -280,8 +283,8 @@ def _is_shape(name: str) -> bool:
 
 def _free_columns(
     samples: Samples, shapes: Shapes, known: dict[str, float], *, hold: bool
-) -> list[Column]:
-    columns: list[Column] = []
+) -> list[CauseColumn]:
+    columns: list[CauseColumn] = []
     for axis, length in shapes.lengths.items():
         spike = spike_columns(samples, axis, length, known.get(f"reversal_spike_{axis}", 0.0))
         columns += spike[:1] if hold else spike
@@ -295,7 +298,7 @@ def _free_columns(
 
 
 def _prior(
-    columns: tuple[Column, ...], samples: Samples, shapes: Shapes
+    columns: tuple[CauseColumn, ...], samples: Samples, shapes: Shapes
 ) -> tuple[FloatArray, FloatArray]:
     """Return the precision of each column's prior and where it draws to. Only the lengths of spikes
     are drawn anywhere.

@@ -74,7 +74,7 @@ class Samples:
 
 
 @dataclass(frozen=True, slots=True)
-class Column:
+class CauseColumn:
     """One cause: displacement ``x``, ``y`` (n,) in mm per unit, and the ``width`` beyond which no
     machine is expected.
     """
@@ -118,7 +118,7 @@ def since_reversal(samples: Samples, axis: str) -> FloatArray:
     return arc
 
 
-def fixed_columns(samples: Samples) -> tuple[Column, ...]:
+def fixed_columns(samples: Samples) -> tuple[CauseColumn, ...]:
     """Return every column without a free shape: nuisances first (names starting with ``_``), then
     the causes.
     """
@@ -135,27 +135,27 @@ def fixed_columns(samples: Samples) -> tuple[Column, ...]:
     return tuple(found)
 
 
-def _limited(name: str, x: FloatArray, y: FloatArray, most: float = 0.1) -> Column:
+def _limited(name: str, x: FloatArray, y: FloatArray, most: float = 0.1) -> CauseColumn:
     """Return a column whose value stays, as far as anyone knows, below ``most`` mm of
     displacement.
     """
     largest = float(np.max(np.hypot(x, y), initial=0.0))
-    return Column(name, x, y, most / max(largest, 1e-12))
+    return CauseColumn(name, x, y, most / max(largest, 1e-12))
 
 
-def _nuisances(samples: Samples) -> Iterator[Column]:
+def _nuisances(samples: Samples) -> Iterator[CauseColumn]:
     one, zero = np.ones_like(samples.theta), np.zeros_like(samples.theta)
-    yield Column("_centre_x", one, zero, 100.0)
-    yield Column("_centre_y", zero, one, 100.0)
-    yield Column("_radius", np.cos(samples.theta), np.sin(samples.theta), 100.0)
+    yield CauseColumn("_centre_x", one, zero, 100.0)
+    yield CauseColumn("_centre_y", zero, one, 100.0)
+    yield CauseColumn("_radius", np.cos(samples.theta), np.sin(samples.theta), 100.0)
     if samples.both_senses:
         # The ball creeps by tenths of a micrometre between the runs; without these that would look
         # like lost motion.
-        yield Column("_shift_x", samples.sense, zero, 0.1)
-        yield Column("_shift_y", zero, samples.sense, 0.1)
+        yield CauseColumn("_shift_x", samples.sense, zero, 0.1)
+        yield CauseColumn("_shift_y", zero, samples.sense, 0.1)
 
 
-def _even(samples: Samples) -> Iterator[Column]:
+def _even(samples: Samples) -> Iterator[CauseColumn]:
     cos, sin, zero = np.cos(samples.theta), np.sin(samples.theta), np.zeros_like(samples.theta)
     yield _limited("scale_mismatch", 0.25 * UM * cos, -0.25 * UM * sin)
     yield _limited("squareness", -1e-6 * samples.radius * sin, zero)
@@ -163,7 +163,7 @@ def _even(samples: Samples) -> Iterator[Column]:
     yield _limited("straightness_second", UM * sin**2, zero)
 
 
-def _lost_motion(samples: Samples, axis: str) -> Iterator[Column]:
+def _lost_motion(samples: Samples, axis: str) -> Iterator[CauseColumn]:
     """Yield one column per reversal point where the arc has both, else one column.
 
     Each end's value holds over its half of the travel: the change falls where the axis is fastest
@@ -187,7 +187,7 @@ def _lost_motion(samples: Samples, axis: str) -> Iterator[Column]:
         )
 
 
-def _lateral_play(samples: Samples, axis: str) -> Iterator[Column]:
+def _lateral_play(samples: Samples, axis: str) -> Iterator[CauseColumn]:
     """Yield the mean play and, where both reversal points are seen, how it changes along the axis
     (a nuisance).
     """
@@ -206,7 +206,7 @@ def _lateral_play(samples: Samples, axis: str) -> Iterator[Column]:
 
 def spike_columns(
     samples: Samples, axis: str, length: float, height: float
-) -> tuple[Column, Column]:
+) -> tuple[CauseColumn, CauseColumn]:
     """Return the spike of an axis (ISO 230-4:1996, B.3.1) with decay ``length`` mm, h exp(-arc /
     length) outward, and its change per unit of log length at ``height`` µm, h (arc / length)
     exp(-arc / length).
@@ -221,15 +221,15 @@ def spike_columns(
     shape = UM * outward * np.exp(-arc / length)
     slope = height * shape * arc / length
     if axis == "first":
-        return _limited("reversal_spike_first", shape, zero), Column(
+        return _limited("reversal_spike_first", shape, zero), CauseColumn(
             "_length_first", slope, zero, 1.0
         )
-    return _limited("reversal_spike_second", zero, shape), Column(
+    return _limited("reversal_spike_second", zero, shape), CauseColumn(
         "_length_second", zero, slope, 1.0
     )
 
 
-def lag_column(samples: Samples, known: Mapping[str, float]) -> Column:
+def lag_column(samples: Samples, known: Mapping[str, float]) -> CauseColumn:
     """Return what one ``lag_doubt`` of angle does, mm: the slope of the smooth causes as they are
     ``known``, against the motion (the derivatives by θ of the module's table; ISO 230-4:1996, annex
     B). A sagging axis counts by its third harmonic: k cos²θ sinθ = k/4 (sinθ + sin3θ), and the
@@ -243,12 +243,12 @@ def lag_column(samples: Samples, known: Mapping[str, float]) -> Column:
         + 0.75 * UM * known.get("straightness_second", 0.0) * np.sin(triple)
     )
     moved = -samples.lag_doubt * samples.sense * slope
-    return Column("_lag", moved * np.cos(samples.theta), moved * np.sin(samples.theta), 1.0)
+    return CauseColumn("_lag", moved * np.cos(samples.theta), moved * np.sin(samples.theta), 1.0)
 
 
 def cyclic_columns(
     samples: Samples, axis: str, frequency: float, amplitudes: tuple[float, float]
-) -> tuple[Column, ...]:
+) -> tuple[CauseColumn, ...]:
     """Return cosine and sine of a cyclic error (ISO 230-4:1996, B.2.3) of ``frequency`` 1/mm along
     an axis, and the change per 1/mm of it at ``amplitudes`` (a, b) µm: a cos(2πfx) - b sin(2πfx).
     """
@@ -264,6 +264,6 @@ def cyclic_columns(
         (f"_frequency_{axis}", slope, 0.5 / samples.radius),
     )
     return tuple(
-        Column(name, *((field, zero) if axis == "first" else (zero, field)), width)
+        CauseColumn(name, *((field, zero) if axis == "first" else (zero, field)), width)
         for name, field, width in named
     )

@@ -41,7 +41,7 @@ _POOLED: Final = 36
 
 
 @dataclass(frozen=True, slots=True)
-class Grid:
+class AngleGrid:
     """The samples of each direction at the same ``size`` angles: indices (runs, size) per
     direction.
     """
@@ -62,7 +62,7 @@ class Spectrum:
     length: float
 
 
-def grid_of(samples: Samples) -> Grid:
+def grid_of(samples: Samples) -> AngleGrid:
     """Return the nearest samples of every run at common, evenly spaced angles, as many as the
     shortest run has.
     """
@@ -82,7 +82,7 @@ def grid_of(samples: Samples) -> Grid:
                     ]
                 )
             )
-    return Grid(tuple(index), size)
+    return AngleGrid(tuple(index), size)
 
 
 def _nearest(angles: FloatArray, where: FloatArray, run: IndexArray) -> IndexArray:
@@ -95,7 +95,7 @@ def _nearest(angles: FloatArray, where: FloatArray, run: IndexArray) -> IndexArr
     return chosen
 
 
-def halves(grid: Grid, values: FloatArray) -> tuple[FloatArray, ...]:
+def halves(grid: AngleGrid, values: FloatArray) -> tuple[FloatArray, ...]:
     """Return the cosine transforms (size, ...) of what both directions share and of what changes
     sign between them.
 

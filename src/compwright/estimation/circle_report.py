@@ -33,7 +33,7 @@ _INFLATED: Final = 2.5
 
 
 @dataclass(frozen=True, slots=True)
-class _Cause:
+class _ReportedCause:
     """One reported value: ``gradient`` (k,) by the fit's columns, ``curve`` (n,) its radial
     deviation, mm.
     """
@@ -113,11 +113,13 @@ def _ranges(samples: Samples, curves: FloatArray) -> FloatArray:
     return spread
 
 
-def _causes(test: CircularTest, samples: Samples, fitted: Fit, found: Search) -> Iterator[_Cause]:
+def _causes(
+    test: CircularTest, samples: Samples, fitted: Fit, found: Search
+) -> Iterator[_ReportedCause]:
     cos, sin = np.cos(samples.theta), np.sin(samples.theta)
     radial = fitted.x * cos[:, np.newaxis] + fitted.y * sin[:, np.newaxis]
 
-    def combined(name: str, parts: dict[str, float], *, detail: bool = False) -> _Cause:
+    def combined(name: str, parts: dict[str, float], *, detail: bool = False) -> _ReportedCause:
         """Return the weighted sum of columns; its curve is what those columns do together."""
         gradient = np.zeros(len(fitted.names))
         curve = np.zeros_like(samples.theta)
@@ -125,7 +127,7 @@ def _causes(test: CircularTest, samples: Samples, fitted: Fit, found: Search) ->
             index = fitted.names.index(part)
             gradient[index] = weight
             curve += radial[:, index] * fitted.values[index]
-        return _Cause(name, float(gradient @ fitted.values), gradient, curve, detail=detail)
+        return _ReportedCause(name, float(gradient @ fitted.values), gradient, curve, detail=detail)
 
     yield combined("squareness", {"squareness": 1.0})
     yield combined("scale_mismatch", {"scale_mismatch": 1.0})
@@ -150,7 +152,7 @@ def _causes(test: CircularTest, samples: Samples, fitted: Fit, found: Search) ->
         yield combined("radius_change", {"radius_change": 1.0})
 
 
-def _scale_errors(samples: Samples, fitted: Fit) -> Iterator[_Cause]:
+def _scale_errors(samples: Samples, fitted: Fit) -> Iterator[_ReportedCause]:
     """Yield e_x and e_y, um/m: the mean radius deviation over R plus and minus a quarter of the
     mismatch over R.
     """
@@ -162,7 +164,7 @@ def _scale_errors(samples: Samples, fitted: Fit) -> Iterator[_Cause]:
         gradient[fitted.names.index("_radius")] = 1e6 / samples.radius
         gradient[fitted.names.index("scale_mismatch")] = sign * 0.25 * UM * 1e6 / samples.radius
         value = float(gradient @ fitted.values)
-        yield _Cause(
+        yield _ReportedCause(
             f"scale_error_{axis}",
             value,
             gradient,
@@ -171,16 +173,16 @@ def _scale_errors(samples: Samples, fitted: Fit) -> Iterator[_Cause]:
         )
 
 
-def _spike(cause: _Cause) -> _Cause:
+def _spike(cause: _ReportedCause) -> _ReportedCause:
     """Return a spike with its height not below zero."""
     inward = cause.value < 0.0
     curve = np.zeros_like(cause.curve) if inward else cause.curve
-    return _Cause(cause.name, max(cause.value, 0.0), cause.gradient, curve, positive=True)
+    return _ReportedCause(cause.name, max(cause.value, 0.0), cause.gradient, curve, positive=True)
 
 
 def _cyclic(
     samples: Samples, fitted: Fit, found: Search, axis: str, radial: FloatArray
-) -> Iterator[_Cause]:
+) -> Iterator[_ReportedCause]:
     """Yield the amplitude of a cyclic error, sqrt(a² + b² - σ²), because the root of two squares is
     too large by the noise in them (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995);
     where none was found 0 ± half of what may be hidden.
@@ -189,7 +191,7 @@ def _cyclic(
     if axis not in fitted.shapes.frequencies:
         if axis in found.hidden:
             hidden = 0.5 * found.hidden[axis]
-            yield _Cause(
+            yield _ReportedCause(
                 f"cyclic_{axis}",
                 0.0,
                 gradient,
@@ -204,14 +206,14 @@ def _cyclic(
     gradient[pair] = values / max(amplitude, 1e-12)
     variance = np.diag(fitted.covariance)[pair]
     fair = float(np.sqrt(max(amplitude**2 - float(np.mean(variance)), 0.0)))
-    yield _Cause(f"cyclic_{axis}", fair, gradient, radial[:, pair] @ values, positive=True)
+    yield _ReportedCause(f"cyclic_{axis}", fair, gradient, radial[:, pair] @ values, positive=True)
 
 
 def _separation(
     test: CircularTest,
     samples: Samples,
     fitted: Fit,
-    causes: tuple[_Cause, ...],
+    causes: tuple[_ReportedCause, ...],
     correlation: FloatArray,
 ) -> Iterator[Finding]:
     """Say which causes the test cannot tell apart: one direction, an arc, a missing reversal

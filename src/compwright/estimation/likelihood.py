@@ -16,7 +16,7 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.cells import Cells, cells_of, visible_periods
-from compwright.estimation.model import Fitted, Periods, Travel, fitted
+from compwright.estimation.model import FittedModel, Periods, Travel, fitted
 from compwright.estimation.observed import ObservedTest
 from compwright.records.axis import FloatArray
 
@@ -68,7 +68,7 @@ def smooth_part(observed: ObservedTest, travel: Travel) -> tuple[FloatArray, Flo
     return first, second
 
 
-def _fitted(cells: Cells, travel: Travel, periods: Sequence[float]) -> Fitted:
+def _fitted(cells: Cells, travel: Travel, periods: Sequence[float]) -> FittedModel:
     known = Periods.of(cells, visible_periods(cells.targets, periods))
     return fitted(cells, travel, known, varying=False, draws=_DRAWS)
 

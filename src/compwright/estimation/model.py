@@ -70,7 +70,7 @@ class Periods:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Part:
+class MixturePart:
     """One model of the mixture: equally likely draws of the weights of its `basis`, one for each of
     the hyperparameters ``values`` (n, h) with a draw of the noise (``draws``, n).
     """
@@ -96,35 +96,37 @@ class Part:
 
 
 @functools.lru_cache(maxsize=8)
-def _weights_of(part: Part) -> tuple[Weights, ...]:
+def _weights_of(part: MixturePart) -> tuple[Weights, ...]:
     return tuple(
         part.evidence.weights(h, int(draw)) for h, draw in zip(part.values, part.draws, strict=True)
     )
 
 
 @dataclass(frozen=True, slots=True)
-class Fitted:
+class FittedModel:
     """One model fitted to the cells of an axis, with its draws and its evidence."""
 
     evidence: Evidence
     drawn: HyperparameterDraws
 
-    def part(self, noise: NDArray[np.intp]) -> Part:
+    def part(self, noise: NDArray[np.intp]) -> MixturePart:
         """Return the model's part in a mixture: one draw of the weights for each of the given draws
         of the noise (n,), its hyperparameters evenly spread over those drawn.
         """
         pick = np.linspace(0, self.drawn.values.shape[0] - 1, noise.size).round().astype(int)
-        return Part(self.evidence, self.drawn.values[pick], noise)
+        return MixturePart(self.evidence, self.drawn.values[pick], noise)
 
 
-def fitted(cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int) -> Fitted:
+def fitted(
+    cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int
+) -> FittedModel:
     """Return the model with these periods, and a reversal that varies with position or does not,
     fitted to the cells; ``draws`` equally likely hyperparameters.
     """
     evidence = evidence_of(cells, travel, periods, varying=varying)
     # Many targets leave little room for the hyperparameters.
     proposals = 2 * draws if cells.targets.size <= 100 else 2 * draws // 3
-    return Fitted(
+    return FittedModel(
         evidence,
         draw_hyperparameters(
             evidence,
@@ -159,13 +161,13 @@ def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
     return starts
 
 
-def moved(fit: Fitted, cells: Cells, periods: Periods) -> Fitted:
+def moved(fit: FittedModel, cells: Cells, periods: Periods) -> FittedModel:
     """Return a fitted model with as many other periods; the draws of its hyperparameters stay."""
     evidence = fit.evidence
     if periods.periods == evidence.basis.periods:
         return fit
     basis = replace(evidence.basis, periods=periods.periods, kept=periods.harmonics)
-    return Fitted(Evidence(basis, cells.targets, cells.data, evidence.prior), fit.drawn)
+    return FittedModel(Evidence(basis, cells.targets, cells.data, evidence.prior), fit.drawn)
 
 
 def evidence_of(cells: Cells, travel: Travel, periods: Periods, *, varying: bool) -> Evidence:

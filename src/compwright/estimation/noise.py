@@ -18,11 +18,11 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.noise_cells import cell_means, means_of_all
-from compwright.estimation.noise_chain import WAYS, Chain, Draw
+from compwright.estimation.noise_chain import WAYS, Draw, GibbsChain
 from compwright.estimation.noise_findings import noise_findings
 from compwright.estimation.noise_patterns import RATES
 from compwright.estimation.noise_posterior import NoisePosterior
-from compwright.estimation.noise_readings import Readings, readings_of
+from compwright.estimation.noise_readings import CellReadings, readings_of
 from compwright.estimation.noise_rounding import rounded_stds
 from compwright.estimation.noise_tails import REACH, TAILS
 from compwright.foundations.findings import Finding
@@ -50,7 +50,7 @@ def noise_of(test: PositioningTest) -> NoisePosterior | None:
         return None
     chosen = _thinned(test)
     readings = every if chosen is test else readings_of(chosen)
-    chain = Chain(chosen, readings, np.random.default_rng(_SEED))
+    chain = GibbsChain(chosen, readings, np.random.default_rng(_SEED))
     for _ in range(_SETTLING):
         chain.sweep()
     sweeps = [chain.sweep() for _ in range(2 * _DRAWS)]
@@ -113,7 +113,7 @@ def _thinned(test: PositioningTest) -> PositioningTest:
     )
 
 
-def _thinning(test: PositioningTest, readings: Readings) -> Iterator[Finding]:
+def _thinning(test: PositioningTest, readings: CellReadings) -> Iterator[Finding]:
     runs = max(test.positive.shape[1], test.negative.shape[1])
     if readings.runs < runs:
         yield Finding(
@@ -129,7 +129,7 @@ def _as_shown(sigma: FloatArray, step: float) -> FloatArray:
     return rounded_stds(sigma, step) if step else sigma
 
 
-def _repeated(draws: Sequence[Draw], readings: Readings, every: Readings) -> FloatArray:
+def _repeated(draws: Sequence[Draw], readings: CellReadings, every: CellReadings) -> FloatArray:
     """Return offset and tilt (count, 2) of repeated tests; a walk has its steps between ``every``
     run.
     """
@@ -139,7 +139,7 @@ def _repeated(draws: Sequence[Draw], readings: Readings, every: Readings) -> Flo
 
 
 def _noise(
-    readings: Readings,
+    readings: CellReadings,
     draws: Sequence[Draw],
     members: IndexArray,
     sigma: FloatArray,

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from compwright.estimation.noise_chain import Draw
 from compwright.estimation.noise_patterns import OFFSET
-from compwright.estimation.noise_readings import Readings, at_traverses
+from compwright.estimation.noise_readings import CellReadings, at_traverses
 from compwright.estimation.noise_rounding import common_std, rounded_std
 from compwright.estimation.noise_tails import KINDS, NORMAL, TAILS, Tail
 from compwright.records.axis import FloatArray
@@ -38,7 +38,7 @@ class CellMeans:
     columns: FloatArray
 
 
-def cell_means(draw: Draw, readings: Readings, shapes: FloatArray, step: float) -> CellMeans:
+def cell_means(draw: Draw, readings: CellReadings, shapes: FloatArray, step: float) -> CellMeans:
     """Return what the ``readings`` say of the cells under one draw of the noise: a flat prior on
     the means, normal effects of the traverses (Searle, Casella and McCulloch, Variance Components,
     1992, section 7.4); heavy tails and outliers integrated out, whichever readings the sampler took
@@ -69,7 +69,7 @@ def cell_means(draw: Draw, readings: Readings, shapes: FloatArray, step: float) 
 
 
 def means_of_all(
-    cells: CellMeans, draw: Draw, shapes: FloatArray, readings: Readings, every: Readings
+    cells: CellMeans, draw: Draw, shapes: FloatArray, readings: CellReadings, every: CellReadings
 ) -> CellMeans:
     """Return what ``every`` reading says of the cells under a draw of the noise that comes from
     some of the runs (``readings``): the means of all, known better by as much as they are more.

@@ -14,7 +14,7 @@ from compwright.estimation.cells import LEAST_NOISE
 from compwright.estimation.noise_moves import draw_share
 from compwright.estimation.noise_patterns import OFFSET, Sizes, patterns_of
 from compwright.estimation.noise_readings import (
-    Readings,
+    CellReadings,
     Reduced,
     at_traverses,
     reduced,
@@ -29,7 +29,7 @@ from compwright.estimation.noise_rounding import (
 )
 from compwright.estimation.noise_spread import draw_spread, powers_of, shapes_of
 from compwright.estimation.noise_tails import TAILS, Latent, chances_of, draw_latent
-from compwright.estimation.noise_traverses import Traverses
+from compwright.estimation.noise_traverses import ReducedTraverses
 from compwright.records.axis import FloatArray
 from compwright.records.noise import WAVE, BoolArray
 from compwright.records.positioning import PositioningTest
@@ -81,10 +81,12 @@ class Draw:
     outlier: NDArray[np.bool_]
 
 
-class Chain:
+class GibbsChain:
     """The Gibbs sampler and its present state."""
 
-    def __init__(self, test: PositioningTest, readings: Readings, rng: np.random.Generator) -> None:
+    def __init__(
+        self, test: PositioningTest, readings: CellReadings, rng: np.random.Generator
+    ) -> None:
         self.readings, self.rng = readings, rng
         self.runs = test.positive.shape[1], test.negative.shape[1]
         self.patterns = patterns_of(readings, test.cycle, self.runs)
@@ -99,7 +101,7 @@ class Chain:
         self.absent_spread = np.ones(len(self.shapes))
         self.values = readings.values
         self.begun = False
-        self.reduced: tuple[FloatArray, FloatArray, Traverses] | None = None
+        self.reduced: tuple[FloatArray, FloatArray, ReducedTraverses] | None = None
         never = np.zeros(readings.there.shape)
         self.latent = Latent(readings.there.astype(np.float64), never, readings.there & False)
         self.sigma, residuals = self._start()
@@ -191,7 +193,7 @@ class Chain:
         total = np.maximum(data.weights, 1e-300)
         return replace(data, means=np.sum(weights * (self.readings.values - shift), axis=1) / total)
 
-    def _traverses(self, values: FloatArray, weights: FloatArray) -> Traverses:
+    def _traverses(self, values: FloatArray, weights: FloatArray) -> ReducedTraverses:
         """Return what ``values`` with ``weights`` (c, n) say of the traverses; reduced anew only
         where they changed.
         """
@@ -201,7 +203,7 @@ class Chain:
             and np.array_equal(self.reduced[1], weights)
         ):
             data = reduced(self.readings, values, weights)
-            known = Traverses(self.patterns, data, int(np.sum(self.dof)), self.floor)
+            known = ReducedTraverses(self.patterns, data, int(np.sum(self.dof)), self.floor)
             self.reduced = values, weights, known
         return self.reduced[2]
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from compwright.estimation.noise_chain import Draw
 from compwright.estimation.noise_patterns import DRIFT, DRIFT_TILT, OFFSET, RATES, TILT
-from compwright.estimation.noise_readings import Readings, at_traverses
+from compwright.estimation.noise_readings import CellReadings, at_traverses
 from compwright.estimation.noise_spread import shapes_of
 from compwright.estimation.noise_tails import KINDS, NORMAL, OUTLIERS, STUDENT
 from compwright.foundations.findings import Finding
@@ -54,7 +54,7 @@ _AIR: Final = "look at the air of the hall (heating, cooling, drafts, sun)"
 
 
 def noise_findings(
-    test: PositioningTest, readings: Readings, draws: Sequence[Draw], step: float
+    test: PositioningTest, readings: CellReadings, draws: Sequence[Draw], step: float
 ) -> tuple[Finding, ...]:
     """Return what ``draws`` of the noise of ``test`` clearly show beside white noise; ``step``, mm
     or deg: to which its instrument rounds, 0 where that changes nothing.
@@ -68,7 +68,7 @@ def noise_findings(
     )
 
 
-def _coarse(test: PositioningTest, readings: Readings, step: float) -> Iterator[Finding]:
+def _coarse(test: PositioningTest, readings: CellReadings, step: float) -> Iterator[Finding]:
     if not step:
         return
     counts = np.sum(readings.there, axis=1)
@@ -161,7 +161,9 @@ def _standing_off(test: PositioningTest, draws: Sequence[Draw]) -> str:
     return f", {' and '.join(told)}" if told else ""
 
 
-def _tails(test: PositioningTest, readings: Readings, draws: Sequence[Draw]) -> Iterator[Finding]:
+def _tails(
+    test: PositioningTest, readings: CellReadings, draws: Sequence[Draw]
+) -> Iterator[Finding]:
     chances = np.mean([draw.tail_chances for draw in draws], axis=0)
     normal, student, spoilt = (
         float(np.sum(chances[kind == KINDS])) for kind in (NORMAL, STUDENT, OUTLIERS)
@@ -211,7 +213,9 @@ def _cause(test: PositioningTest, cells: IndexArray, runs: IndexArray) -> str:
     return "find their cause (beam, chips, clamping)"
 
 
-def _places(test: PositioningTest, readings: Readings, draws: Sequence[Draw]) -> Iterator[Finding]:
+def _places(
+    test: PositioningTest, readings: CellReadings, draws: Sequence[Draw]
+) -> Iterator[Finding]:
     absent = np.mean([draw.absent_spread for draw in draws], axis=0)
     spread = np.array([draw.spread for draw in draws])
     sigma = np.array([draw.sigma for draw in draws])
@@ -241,7 +245,7 @@ def _places(test: PositioningTest, readings: Readings, draws: Sequence[Draw]) ->
         )
 
 
-def _errors(readings: Readings, draw: Draw) -> FloatArray:
+def _errors(readings: CellReadings, draw: Draw) -> FloatArray:
     """Return the readings (c, n) less the means of their cells and what traverses and drift do."""
     moved = at_traverses(readings, draw.effects)
     means = draw.data.means - draw.data.shares @ draw.effects

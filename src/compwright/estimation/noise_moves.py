@@ -25,7 +25,7 @@ _HALF: Final = 0.5
 
 
 @dataclass(slots=True)
-class Evidence:
+class ScoreEvidence:
     """What ``scores`` (r,) say of their covariance ``matrix`` (r, r), in an unknown variance with
     ``dof`` degrees of freedom that leaves the sum of squares ``rest`` beside them.
     """
@@ -52,7 +52,7 @@ def draw_share(moved: BoolArray, rng: np.random.Generator) -> float:
 
 
 def draw_moved(
-    moved: BoolArray, moves: FloatArray, evidence: Evidence, rng: np.random.Generator
+    moved: BoolArray, moves: FloatArray, evidence: ScoreEvidence, rng: np.random.Generator
 ) -> BoolArray:
     """Draw which of ``moves`` (q, r), standard deviations in the scores, are there, one after the
     other given the others (George and McCulloch, J. Am. Stat. Assoc. 88, 1993), ``moved`` (q,)

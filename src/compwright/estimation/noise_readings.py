@@ -23,7 +23,7 @@ _RANK: float = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Readings:
+class CellReadings:
     """``values`` (c, n), mm or deg: cells all + then all - (c = 2 m), one column per run; 0 where
     ``there`` (c, n) is False. ``u`` (c,): position from -1 to 1 over the targets.
     """
@@ -67,7 +67,7 @@ class Reduced:
     shares: FloatArray
 
 
-def readings_of(test: PositioningTest) -> Readings:
+def readings_of(test: PositioningTest) -> CellReadings:
     """Return the readings of ``test`` by cell and run."""
     m = test.targets.size
     runs = max(test.positive.shape[1], test.negative.shape[1])
@@ -77,7 +77,7 @@ def readings_of(test: PositioningTest) -> Readings:
     there = np.isfinite(values)
     low, high = float(np.min(test.targets)), float(np.max(test.targets))
     centre, half = 0.5 * (low + high), max(0.5 * (high - low), 1e-300)
-    return Readings(
+    return CellReadings(
         values=np.where(there, values, 0.0),
         there=there,
         u=np.tile((test.targets - centre) / half, 2),
@@ -86,7 +86,7 @@ def readings_of(test: PositioningTest) -> Readings:
     )
 
 
-def at_traverses(readings: Readings, effects: FloatArray) -> FloatArray:
+def at_traverses(readings: CellReadings, effects: FloatArray) -> FloatArray:
     """Return what ``effects`` (4 n,), by direction, offset before tilt, run, do to the readings
     (c, n).
     """
@@ -96,7 +96,7 @@ def at_traverses(readings: Readings, effects: FloatArray) -> FloatArray:
     return np.concatenate([offset + u * tilt for offset, tilt in parts])
 
 
-def reduced(readings: Readings, values: FloatArray, weights: FloatArray) -> Reduced:
+def reduced(readings: CellReadings, values: FloatArray, weights: FloatArray) -> Reduced:
     """Return what ``values`` (c, n) with ``weights`` (c, n), 0 where there is none, say of the
     effects once the cells' means are eliminated (Harville 1974; normal equations by blocks:
     Björck, Numerical Methods for Least Squares Problems, 1996, section 6.3).
@@ -137,7 +137,7 @@ def reduced(readings: Readings, values: FloatArray, weights: FloatArray) -> Redu
     )
 
 
-def without_lines(readings: Readings, residuals: FloatArray) -> FloatArray:
+def without_lines(readings: CellReadings, residuals: FloatArray) -> FloatArray:
     """Return ``residuals`` (c, n) less the straight line of each traverse (least squares); 0 where
     there is no reading.
     """

@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.noise_readings import Readings
+from compwright.estimation.noise_readings import CellReadings
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.positioning import SAME_READING
 
@@ -41,7 +41,9 @@ _APART: Final = 0.08
 _ORDERS: Final = 100
 
 
-def step_of(readings: Readings, residuals: FloatArray, scatter: float, coarsest: float) -> float:
+def step_of(
+    readings: CellReadings, residuals: FloatArray, scatter: float, coarsest: float
+) -> float:
     """Return the step of the readings, mm or deg, where it is coarse against their ``scatter``; 0
     where it is not, or where it is above ``coarsest``. All readings lie on it; if those of
     different cells do not (a table was taken out of them), the differences within the cells do.
@@ -86,7 +88,7 @@ def _common_step(gaps: FloatArray, least: float) -> float:
 
 
 def blurred(
-    readings: Readings, residuals: FloatArray, least: float, rng: np.random.Generator
+    readings: CellReadings, residuals: FloatArray, least: float, rng: np.random.Generator
 ) -> FloatArray:
     """Return the values (c, n) with normal scatter added in each direction whose ``residuals``
     (c, n), the readings less cells and traverses, show less than can be believed: ``least`` (mm or
@@ -161,7 +163,7 @@ def common_std(sigma: float, step: float) -> float:
 
 
 def spread_out(
-    readings: Readings, step: float, seen: float, rng: np.random.Generator
+    readings: CellReadings, step: float, seen: float, rng: np.random.Generator
 ) -> FloatArray:
     """Return values (c, n) as they may have been before rounding to ``step``, to begin with: those
     of a cell scatter as much as makes the scatter ``seen`` once they are rounded.
@@ -184,7 +186,7 @@ def spread_out(
 
 
 def draw_unrounded(
-    readings: Readings,
+    readings: CellReadings,
     step: float,
     middle: FloatArray,
     scale: FloatArray,

@@ -6,7 +6,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.noise_readings import Readings
+from compwright.estimation.noise_readings import CellReadings
 from compwright.records.axis import FloatArray
 from compwright.records.noise import waves
 
@@ -20,7 +20,7 @@ _GRID: Final = 0.15 * np.arange(-13, 14)
 _THERE: Final = _GRID != 0.0
 
 
-def shapes_of(readings: Readings) -> FloatArray:
+def shapes_of(readings: CellReadings) -> FloatArray:
     """Return by how much the logarithm of the scale in each cell (parts, c) follows the direction
     (half of +1 or -1) and each of the waves along the travel.
     """

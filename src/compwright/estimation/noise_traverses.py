@@ -16,7 +16,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.noise_moves import Evidence, draw_moved, drawn_from_prior
+from compwright.estimation.noise_moves import ScoreEvidence, draw_moved, drawn_from_prior
 from compwright.estimation.noise_patterns import (
     DRIFT,
     DRIFT_TILT,
@@ -52,7 +52,7 @@ class _Spectrum:
     along: FloatArray
 
 
-class Traverses:
+class ReducedTraverses:
     """What reduced readings with ``dof`` contrasts say of the sizes; all draws are from exact
     conditional distributions.
     """
@@ -161,7 +161,7 @@ class Traverses:
             return
         beside = np.eye(self.data.scores.size) + self._drifting(sizes)
         beside += sizes.size[TILT] ** 2 * self.tilt[sizes.form]
-        evidence = Evidence(beside, self.data.scores, self.rest, self.dof)
+        evidence = ScoreEvidence(beside, self.data.scores, self.rest, self.dof)
         sizes.moved = draw_moved(sizes.moved, size * self.moves[sizes.form], evidence, rng)
 
     def _drifting(self, sizes: Sizes) -> FloatArray:

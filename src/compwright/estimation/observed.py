@@ -30,7 +30,7 @@ class ObservedTest:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CellMeans:
+class ObservedCells:
     """The c cells of one test that have readings, mm or deg.
 
     ``positions``, ``signs`` (+1, -1), ``counts`` of readings and plain ``means`` (c,);
@@ -53,7 +53,7 @@ class CellMeans:
 
 def cell_means(
     observed: ObservedTest, order: NDArray[np.intp], donor: NoiseDraws | None
-) -> CellMeans:
+) -> ObservedCells:
     """Return the cells of a test with the draws of its noise taken in ``order`` (n,).
 
     ``donor``: n draws of the noise of another test of the axis: where the own readings do not tell
@@ -86,7 +86,7 @@ def cell_means(
         by_draw = own.mean[order][:, kept]
         precision = own.precision[order][:, kept]
         columns = own.columns[order][:, kept]
-    return CellMeans(
+    return ObservedCells(
         positions=positions,
         signs=signs,
         counts=counts[kept],

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.estimation.evidence import VAGUE
-from compwright.estimation.observed import CellMeans, ObservedTest
+from compwright.estimation.observed import ObservedCells, ObservedTest
 from compwright.records.axis import FloatArray
 
 
@@ -29,7 +29,7 @@ class OwnColumns:
 
 def own_columns(
     tests: Sequence[ObservedTest],
-    parts: Sequence[CellMeans],
+    parts: Sequence[ObservedCells],
     targets: FloatArray,
     scale: float,
 ) -> OwnColumns:

@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.cells import Cells
-from compwright.estimation.model import Part
+from compwright.estimation.model import MixturePart
 from compwright.estimation.observed import ObservedTest
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
@@ -24,7 +24,7 @@ _LEAST: Final = 0.1 * _STEEL
 
 
 def slope_findings(
-    tests: Sequence[ObservedTest], cells: Cells, parts: Sequence[Part]
+    tests: Sequence[ObservedTest], cells: Cells, parts: Sequence[MixturePart]
 ) -> Iterator[Finding]:
     """Yield the tests that clearly have another slope than the first (CW-E028), from the posterior
     of the ``parts``; sizes in µm/m. Angles do not grow with temperature: nothing is said of them.
@@ -47,7 +47,7 @@ def slope_findings(
         )
 
 
-def _beside_first(place: int, cells: Cells, parts: Sequence[Part]) -> tuple[float, float]:
+def _beside_first(place: int, cells: Cells, parts: Sequence[MixturePart]) -> tuple[float, float]:
     """Return by how much the slope of a test differs from that of the first, with its standard
     error, mm/mm: mean and variance of the mixture over all draws (Gelman et al., Bayesian Data
     Analysis, 3rd ed. 2013, section 1.8).

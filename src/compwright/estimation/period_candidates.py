@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.basis import ALIASED
-from compwright.estimation.period_likelihood import Choice, IntArray, PeriodLikelihood
+from compwright.estimation.period_likelihood import IntArray, NodeChoice, PeriodLikelihood
 from compwright.estimation.period_window import Window, alikeness
 from compwright.estimation.usual_periods import UsualPeriod
 from compwright.records.axis import FloatArray
@@ -45,7 +45,7 @@ class Odds:
 
 
 @dataclass(frozen=True, slots=True)
-class Candidate:
+class PeriodCandidate:
     """A period that may be: ``frequencies`` (k,) with their ``shares`` (k,), sum 1, and the
     logarithm ``log`` of its probability over that of none.
 
@@ -68,12 +68,12 @@ class Candidate:
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class PeriodLook:
     """Candidates of one look, the most probable first; ``rest``: logarithm of the probability, over
     that of none, of all that is no candidate; ``log_odds`` (f,) over the frequencies searched.
     """
 
-    candidates: tuple[Candidate, ...]
+    candidates: tuple[PeriodCandidate, ...]
     rest: float
     log_odds: FloatArray
 
@@ -122,7 +122,7 @@ def candidates_of(
     frequencies: FloatArray,
     expected: Sequence[UsualPeriod],
     before: Odds,
-) -> Look:
+) -> PeriodLook:
     """Return the candidates among the equally spaced ``frequencies`` (f,) and the ``expected``
     periods; ``before``: what is thought of them before the data.
     """
@@ -131,7 +131,9 @@ def candidates_of(
     prior = _prior(frequencies, expected, before)
     everywhere = np.concatenate([frequencies, prior.usual])
     window = Window(targets, 2.0 * float(np.max(everywhere)) + float(frequencies[0]))
-    shown = _Shown(likelihood, window, float(frequencies[0]), before.taken, PEAK * resolution)
+    shown = _ShownLikelihood(
+        likelihood, window, float(frequencies[0]), before.taken, PEAK * resolution
+    )
     odds = shown.either(everywhere, likelihood.coarse())
     cell = np.log(frequencies[1] - frequencies[0])
     logs = odds + np.concatenate([prior.even(frequencies) + cell, prior.log_usual])
@@ -152,16 +154,16 @@ def candidates_of(
             found.append(_shared(near, aliases, shown, choice, _log_sum(logs[members])))
         found.sort(key=lambda each: -round(each.log, 6))
     rest = _log_sum(np.append(logs[~taken], -np.inf))
-    return Look(tuple(found), rest, odds[: frequencies.size])
+    return PeriodLook(tuple(found), rest, odds[: frequencies.size])
 
 
 def looked_at_closely(
     likelihood: PeriodLikelihood,
-    candidate: Candidate,
+    candidate: PeriodCandidate,
     frequencies: FloatArray,
     expected: Sequence[UsualPeriod],
     before: Odds,
-) -> Candidate | None:
+) -> PeriodCandidate | None:
     """Return a candidate as it looks under another ``likelihood``, beside other periods; its
     aliases stay. None where it is a harmonic of one of these, or the other way round. Arguments as
     those of `candidates_of`.
@@ -170,7 +172,9 @@ def looked_at_closely(
     prior = _prior(frequencies, expected, before)
     highest = 2.0 * float(np.max(np.append(frequencies, prior.usual))) + float(frequencies[0])
     window = Window(likelihood.targets, highest)
-    shown = _Shown(likelihood, window, float(frequencies[0]), before.taken, PEAK * resolution)
+    shown = _ShownLikelihood(
+        likelihood, window, float(frequencies[0]), before.taken, PEAK * resolution
+    )
     centres = np.array([1.0 / candidate.period])
     choice = likelihood.telling(centres)
     if np.isinf(shown.either(np.append(centres, 2.0 * centres), choice)).any():
@@ -180,7 +184,7 @@ def looked_at_closely(
 
 
 @dataclass(frozen=True, slots=True)
-class _Shown:
+class _ShownLikelihood:
     """The likelihood of what the targets can show: nothing speaks for a wave that looks like one
     too long to be searched (below the frequency ``lowest``), which is smooth error for all that is
     known, nor for one ``near`` a frequency that was ``taken`` before.
@@ -192,7 +196,7 @@ class _Shown:
     taken: tuple[float, ...]
     near: float
 
-    def odds(self, frequencies: FloatArray, choice: Choice) -> tuple[FloatArray, FloatArray]:
+    def odds(self, frequencies: FloatArray, choice: NodeChoice) -> tuple[FloatArray, FloatArray]:
         """Return the log odds (f,) of waves with one harmonic, and with two; -inf where nothing
         speaks for them, those with two as with one where only the second is so.
         """
@@ -208,7 +212,7 @@ class _Shown:
                 silent = silent | (np.abs(frequencies - each) <= self.near)
         return silent
 
-    def either(self, frequencies: FloatArray, choice: Choice) -> FloatArray:
+    def either(self, frequencies: FloatArray, choice: NodeChoice) -> FloatArray:
         """Return the log odds (f,) of a wave with one or with two harmonics, whichever it is."""
         odds: FloatArray = np.logaddexp(*self.odds(frequencies, choice)) - np.log(2.0)
         return odds
@@ -255,12 +259,12 @@ def _aliases(
 
 
 def _close_looks(
-    shown: _Shown,
-    choice: Choice,
+    shown: _ShownLikelihood,
+    choice: NodeChoice,
     centres: FloatArray,
     resolution: float,
     prior: _Prior,
-) -> list[Candidate]:
+) -> list[PeriodCandidate]:
     """Return the peaks as candidates: what lies about each, and the usual periods there."""
     fine, logs = _resolved(shown, choice, centres, resolution, prior)
     usual = prior.log_usual - np.log(2.0)
@@ -275,13 +279,13 @@ def _close_looks(
             exact = float(1.0 / prior.usual[named[int(np.argmax(usual[named]))]])
         where = np.concatenate([here, prior.usual[named]])
         nothing = np.zeros(0)
-        found.append(Candidate(where, np.exp(together - log), log, exact, nothing, nothing))
+        found.append(PeriodCandidate(where, np.exp(together - log), log, exact, nothing, nothing))
     return found
 
 
 def _resolved(
-    shown: _Shown,
-    choice: Choice,
+    shown: _ShownLikelihood,
+    choice: NodeChoice,
     centres: FloatArray,
     resolution: float,
     prior: _Prior,
@@ -309,19 +313,19 @@ def _resolved(
 
 
 def _shared(
-    candidate: Candidate,
+    candidate: PeriodCandidate,
     aliases: FloatArray,
-    shown: _Shown,
-    choice: Choice,
+    shown: _ShownLikelihood,
+    choice: NodeChoice,
     log: float,
-) -> Candidate:
+) -> PeriodCandidate:
     """Return the candidate with those that look like it: what they have together (``log``) is
     shared out by the data alone, not by what is usual."""
     if not aliases.size:
         return candidate
     odds = shown.either(np.append(aliases, 1.0 / candidate.period), choice)
     shares = np.exp(odds - _log_sum(odds))
-    return Candidate(
+    return PeriodCandidate(
         candidate.frequencies,
         candidate.shares,
         max(log, candidate.log),

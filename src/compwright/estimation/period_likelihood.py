@@ -89,7 +89,7 @@ class Nodes:
 
 
 @dataclass(frozen=True, slots=True)
-class Choice:
+class NodeChoice:
     """Some of the nodes: (number of the length, which of its nodes), and which amplitudes."""
 
     nodes: tuple[tuple[int, IntArray], ...]
@@ -178,7 +178,7 @@ class PeriodLikelihood:
         return found
 
     def log_odds(
-        self, frequencies: FloatArray, choice: Choice | None = None
+        self, frequencies: FloatArray, choice: NodeChoice | None = None
     ) -> tuple[FloatArray, FloatArray]:
         """Return the logarithms (f,) of the likelihood of a wave of each of the ``frequencies`` (1
         / mm or 1 / deg) over that of none: with the first harmonic, and with the first two.
@@ -195,14 +195,14 @@ class PeriodLikelihood:
         one, both = (np.concatenate(each) - _log_sum(log) for each in zip(*parts, strict=True))
         return one, both
 
-    def everything(self) -> Choice:
+    def everything(self) -> NodeChoice:
         """Return all nodes of the grid and of the amplitudes."""
-        return Choice(
+        return NodeChoice(
             tuple((number, np.arange(node.log.size)) for number, node in enumerate(self.nodes)),
             np.arange(AMPLITUDES.size),
         )
 
-    def telling(self, frequencies: FloatArray) -> Choice:
+    def telling(self, frequencies: FloatArray) -> NodeChoice:
         """Return the nodes that matter for a wave of any of the ``frequencies`` or for none."""
         choice = self.everything()
         log = self._log(choice)
@@ -214,15 +214,15 @@ class PeriodLikelihood:
             amplitudes |= np.any(near, axis=1)
         ends = np.cumsum([node.log.size for node in self.nodes])
         parts = np.split(kept, ends[:-1])
-        return Choice(
+        return NodeChoice(
             tuple((i, np.flatnonzero(part)) for i, part in enumerate(parts) if np.any(part)),
             np.flatnonzero(amplitudes),
         )
 
-    def _log(self, choice: Choice) -> FloatArray:
+    def _log(self, choice: NodeChoice) -> FloatArray:
         return np.concatenate([self.nodes[number].log[kept] for number, kept in choice.nodes])
 
-    def _gains(self, frequencies: FloatArray, choice: Choice) -> list[FloatArray]:
+    def _gains(self, frequencies: FloatArray, choice: NodeChoice) -> list[FloatArray]:
         """Return the logarithms (a, n, f) of what a wave of each amplitude gains at each node,
         prior of the amplitude counted in: with one harmonic, and with two.
         """
@@ -238,7 +238,7 @@ class PeriodLikelihood:
         ]
 
     def moments(
-        self, frequencies: FloatArray, choice: Choice
+        self, frequencies: FloatArray, choice: NodeChoice
     ) -> tuple[dict[tuple[int, int], FloatArray], list[FloatArray]]:
         """Return W' P W and W' P y of the waves W (n, f) at each node, for each pair of columns and
         each column: cosine and sine of the first harmonic, half of those of the second.
@@ -266,7 +266,7 @@ class PeriodLikelihood:
                     gram[i, j] += white * waves.beside[i, j]
         return gram, moment
 
-    def coarse(self) -> Choice:
+    def coarse(self) -> NodeChoice:
         """Return nodes for a first look at many frequencies: one length, every other level of the
         rest."""
         away = [round(abs(np.log(node.length) - LENGTH[0]), 6) for node in self.nodes]
@@ -274,7 +274,7 @@ class PeriodLikelihood:
         size = self.white_size
         levels = self.nodes[0].log.size // size
         kept = np.array([i * size + j for i in range(0, levels, 2) for j in range(0, size, 3)])
-        return Choice(
+        return NodeChoice(
             tuple((int(n), kept) for n in np.sort(middle)), np.arange(1, AMPLITUDES.size - 1, 3)
         )
 

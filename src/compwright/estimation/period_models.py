@@ -11,7 +11,7 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.basis import HARMONICS
-from compwright.estimation.period_candidates import Candidate
+from compwright.estimation.period_candidates import PeriodCandidate
 from compwright.records.axis import FloatArray
 from compwright.records.estimate import AxisPeriod, PeriodEvidence
 
@@ -91,10 +91,10 @@ class PeriodSet:
     ``log`` of their probability over that of none at all.
     """
 
-    members: tuple[Candidate, ...]
+    members: tuple[PeriodCandidate, ...]
     log: float
 
-    def extended(self, member: Candidate) -> PeriodSet:
+    def extended(self, member: PeriodCandidate) -> PeriodSet:
         """Return the set with one more, which was found beside these."""
         return PeriodSet((*self.members, member), self.log + member.log)
 
@@ -196,7 +196,7 @@ def _neighbours(periods: PeriodSet, probability: float) -> list[PeriodModel]:
     ]
 
 
-def _ladder(member: Candidate, count: int) -> FloatArray:
+def _ladder(member: PeriodCandidate, count: int) -> FloatArray:
     """Return ``count`` equally likely periods (count,) that a member may be, mm or deg."""
     if member.aliases.size:
         return np.asarray(1.0 / _picked(member))
@@ -206,7 +206,7 @@ def _ladder(member: Candidate, count: int) -> FloatArray:
     return np.asarray(1.0 / member.frequencies[order][np.searchsorted(cumulative, quantiles)])
 
 
-def _picked(member: Candidate) -> FloatArray:
+def _picked(member: PeriodCandidate) -> FloatArray:
     """Return the frequencies that stand for a member with aliases: some of them, and its own."""
     return np.append(member.aliases[:: max(1, member.aliases.size // 7)], 1.0 / member.period)
 

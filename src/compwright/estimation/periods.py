@@ -26,9 +26,9 @@ import numpy as np
 from compwright.estimation.basis import HARMONICS, Basis
 from compwright.estimation.period_candidates import (
     PEAK,
-    Candidate,
-    Look,
     Odds,
+    PeriodCandidate,
+    PeriodLook,
     candidates_of,
     looked_at_closely,
 )
@@ -81,7 +81,9 @@ def search_periods(
     frequencies = searched(middles.targets, kind)
     if not frequencies.size:
         return NOTHING
-    search = _Search(middles, basis, frequencies, usual_periods(kind, suggested), tuple(known))
+    search = _PeriodSearch(
+        middles, basis, frequencies, usual_periods(kind, suggested), tuple(known)
+    )
     done: list[PeriodSet] = []
     level = [PeriodSet((), 0.0)]
     curve: PeriodCurve | None = None
@@ -136,7 +138,7 @@ def wave_columns(targets: FloatArray, frequency: float) -> list[FloatArray]:
 
 
 @dataclass(frozen=True, slots=True)
-class _Search:
+class _PeriodSearch:
     """What is looked at: the ``middles``, at ``frequencies`` (f,) and the ``usual`` periods, beside
     the ``known`` ones (mm or deg).
     """
@@ -147,7 +149,7 @@ class _Search:
     usual: tuple[UsualPeriod, ...]
     known: tuple[float, ...]
 
-    def beside(self, periods: PeriodSet) -> Look | None:
+    def beside(self, periods: PeriodSet) -> PeriodLook | None:
         """Return what may be there beside a set of periods; None where its targets are too few, or
         it is not known which periods these are.
         """
@@ -197,7 +199,7 @@ class _Search:
                 kept.append(each)
         return _descending([*map(self.refined, kept[:_BEAM]), *kept[_BEAM:]])
 
-    def _likelihood(self, members: Sequence[Candidate]) -> PeriodLikelihood | None:
+    def _likelihood(self, members: Sequence[PeriodCandidate]) -> PeriodLikelihood | None:
         targets = self.middles.targets
         periods = [*self.known, *(member.period for member in members)]
         waves = [wave for period in periods for wave in wave_columns(targets, 1.0 / period)]
@@ -206,15 +208,15 @@ class _Search:
             return None
         return PeriodLikelihood(replace(self.middles, free=columns), self.basis)
 
-    def _before(self, members: Sequence[Candidate]) -> Odds:
+    def _before(self, members: Sequence[PeriodCandidate]) -> Odds:
         return replace(FURTHER if self.known or members else FIRST, taken=_frequencies(members))
 
 
-def _frequencies(members: Sequence[Candidate]) -> tuple[float, ...]:
+def _frequencies(members: Sequence[PeriodCandidate]) -> tuple[float, ...]:
     return tuple(1.0 / member.period for member in members)
 
 
-def _there(likelihood: PeriodLikelihood, member: Candidate) -> float:
+def _there(likelihood: PeriodLikelihood, member: PeriodCandidate) -> float:
     """Return the logarithm of the likelihood of a wave just there over that of none."""
     frequency = np.array(_frequencies([member]))
     odds = likelihood.log_odds(frequency, likelihood.telling(frequency))

@@ -26,7 +26,7 @@ _Numbers = NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True)
-class _Run:
+class _AlikeRun:
     """A run of the test with the index ``owner``: its readings that were made, (n,) mm or deg, and
     the numbers of their targets, ascending.
     """
@@ -59,25 +59,25 @@ def alike_in_a_run(tests: Sequence[PositioningTest], fewest: int) -> Iterator[li
 
     Runs that are the same everywhere were not made and do not count.
     """
-    runs: dict[tuple[AxisKind, Direction], list[_Run]] = defaultdict(list)
+    runs: dict[tuple[AxisKind, Direction], list[_AlikeRun]] = defaultdict(list)
     for index, (test, places) in enumerate(zip(tests, _places(tests), strict=True)):
         for direction in Direction:
             for column in test.deviations(direction).T:
                 made = np.isfinite(column)
                 values = column[made]
                 if values.size >= fewest and np.ptp(values) > SAME_READING:
-                    runs[test.kind, direction].append(_Run(index, places[made], values))
+                    runs[test.kind, direction].append(_AlikeRun(index, places[made], values))
     for some in runs.values():
         for group in _agreeing(some, fewest):
             yield sorted(group)
 
 
-def _agreeing(runs: Sequence[_Run], fewest: int) -> Iterator[set[int]]:
+def _agreeing(runs: Sequence[_AlikeRun], fewest: int) -> Iterator[set[int]]:
     """Yield the owners of runs that agree where they are looked at."""
-    grids: dict[bytes, list[_Run]] = defaultdict(list)
+    grids: dict[bytes, list[_AlikeRun]] = defaultdict(list)
     for run in runs:
         grids[run.places.tobytes()].append(run)
-    looked: dict[bytes, list[_Run]] = defaultdict(list)
+    looked: dict[bytes, list[_AlikeRun]] = defaultdict(list)
     several = list(grids.values())
     for grid, parts in enumerate(_looked_at([some[0].places for some in several], fewest)):
         for part in parts:
@@ -111,7 +111,7 @@ def _common(one: _Numbers, other: _Numbers) -> _Numbers:
     return one if one is other else np.intersect1d(one, other, assume_unique=True)
 
 
-def _same_there(runs: Sequence[_Run], part: _Numbers) -> Iterator[set[int]]:
+def _same_there(runs: Sequence[_AlikeRun], part: _Numbers) -> Iterator[set[int]]:
     """Yield the owners of runs that agree at the targets ``part``, but for a constant."""
     values = np.stack([run.values[np.searchsorted(run.places, part)] for run in runs])
     columns = (values[:, 1:] - values[:, :1]).T

@@ -33,7 +33,7 @@ _Blocks = Mapping[Direction, FloatArray]
 
 
 @dataclass(frozen=True, slots=True)
-class Named:
+class NamedTest:
     """A test by what the user calls it, with the files that it came from."""
 
     words: str
@@ -41,7 +41,7 @@ class Named:
     test: PositioningTest | None = None
 
 
-def same_measurement(one: Named, other: Named) -> bool:
+def same_measurement(one: NamedTest, other: NamedTest) -> bool:
     """Return whether two tests share a file by its content, hold the same scattering readings at
     the same targets, or share a run.
     """

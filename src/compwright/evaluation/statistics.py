@@ -186,8 +186,8 @@ def parameters(
     parameters that depend on them and to no others. The copy of the 1997 text prints A+ with max(x
     + 2s) - min(x + 2s); Corrigendum 1:1999 and 2006 have min(x - 2s).
     """
-    plus = _Side(mean_positive, s_positive, coverage)
-    minus = _Side(mean_negative, s_negative, coverage)
+    plus = _DirectionStatistics(mean_positive, s_positive, coverage)
+    minus = _DirectionStatistics(mean_negative, s_negative, coverage)
     reversal = mean_positive - mean_negative
 
     def r() -> FloatArray:
@@ -212,7 +212,7 @@ def parameters(
     return {name: made() for name, made in formulas.items() if only in (None, name)}
 
 
-class _Side:
+class _DirectionStatistics:
     """Means and s (..., m) of one direction; extremes (...) are made when asked for, once."""
 
     def __init__(self, mean: FloatArray, s: FloatArray, coverage: float) -> None:

@@ -8,7 +8,7 @@ from math import gcd
 
 import numpy as np
 
-from compwright.fitting.steps import Candidate, round_steps, taken_steps, whole
+from compwright.fitting.steps import GridCandidate, round_steps, taken_steps, whole
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
@@ -17,7 +17,7 @@ from compwright.records.fitted import TableRequest
 
 def anchored_grids(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, most: int
-) -> list[Candidate]:
+) -> list[GridCandidate]:
     """Return the grids that the control takes, coarsest first; one where the job names the spacing.
 
     Where the job leaves an end open the grid reaches over the travel by less than one spacing. The
@@ -39,13 +39,13 @@ def anchored_grids(
     )
 
 
-def _over(step: int, reach: tuple[float, float], origin: float) -> Candidate:
+def _over(step: int, reach: tuple[float, float], origin: float) -> GridCandidate:
     """Return the grid of ``step`` that covers ``reach`` (quanta from the reference, the reference
     itself included).
     """
     first = min(0, int(np.floor(reach[0] / step + 1e-6)))
     last = max(0, int(np.ceil(reach[1] / step - 1e-6)))
-    return Candidate(first * step, step, last - first + 1, origin=origin)
+    return GridCandidate(first * step, step, last - first + 1, origin=origin)
 
 
 def _reach(
@@ -230,7 +230,7 @@ def _count_faults(count: int, capacity: Capacity, wanted: WantedCorrection) -> l
 
 def _endless_grids(
     period: float, wanted: WantedCorrection, capacity: Capacity, request: TableRequest, most: int
-) -> list[Candidate]:
+) -> list[GridCandidate]:
     quantum, unit, reference = capacity.position_quantum, wanted.kind.unit, wanted.reference
     faults = [
         Fault(
@@ -250,7 +250,7 @@ def _endless_grids(
     raise_all(CapacityError, faults)
     length = round(period / quantum)
     steps = taken_steps(divisors(length), capacity) if whole(period / quantum) else []
-    grids = [Candidate(0, step, length // step + 1, origin=reference) for step in steps]
+    grids = [GridCandidate(0, step, length // step + 1, origin=reference) for step in steps]
     if request.named_spacing is None:
         return sorted(
             (one for one in grids if max(2, capacity.min_points) <= one.count <= most),

@@ -9,10 +9,10 @@ from typing import Final
 
 import numpy as np
 
-from compwright.fitting.held_grid import Grid, grid_of, held_part, unfollowed
+from compwright.fitting.held_grid import HeldGrid, grid_of, held_part, unfollowed
 from compwright.fitting.losses import good_enough, grid_loss, magnification_needed
 from compwright.fitting.named_spacing import Span
-from compwright.fitting.steps import Candidate, own_steps, round_steps, taken_steps, whole
+from compwright.fitting.steps import GridCandidate, own_steps, round_steps, taken_steps, whole
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity, Lattice
@@ -23,12 +23,12 @@ AUTO_MOST: Final = 500
 
 
 def grid_chosen(
-    pool: list[Candidate],
-    others: list[Candidate],
+    pool: list[GridCandidate],
+    others: list[GridCandidate],
     ends: tuple[float, float],
     capacity: Capacity,
     wanted: WantedCorrection,
-) -> Grid:
+) -> HeldGrid:
     """Return the grid of one of the candidates: ``pool`` those with the reference at a node,
     ``others`` the rest; ``ends`` of the table, mm or deg.
 
@@ -53,7 +53,7 @@ def grid_chosen(
         )
     chosen = _coarsest(pool, others, wanted, capacity)
     if chosen is not None:
-        return Grid(nodes=chosen, wanted=wanted)
+        return HeldGrid(nodes=chosen, wanted=wanted)
     if capacity.lattice is not None:
         compromise = _least_left([*pool, *others], wanted, capacity, capacity.lattice)
         loss = grid_loss(compromise, wanted, capacity.interpolation)
@@ -82,7 +82,7 @@ def most_points(capacity: Capacity) -> int:
 
 def candidates_over(
     span: Span, capacity: Capacity, wanted: WantedCorrection, most: int
-) -> tuple[list[Candidate], list[Candidate]]:
+) -> tuple[list[GridCandidate], list[GridCandidate]]:
     """Return grids, coarsest first: those with the reference at a node (or on the continued grid),
     and the others.
     """
@@ -90,7 +90,7 @@ def candidates_over(
     reference = round(in_quanta) if whole(in_quanta) else None
     length = span.high - span.low
     exact = [
-        Candidate(span.low, length // pieces, pieces + 1)
+        GridCandidate(span.low, length // pieces, pieces + 1)
         for pieces in range(max(1, capacity.min_points - 1), most)
         if length % pieces == 0 and taken_steps([length // pieces], capacity)
     ]
@@ -108,7 +108,7 @@ def candidates_over(
     return sorted(on, key=lambda one: one.count), sorted(off, key=lambda one: one.count)
 
 
-def _with_most_points(pool: list[Candidate], others: list[Candidate]) -> Candidate:
+def _with_most_points(pool: list[GridCandidate], others: list[GridCandidate]) -> GridCandidate:
     """Return the finest grid; one without a node at the reference only where it has half as many
     points again.
     """
@@ -117,7 +117,9 @@ def _with_most_points(pool: list[Candidate], others: list[Candidate]) -> Candida
     return spare if spare.count > 1.5 * best.count else best
 
 
-def _reaching_out(span: Span, anchor: int, capacity: Capacity, most: int) -> Iterator[Candidate]:
+def _reaching_out(
+    span: Span, anchor: int, capacity: Capacity, most: int
+) -> Iterator[GridCandidate]:
     """Yield grids of round steps through ``anchor`` that reach beyond the travel where the job left
     the end open.
 
@@ -131,13 +133,16 @@ def _reaching_out(span: Span, anchor: int, capacity: Capacity, most: int) -> Ite
             continue
         if span.high_fixed and start + (count - 1) * step != span.high:
             if capacity.spacing == "free":
-                yield Candidate(start, step, count, span.high)
+                yield GridCandidate(start, step, count, span.high)
             continue
-        yield Candidate(start, step, count)
+        yield GridCandidate(start, step, count)
 
 
 def _coarsest(
-    pool: list[Candidate], others: list[Candidate], wanted: WantedCorrection, capacity: Capacity
+    pool: list[GridCandidate],
+    others: list[GridCandidate],
+    wanted: WantedCorrection,
+    capacity: Capacity,
 ) -> FloatArray | None:
     """Return the nodes of the coarsest grid that is good enough, preferably with the reference at a
     node; None: there is none.
@@ -149,13 +154,13 @@ def _coarsest(
 
 
 def _first_good(
-    candidates: list[Candidate], wanted: WantedCorrection, capacity: Capacity
-) -> Candidate | None:
+    candidates: list[GridCandidate], wanted: WantedCorrection, capacity: Capacity
+) -> GridCandidate | None:
     """Return a grid that loses no more than the tolerance: the coarsest, or one nearly as coarse
     with a rounder step.
     """
     quantum = capacity.position_quantum
-    best: Candidate | None = None
+    best: GridCandidate | None = None
     first = 0
     for candidate in candidates:
         if best is not None and candidate.count > 1.3 * first + 1:
@@ -170,7 +175,7 @@ def _first_good(
 
 
 def _least_left(
-    candidates: list[Candidate], wanted: WantedCorrection, capacity: Capacity, lattice: Lattice
+    candidates: list[GridCandidate], wanted: WantedCorrection, capacity: Capacity, lattice: Lattice
 ) -> FloatArray:
     """Return the grid that is expected to leave least where none is good enough: finer spacing,
     smaller increments, but a coarser magnification where those do not suffice. The coarsest of

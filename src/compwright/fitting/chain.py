@@ -33,7 +33,7 @@ _SAFE: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Chain:
+class CurveChain:
     """A curve's values at the nodes that matter, as module docstring; arrays (m,) unless said
     otherwise.
 
@@ -127,7 +127,7 @@ def build_chain(
     fixed: tuple[int, ...],
     kept: tuple[int, ...],
     closed: bool,
-) -> Chain:
+) -> CurveChain:
     """Return the chain of a curve with ``size`` nodes whose mean square is half the sum over
     ``wishes``: the normal equations of hat functions, which couple neighbours alone (de Boor 1978,
     chapter III).
@@ -160,7 +160,7 @@ def build_chain(
     nodes = np.flatnonzero(seen)
     is_fixed = np.isin(nodes, fixed)
     span = np.diff(nodes)
-    chain = Chain(
+    chain = CurveChain(
         size=size,
         kept=nodes,
         span=span,
@@ -183,7 +183,7 @@ def build_chain(
     return _solved(chain, wishes)
 
 
-def _solved(chain: Chain, wishes: tuple[Wish, ...]) -> Chain:
+def _solved(chain: CurveChain, wishes: tuple[Wish, ...]) -> CurveChain:
     """Return the chain with its optimum; ``chain`` still holds the linear terms in the place of
     optimum and constant.
     """
@@ -213,7 +213,7 @@ def _solved(chain: Chain, wishes: tuple[Wish, ...]) -> Chain:
     )
 
 
-def _inverse_diagonal(chain: Chain) -> FloatArray:
+def _inverse_diagonal(chain: CurveChain) -> FloatArray:
     """Return diag(H^-1) from the pivots of the elimination from both ends: 1 / (forward + backward
     - H_ii) (Meurant, SIAM J. Matrix Anal. Appl. 13, 1992).
     """
@@ -226,7 +226,7 @@ def _inverse_diagonal(chain: Chain) -> FloatArray:
     return inverse
 
 
-def _diagonal_share(chain: Chain) -> float:
+def _diagonal_share(chain: CurveChain) -> float:
     """Return the least eigenvalue of D^-1/2 H D^-1/2, D = diag(H): H - share D has none below zero
     (Horn and Johnson, Matrix Analysis, 2nd ed. 2013, section 4.2).
     """
@@ -272,7 +272,7 @@ class Push:
     bound: FloatArray
     close: float = 0.0
 
-    def force(self, chain: Chain) -> FloatArray:
+    def force(self, chain: CurveChain) -> FloatArray:
         """Return A'y (m,); nothing moves a fixed value."""
         force = self.bound.copy()
         force[1:] += self.climb
@@ -282,7 +282,7 @@ class Push:
         force[chain.fixed] = 0.0
         return force
 
-    def price(self, chain: Chain, limits: Limits) -> float:
+    def price(self, chain: CurveChain, limits: Limits) -> float:
         """Return the sum of multiplier times limit, the term that the limits have in the Lagrange
         function (Boyd and Vandenberghe 2004, section 5.1.1).
         """
@@ -323,7 +323,7 @@ class Relaxation:
         return centres
 
 
-def no_push(chain: Chain) -> Push:
+def no_push(chain: CurveChain) -> Push:
     """Return multipliers that only close the curve, where it must be."""
     close = 0.0
     if chain.closed:
@@ -333,7 +333,7 @@ def no_push(chain: Chain) -> Push:
     return Push(climb=np.zeros(chain.span.size), bound=np.zeros(chain.diagonal.size), close=close)
 
 
-def relax(chain: Chain, push: Push) -> Relaxation:
+def relax(chain: CurveChain, push: Push) -> Relaxation:
     """Return the lower bound that ``push`` gives, but for the price of the limits (`priced`), which
     alone depends on them: the least of a quadratic Lagrange function (Boyd and Vandenberghe 2004,
     section 5.2.4).
@@ -349,12 +349,12 @@ def relax(chain: Chain, push: Push) -> Relaxation:
     )
 
 
-def priced(relaxation: Relaxation, push: Push, chain: Chain, limits: Limits) -> Relaxation:
+def priced(relaxation: Relaxation, push: Push, chain: CurveChain, limits: Limits) -> Relaxation:
     """Return the lower bound under ``limits``."""
     return replace(relaxation, base=relaxation.base - push.price(chain, limits))
 
 
-def limiting_push(chain: Chain, limits: Limits, constant_range: tuple[float, float]) -> Push:
+def limiting_push(chain: CurveChain, limits: Limits, constant_range: tuple[float, float]) -> Push:
     """Return multipliers near the best ones, from OSQP (Stellato et al., Mathematical Programming
     Computation 12, 2020). They need not be exact: every push gives a valid bound.
     """

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.fitting.problem import Layout
+from compwright.fitting.problem import UnknownsLayout
 from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity
@@ -16,7 +16,7 @@ from compwright.records.estimate import WantedCorrection
 
 
 def with_datum(
-    wanted: WantedCorrection, layout: Layout, capacity: Capacity
+    wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> tuple[WantedCorrection, tuple[Finding, ...]]:
     """Return ``wanted`` (totals, mm or deg) shifted so that the table of ``layout`` which comes
     closest to it is zero in the zero state, and what to say about the reference.
@@ -52,7 +52,7 @@ def _shifted(wanted: WantedCorrection, shift: float) -> WantedCorrection:
 
 
 def _beside_the_mean(
-    wanted: WantedCorrection, place: float, layout: Layout, capacity: Capacity
+    wanted: WantedCorrection, place: float, layout: UnknownsLayout, capacity: Capacity
 ) -> float:
     """Return by how much one curve with one reversal value lies beside what is wanted of the return
     direction at ``place``, mm or deg.

@@ -19,15 +19,15 @@ from compwright.fitting.datum import with_datum
 from compwright.fitting.endless import over_one_period
 from compwright.fitting.goals import Range, as_wish, best_for, mean_over
 from compwright.fitting.grid import choose_grid
-from compwright.fitting.held_grid import Grid
+from compwright.fitting.held_grid import HeldGrid
 from compwright.fitting.line import fit_line
 from compwright.fitting.losses import NOISE_SHARE
 from compwright.fitting.problem import (
     BOTH,
-    Layout,
     QuadraticProblem,
     Sampled,
     Shape,
+    UnknownsLayout,
     limited_range,
     sampled,
     state_problem,
@@ -184,20 +184,20 @@ def _shape(
     )
 
 
-def _layout(nodes: FloatArray, shape: Shape, capacity: Capacity, home: Direction) -> Layout:
+def _layout(nodes: FloatArray, shape: Shape, capacity: Capacity, home: Direction) -> UnknownsLayout:
     if capacity.curves == 2 and (shape == "bidirectional" or capacity.second_curve == "chosen"):
-        return Layout(nodes=nodes, shape=shape, reversal="free", home=home)
+        return UnknownsLayout(nodes=nodes, shape=shape, reversal="free", home=home)
     if capacity.backlash_quantum is None:
-        return Layout(nodes=nodes, shape=shape, reversal="none", home=home)
-    return Layout(nodes=nodes, shape=shape, reversal="backlash", home=home)
+        return UnknownsLayout(nodes=nodes, shape=shape, reversal="none", home=home)
+    return UnknownsLayout(nodes=nodes, shape=shape, reversal="backlash", home=home)
 
 
 def _whole_goal(
     goal: Range,
     usual: FittedTable,
     wanted: WantedCorrection,
-    grid: Grid,
-    layout: Layout,
+    grid: HeldGrid,
+    layout: UnknownsLayout,
     capacity: Capacity,
     aim: WantedCorrection,
 ) -> FittedTable:
@@ -242,7 +242,7 @@ class _Fit:
     """One fit: the sampled wish, where the unknowns stand, the limits; ``aim``: the wish."""
 
     data: Sampled
-    layout: Layout
+    layout: UnknownsLayout
     capacity: Capacity
     aim: WantedCorrection
 
@@ -331,7 +331,7 @@ def _rounded(x: FloatArray, fit: _Fit, address: str, wanted: WantedCorrection) -
     )
 
 
-def _as_unknowns(table: AxisCompensation, layout: Layout) -> FloatArray:
+def _as_unknowns(table: AxisCompensation, layout: UnknownsLayout) -> FloatArray:
     """Return the rounded table in the order of the unknowns."""
     own, other = table.curve(layout.home), table.curve(layout.home.opposite)
     if layout.shape == "bidirectional":
@@ -345,7 +345,7 @@ def _as_unknowns(table: AxisCompensation, layout: Layout) -> FloatArray:
 
 
 def _limits(
-    fit: _Fit, usual: _Best, best: _Best, table: AxisCompensation, grid: Grid
+    fit: _Fit, usual: _Best, best: _Best, table: AxisCompensation, grid: HeldGrid
 ) -> tuple[Limit, ...]:
     """Return what each limit of the control costs: the rms (mm or deg) over the travel and both
     directions that it adds. ``usual``: the table of least expected square.
@@ -377,7 +377,7 @@ def _limits(
     return worth_saying(costs, capacity.quantum)
 
 
-def _rounding_error(table: AxisCompensation, x: FloatArray, layout: Layout) -> float:
+def _rounding_error(table: AxisCompensation, x: FloatArray, layout: UnknownsLayout) -> float:
     """Return the largest change of a table value by rounding (mm or deg); the backlash value is not
     a table value.
     """

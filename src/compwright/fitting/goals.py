@@ -17,7 +17,7 @@ from typing import Final, Literal
 
 import numpy as np
 
-from compwright.fitting.problem import BOTH, Layout, QuadraticProblem, bends, hat_matrix
+from compwright.fitting.problem import BOTH, QuadraticProblem, UnknownsLayout, bends, hat_matrix
 from compwright.fitting.ranges import Deviations, product, solve_ranges
 from compwright.fitting.sparse import IntArray, SparseMatrix, entries, identity, stacked, sum_of
 from compwright.records.axis import Direction, FloatArray
@@ -38,7 +38,7 @@ Range = Literal["A", "E", "M"]
 def best_for(
     goal: Range,
     wanted: WantedCorrection,
-    layout: Layout,
+    layout: UnknownsLayout,
     capacity: Capacity,
     limits: QuadraticProblem,
     start: FloatArray,
@@ -79,7 +79,7 @@ def _halves(scenarios: Scenarios) -> tuple[IntArray, IntArray]:
     return np.flatnonzero(place % 2 == 0), np.flatnonzero(place % 2 == 1)
 
 
-def _smooth_changes(layout: Layout) -> SparseMatrix:
+def _smooth_changes(layout: UnknownsLayout) -> SparseMatrix:
     """Return the matrix (unknowns, changes) of straight pieces between few knots.
 
     A node that no target of the scenarios lies near could move freely, and one that a target lies
@@ -145,7 +145,7 @@ def mean_over(
 
 
 def as_wish(
-    x: FloatArray, layout: Layout, capacity: Capacity, wanted: WantedCorrection
+    x: FloatArray, layout: UnknownsLayout, capacity: Capacity, wanted: WantedCorrection
 ) -> WantedCorrection:
     """Return the curves of the unknowns ``x`` in place of what is ``wanted``: what a table of whole
     numbers then comes as close to as it can.
@@ -190,7 +190,7 @@ def _of_scenarios(
     goal: Range,
     wanted: WantedCorrection,
     scenarios: Scenarios,
-    layout: Layout,
+    layout: UnknownsLayout,
     capacity: Capacity,
 ) -> Deviations:
     where = scenarios.positions
@@ -218,7 +218,7 @@ def _of_scenarios(
 
 
 def _of_the_mean(
-    goal: Range, wanted: WantedCorrection, layout: Layout, capacity: Capacity
+    goal: Range, wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> Deviations:
     """Return the wanted curve as one test at its positions and at the nodes; where the control's
     value jumps both sides count.

@@ -13,10 +13,10 @@ import numpy as np
 
 from compwright.fitting.anchored import anchored_grids
 from compwright.fitting.automatic_grid import candidates_over, grid_chosen, most_points
-from compwright.fitting.held_grid import Grid, grid_of
+from compwright.fitting.held_grid import HeldGrid, grid_of
 from compwright.fitting.named_spacing import Span, spaced_as_named
 from compwright.fitting.standing import standing_nodes, too_close
-from compwright.fitting.steps import Candidate, whole
+from compwright.fitting.steps import GridCandidate, whole
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity
@@ -24,7 +24,7 @@ from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import TableRequest
 
 
-def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> Grid:
+def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> HeldGrid:
     """Return the nodes for a table: those that are in the control, where the job lets them stay.
 
     Raises CapacityError where the control cannot hold the asked grid (which limit, what would fit),
@@ -73,7 +73,7 @@ def possible_grids(
     else:
         pool, others = candidates_over(_span(wanted, capacity, request), capacity, wanted, most)
         grids = [*pool, *others]
-    by_count: dict[int, Candidate] = {}
+    by_count: dict[int, GridCandidate] = {}
     for one in grids:
         by_count.setdefault(one.count, one)
     return [by_count[count].nodes(capacity.position_quantum) for count in sorted(by_count)]
@@ -106,13 +106,13 @@ def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatAr
     return nodes
 
 
-def _kept(nodes: FloatArray, capacity: Capacity, wanted: WantedCorrection) -> Grid:
+def _kept(nodes: FloatArray, capacity: Capacity, wanted: WantedCorrection) -> HeldGrid:
     grid = grid_of(nodes, wanted, capacity)
     findings = (*grid.findings, *too_close(nodes, capacity, wanted.kind.unit))
     return replace(grid, findings=findings, kept=True)
 
 
-def _covering(grid: Grid, span: Span, capacity: Capacity) -> Grid:
+def _covering(grid: HeldGrid, span: Span, capacity: Capacity) -> HeldGrid:
     """Return the grid with the spacings beyond the travel that the control should have where the
     job left the ends open.
     """

@@ -31,7 +31,7 @@ _FOLLOW: Final = 2.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Grid:
+class HeldGrid:
     """``nodes`` (k,) mm or deg; ``wanted``: what is left to fit: of periods that the nodes do not
     hold only what they do hold.
 
@@ -128,20 +128,20 @@ def grid_of(
     *,
     loss: float = 0.0,
     finest: FloatArray | None = None,
-) -> Grid:
+) -> HeldGrid:
     """Return the grid of given nodes, with what they hold of short periods, and a finding where
     they leave of them more than nothing; ``loss``: rms that more points would save. ``finest``: the
     finest nodes that the control allows, where these were chosen among them.
     """
     lost = unheld(nodes, wanted.periods)
     if not lost:
-        return Grid(nodes=nodes, wanted=wanted, points_loss=loss)
+        return HeldGrid(nodes=nodes, wanted=wanted, points_loss=loss)
     held = held_part(nodes, wanted, capacity)
     whole = without_periods(wanted, lost)[1]
     rest = wanted.positive - np.interp(wanted.positions, held.positions, held.positive)
     left = float(np.sqrt(np.mean(rest**2)))
     found = _finding(nodes, wanted, capacity, (left, whole), finest)
-    return Grid(nodes=nodes, wanted=held, left_out=left, points_loss=loss, findings=(found,))
+    return HeldGrid(nodes=nodes, wanted=held, left_out=left, points_loss=loss, findings=(found,))
 
 
 def _finding(

@@ -23,8 +23,8 @@ from compwright.fitting.chain import (
     relax,
 )
 from compwright.fitting.lattice_part import (
-    Found,
-    Part,
+    LatticePart,
+    LatticeValues,
     best_of_part,
     binding,
     continuous_bound,
@@ -45,7 +45,7 @@ _MANY: Final = 200
 
 
 @dataclass(frozen=True, slots=True)
-class Solution:
+class LatticeSolution:
     """The best table: its parts, ``magnification``, ``objective`` (mean square), ``bound`` of it
     without whole numbers.
 
@@ -53,7 +53,7 @@ class Solution:
     is none.
     """
 
-    parts: tuple[Found, ...]
+    parts: tuple[LatticeValues, ...]
     magnification: int
     objective: float
     bound: float
@@ -61,20 +61,20 @@ class Solution:
 
 
 def best_totals(
-    parts: tuple[Part, ...],
+    parts: tuple[LatticePart, ...],
     *,
     unit: float,
     increments: tuple[int, int],
     magnifications: tuple[int, ...],
-) -> Solution | None:
+) -> LatticeSolution | None:
     """Return the exact optimum over whole totals, reversal values and magnifications; None: the
     limits allow no table.
 
     ``unit`` mm or deg; ``magnifications`` ascending. Of those that are equal within `EQUAL` the
     smallest is taken. Best bound first (branch and bound; Land and Doig, Econometrica 28, 1960).
     """
-    search = _Search(parts, unit, increments)
-    best: Solution | None = None
+    search = _LatticeSearch(parts, unit, increments)
+    best: LatticeSolution | None = None
     ceiling = search.first_ceiling(magnifications)
     bounds = [
         (-np.inf, one) for one in magnifications
@@ -101,13 +101,13 @@ def best_totals(
 
 
 def relaxed_bound(
-    parts: tuple[Part, ...], *, unit: float, increments: tuple[int, int], magnification: int
+    parts: tuple[LatticePart, ...], *, unit: float, increments: tuple[int, int], magnification: int
 ) -> float:
     """Return a lower bound of the objective under the limits, without whole numbers: the least
     value but for OSQP's accuracy (weak duality; Boyd and Vandenberghe, Convex Optimization, 2004,
     section 5.2.2). Square of mm or deg.
     """
-    return _Search(parts, unit, increments).without_whole_numbers(magnification)
+    return _LatticeSearch(parts, unit, increments).without_whole_numbers(magnification)
 
 
 def _tolerance(objective: float, unit: float) -> float:
@@ -115,7 +115,7 @@ def _tolerance(objective: float, unit: float) -> float:
 
 
 def _worth_a_look(
-    magnification: int, bound: float, ceiling: float, best: Solution | None, unit: float
+    magnification: int, bound: float, ceiling: float, best: LatticeSolution | None, unit: float
 ) -> bool:
     """Return whether a magnification may be better than the best one so far; a larger one must be
     so by more than the tolerance.
@@ -125,7 +125,7 @@ def _worth_a_look(
     return bound < best.objective - _tolerance(best.objective, unit)
 
 
-def _better(new: Solution, best: Solution | None, unit: float) -> bool:
+def _better(new: LatticeSolution, best: LatticeSolution | None, unit: float) -> bool:
     if best is None:
         return True
     tolerance = _tolerance(best.objective, unit)
@@ -154,12 +154,14 @@ class _Whole:
     relaxation: Relaxation
 
 
-class _Search:
+class _LatticeSearch:
     """Bounds and solutions of all parts. ``pushes`` grow as magnifications are looked at; each
     serves all magnifications.
     """
 
-    def __init__(self, parts: tuple[Part, ...], unit: float, increments: tuple[int, int]) -> None:
+    def __init__(
+        self, parts: tuple[LatticePart, ...], unit: float, increments: tuple[int, int]
+    ) -> None:
         self.parts, self.unit, self.increments = parts, unit, increments
         self.pushes: list[list[tuple[Push, Relaxation]]] = [[] for _ in parts]
         self.sharpened: set[int] = set()
@@ -171,7 +173,7 @@ class _Search:
     def _add(self, index: int, push: Push) -> None:
         self.pushes[index].append((push, relax(self.parts[index].chain, push)))
 
-    def limits(self, part: Part, magnification: int) -> Limits:
+    def limits(self, part: LatticePart, magnification: int) -> Limits:
         return part.limits(self.unit, magnification, self.increments)
 
     def relaxed(self, index: int, magnification: int) -> _Relaxed:
@@ -258,10 +260,10 @@ class _Search:
         self.sharpen(magnification)
         return sum(self.relaxed(index, magnification).least for index in range(len(self.parts)))
 
-    def shifts(self, part: Part, magnification: int) -> FloatArray:
+    def shifts(self, part: LatticePart, magnification: int) -> FloatArray:
         return part.shifts(self.unit, magnification)
 
-    def first_solution(self, index: int, magnification: int) -> Found | None:
+    def first_solution(self, index: int, magnification: int) -> LatticeValues | None:
         """Return some solution of one part: the relaxed one rounded, or the best near it."""
         part, limits = self.parts[index], self.limits(self.parts[index], magnification)
         relaxation = self.relaxed(index, magnification).relaxation
@@ -270,13 +272,13 @@ class _Search:
         )
         return first_of_part(part, relaxation, limits, variants.take(slice(0, 1)))
 
-    def solve(self, magnification: int, ceiling: float) -> Solution | None:
+    def solve(self, magnification: int, ceiling: float) -> LatticeSolution | None:
         """Return the best solution at one magnification; None: there is none of value ``ceiling``
         or less.
         """
         relaxed = [self.relaxed(index, magnification) for index in range(len(self.parts))]
         least = [one.least for one in relaxed]
-        found: list[Found] = []
+        found: list[LatticeValues] = []
         for index, part in enumerate(self.parts):
             others = sum(one.objective for one in found) + sum(least[index + 1 :])
             one = best_of_part(
@@ -289,6 +291,6 @@ class _Search:
             if one is None:
                 return None
             found.append(one)
-        return Solution(
+        return LatticeSolution(
             tuple(found), magnification, sum(one.objective for one in found), sum(least), None
         )

@@ -25,7 +25,7 @@ from typing import Final
 import numpy as np
 
 from compwright.fitting.chain import (
-    Chain,
+    CurveChain,
     Limits,
     Relaxation,
 )
@@ -42,7 +42,7 @@ _LANES: Final = 16
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Part:
+class LatticePart:
     """One curve of the table.
 
     ``constant``: the reversal value is ``sign * step * B`` with whole B between the limits: (sign *
@@ -51,7 +51,7 @@ class Part:
     zero. ``magnified``: the offset counts in magnified units.
     """
 
-    chain: Chain
+    chain: CurveChain
     low: float
     high: float
     constant: tuple[float, int, int] | None = None
@@ -103,7 +103,7 @@ class Variants:
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class LatticeValues:
     """Values of one part: whole ``totals`` (m,), the ``shift`` (mm or deg), the reversal's whole
     ``count``; ``objective`` f.
     """
@@ -114,12 +114,12 @@ class Found:
     objective: float
 
 
-def continuous_bound(part: Part, relaxation: Relaxation) -> float:
+def continuous_bound(part: LatticePart, relaxation: Relaxation) -> float:
     """Return the lower bound without whole numbers: the least over all reversal values."""
     return float(relaxation.bound(np.array([_best_distance(part, relaxation)]))[0])
 
 
-def _best_distance(part: Part, relaxation: Relaxation) -> float:
+def _best_distance(part: LatticePart, relaxation: Relaxation) -> float:
     """Return the reversal value of the least bound, less that of the chain's optimum."""
     if part.constant is None:
         return 0.0
@@ -128,7 +128,7 @@ def _best_distance(part: Part, relaxation: Relaxation) -> float:
     return float(min(max(relaxation.tilt / relaxation.curve, low - here), high - here))
 
 
-def binding(part: Part, relaxation: Relaxation, limits: Limits) -> bool:
+def binding(part: LatticePart, relaxation: Relaxation, limits: Limits) -> bool:
     """Return whether the least of a relaxation breaks a limit."""
     values = relaxation.centres(np.array([_best_distance(part, relaxation)]))[0]
     steps, dust = np.diff(values) / (limits.step * part.chain.span), 1e-4
@@ -140,7 +140,7 @@ def binding(part: Part, relaxation: Relaxation, limits: Limits) -> bool:
     return bool(climbs or np.any(outside))
 
 
-def counts_within(part: Part, relaxation: Relaxation, room: float) -> IntArray:
+def counts_within(part: LatticePart, relaxation: Relaxation, room: float) -> IntArray:
     """Return the whole reversal values whose bound may lie within ``room``; for infinite room those
     next to the best one.
     """
@@ -163,7 +163,7 @@ def counts_within(part: Part, relaxation: Relaxation, room: float) -> IntArray:
 
 
 def variants_within(
-    part: Part, relaxation: Relaxation, limits: Limits, shifts: FloatArray, room: float
+    part: LatticePart, relaxation: Relaxation, limits: Limits, shifts: FloatArray, room: float
 ) -> Variants:
     """Return what is to be tried where no solution may exceed ``room``, the most promising
     first.
@@ -191,7 +191,7 @@ def roomy(room: float) -> float:
     return room + _DUST_SHARE * abs(room)
 
 
-def _whole(chain: Chain, centres: FloatArray, shift: float, step: float) -> FloatArray:
+def _whole(chain: CurveChain, centres: FloatArray, shift: float, step: float) -> FloatArray:
     """Return what whole numbers cost at least (n,): see the module docstring."""
     counted = (centres - shift) / step
     distance = np.where(chain.fixed, 0.0, (counted - np.round(counted)) * step)
@@ -200,8 +200,8 @@ def _whole(chain: Chain, centres: FloatArray, shift: float, step: float) -> Floa
 
 
 def best_of_part(
-    part: Part, relaxation: Relaxation, limits: Limits, shifts: FloatArray, ceiling: float
-) -> Found | None:
+    part: LatticePart, relaxation: Relaxation, limits: Limits, shifts: FloatArray, ceiling: float
+) -> LatticeValues | None:
     """Return the best solution of one part with value ``ceiling`` or less."""
     nearest = variants_within(part, relaxation, limits, shifts, np.inf).take(slice(0, 1))
     best = first_of_part(part, relaxation, limits, nearest)
@@ -218,8 +218,8 @@ def best_of_part(
 
 
 def first_of_part(
-    part: Part, relaxation: Relaxation, limits: Limits, variant: Variants
-) -> Found | None:
+    part: LatticePart, relaxation: Relaxation, limits: Limits, variant: Variants
+) -> LatticeValues | None:
     """Return a solution for one variant: its relaxed values rounded and swept into the limits, else
     the best near them.
     """
@@ -237,7 +237,7 @@ def first_of_part(
         objective = chain.value(
             totals * limits.step + shift, chain.constant + float(variant.distance[0])
         )
-        return Found(totals.astype(np.int64), shift, int(variant.count[0]), objective)
+        return LatticeValues(totals.astype(np.int64), shift, int(variant.count[0]), objective)
     for half in _FIRST_WINDOWS:
         near_low = np.maximum(low, np.floor(counted - half)) if np.isfinite(half) else low
         near_high = np.minimum(high, np.ceil(counted + half)) if np.isfinite(half) else high
@@ -248,7 +248,7 @@ def first_of_part(
 
 
 def _allowed(
-    chain: Chain, limits: Limits, totals: FloatArray, low: FloatArray, high: FloatArray
+    chain: CurveChain, limits: Limits, totals: FloatArray, low: FloatArray, high: FloatArray
 ) -> bool:
     steps = np.diff(totals)
     climbs = (steps >= limits.increments[0] * chain.span) & (
@@ -258,7 +258,7 @@ def _allowed(
     return bool(closes and np.all(climbs) and np.all((totals >= low) & (totals <= high)))
 
 
-def _swept(chain: Chain, limits: Limits, totals: FloatArray, anchor: int) -> FloatArray:
+def _swept(chain: CurveChain, limits: Limits, totals: FloatArray, anchor: int) -> FloatArray:
     """Return ``totals`` (m,) with every increment within its limits, from the reference outward;
     what is within them stays.
     """
@@ -277,7 +277,7 @@ def _swept(chain: Chain, limits: Limits, totals: FloatArray, anchor: int) -> Flo
     return totals
 
 
-def _ends(chain: Chain, limits: Limits, shift: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _ends(chain: CurveChain, limits: Limits, shift: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return least and largest totals (n, m) by the value range; zero where the value is fixed."""
     low = np.ceil((limits.low - shift[:, np.newaxis]) / limits.step - _DUST)
     high = np.floor((limits.high - shift[:, np.newaxis]) / limits.step + _DUST)
@@ -285,8 +285,8 @@ def _ends(chain: Chain, limits: Limits, shift: FloatArray) -> tuple[FloatArray, 
 
 
 def _within(
-    part: Part, relaxation: Relaxation, limits: Limits, variants: Variants, ceiling: float
-) -> Found | None:
+    part: LatticePart, relaxation: Relaxation, limits: Limits, variants: Variants, ceiling: float
+) -> LatticeValues | None:
     """Return the best solution of ``variants`` with value ``ceiling`` or less, from windows that
     hold every such one (Fincke and Pohst 1985).
     """
@@ -302,8 +302,8 @@ def _within(
 
 
 def _search_windows(
-    part: Part, limits: Limits, variants: Variants, low: FloatArray, high: FloatArray
-) -> Found | None:
+    part: LatticePart, limits: Limits, variants: Variants, low: FloatArray, high: FloatArray
+) -> LatticeValues | None:
     """Return the best solution with totals between ``low`` and ``high`` (n, m), one lane for each
     variant.
     """
@@ -314,7 +314,7 @@ def _search_windows(
         lanes, low, high = closed_lanes(lanes, low, high)
     else:
         low, high = low[lanes], high[lanes]
-    best: Found | None = None
+    best: LatticeValues | None = None
     for start in range(0, lanes.size, _LANES):
         some = lanes[start : start + _LANES]
         distance, shift = variants.distance[some], variants.shift[some]
@@ -329,7 +329,7 @@ def _search_windows(
         values = chain.least + left * distance**2 + limits.step**2 * costs
         lane = int(np.argmin(values))
         if np.isfinite(values[lane]) and (best is None or values[lane] < best.objective):
-            best = Found(
+            best = LatticeValues(
                 totals[lane],
                 float(shift[lane]),
                 int(variants.count[some[lane]]),

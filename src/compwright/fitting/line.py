@@ -36,7 +36,7 @@ def fit_line(
     CapacityError where the job asks for the grid of a table.
     """
     _refuse_grid(request, capacity)
-    line = _Line(wanted)
+    line = _FittedLine(wanted)
     slope, backlash = line.best(quantum, capacity)
     home = wanted.reference_return
     reversal = home.opposite.sign * backlash
@@ -89,7 +89,7 @@ def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
     )
 
 
-class _Line:
+class _FittedLine:
     """The mean square of datum + slope * x + reversal - wanted; the datum is free: it moves the
     axis' zero, not its errors.
     """
@@ -164,7 +164,7 @@ def reversal_range(capacity: Capacity, sign: int) -> tuple[float, float]:
 
 
 def _limits(
-    line: _Line, capacity: Capacity, quantum: float, held: tuple[float, float]
+    line: _FittedLine, capacity: Capacity, quantum: float, held: tuple[float, float]
 ) -> tuple[Limit, ...]:
     anything = (-np.inf, np.inf)
     own = reversal_range(capacity, line.wanted.reference_return.opposite.sign)

@@ -125,7 +125,7 @@ def quadrature(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Layout:
+class UnknownsLayout:
     """Where the unknowns stand: the curve of the return direction first, then the other's curve or
     the constant between them.
 
@@ -189,7 +189,7 @@ class Sampled:
     matrix: SparseMatrix
     wanted: Mapping[Direction, FloatArray]
 
-    def mean_square(self, layout: Layout, x: FloatArray) -> float:
+    def mean_square(self, layout: UnknownsLayout, x: FloatArray) -> float:
         """Return the mean over points and directions of (held - wanted)^2 for the unknowns
         ``x`` (layout.size,), mm or deg; the result in their square.
         """
@@ -234,7 +234,7 @@ def limited_range(capacity: Capacity) -> tuple[float, float]:
 
 def state_problem(
     data: Sampled,
-    layout: Layout,
+    layout: UnknownsLayout,
     capacity: Capacity,
     reference: float,
     *,
@@ -263,7 +263,7 @@ def state_problem(
     )
 
 
-def _objective(data: Sampled, layout: Layout) -> tuple[SparseMatrix, FloatArray, float]:
+def _objective(data: Sampled, layout: UnknownsLayout) -> tuple[SparseMatrix, FloatArray, float]:
     k = layout.nodes.size
     square = (layout.size, layout.size)
     tie = differences(k).gram(np.full(k - 1, TIE / k))
@@ -280,7 +280,7 @@ def _objective(data: Sampled, layout: Layout) -> tuple[SparseMatrix, FloatArray,
 
 
 def _limits(
-    layout: Layout, capacity: Capacity, reference: float
+    layout: UnknownsLayout, capacity: Capacity, reference: float
 ) -> list[tuple[str, SparseMatrix, float, float]]:
     """Return name, rows, lower and upper bound of every group of limits: ``reference`` and
     ``period`` (equalities), ``value range``, ``backlash range``.

@@ -35,7 +35,7 @@ _SOLVED: Final = "solved"
 
 
 @dataclass(frozen=True, slots=True)
-class Solution:
+class SolvedUnknowns:
     """Unknowns ``x``, multipliers ``y`` of the limits, and the certificate."""
 
     x: FloatArray
@@ -43,7 +43,7 @@ class Solution:
     certificate: dict[str, float]
 
 
-def solve_quadratic(problem: QuadraticProblem) -> Solution:
+def solve_quadratic(problem: QuadraticProblem) -> SolvedUnknowns:
     """Return the certified optimum (conditions of Karush, Kuhn and Tucker: Boyd and Vandenberghe,
     Convex Optimization, 2004, section 5.5.3). Raises CapacityError where there is none or the
     certificate fails.
@@ -64,14 +64,14 @@ def load_solver() -> None:
     import osqp  # noqa: F401
 
 
-def _certified(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> Solution:
+def _certified(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> SolvedUnknowns:
     proof = certificate(problem, x, y)
     worst = max(proof, key=lambda name: proof[name])
     if not proof[worst] <= CERTIFIED:
         raise no_solution(
             "the solution does not pass its certificate", f"{worst} missed by {proof[worst]:.3g}"
         )
-    return Solution(x=x, y=y, certificate=proof)
+    return SolvedUnknowns(x=x, y=y, certificate=proof)
 
 
 def no_solution(message: str, found: str) -> CapacityError:

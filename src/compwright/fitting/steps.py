@@ -62,7 +62,7 @@ def own_steps(capacity: Capacity) -> frozenset[int]:
 
 
 @dataclass(frozen=True, slots=True)
-class Candidate:
+class GridCandidate:
     """An equally spaced grid in quanta of the position from ``origin`` (mm or deg); ``last`` cuts
     the last section short.
     """

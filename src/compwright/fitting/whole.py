@@ -10,11 +10,11 @@ from typing import Final
 import numpy as np
 
 from compwright.fitting.certify import lattice_certificate, settled_proof
-from compwright.fitting.chain import Chain, Wish, build_chain, no_push, relax
+from compwright.fitting.chain import CurveChain, Wish, build_chain, no_push, relax
 from compwright.fitting.datum import zero_in_the_zero_state
-from compwright.fitting.held_grid import Grid
-from compwright.fitting.lattice import Solution, best_totals, relaxed_bound
-from compwright.fitting.lattice_part import Part
+from compwright.fitting.held_grid import HeldGrid
+from compwright.fitting.lattice import LatticeSolution, best_totals, relaxed_bound
+from compwright.fitting.lattice_part import LatticePart
 from compwright.fitting.problem import Rows, Shape, quadrature, rows_at
 from compwright.fitting.remarks import added, edge_findings, loss_findings, small, worth_saying
 from compwright.foundations.errors import CapacityError, Fault
@@ -62,13 +62,13 @@ class WholeFit:
         aims = np.interp(self.points, self.aim.positions, self.aim.total(direction))
         return Wish(rows=self.rows, weights=self.weights, aims=aims, constant=constant)
 
-    def single(self, *, reversal: bool) -> Chain:
+    def single(self, *, reversal: bool) -> CurveChain:
         """Return the one curve for both directions, with a constant between them or none."""
         home = self.aim.reference_return
         wishes = (self.wish(home), self.wish(home.opposite, constant=reversal))
         return build_chain(wishes, self.nodes.size, fixed=self.fixed, kept=(), closed=False)
 
-    def home_curve(self) -> Chain:
+    def home_curve(self) -> CurveChain:
         """Return the curve of the return direction alone."""
         return build_chain(
             (self.wish(self.aim.reference_return),),
@@ -78,7 +78,7 @@ class WholeFit:
             closed=False,
         )
 
-    def other_curve(self, *, free: bool) -> Chain:
+    def other_curve(self, *, free: bool) -> CurveChain:
         """Return the other direction's curve; its value at the reference is free, or zero."""
         wishes = (self.wish(self.aim.reference_return.opposite),)
         endless = self.capacity.period is not None
@@ -86,7 +86,7 @@ class WholeFit:
             return build_chain(wishes, self.nodes.size, fixed=self.fixed, kept=(), closed=False)
         return build_chain(wishes, self.nodes.size, fixed=(), kept=(self.anchor,), closed=endless)
 
-    def parts(self) -> tuple[Part, ...]:
+    def parts(self) -> tuple[LatticePart, ...]:
         """Return the curves with the control's limits."""
         if self.shape == "single":
             constant = self._constant()
@@ -101,9 +101,9 @@ class WholeFit:
             ),
         )
 
-    def _part(self, chain: Chain) -> Part:
+    def _part(self, chain: CurveChain) -> LatticePart:
         low, high = self.capacity.value_range
-        return Part(
+        return LatticePart(
             chain=chain, low=low, high=high, anchor=int(np.searchsorted(chain.kept, self.anchor))
         )
 
@@ -138,12 +138,12 @@ class WholeFit:
         return {"two tables": free, "one table": with_constant, "own": own}
 
 
-def _free(chain: Chain) -> float:
+def _free(chain: CurveChain) -> float:
     return relax(chain, no_push(chain)).base
 
 
 def fit_whole(
-    grid: Grid,
+    grid: HeldGrid,
     aim: WantedCorrection,
     shape: Shape,
     capacity: Capacity,
@@ -204,7 +204,7 @@ def fit_whole(
 
 
 def _table(
-    fit: WholeFit, parts: tuple[Part, ...], solution: Solution, address: str
+    fit: WholeFit, parts: tuple[LatticePart, ...], solution: LatticeSolution, address: str
 ) -> AxisCompensation:
     step = solution.magnification * fit.lattice.unit
     curves = [
@@ -235,7 +235,7 @@ def _table(
 
 
 def _limits(
-    fit: WholeFit, parts: tuple[Part, ...], solution: Solution, grid: Grid
+    fit: WholeFit, parts: tuple[LatticePart, ...], solution: LatticeSolution, grid: HeldGrid
 ) -> tuple[Limit, ...]:
     """Return what each limit costs; costs add as squares, each is the root of a difference of two
     mean squares.
@@ -263,7 +263,7 @@ def _limits(
 
 
 def _magnification_finding(
-    solution: Solution, lattice: Lattice, aim: WantedCorrection
+    solution: LatticeSolution, lattice: Lattice, aim: WantedCorrection
 ) -> tuple[Finding, ...]:
     if len(lattice.magnifications) < 2:
         return ()
@@ -303,7 +303,7 @@ def goal_finding(goal: Goal, why: str) -> tuple[Finding, ...]:
 
 
 def whole_table(
-    grid: Grid,
+    grid: HeldGrid,
     aim: WantedCorrection,
     mode: tuple[Shape, str],
     capacity: Capacity,

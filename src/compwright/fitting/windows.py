@@ -11,13 +11,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from compwright.fitting.chain import Chain, Limits
+from compwright.fitting.chain import CurveChain, Limits
 from compwright.fitting.sparse import IntArray
 from compwright.records.axis import FloatArray
 
 
 def reachable(
-    chain: Chain, limits: Limits, low: FloatArray, high: FloatArray
+    chain: CurveChain, limits: Limits, low: FloatArray, high: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Return the windows ``low`` to ``high`` (n, m), in steps, without totals that no increments
     reach from the neighbours' windows.
@@ -52,7 +52,7 @@ def closed_lanes(
 
 
 def cheapest(
-    chain: Chain, limits: Limits, targets: FloatArray, low: IntArray, high: IntArray
+    chain: CurveChain, limits: Limits, targets: FloatArray, low: IntArray, high: IntArray
 ) -> tuple[FloatArray, IntArray]:
     """Return the least (T - target)'H(T - target)/2 (n,) over totals in the windows (n, m), and the
     totals (n, m).
@@ -93,7 +93,7 @@ def cheapest(
 
 
 def _arrive(
-    chain: Chain,
+    chain: CurveChain,
     limits: Limits,
     node: int,
     window: tuple[int, int, int],

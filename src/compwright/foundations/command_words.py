@@ -2,10 +2,11 @@
 c``.
 
 The words behind such an option are its values up to the next option; the first may be set off by
-``=``. Three things hold words back from it: what does not look like a value of it (`Form.more`),
-``--``, and the files that the command itself still lacks. Where these stand nowhere else, the one
-word with the ending of such a file is it; else they are the last words behind the last such option
-with files: one word for one file, all but the first where the command takes many.
+``=``. Three things hold words back from it: what does not look like a value of it
+(`OptionForm.more`), ``--``, and the files that the command itself still lacks. Where these stand
+nowhere else, the one word with the ending of such a file is it; else they are the last words behind
+the last such option with files: one word for one file, all but the first where the command takes
+many.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class Form:
+class OptionForm:
     """How an option is written. ``several``: it takes several values; ``more``: whether a word may
     follow a value of it; ``files``: its values are files.
     """
@@ -38,7 +39,7 @@ class Own:
     endings: tuple[str, ...] = ()
 
 
-def spread(words: Sequence[str], options: Mapping[str, Form], own: Own) -> list[str]:
+def spread(words: Sequence[str], options: Mapping[str, OptionForm], own: Own) -> list[str]:
     """Return ``words`` with the files of the command first and each value behind an option of its
     own.
     """
@@ -67,7 +68,7 @@ def _held_back(given: Sequence[str], further: Sequence[range], own: Own) -> Sequ
 
 
 def _sorted(
-    words: Sequence[str], options: Mapping[str, Form]
+    words: Sequence[str], options: Mapping[str, OptionForm]
 ) -> tuple[list[str], list[str], list[range]]:
     """Return options with their values, the files, and for each option with several files the
     places of those behind the first.
@@ -98,7 +99,7 @@ def _sorted(
     return given, files, further
 
 
-def _set_off(word: str, options: Mapping[str, Form], left: list[str]) -> str:
+def _set_off(word: str, options: Mapping[str, OptionForm], left: list[str]) -> str:
     """Return the option of a word such as ``--state=a``, its value put in front of what is
     ``left``; any other word as it is.
     """

@@ -1,7 +1,7 @@
 """Records from mappings: the types of a record's fields are its schema for pydantic.
 
-A `Form` says where the mapping is written otherwise. Lists give tuples, words give members of an
-enumeration; apart from that no value is converted.
+A `RecordForm` says where the mapping is written otherwise. Lists give tuples, words give members of
+an enumeration; apart from that no value is converted.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Rules = Mapping[type, Callable[[Any], Iterator[str]]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Form:
+class RecordForm:
     """How the mapping of a record is written where it is not simply field by field.
 
     ``keys``: the key of a field that is called otherwise. ``absent``: keys that may be missing.
@@ -82,7 +82,7 @@ class RecordSchemas:
     """
 
     def __init__(
-        self, forms: Mapping[type, Form], rules: Rules, plain: Mapping[Any, cs.CoreSchema]
+        self, forms: Mapping[type, RecordForm], rules: Rules, plain: Mapping[Any, cs.CoreSchema]
     ) -> None:
         self._forms, self._rules, self._plain = forms, rules, plain
         self._records: dict[str, cs.CoreSchema | None] = {}
@@ -134,7 +134,7 @@ class RecordSchemas:
         ref = f"{cls.__module__}.{cls.__qualname__}"
         if ref not in self._records:
             self._records[ref] = None  # a record may hold others of its class
-            self._records[ref] = self._mapping(cls, self._forms.get(cls, Form()), ref)
+            self._records[ref] = self._mapping(cls, self._forms.get(cls, RecordForm()), ref)
         return cs.definition_reference_schema(ref)
 
     def _by_name(self, key: Any, value: Any) -> cs.CoreSchema:
@@ -143,14 +143,14 @@ class RecordSchemas:
 
     def named(self, cls: Any, schema: cs.CoreSchema) -> cs.CoreSchema:
         """Return the schema of a mapping whose records of ``cls`` bear the names of its keys."""
-        name = self._forms.get(cls, Form()).named if isinstance(cls, type) else ""
+        name = self._forms.get(cls, RecordForm()).named if isinstance(cls, type) else ""
         if not name:
             return schema
         return cs.no_info_after_validator_function(
             lambda found: {key: replace(one, **{name: key}) for key, one in found.items()}, schema
         )
 
-    def _mapping(self, cls: Any, form: Form, ref: str) -> cs.CoreSchema:
+    def _mapping(self, cls: Any, form: RecordForm, ref: str) -> cs.CoreSchema:
         types_of = get_type_hints(cls)
         hints = {one.name: types_of[one.name] for one in fields(cls)} | dict(form.types)
         apart = {one for keys in form.nested.values() for one in keys.values()}

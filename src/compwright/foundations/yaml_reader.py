@@ -52,7 +52,7 @@ class YamlDocument:
 _LONE_SURROGATE = re.compile("[\ud800-\udfff]")  # cannot be written to any file or terminal
 
 
-class _Loader(yaml.SafeLoader):
+class _StrictLoader(yaml.SafeLoader):
     """A safe loader with the narrow scalar rules above, for plain data only."""
 
     def __init__(self, text: str, file: str) -> None:
@@ -85,7 +85,7 @@ class _Loader(yaml.SafeLoader):
         raise InputError(Fault(message=message, file=self.file, place=place, expected=expected))
 
 
-_Loader.yaml_implicit_resolvers = {}
+_StrictLoader.yaml_implicit_resolvers = {}
 _SCALARS = (
     ("tag:yaml.org,2002:null", r"^(?:~|null|)$", ["~", "n", ""]),
     ("tag:yaml.org,2002:bool", r"^(?:true|false)$", list("tf")),
@@ -97,15 +97,15 @@ _SCALARS = (
     ),
 )
 for _tag, _pattern, _first in _SCALARS:
-    _Loader.add_implicit_resolver(_tag, re.compile(_pattern), _first)
+    _StrictLoader.add_implicit_resolver(_tag, re.compile(_pattern), _first)
 
 
-class _Reader:
+class _YamlReader:
     def __init__(self, file: str) -> None:
         self.file = file
         self.lines: dict[KeyPath, int] = {}
         self.faults: list[Fault] = []
-        self.loader = _Loader("", file)
+        self.loader = _StrictLoader("", file)
 
     def value(self, node: yaml.Node, path: KeyPath) -> Any:
         if isinstance(node, yaml.MappingNode):
@@ -175,10 +175,10 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
     """
     text = _decoded(content, file)
     try:
-        node = _Loader(text, file).get_single_node()
+        node = _StrictLoader(text, file).get_single_node()
         if node is None:
             raise InputError(Fault(message="is empty", file=file, expected="a YAML document"))
-        reader = _Reader(file)
+        reader = _YamlReader(file)
         data = reader.value(node, ())
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark

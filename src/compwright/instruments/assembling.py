@@ -22,7 +22,7 @@ _MOST_ONE_SIDED = 0.25
 
 
 @dataclass(frozen=True, slots=True)
-class Grid:
+class ReadingGrid:
     """The readings as arrays: ``targets`` (m,) ascending; per direction ``deviations`` (m, n), NaN
     for none, and ``runs`` (n,).
 
@@ -41,7 +41,7 @@ def as_text(position: float) -> str:
     return f"{position:.10g}"
 
 
-def grid_of(readings: Readings, kind: AxisKind, faults: FaultList) -> Grid:
+def grid_of(readings: Readings, kind: AxisKind, faults: FaultList) -> ReadingGrid:
     """Return the readings as arrays, in any order given.
 
     Raises InputError (with the faults noted before) when there are no readings or too many, a
@@ -69,7 +69,7 @@ def grid_of(readings: Readings, kind: AxisKind, faults: FaultList) -> Grid:
         block = np.full((targets.size, numbers.size), np.nan)
         block[rows[ours], columns] = readings.deviations[ours]
         deviations[direction], runs[direction] = block, tuple(numbers.tolist())
-    return Grid(targets, deviations, runs, tuple(one_sided.values()))
+    return ReadingGrid(targets, deviations, runs, tuple(one_sided.values()))
 
 
 def _check_unique(readings: Readings, kind: AxisKind, faults: FaultList) -> None:

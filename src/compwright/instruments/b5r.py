@@ -66,7 +66,7 @@ class _Spec:
 
 
 @dataclass(frozen=True, slots=True)
-class _Run:
+class _FeedRun:
     """A run and its true feed (mm/min), None when the file does not say the sample rate; ``stray``:
     samples beside the rule.
     """
@@ -208,8 +208,8 @@ def _plane(bar: Element, faults: FaultList) -> tuple[str, tuple[str, str]]:
     return plane, letters
 
 
-def _runs(elements: Sequence[Element], spec: _Spec, faults: FaultList) -> list[_Run]:
-    runs: list[_Run] = []
+def _runs(elements: Sequence[Element], spec: _Spec, faults: FaultList) -> list[_FeedRun]:
+    runs: list[_FeedRun] = []
     for element in elements:
         text, place = text_of(element, faults, "RUN_DIRECTION")
         sense = _SENSES.get(text.upper())
@@ -229,7 +229,7 @@ def _runs(elements: Sequence[Element], spec: _Spec, faults: FaultList) -> list[_
 
 def _run(
     element: Element, sense: Sense, number: int, spec: _Spec, faults: FaultList
-) -> _Run | None:
+) -> _FeedRun | None:
     """Return one run: sample k of N at start + (k + 1/2) extent/N for ccw, at the end minus that
     for cw (deg).
     """
@@ -266,7 +266,7 @@ def _run(
         if rate is None
         else 60.0 * 2.0 * math.pi * spec.length * (spec.extent / 360.0) / count * rate
     )
-    return _Run(run, feed, stray)
+    return _FeedRun(run, feed, stray)
 
 
 def _readings(element: Element, faults: FaultList) -> FloatArray | None:
@@ -333,7 +333,7 @@ def _indices(
 
 
 def _findings(
-    bar: Element, elements: Sequence[Element], spec: _Spec, runs: Sequence[_Run], feed: float
+    bar: Element, elements: Sequence[Element], spec: _Spec, runs: Sequence[_FeedRun], feed: float
 ) -> list[Finding]:
     findings = []
     coefficient = (bar.first("TEMP_MATERIAL_COEFFICIENT") or bar).text
@@ -386,7 +386,7 @@ def _elsewhere(root: Element, elements: Sequence[Element]) -> list[Finding]:
     return [] if finding is None else [finding]
 
 
-def _stray_finding(run: _Run) -> Finding:
+def _stray_finding(run: _FeedRun) -> Finding:
     return Finding(
         "CW-R032",
         "warning",

@@ -29,7 +29,7 @@ from compwright.instruments.csv_table import (
     CIRCULAR_COLUMNS,
     CIRCULAR_VALUES,
     INCHES,
-    Table,
+    CsvTable,
     in_inches,
     read_table,
     split_lines,
@@ -247,7 +247,7 @@ def centre_of(text: str) -> tuple[float, ...] | None:
     return numbers if len(numbers) in {2, 3} else None
 
 
-def _value_column(table: Table, faults: FaultList) -> str:
+def _value_column(table: CsvTable, faults: FaultList) -> str:
     """Return the column that holds the samples. Raises InputError when a column is missing: every
     row would repeat it.
     """
@@ -287,7 +287,7 @@ def _value_column(table: Table, faults: FaultList) -> str:
 
 
 def _samples(
-    table: Table, value: str, marks: DecimalMarks, faults: FaultList
+    table: CsvTable, value: str, marks: DecimalMarks, faults: FaultList
 ) -> dict[tuple[Sense, int], _Samples]:
     """Return the rows by direction and run."""
     _check_size(table, faults)
@@ -328,7 +328,7 @@ def _samples(
     return samples
 
 
-def _check_size(table: Table, faults: FaultList) -> None:
+def _check_size(table: CsvTable, faults: FaultList) -> None:
     if len(table.lines) > MOST_READINGS:
         faults.add(
             "holds too many samples",

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from compwright.instruments.fault_list import FaultList, shown
-from compwright.instruments.spans import Span, Spans, by_key, whole
+from compwright.instruments.spans import Spans, TextSpan, by_key, whole
 from compwright.records.positioning import Cycle
 
 #: Keys that decide how a file is understood: they may not contradict themselves.
@@ -97,7 +97,7 @@ def spans_in_comment(text: str) -> Spans:
     meaning = KEYS.get(plain_key(match["key"])) if match is not None else None
     if match is None or meaning is None:
         return whole(text, "remark")
-    return Span(*match.span("key"), "key"), Span(match.start("value"), len(text), meaning)
+    return TextSpan(*match.span("key"), "key"), TextSpan(match.start("value"), len(text), meaning)
 
 
 def read_comments(

@@ -26,7 +26,7 @@ from compwright.instruments.parsed import Parsed
 from compwright.instruments.reading_findings import stray_finding
 from compwright.instruments.readings import readings_at
 from compwright.instruments.sections import Line
-from compwright.instruments.spans import Span, Spans, by_key, whole
+from compwright.instruments.spans import Spans, TextSpan, by_key, whole
 from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction
 
@@ -89,8 +89,8 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
             key = match["key"].lower()
             rows = rows or key == _OUTPUT
             yield (
-                Span(*match.span("key"), "key"),
-                Span(match.start("value"), len(line), KEYS[key]),
+                TextSpan(*match.span("key"), "key"),
+                TextSpan(match.start("value"), len(line), KEYS[key]),
             )
         elif _header(line.strip()):
             rows = True

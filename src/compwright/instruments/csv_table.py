@@ -69,7 +69,7 @@ INCHES = (
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class CsvTable:
     """``columns`` are the names as `column_name` gives them; ``line`` is that of the header row.
 
     The rows stand column by column, for there may be a million: ``lines`` of the file, and for each
@@ -229,7 +229,7 @@ def header_names(header: str) -> tuple[str, list[str], int]:
     return best
 
 
-def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> Table:
+def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> CsvTable:
     """Return header row and rows. ``lines`` are the lines of the file that are neither blank nor
     comments, the header first.
 
@@ -257,14 +257,14 @@ def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> Table:
                 found=shown(name),
             )
     at, cells = _rows(lines[1:], delimiter, columns, faults)
-    return _without_unnamed(Table(delimiter, number, columns, at, cells), faults)
+    return _without_unnamed(CsvTable(delimiter, number, columns, at, cells), faults)
 
 
 def _rows(
     lines: Iterable[tuple[int, str]], delimiter: str, columns: Sequence[str], faults: FaultList
 ) -> tuple[Sequence[int], tuple[Sequence[str], ...]]:
     """Return the lines of the rows and the cells of each column."""
-    found = Gathered(len(columns))
+    found = GatheredRows(len(columns))
     for number, line in lines:
         cells = row_cells(line, delimiter)
         if cells is None:
@@ -283,7 +283,7 @@ def _rows(
     return found.lines, found.columns()
 
 
-class Gathered:
+class GatheredRows:
     """Rows on their way into columns, some thousand at a time."""
 
     def __init__(self, width: int) -> None:
@@ -332,7 +332,7 @@ def _is_number_or_sign(text: str) -> bool:
     return text in {"", "+", "-"} or is_number(text)
 
 
-def _without_unnamed(table: Table, faults: FaultList) -> Table:
+def _without_unnamed(table: CsvTable, faults: FaultList) -> CsvTable:
     """Drop columns without a name: spreadsheets leave them at the end of every row. A value in one
     of them is a fault.
     """

@@ -11,7 +11,7 @@ from typing import Final
 
 from compwright.foundations.input_sizes import MOST_COLUMNS
 from compwright.instruments.comments import comment_text
-from compwright.instruments.csv_table import Gathered, row_cells
+from compwright.instruments.csv_table import GatheredRows, row_cells
 from compwright.instruments.fault_list import FaultList, shown
 
 #: Delimiters by their names in a profile; blanks: any number of them.
@@ -90,7 +90,7 @@ def foreign_table(
             found=str(width),
         )
         return ForeignTable()
-    rows = Gathered(width)
+    rows = GatheredRows(width)
     for number, line in body:
         cells = cells_of(line, delimiter)
         if cells is None:

@@ -27,7 +27,7 @@ from compwright.instruments.spans import SpansOf
 
 
 @dataclass(frozen=True, slots=True)
-class Form:
+class MeasurementForm:
     """``name`` stands in messages; ``read`` takes the lines of the file and what the user says of
     it; ``spans_of`` tells what stands where in each line, by which `redact` keeps and replaces.
 
@@ -44,28 +44,28 @@ class Form:
 
 
 FORMS = (
-    Form(
+    MeasurementForm(
         "the laser's runs (.rtl, .rta)",
         is_laser_runs,
         read_laser_runs,
         sections.spans_of,
         sections.WORDS,
     ),
-    Form(
+    MeasurementForm(
         "the laser's means (.pos)",
         is_mean_blocks,
         read_mean_blocks,
         mean_blocks.spans_of,
         sections.WORDS,
     ),
-    Form(
+    MeasurementForm(
         "a compensation text (.ren)",
         is_compensation_text,
         read_compensation_text,
         compensation_text.spans_of,
         compensation_text.KEYS,
     ),
-    Form(
+    MeasurementForm(
         "target data (TGT_DATA[1]=...)",
         is_target_data_file,
         lambda text, faults, _: read_target_data_file(text, faults),
@@ -77,7 +77,7 @@ FORMS = (
 #: Forms whose reader may ask for the unit or the sign.
 OPEN_FORMS = FORMS[:3]
 #: What a file is taken for that no other form recognises.
-PLAIN_CSV = Form(
+PLAIN_CSV = MeasurementForm(
     "plain CSV",
     lambda _: True,
     lambda text, faults, _: read_plain_csv(text, faults),
@@ -87,7 +87,7 @@ PLAIN_CSV = Form(
 )
 
 
-def form_of(text: Sequence[str], file: str) -> Form:
+def form_of(text: Sequence[str], file: str) -> MeasurementForm:
     """Return the form of the lines of a file. Raises InputError where two forms recognise it."""
     found = [form for form in FORMS if form.recognises(text)]
     if len(found) > 1:

@@ -18,7 +18,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import ARCSECONDS_PER_DEGREE
 from compwright.instruments.answers import Answers
 from compwright.instruments.assembling import as_text
-from compwright.instruments.csv_table import Gathered
+from compwright.instruments.csv_table import GatheredRows
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.foreign_units import ANGLES, LENGTHS
 from compwright.instruments.mean_blocks import is_mean_blocks
@@ -31,8 +31,8 @@ from compwright.instruments.reading_findings import (
 )
 from compwright.instruments.readings import IntArray, Readings, readings_at
 from compwright.instruments.sections import (
+    FileSections,
     Line,
-    Sections,
     check_units,
     has_section,
     header_of,
@@ -68,7 +68,7 @@ _LEAST_MICRORADIAN = 5.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Rows:
+class _RunRows:
     """Rows in the order of the file: ``indices`` (n,) of targets from 1, ``values`` (n,) as
     written, and their ``lines``.
     """
@@ -82,7 +82,7 @@ class _Rows:
 class _Runs:
     """Rows by run number."""
 
-    rows: dict[int, _Rows]
+    rows: dict[int, _RunRows]
     targets: list[float]
     promised: int | None
 
@@ -166,7 +166,7 @@ def place(line: int | np.int64) -> str:
     return f"line {line}"
 
 
-def _kind(sections: Sections, faults: FaultList) -> AxisKind:
+def _kind(sections: FileSections, faults: FaultList) -> AxisKind:
     written, where = sections.value("HEADER", "File type")
     name = written.strip().lower().lstrip(".")
     if name not in _KINDS:
@@ -181,7 +181,7 @@ def _kind(sections: Sections, faults: FaultList) -> AxisKind:
     return _KINDS[name]
 
 
-def _targets(sections: Sections, marks: DecimalMarks) -> list[float]:
+def _targets(sections: FileSections, marks: DecimalMarks) -> list[float]:
     """Return the targets in the file's order: the numbers between ``Targets :`` and the next
     key.
     """
@@ -200,9 +200,9 @@ def _targets(sections: Sections, marks: DecimalMarks) -> list[float]:
     return targets
 
 
-def _rows(sections: Sections, marks: DecimalMarks, faults: FaultList) -> dict[int, _Rows]:
+def _rows(sections: FileSections, marks: DecimalMarks, faults: FaultList) -> dict[int, _RunRows]:
     """Return the rows by run, in ascending order of the runs."""
-    table = Gathered(3)
+    table = GatheredRows(3)
     for number, text in sections.lines.get(_ROWS, ()):
         cells = text.split()
         if len(cells) == 3 and _INDICES.fullmatch(f"{cells[0]} {cells[1]}"):
@@ -223,13 +223,13 @@ def _rows(sections: Sections, marks: DecimalMarks, faults: FaultList) -> dict[in
     order = np.argsort(numbers, kind="stable")
     ends = np.flatnonzero(np.diff(numbers[order])) + 1
     return {
-        int(runs[ours[0]]): _Rows(targets[ours], values[ours], lines[ours])
+        int(runs[ours[0]]): _RunRows(targets[ours], values[ours], lines[ours])
         for ours in np.split(found[order], ends)
         if ours.size
     }
 
 
-def _stray(sections: Sections) -> list[Line]:
+def _stray(sections: FileSections) -> list[Line]:
     """Return the lines outside the section of readings, and outside the list of targets, that look
     like a reading.
     """
@@ -244,7 +244,7 @@ def _stray(sections: Sections) -> list[Line]:
     return sorted(found)
 
 
-def _count(sections: Sections, section: str, key: str, faults: FaultList) -> int | None:
+def _count(sections: FileSections, section: str, key: str, faults: FaultList) -> int | None:
     written, where = sections.value(section, key)
     if not where:
         return None
@@ -255,7 +255,7 @@ def _count(sections: Sections, section: str, key: str, faults: FaultList) -> int
         return None
 
 
-def _check_counts(sections: Sections, runs: _Runs, faults: FaultList) -> None:
+def _check_counts(sections: FileSections, runs: _Runs, faults: FaultList) -> None:
     promised = _count(sections, _TARGETS, "Target-count", faults)
     if not runs.targets:
         faults.add("holds no targets", expected="numbers below 'Targets :' in TARGET DATA::")
@@ -287,7 +287,7 @@ def _check_counts(sections: Sections, runs: _Runs, faults: FaultList) -> None:
 
 
 def _directions(
-    sections: Sections, runs: _Runs, faults: FaultList
+    sections: FileSections, runs: _Runs, faults: FaultList
 ) -> tuple[Mapping[int, tuple[Direction, int]], tuple[str, ...], list[Finding]]:
     """Return direction and run number of each traverse, in words what was taken, and what is
     remarkable about it.
@@ -341,7 +341,7 @@ def _directions(
     return numbered, (words,), findings
 
 
-def _other_version(sections: Sections) -> list[str]:
+def _other_version(sections: FileSections) -> list[str]:
     """Return in words that the layout is that of another version than the file's."""
     version = sections.value("HEADER", "Version no")[0]
     if version.startswith(_KNOWN_VERSION) or not version:

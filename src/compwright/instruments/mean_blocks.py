@@ -33,7 +33,7 @@ from compwright.instruments.sections import (
     with_axis,
 )
 from compwright.instruments.sections import spans_of as spans_of_sections
-from compwright.instruments.spans import Span, Spans
+from compwright.instruments.spans import Spans, TextSpan
 from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction
 
@@ -66,7 +66,7 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
         block = (block or title is not None) and not opens_section(line)
         if title is not None:
             rest = title.start("rest")
-            yield Span(0, rest, "key"), Span(rest, len(line), "remark")
+            yield TextSpan(0, rest, "key"), TextSpan(rest, len(line), "remark")
         else:
             yield spans_in(line, rows=True) if block else found
 

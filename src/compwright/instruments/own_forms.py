@@ -34,7 +34,7 @@ from compwright.instruments.reading_findings import (
     measured_findings,
     stray_finding,
 )
-from compwright.instruments.spans import Meaning, Span, Spans, whole
+from compwright.instruments.spans import Meaning, Spans, TextSpan, whole
 from compwright.instruments.target_data import is_target_data, read_target_data, split_target_data
 from compwright.instruments.target_data import spans_in as spans_in_target_data
 
@@ -161,11 +161,11 @@ def _in_cells(line: str, delimiter: str, meanings: Sequence[Meaning]) -> Spans:
     """Return the spans of the cells of a line, with their quotes and blanks, as `row_cells` tells
     them apart.
     """
-    spans: list[Span] = []
+    spans: list[TextSpan] = []
     start, cell = 0, _cell(delimiter)
     names: Iterator[Meaning] = chain(meanings, repeat("other cell"))
     while start <= len(line) and (found := cell.match(line, start)) is not None:
-        spans.append(Span(*found.span(), next(names)))
+        spans.append(TextSpan(*found.span(), next(names)))
         start = found.end() + 1
     return spans
 

@@ -17,7 +17,7 @@ AXIS_COLUMN = "axis"
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class TestPart:
     """The lines of one test; those of other axes are blank, so that a line keeps its number.
 
     ``axis``: what the column of axes says, else empty. ``sheet``: the name of the sheet, else
@@ -29,15 +29,15 @@ class Part:
     sheet: str = ""
 
 
-def plain_parts(text: Sequence[str], faults: FaultList) -> tuple[Part, ...]:
+def plain_parts(text: Sequence[str], faults: FaultList) -> tuple[TestPart, ...]:
     """Return the parts of a plain CSV file: one per axis where it has a column ``axis``."""
     first = first_row(text)
     if first is None:
-        return (Part(text),)
+        return (TestPart(text),)
     number, header = first
     delimiter, names, _ = header_names(header)
     if AXIS_COLUMN not in names:
-        return (Part(text),)
+        return (TestPart(text),)
     rows = [line for line, _ in split_lines(text)[1][1:]]
     return parts_by_axis(text, delimiter, (number, names.index(AXIS_COLUMN)), rows, faults)
 
@@ -48,7 +48,7 @@ def parts_by_axis(
     header: tuple[int, int],
     rows: Sequence[int],
     faults: FaultList,
-) -> tuple[Part, ...]:
+) -> tuple[TestPart, ...]:
     """Return a part per axis in the column ``header`` (its line and index) of the lines ``rows``.
 
     A row without a name of an axis is a fault where it holds anything else.
@@ -70,7 +70,7 @@ def parts_by_axis(
             )
     taken = set(rows)
     return tuple(
-        Part(
+        TestPart(
             [
                 "" if line in taken and line not in own else content
                 for line, content in enumerate(text, start=1)
@@ -78,4 +78,4 @@ def parts_by_axis(
             axis,
         )
         for axis, own in by_axis.items()
-    ) or (Part(text),)
+    ) or (TestPart(text),)

@@ -20,7 +20,7 @@ from compwright.instruments.comments import Comments, sign_of
 from compwright.instruments.csv_table import (
     COLUMNS,
     INCHES,
-    Table,
+    CsvTable,
     in_inches,
     like_traverse,
     plain_signs,
@@ -61,7 +61,7 @@ class CsvReadings:
     unread: Finding | None = None
 
 
-def read_csv(table: Table, comments: Comments, faults: FaultList) -> CsvReadings:
+def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadings:
     """Return the readings of a plain CSV file; faults of cells are noted.
 
     Raises InputError when the columns do not form one of the two forms.
@@ -112,7 +112,7 @@ def read_csv(table: Table, comments: Comments, faults: FaultList) -> CsvReadings
 
 
 # one caller
-def _refuse_unsigned(table: Table, wide: bool, faults: FaultList) -> None:  # noqa: FBT001
+def _refuse_unsigned(table: CsvTable, wide: bool, faults: FaultList) -> None:  # noqa: FBT001
     """Raise for columns named 1, 2, ... or +0: spreadsheets take the plus off, and then the
     direction is lost.
 
@@ -141,7 +141,7 @@ def _refuse_unsigned(table: Table, wide: bool, faults: FaultList) -> None:  # no
 
 
 def _refuse_twice(
-    table: Table, traverses: Mapping[str, tuple[str, int]], faults: FaultList
+    table: CsvTable, traverses: Mapping[str, tuple[str, int]], faults: FaultList
 ) -> None:
     """Note a traverse that two columns name, ``+3`` and ``3 +``."""
     first: dict[tuple[str, int], str] = {}
@@ -161,7 +161,7 @@ def _listed(columns: Sequence[str]) -> str:
     return ", ".join(columns[:8]) + (", ..." if len(columns) > 8 else "") if columns else "none"
 
 
-def _note_missing(table: Table, faults: FaultList) -> None:
+def _note_missing(table: CsvTable, faults: FaultList) -> None:
     for column in ("direction", "run"):
         if column not in table.columns:
             faults.add(
@@ -175,7 +175,7 @@ def _note_missing(table: Table, faults: FaultList) -> None:
             )
 
 
-def _target_column(table: Table, faults: FaultList) -> str:
+def _target_column(table: CsvTable, faults: FaultList) -> str:
     targets = [column for column in _KIND_OF_TARGET if column in table.columns]
     inches = in_inches(table.columns)
     if inches:
@@ -206,7 +206,7 @@ def _target_column(table: Table, faults: FaultList) -> str:
     return targets[0] if targets else ""
 
 
-def _value_column(table: Table, target: str, faults: FaultList) -> str:
+def _value_column(table: CsvTable, target: str, faults: FaultList) -> str:
     values = [column for column in table.columns if column in VALUES]
     place = f"line {table.line}"
     if not values:
@@ -273,7 +273,7 @@ def _wide_factor(target: str, comments: Comments, faults: FaultList) -> float:
 
 
 def _long(
-    table: Table, columns: tuple[str, str], sign: float, marks: DecimalMarks, faults: FaultList
+    table: CsvTable, columns: tuple[str, str], sign: float, marks: DecimalMarks, faults: FaultList
 ) -> Readings:
     target, value = columns
     factor = TO_INSIDE[value.rpartition("_")[2]][1]
@@ -297,7 +297,7 @@ def _long(
 
 
 def _wide(
-    table: Table,
+    table: CsvTable,
     columns: tuple[str, Mapping[str, tuple[str, int]]],
     factor: float,
     marks: DecimalMarks,
@@ -332,7 +332,7 @@ def _wide(
 
 
 def _rows_of_new_targets(
-    table: Table, target: str, positions: Sequence[float], faults: FaultList
+    table: CsvTable, target: str, positions: Sequence[float], faults: FaultList
 ) -> list[int]:
     """Return the rows but those whose target stands above already, after noting the fault: their
     readings would each be told as given twice.

@@ -41,7 +41,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from compwright.foundations.findings import Finding
-from compwright.instruments.assembling import Grid, as_text
+from compwright.instruments.assembling import ReadingGrid, as_text
 from compwright.instruments.reading_findings import cut_finding, missing_finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
 
@@ -62,7 +62,7 @@ _CUT_SHARE = 0.2
 _LISTED = 5
 
 
-def findings_of(grid: Grid, kind: AxisKind) -> tuple[Finding, ...]:
+def findings_of(grid: ReadingGrid, kind: AxisKind) -> tuple[Finding, ...]:
     """Return what is remarkable about the readings of one test, most general first."""
     return tuple(
         finding
@@ -79,11 +79,11 @@ def findings_of(grid: Grid, kind: AxisKind) -> tuple[Finding, ...]:
     )
 
 
-def _all_deviations(grid: Grid) -> FloatArray:
+def _all_deviations(grid: ReadingGrid) -> FloatArray:
     return np.hstack([grid.deviations[direction] for direction in Direction])
 
 
-def _missing(grid: Grid, kind: AxisKind) -> list[Finding]:
+def _missing(grid: ReadingGrid, kind: AxisKind) -> list[Finding]:
     gaps = [
         f"{as_text(grid.targets[row])} {kind.unit} in run {direction}{grid.runs[direction][column]}"
         for direction in Direction
@@ -99,7 +99,7 @@ def _missing(grid: Grid, kind: AxisKind) -> list[Finding]:
     return found
 
 
-def _one_sided(grid: Grid) -> Finding | None:
+def _one_sided(grid: ReadingGrid) -> Finding | None:
     if not grid.one_sided:
         return None
     return Finding(
@@ -115,7 +115,7 @@ def _list(items: list[str]) -> str:
     return told if len(items) <= _LISTED else f"{told}; and {len(items) - _LISTED} more"
 
 
-def _unequal_traverses(grid: Grid) -> Finding | None:
+def _unequal_traverses(grid: ReadingGrid) -> Finding | None:
     positive, negative = (len(grid.runs[direction]) for direction in Direction)
     if not positive or not negative or positive == negative:
         return None
@@ -127,7 +127,7 @@ def _unequal_traverses(grid: Grid) -> Finding | None:
     )
 
 
-def _as_measured(grid: Grid, kind: AxisKind) -> Finding | None:
+def _as_measured(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
     deviations = _all_deviations(grid)
     made = np.isfinite(deviations)
     if not np.any(np.abs(deviations[made]) > LARGEST_PLAUSIBLE):
@@ -145,7 +145,7 @@ def _as_measured(grid: Grid, kind: AxisKind) -> Finding | None:
     )
 
 
-def _too_large(grid: Grid, kind: AxisKind) -> Finding | None:
+def _too_large(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
     deviations = _all_deviations(grid)
     size = np.nan_to_num(np.abs(deviations))
     count = int(np.count_nonzero(size > LARGEST_PLAUSIBLE))
@@ -163,7 +163,7 @@ def _too_large(grid: Grid, kind: AxisKind) -> Finding | None:
     )
 
 
-def _too_small(grid: Grid, kind: AxisKind) -> Finding | None:
+def _too_small(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
     if np.nanmax(np.abs(_all_deviations(grid))) >= SMALLEST_PLAUSIBLE:
         return None
     return Finding(
@@ -174,7 +174,7 @@ def _too_small(grid: Grid, kind: AxisKind) -> Finding | None:
     )
 
 
-def _zero_traverses(grid: Grid) -> Finding | None:
+def _zero_traverses(grid: ReadingGrid) -> Finding | None:
     columns = [
         (f"{direction}{run}", values[np.isfinite(values)])
         for direction in Direction
@@ -200,7 +200,7 @@ def _zero_traverses(grid: Grid) -> Finding | None:
     )
 
 
-def _near_targets(grid: Grid, kind: AxisKind) -> Finding | None:
+def _near_targets(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
     gaps = np.diff(grid.targets)
     if gaps.size <= 1:
         return None

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from compwright.foundations.errors import Fault, InputError, UsageError
-from compwright.instruments.forms import OPEN_FORMS, PLAIN_CSV, Form, form_of
+from compwright.instruments.forms import OPEN_FORMS, PLAIN_CSV, MeasurementForm, form_of
 from compwright.instruments.own_forms import is_plain_csv
 from compwright.instruments.profile import MARK, SIGNS, VERSION
 from compwright.instruments.profile_text import profile_text, worked_rows
@@ -83,7 +83,7 @@ def _proposed(lines: Sequence[str], encoding: str, file: str) -> Proposed:
     )
 
 
-def _answers(form: Form, file: str) -> Proposed:
+def _answers(form: MeasurementForm, file: str) -> Proposed:
     """Return the profile of a file whose own reader may have to be told its unit or its sign."""
     text = (
         f"# For {file}: {form.name}. Only what its own reader cannot know has to be filled in.\n"

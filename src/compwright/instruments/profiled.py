@@ -24,7 +24,7 @@ from compwright.instruments.foreign_units import ANGLES, LENGTHS
 from compwright.instruments.header_words import axis_above, difference_of, said_unit, unit_of
 from compwright.instruments.numbers import parse_number, plain_numbers
 from compwright.instruments.parsed import Parsed
-from compwright.instruments.parts import Part, parts_by_axis
+from compwright.instruments.parts import TestPart, parts_by_axis
 from compwright.instruments.profile import Profile
 from compwright.instruments.reading_findings import (
     left_out_finding,
@@ -43,7 +43,7 @@ _SAME_STEP = 1e-4  # mm, deg: rounding of printed positions
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Rows:
+class _ProfiledRows:
     """What rows say: targets and deviations (n,) in mm or deg, what their direction and run columns
     hold, and their lines.
     """
@@ -154,10 +154,12 @@ def _refuse_contradictions(
             )
 
 
-def profiled_parts(text: Sequence[str], profile: Profile, faults: FaultList) -> tuple[Part, ...]:
+def profiled_parts(
+    text: Sequence[str], profile: Profile, faults: FaultList
+) -> tuple[TestPart, ...]:
     """Return the parts of a table: one per axis where the profile names a column of axes."""
     if not profile.axis_column or not has_columns(text, profile):
-        return (Part(text),)
+        return (TestPart(text),)
     table = foreign_table(text, profile.delimiter, profile.header_line, FaultList(""))
     column = table.columns.index(profile.axis_column)
     targets = zip(table.lines, table.of(profile.target), strict=True)
@@ -281,7 +283,7 @@ def _long(
     whole = np.isfinite(deviations)
     rows = [rows[index] for index in np.flatnonzero(whole).tolist()]
     by_column = profile.direction_from == "column"
-    taken = _Rows(
+    taken = _ProfiledRows(
         targets[whole],
         deviations[whole],
         cells.text(rows, profile.direction if by_column else ""),
@@ -293,14 +295,14 @@ def _long(
     told = [direction for direction in directions if direction is not None]
     if len(told) < len(directions):
         rows, told = [], []
-        taken = _Rows(np.empty(0), np.empty(0), (), (), ())
+        taken = _ProfiledRows(np.empty(0), np.empty(0), (), (), ())
     runs = np.array(_runs(taken, told, profile, faults), dtype=np.int64)
     positive = [direction is Direction.POSITIVE for direction in told]
     readings = readings_at(taken.lines, taken.targets, positive, runs, taken.deviations)
     return (readings if runs.all() else readings.only(runs > 0)), of_rows
 
 
-def _refuse_steps(rows: _Rows, profile: Profile, faults: FaultList) -> None:
+def _refuse_steps(rows: _ProfiledRows, profile: Profile, faults: FaultList) -> None:
     """Note values that are the distances of the targets: some programs print them beside."""
     steps = np.diff(rows.targets)
     if profile.measured or steps.size < 2 or not np.any(steps):
@@ -313,7 +315,9 @@ def _refuse_steps(rows: _Rows, profile: Profile, faults: FaultList) -> None:
         )
 
 
-def _directions(rows: _Rows, profile: Profile, faults: FaultList) -> Iterator[Direction | None]:
+def _directions(
+    rows: _ProfiledRows, profile: Profile, faults: FaultList
+) -> Iterator[Direction | None]:
     if profile.direction_from in {"+", "-"}:
         yield from [Direction(profile.direction_from)] * len(rows.lines)
         return
@@ -340,7 +344,7 @@ def traverses_of(targets: FloatArray) -> list[slice]:
     return [slice(a, b) for a, b in pairwise([0, *ends, len(targets)])]
 
 
-def _by_order(rows: _Rows, faults: FaultList) -> Iterator[Direction | None]:
+def _by_order(rows: _ProfiledRows, faults: FaultList) -> Iterator[Direction | None]:
     """Yield the direction of each row: rising targets are approached from below, falling ones from
     above; the axis turns where a target follows itself.
     """
@@ -361,7 +365,7 @@ def _by_order(rows: _Rows, faults: FaultList) -> Iterator[Direction | None]:
 
 
 def _runs(
-    rows: _Rows, directions: Sequence[Direction], profile: Profile, faults: FaultList
+    rows: _ProfiledRows, directions: Sequence[Direction], profile: Profile, faults: FaultList
 ) -> list[int]:
     """Return the run of each row: by its column, or how often its target came in this direction; 0
     after noting a fault.

@@ -93,7 +93,7 @@ def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
     axes = [name for name in table.columns if role_of(name) == "axis"]
     if len(axes) == 1:
         proposal.keys["axis_column"] = axes[0]
-    columns = _Columns(table, "," if proposal.keys["decimal"] == "comma" else ".")
+    columns = _ProposedColumns(table, "," if proposal.keys["decimal"] == "comma" else ".")
     target = columns.target()
     proposal.keys["target"] = target
     if target is None:
@@ -132,7 +132,7 @@ def _decimal(table: ForeignTable, proposal: Proposal) -> str | None:
     return "comma" if marks[","] else "point"
 
 
-class _Columns:
+class _ProposedColumns:
     """The columns of a table by what they hold."""
 
     def __init__(self, table: ForeignTable, decimal: str) -> None:
@@ -194,7 +194,7 @@ def _units(
     proposal: Proposal,
     key: str,
     column: str | None,
-    columns: _Columns,
+    columns: _ProposedColumns,
     above: Sequence[str],
 ) -> None:
     unit = unit_of(column) if column else ""
@@ -210,7 +210,7 @@ def _units(
 
 
 def _wide(
-    proposal: Proposal, columns: _Columns, traverses: Sequence[str], above: Sequence[str]
+    proposal: Proposal, columns: _ProposedColumns, traverses: Sequence[str], above: Sequence[str]
 ) -> None:
     keys = proposal.keys
     keys["layout"] = "wide"
@@ -240,7 +240,9 @@ def _wide(
     keys["traverses"] = found
 
 
-def _long(proposal: Proposal, columns: _Columns, target: str | None, above: Sequence[str]) -> None:
+def _long(
+    proposal: Proposal, columns: _ProposedColumns, target: str | None, above: Sequence[str]
+) -> None:
     keys = proposal.keys
     values = columns.of("deviation") or columns.of("measured")
     values = [name for name in values if columns.numeric(name) and name != target]
@@ -266,7 +268,7 @@ def _long(proposal: Proposal, columns: _Columns, target: str | None, above: Sequ
         keys["run_counts"] = _run_counts(columns, keys)
 
 
-def _direction(proposal: Proposal, columns: _Columns, target: str | None) -> None:
+def _direction(proposal: Proposal, columns: _ProposedColumns, target: str | None) -> None:
     keys = proposal.keys
     named = columns.of("direction")
     worded = named or [
@@ -297,7 +299,7 @@ def _direction(proposal: Proposal, columns: _Columns, target: str | None) -> Non
 
 
 def _direction_words(
-    proposal: Proposal, columns: _Columns, target: str | None, name: str
+    proposal: Proposal, columns: _ProposedColumns, target: str | None, name: str
 ) -> Mapping[str, str | None]:
     """Return the sign of each word of a direction column: what it says by itself, or what the order
     of its targets proves.
@@ -322,13 +324,13 @@ _ORDER = {"+": "rising order", "-": "falling order"}
 
 
 def _both_orders(
-    columns: _Columns, target: str | None, name: str, words: Mapping[str, None]
+    columns: _ProposedColumns, target: str | None, name: str, words: Mapping[str, None]
 ) -> bool:
     orders = [_steps_of(columns, target, name, word) for word in words]
     return all(len(order) == 1 for order in orders) and orders[0] != orders[1]
 
 
-def _steps_of(columns: _Columns, target: str | None, name: str, word: str) -> set[int]:
+def _steps_of(columns: _ProposedColumns, target: str | None, name: str, word: str) -> set[int]:
     """Return the signs of the steps between targets that stand side by side under one word."""
     if target is None:
         return set()
@@ -340,7 +342,7 @@ def _steps_of(columns: _Columns, target: str | None, name: str, word: str) -> se
     }
 
 
-def _order(columns: _Columns, target: str | None) -> str:
+def _order(columns: _ProposedColumns, target: str | None) -> str:
     """Return whether the targets go up and down in turns (``turns``), only rise, or neither."""
     if target is None:
         return ""
@@ -354,7 +356,7 @@ def _order(columns: _Columns, target: str | None) -> str:
     return "rising" if values.size > 1 and float(rises.mean()) > 0.5 else ""
 
 
-def _run_counts(columns: _Columns, keys: Mapping[str, Any]) -> str:
+def _run_counts(columns: _ProposedColumns, keys: Mapping[str, Any]) -> str:
     """Return ``traverses`` where no run has both directions: they count each way by itself."""
     direction = keys.get("direction")
     if not direction:
@@ -365,7 +367,7 @@ def _run_counts(columns: _Columns, keys: Mapping[str, Any]) -> str:
     return "traverses" if several and runs and max(runs.values()) == 1 else "runs"
 
 
-def _follows_targets(columns: _Columns, target: str | None, name: str) -> bool:
+def _follows_targets(columns: _ProposedColumns, target: str | None, name: str) -> bool:
     """Whether the values of a column grow with the targets as measured positions do."""
     if target is None:
         return False
@@ -377,7 +379,9 @@ def _follows_targets(columns: _Columns, target: str | None, name: str) -> bool:
     return abs(slope - 1.0) < 0.05
 
 
-def _sign(proposal: Proposal, columns: _Columns, target: str | None, before: Sequence[str]) -> None:
+def _sign(
+    proposal: Proposal, columns: _ProposedColumns, target: str | None, before: Sequence[str]
+) -> None:
     keys = proposal.keys
     if keys.get("value_is") == "measured":
         return
@@ -400,7 +404,7 @@ def _sign(proposal: Proposal, columns: _Columns, target: str | None, before: Seq
 
 
 def _proven_sign(
-    columns: _Columns, target: str | None, value: str | None, keys: Mapping[str, Any]
+    columns: _ProposedColumns, target: str | None, value: str | None, keys: Mapping[str, Any]
 ) -> str:
     """Return the sign that a third column of measured positions proves, empty where there is
     none.

@@ -17,11 +17,11 @@ from compwright.instruments.assembling import grid_of
 from compwright.instruments.code_page import read_plain_lines
 from compwright.instruments.cut_files import cut_findings
 from compwright.instruments.fault_list import FaultList
-from compwright.instruments.forms import PLAIN_CSV, Form, form_of
+from compwright.instruments.forms import PLAIN_CSV, MeasurementForm, form_of
 from compwright.instruments.hidden_cells import hidden_finding
 from compwright.instruments.own_forms import is_plain_csv
 from compwright.instruments.parsed import Parsed
-from compwright.instruments.parts import Part, plain_parts
+from compwright.instruments.parts import TestPart, plain_parts
 from compwright.instruments.plausibility import findings_of
 from compwright.instruments.profile import Profile
 from compwright.instruments.profiled import (
@@ -39,7 +39,7 @@ from compwright.instruments.reading_findings import (
 from compwright.instruments.sections import axis_name
 from compwright.instruments.table_shape import has_table
 from compwright.instruments.text_input import read_any_lines, read_lines
-from compwright.instruments.workbook import Sheet, is_workbook, sheets_of
+from compwright.instruments.workbook import WorkbookSheet, is_workbook, sheets_of
 from compwright.records.axis import Direction
 from compwright.records.positioning import PositioningTest, to_machine
 
@@ -54,7 +54,7 @@ class _Read:
     """One test of a file before its record: what was parsed, and from which lines."""
 
     parsed: Parsed
-    part: Part
+    part: TestPart
     faults: FaultList
 
 
@@ -101,7 +101,7 @@ def _of_text(content: bytes, faults: FaultList, profile: Profile | None) -> list
         if has_columns(text, profile) or not is_plain_csv(text):
             return _by_profile(text, profile, faults)
     text, form, code_page = _text_and_form(content, file)
-    parts = plain_parts(text, faults) if form is PLAIN_CSV else (Part(text),)
+    parts = plain_parts(text, faults) if form is PLAIN_CSV else (TestPart(text),)
     reads = _by_form(form, parts, faults, profile)
     return [_told(read, code_page) for read in reads] if code_page is not None else reads
 
@@ -112,7 +112,7 @@ def _told(read: _Read, finding: Finding) -> _Read:
 
 
 def _by_form(
-    form: Form, parts: Sequence[Part], faults: FaultList, profile: Profile | None
+    form: MeasurementForm, parts: Sequence[TestPart], faults: FaultList, profile: Profile | None
 ) -> list[_Read]:
     own = profile is not None and profile.layout == "own"
     answers = profile.answers if profile is not None and own else NO_ANSWERS
@@ -139,7 +139,7 @@ def _has_own_form(content: bytes, file: str) -> bool:
         return False
 
 
-def _is_test(sheet: Sheet, profile: Profile | None) -> bool:
+def _is_test(sheet: WorkbookSheet, profile: Profile | None) -> bool:
     return is_plain_csv(sheet.lines) or (
         profile is not None
         and profile.layout != "own"
@@ -147,11 +147,11 @@ def _is_test(sheet: Sheet, profile: Profile | None) -> bool:
     )
 
 
-def _for_sheet(sheet: Sheet, profile: Profile) -> Profile:
+def _for_sheet(sheet: WorkbookSheet, profile: Profile) -> Profile:
     return at_its_header(sheet.lines, replace(profile, delimiter="\t"))
 
 
-def _of_sheet(sheet: Sheet, file: str, profile: Profile | None) -> list[_Read]:
+def _of_sheet(sheet: WorkbookSheet, file: str, profile: Profile | None) -> list[_Read]:
     faults = FaultList(f"{file}, sheet {sheet.name}")
     if profile is not None and has_columns(sheet.lines, _for_sheet(sheet, profile)):
         reads = _by_profile(sheet.lines, _for_sheet(sheet, profile), faults)
@@ -163,7 +163,7 @@ def _of_sheet(sheet: Sheet, file: str, profile: Profile | None) -> list[_Read]:
     return reads if hidden is None else [_told(read, hidden) for read in reads]
 
 
-def _refuse_no_sheet(reads: Sequence[_Read], sheets: Sequence[Sheet], file: str) -> None:
+def _refuse_no_sheet(reads: Sequence[_Read], sheets: Sequence[WorkbookSheet], file: str) -> None:
     if not reads:
         raise InputError(
             Fault(
@@ -232,7 +232,7 @@ def _test_of(read: _Read, source: Source, name: str) -> PositioningTest:
     )
 
 
-def _with_axis(parsed: Parsed, part: Part) -> tuple[dict[str, str], tuple[str, ...]]:
+def _with_axis(parsed: Parsed, part: TestPart) -> tuple[dict[str, str], tuple[str, ...]]:
     """Return the header with the axis of the part, and what was taken: the name of a sheet is no
     statement.
     """
@@ -261,7 +261,7 @@ def stem(file: str) -> str:
     return name.rpartition(".")[0] or name
 
 
-def _text_and_form(content: bytes, file: str) -> tuple[list[str], Form, Finding | None]:
+def _text_and_form(content: bytes, file: str) -> tuple[list[str], MeasurementForm, Finding | None]:
     """Return the lines of a file, their form, and what was taken for the encoding of plain CSV;
     other encodings than UTF-8 and UTF-16 only where the form has them, or no number hangs on it.
     """

@@ -15,7 +15,7 @@ BoolArray = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class ApproachReading:
     """One approach: ``target`` and ``deviation`` (measured minus target) in mm or deg, and where in
     the file it stands.
     """
@@ -45,9 +45,9 @@ class Readings:
         """Return how many there are."""
         return int(self.targets.size)
 
-    def one(self, index: int) -> Reading:
+    def one(self, index: int) -> ApproachReading:
         """Return a reading by its index."""
-        return Reading(
+        return ApproachReading(
             float(self.targets[index]),
             Direction.POSITIVE if self.positive[index] else Direction.NEGATIVE,
             int(self.runs[index]),

@@ -15,7 +15,7 @@ from typing import Final
 from compwright.foundations.findings import Finding
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.reading_findings import cut_finding
-from compwright.instruments.spans import Span, Spans, by_key, whole
+from compwright.instruments.spans import Spans, TextSpan, by_key, whole
 
 #: A line of a file: its number from 1, and its text without blanks around it.
 Line = tuple[int, str]
@@ -68,7 +68,7 @@ _AXIS = re.compile(
 
 
 @dataclass(slots=True)
-class Sections:
+class FileSections:
     """``lines`` of each section in the order of the file, blank ones left out; what stands before
     the first section is under the empty name.
 
@@ -98,7 +98,7 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
             continue
         known = match[1].upper() in SECTIONS
         rows = SECTIONS.get(match[1].upper(), False)
-        yield (Span(*match.span(1), "key" if known else "section"),)
+        yield (TextSpan(*match.span(1), "key" if known else "section"),)
 
 
 def spans_in(line: str, *, rows: bool) -> Spans:
@@ -107,7 +107,7 @@ def spans_in(line: str, *, rows: bool) -> Spans:
     meaning = KEYS.get(" ".join(match["key"].lower().split())) if match is not None else None
     if match is None or meaning is None:
         return whole(line, "row" if rows else "remark")
-    return Span(*match.span("key"), "key"), Span(match.start("value"), len(line), meaning)
+    return TextSpan(*match.span("key"), "key"), TextSpan(match.start("value"), len(line), meaning)
 
 
 def opens_section(line: str) -> bool:
@@ -126,11 +126,11 @@ def has_section(text: Sequence[str], names: Iterable[str]) -> bool:
     )
 
 
-def sections_of(text: Sequence[str], faults: FaultList) -> Sections:
+def sections_of(text: Sequence[str], faults: FaultList) -> FileSections:
     """Return the sections of a file; a section that opens twice and text after ``EOF::`` are
     faults.
     """
-    found = Sections()
+    found = FileSections()
     current = found.lines.setdefault("", [])
     for number, raw in enumerate(text, start=1):
         line = raw.strip()
@@ -162,7 +162,7 @@ def sections_of(text: Sequence[str], faults: FaultList) -> Sections:
     return found
 
 
-def header_of(sections: Sections, names: Iterable[str]) -> dict[str, str]:
+def header_of(sections: FileSections, names: Iterable[str]) -> dict[str, str]:
     """Return the ``Key: value`` lines of these sections as text; known keys get their usual name,
     other lines are kept as comment.
     """
@@ -196,7 +196,7 @@ def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
     return {**header, "axis as written": text} if text else dict(header)
 
 
-def check_units(sections: Sections, names: Iterable[str], faults: FaultList) -> None:
+def check_units(sections: FileSections, names: Iterable[str], faults: FaultList) -> None:
     """Note a line that states a unit which is not that of this form: what it would be about is not
     known.
     """
@@ -212,7 +212,7 @@ def check_units(sections: Sections, names: Iterable[str], faults: FaultList) -> 
                 )
 
 
-def no_end_finding(sections: Sections) -> Finding | None:
+def no_end_finding(sections: FileSections) -> Finding | None:
     """Return the finding about a file without ``EOF::``, None where it is there."""
     if sections.ended:
         return None

@@ -48,7 +48,7 @@ Meaning = Literal[
 
 
 @dataclass(frozen=True, slots=True)
-class Span:
+class TextSpan:
     """A part of a line: characters ``start`` to ``end``, counted from 0 and ``end`` behind it."""
 
     start: int
@@ -57,7 +57,7 @@ class Span:
 
 
 #: The spans of one line, in their order.
-Spans = Sequence[Span]
+Spans = Sequence[TextSpan]
 #: The lines of a file to the spans of each.
 SpansOf = Callable[[Sequence[str]], Iterator[Spans]]
 
@@ -69,7 +69,7 @@ def by_key(keys: Mapping[Meaning, Sequence[str]]) -> Mapping[str, Meaning]:
 
 def whole(line: str, meaning: Meaning) -> Spans:
     """Return the span of a whole line."""
-    return (Span(0, len(line), meaning),)
+    return (TextSpan(0, len(line), meaning),)
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,7 +23,7 @@ from compwright.instruments.comments import comment_text
 from compwright.instruments.fault_list import TOLD_PER_KIND, FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, parse_count
 from compwright.instruments.readings import IntArray, Readings, readings_at
-from compwright.instruments.spans import Span, Spans, by_key, whole
+from compwright.instruments.spans import Spans, TextSpan, by_key, whole
 from compwright.records.axis import AxisKind, Direction, FloatArray
 
 _TARGET, _FORWARD, _BACKWARD = "TGT_DATA", "REF_DATA_FWD", "REF_DATA_BWD"
@@ -64,7 +64,7 @@ class TargetData:
 
 
 @dataclass(slots=True)
-class _Column:
+class _TargetColumn:
     """The entries of one name in the order of the file: indices (``j`` 0 where there is one only),
     what is assigned, and the line of each.
     """
@@ -91,8 +91,8 @@ class _Entries:
 class _Found:
     """What stands in the lines: columns by name, and all other keys with the line of each."""
 
-    columns: dict[str, _Column] = field(
-        default_factory=lambda: {name: _Column() for name in (_TARGET, *_DIRECTIONS)}
+    columns: dict[str, _TargetColumn] = field(
+        default_factory=lambda: {name: _TargetColumn() for name in (_TARGET, *_DIRECTIONS)}
     )
     keys: dict[str, tuple[str, int]] = field(default_factory=dict)
     #: Indices by how they are written: a million readings have few of them.
@@ -145,11 +145,11 @@ def spans_in(line: str) -> Spans:
     meaning = KEYS.get(match["name"])
     if meaning is None:
         return (
-            Span(match.start("name"), value - 1, "name"),
-            Span(value, len(line), "remark"),
+            TextSpan(match.start("name"), value - 1, "name"),
+            TextSpan(value, len(line), "remark"),
         )
-    indices = (Span(begin, end, meaning),) if begin >= 0 else ()
-    return Span(*match.span("name"), "key"), *indices, Span(value, len(line), meaning)
+    indices = (TextSpan(begin, end, meaning),) if begin >= 0 else ()
+    return TextSpan(*match.span("name"), "key"), *indices, TextSpan(value, len(line), meaning)
 
 
 def read_target_data(lines: Iterable[tuple[int, str]], faults: FaultList) -> TargetData:
@@ -200,7 +200,7 @@ def _found(lines: Iterable[tuple[int, str]], faults: FaultList) -> _Found:
 
 
 def _take_entry(
-    found: _Found, column: _Column, match: re.Match[str], line: int, faults: FaultList
+    found: _Found, column: _TargetColumn, match: re.Match[str], line: int, faults: FaultList
 ) -> None:
     name = match["name"]
     count = 1 if name == _TARGET else 2
@@ -222,7 +222,7 @@ def _take_entry(
     column.lines.append(line)
 
 
-def _entries(name: str, column: _Column, marks: DecimalMarks, faults: FaultList) -> _Entries:
+def _entries(name: str, column: _TargetColumn, marks: DecimalMarks, faults: FaultList) -> _Entries:
     """Return the numbers of a column; of indices that are given twice the first ones."""
     i, j, lines = (np.array(each, dtype=np.int64) for each in (column.i, column.j, column.lines))
 

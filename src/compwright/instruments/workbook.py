@@ -36,7 +36,7 @@ _XML: Final = (".xml", ".rels")
 
 
 @dataclass(frozen=True, slots=True)
-class Sheet:
+class WorkbookSheet:
     """``lines``: line n of the sheet is item n - 1; a row without cells is an empty line.
     ``hidden``: what a spreadsheet program does not show of it.
     """
@@ -51,7 +51,7 @@ def is_workbook(content: bytes) -> bool:
     return content.startswith(_SIGNATURE)
 
 
-def sheets_of(content: bytes, file: str) -> tuple[Sheet, ...]:
+def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
     """Return the sheets of a workbook that hold anything.
 
     A formula counts with the result that the spreadsheet saved. Raises InputError for a zip archive
@@ -187,7 +187,7 @@ def _check_cells(count: int, most: int, file: str, place: str = "") -> None:
         )
 
 
-def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[Sheet]:
+def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[WorkbookSheet]:
     count = 0
     for sheet in values.worksheets:
         lines: list[str] = []
@@ -212,7 +212,7 @@ def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[Sheet]:
             lines.append(_line([_text(cell) for cell in cells]))
         while lines and not lines[-1]:
             lines.pop()
-        yield Sheet(sheet.title, lines)
+        yield WorkbookSheet(sheet.title, lines)
 
 
 def _line(cells: list[str]) -> str:

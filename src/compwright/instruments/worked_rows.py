@@ -7,7 +7,7 @@ import numpy as np
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.instruments.assembling import as_text
-from compwright.instruments.readings import Reading, Readings
+from compwright.instruments.readings import ApproachReading, Readings
 from compwright.records.axis import AxisKind, Direction
 
 _FROM = {Direction.POSITIVE: "approached from below", Direction.NEGATIVE: "approached from above"}
@@ -18,7 +18,7 @@ def worked_readings(readings: Readings, kind: AxisKind) -> list[str]:
     """Return up to three readings in words: the largest deviation of each direction, and one of the
     middle target.
     """
-    chosen: dict[str, Reading] = {}
+    chosen: dict[str, ApproachReading] = {}
     for positive in (True, False):
         ours = np.flatnonzero(readings.positive == positive)
         if ours.size:
@@ -42,7 +42,7 @@ def read_so_finding(readings: Readings, kind: AxisKind, by: str = "") -> Finding
     return Finding("CW-R060", "info", f"Read{by and f' by {by}'}: {told}.")
 
 
-def in_words(reading: Reading, kind: AxisKind) -> str:
+def in_words(reading: ApproachReading, kind: AxisKind) -> str:
     """Return a reading as a sentence: where, approached from which side, and how the axis went."""
     size = abs(reading.deviation) * outside_factor(kind.unit)
     verb = "went" if kind is AxisKind.LINEAR else "turned"

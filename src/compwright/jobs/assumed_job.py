@@ -44,7 +44,7 @@ _OPTION = "option "
 
 
 @dataclass(frozen=True, slots=True)
-class _Line:
+class _JobLine:
     """A line of the file: its text, and where what it says comes from."""
 
     text: str
@@ -93,19 +93,19 @@ def assumed_job(
     left = [entry for entry in assumed if entry.fact.startswith(_OPTION)]
     others = [entry for entry in assumed if entry not in left]
     lines = [
-        *(_Line(f"# {line}") for line in _HEADING),
-        _Line("compwright: 1"),
-        _Line("# machine: {name: VMC 850, serial: 1111111}", "not said; for report and history"),
-        _Line("controller:"),
-        _Line(f"  format: {flow(data['controller']['format'])}", "--format"),
+        *(_JobLine(f"# {line}") for line in _HEADING),
+        _JobLine("compwright: 1"),
+        _JobLine("# machine: {name: VMC 850, serial: 1111111}", "not said; for report and history"),
+        _JobLine("controller:"),
+        _JobLine(f"  format: {flow(data['controller']['format'])}", "--format"),
         *_options(data["controller"]["options"], left, options),
         *_states(data),
-        _Line("axes:"),
-        _Line(f"  {word(axis)}:", "--axis"),
+        _JobLine("axes:"),
+        _JobLine(f"  {word(axis)}:", "--axis"),
         *_axis(section, axis, by_files),
-        *(_Line(f"{key}: {flow(value)}", f"assumed: {what}") for key, value, what in _OF_JOB),
+        *(_JobLine(f"{key}: {flow(value)}", f"assumed: {what}") for key, value, what in _OF_JOB),
         *(
-            _Line(f"# assumed beside these: {entry.fact} = {entry.value}", entry.evidence)
+            _JobLine(f"# assumed beside these: {entry.fact} = {entry.value}", entry.evidence)
             for entry in others
         ),
     ]
@@ -114,45 +114,45 @@ def assumed_job(
 
 def _options(
     given: Mapping[str, object], left: Sequence[Assumption], settled: Mapping[str, object]
-) -> Iterator[_Line]:
+) -> Iterator[_JobLine]:
     """Yield the options of the control: those given, and as comments those left at their
     default.
     """
-    yield from [_Line("  options:")] if given else []
+    yield from [_JobLine("  options:")] if given else []
     for name, value in given.items():
-        yield _Line(f"    {word(name)}: {flow(value)}", f"--option {name}")
+        yield _JobLine(f"    {word(name)}: {flow(value)}", f"--option {name}")
     if left and not given:
-        yield _Line("#   options:")
+        yield _JobLine("#   options:")
     for entry in left:
         name = entry.fact.removeprefix(_OPTION)
         value = settled.get(name)
         shown = "" if value is None else f" {flow(value)}"
-        yield _Line(f"#     {word(name)}:{shown}", f"assumed: {entry.value}, {entry.evidence}")
+        yield _JobLine(f"#     {word(name)}:{shown}", f"assumed: {entry.value}, {entry.evidence}")
 
 
-def _states(data: Mapping[str, Any]) -> Iterator[_Line]:
+def _states(data: Mapping[str, Any]) -> Iterator[_JobLine]:
     if "states" not in data:
-        yield _Line(
+        yield _JobLine(
             f"# states: {{{AS_FOUND}: none}}",
             "not said: no table is written without it; the control's files, or the word none",
         )
         return
     state = data["states"][AS_FOUND]
-    yield _Line("states:")
+    yield _JobLine("states:")
     if isinstance(state, Mapping):
-        yield _Line(f"  {AS_FOUND}:", "--state: what is in the control now")
+        yield _JobLine(f"  {AS_FOUND}:", "--state: what is in the control now")
         yield from _listed("files", state["files"], 4, "--state")
-        yield _Line(f"    active: {flow(state['active'])}", "--option active")
+        yield _JobLine(f"    active: {flow(state['active'])}", "--option active")
     elif len(state) == 1:
-        yield _Line(f"  {AS_FOUND}: {flow(state[0])}", "--state: what is in the control now")
+        yield _JobLine(f"  {AS_FOUND}: {flow(state[0])}", "--state: what is in the control now")
     else:
         yield from _listed(AS_FOUND, state, 2, "--state: what is in the control now")
 
 
-def _listed(key: str, files: Sequence[str], indent: int, source: str) -> Iterator[_Line]:
-    yield _Line(f"{' ' * indent}{key}:", source)
+def _listed(key: str, files: Sequence[str], indent: int, source: str) -> Iterator[_JobLine]:
+    yield _JobLine(f"{' ' * indent}{key}:", source)
     for file in files:
-        yield _Line(f"{' ' * indent}  - {flow(file)}")
+        yield _JobLine(f"{' ' * indent}  - {flow(file)}")
 
 
 def _said(key: str) -> str:
@@ -162,34 +162,38 @@ def _said(key: str) -> str:
     )
 
 
-def _axis(section: Mapping[str, Any], name: str, by_files: Mapping[str, object]) -> Iterator[_Line]:
-    yield _Line(f"    travel: {flow(section['travel'])}", "--travel: machine coordinates")
+def _axis(
+    section: Mapping[str, Any], name: str, by_files: Mapping[str, object]
+) -> Iterator[_JobLine]:
+    yield _JobLine(f"    travel: {flow(section['travel'])}", "--travel: machine coordinates")
     if "address" not in section:
-        yield _Line(f"    address: {flow(name)}", "assumed: the control calls the axis so too")
+        yield _JobLine(f"    address: {flow(name)}", "assumed: the control calls the axis so too")
     for key, value in section.items():
         if key not in ("travel", "before"):
-            yield _Line(f"    {key}: {flow(value)}", _said(key))
+            yield _JobLine(f"    {key}: {flow(value)}", _said(key))
     for key, value, what in _left_out(section, by_files):
-        yield _Line(f"    {key}: {flow(value)}", f"assumed: {what}")
-    yield from (_Line(f"#     {line}") for line in _OPEN if line.partition(":")[0] not in section)
-    yield _Line("    before:")
+        yield _JobLine(f"    {key}: {flow(value)}", f"assumed: {what}")
+    yield from (
+        _JobLine(f"#     {line}") for line in _OPEN if line.partition(":")[0] not in section
+    )
+    yield _JobLine("    before:")
     (test,) = section["before"]
     if len(test["files"]) == 1:
-        yield _Line(f"      - files: {flow(test['files'])}", "FILE: the test")
+        yield _JobLine(f"      - files: {flow(test['files'])}", "FILE: the test")
     else:
-        yield _Line("      - files:", "FILE: the files of one test")
+        yield _JobLine("      - files:", "FILE: the files of one test")
         for file in test["files"]:
-            yield _Line(f"          - {flow(file)}")
+            yield _JobLine(f"          - {flow(file)}")
     if "profile" in test:
-        yield _Line(f"        profile: {flow(test['profile'])}", "--profile")
+        yield _JobLine(f"        profile: {flow(test['profile'])}", "--profile")
     for key, value, what in _OF_TEST:
-        yield _Line(f"        {key}: {flow(value)}", f"assumed: {what}")
+        yield _JobLine(f"        {key}: {flow(value)}", f"assumed: {what}")
 
 
 #: Column of the comments; a longer line has its comment two blanks behind it.
 _COLUMN = 44
 
 
-def _aligned(lines: Sequence[_Line]) -> Iterator[str]:
+def _aligned(lines: Sequence[_JobLine]) -> Iterator[str]:
     for line in lines:
         yield f"{line.text:{_COLUMN}}  # {line.source}" if line.source else line.text

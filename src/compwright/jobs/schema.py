@@ -118,13 +118,13 @@ Sense = Annotated[Literal[1, -1], BeforeValidator(_no_truth_value)]
 Sign = Literal["+", "-"]
 
 
-class Section(BaseModel):
+class JobMapping(BaseModel):
     """A mapping of the job file: unknown keys are refused and no value is converted."""
 
     model_config = ConfigDict(strict=True, extra="forbid")
 
 
-class MachineSection(Section):
+class MachineSection(JobMapping):
     """Which machine it is."""
 
     name: Text | None = None
@@ -132,21 +132,21 @@ class MachineSection(Section):
     type: Text | None = None
 
 
-class ControllerSection(Section):
+class ControllerSection(JobMapping):
     """The control's format and the options that hold for all axes."""
 
     format: Text
     options: dict[str, Any] = {}
 
 
-class PositionMapSection(Section):
+class PositionMapSection(JobMapping):
     """machine = sense * instrument + offset."""
 
     sense: Sense = 1
     offset: float = 0.0
 
 
-class EncoderSection(Section):
+class EncoderSection(JobMapping):
     """The measuring system; without ``system`` the one that the control's files show to be in use,
     else 1.
     """
@@ -155,7 +155,7 @@ class EncoderSection(Section):
     system: Annotated[Literal[1, 2] | None, BeforeValidator(_no_truth_value)] = None
 
 
-class OwnThermalSection(Section):
+class OwnThermalSection(JobMapping):
     """Keys of the differential expansion that an axis, or a test, has otherwise than what stands
     above it.
     """
@@ -175,7 +175,7 @@ class ThermalSection(OwnThermalSection):
     T_m: Temperature
 
 
-class TestSection(Section):
+class TestSection(JobMapping):
     """One test: its files, name, state, position map (None: that of the axis), motion and
     temperatures.
     """
@@ -191,7 +191,7 @@ class TestSection(Section):
     profile: Text | None = None
 
 
-class TableSection(Section):
+class TableSection(JobMapping):
     """Wishes for the grid; None: as it is in the control, or as compwright chooses. ``gain``: from
     which gain on a table is written.
     """
@@ -204,14 +204,14 @@ class TableSection(Section):
     gain: Literal["any", "seen"] = "any"
 
 
-class GantrySection(Section):
+class GantrySection(JobMapping):
     """The synchronised axis, or the word none; what it gets where it has a table of its own."""
 
     axis: Text
     table: Literal["same", "change"] | None = None
 
 
-class AxisSection(Section):
+class AxisSection(JobMapping):
     """One axis. ``accept`` (parameter names beside ``test``) and an empty ``before``: see
     `compwright.jobs.consistency`.
     """
@@ -239,7 +239,7 @@ class AxisSection(Section):
     thermal: OwnThermalSection | None = None
 
 
-class CircleSection(Section):
+class CircleSection(JobMapping):
     """One circular test: one file with both runs, or a file per run. ``centre`` in machine
     coordinates, mm; ``accept``: limits in µm by parameter.
     """
@@ -253,7 +253,7 @@ class CircleSection(Section):
     accept: Annotated[dict[str, Positive], Field(min_length=1)] | None = None
 
 
-class CrossSection(Section):
+class CrossSection(JobMapping):
     """Deviation of one axis over another, in ``unit``, and the state (of ``states``) in which it
     was measured.
     """
@@ -266,7 +266,7 @@ class CrossSection(Section):
     unit: Literal["um", "mm", "arcsec", "deg"]
 
 
-class ApplySection(Section):
+class ApplySection(JobMapping):
     """What of the circular tests is to be corrected."""
 
     squareness: dict[str, Text] = {}
@@ -274,14 +274,14 @@ class ApplySection(Section):
     backlash_from: Literal["positioning", "circle"] = "positioning"
 
 
-class DeviceSection(Section):
+class DeviceSection(JobMapping):
     """Expanded uncertainty (k = 2) of the instrument: µm and µm/m."""
 
     U: NotNegative = 0.0
     per_m: NotNegative = 0.0
 
 
-class DriftSection(Section):
+class DriftSection(JobMapping):
     """The file of a stand-still test, and how long a positioning test takes, min."""
 
     file: Text
@@ -296,7 +296,7 @@ Variation = Annotated[
 ]
 
 
-class RotaryUncertaintySection(Section):
+class RotaryUncertaintySection(JobMapping):
     """The contributors of rotary axes, arcsec: certificate of the instrument, set-up, drift of a
     stand-still test.
     """
@@ -306,7 +306,7 @@ class RotaryUncertaintySection(Section):
     E_VE: Variation = 0.0
 
 
-class UncertaintySection(Section):
+class UncertaintySection(JobMapping):
     """Contributors of ISO 230-2:2006 annex A: mm, K, µm/(m K), µm, µm."""
 
     device: DeviceSection = DeviceSection()
@@ -318,7 +318,7 @@ class UncertaintySection(Section):
     rotary: RotaryUncertaintySection | None = None
 
 
-class ProvenSection(Section):
+class ProvenSection(JobMapping):
     """A machine on which tables of this kind were seen to act."""
 
     control: Text
@@ -327,14 +327,14 @@ class ProvenSection(Section):
     how: Text
 
 
-class AcknowledgementSection(Section):
+class AcknowledgementSection(JobMapping):
     """Why a doubt does not count; ``axis``: for one axis only."""
 
     reason: Text
     axis: Text | None = None
 
 
-class ReportSection(Section):
+class ReportSection(JobMapping):
     """How reports are written, and what stands at their head; ``logo``: a file."""
 
     language: Literal["en", "de", "fr", "ru"] = "en"
@@ -345,7 +345,7 @@ class ReportSection(Section):
     logo: Text | None = None
 
 
-class StateSection(Section):
+class StateSection(JobMapping):
     """The files of a state, or the word none; whether compensation acted, where the files switch it
     off or do not say.
     """
@@ -354,7 +354,7 @@ class StateSection(Section):
     active: Annotated[bool | None, BeforeValidator(_yes_or_no)] = None
 
 
-class JobSection(Section):
+class JobSection(JobMapping):
     """The whole file. What ties ``states`` together is checked in `compwright.jobs.consistency`."""
 
     compwright: int

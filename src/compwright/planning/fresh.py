@@ -15,7 +15,7 @@ from compwright.estimation.axis import Draws
 from compwright.planning.wanted import MeasuredError
 from compwright.prediction.acting import Correction
 from compwright.prediction.positioning import dithered_targets, fresh_slopes, predict_test
-from compwright.prediction.scatter import Scatter, fresh_scatter
+from compwright.prediction.scatter import FreshScatter, fresh_scatter
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.noise import IndexArray, NoiseDraws, NoisePart, without
 from compwright.records.prediction import Quantiles
@@ -67,7 +67,7 @@ class FreshTests:
     draws: Draws
     slopes: FloatArray
     state: Any
-    drawn: dict[frozenset[NoisePart], Scatter] = field(default_factory=dict)
+    drawn: dict[frozenset[NoisePart], FreshScatter] = field(default_factory=dict)
 
     @property
     def targets(self) -> FloatArray:
@@ -128,7 +128,7 @@ class FreshTests:
             for each in fields(noise)
         )
 
-    def _scatter_without(self, parts: frozenset[NoisePart]) -> Scatter:
+    def _scatter_without(self, parts: frozenset[NoisePart]) -> FreshScatter:
         asked = parts if parts and self.has(tuple(parts)) else frozenset()
         if asked not in self.drawn:
             for other in [key for key in self.drawn if key and asked]:
@@ -167,7 +167,7 @@ def fresh_tests(
     chosen = np.arange(count) * several // count
     draws = posterior.draw(sets[chosen], count, rng, like.place)
     state = rng.bit_generator.state
-    drawn: dict[frozenset[NoisePart], Scatter] = {}
+    drawn: dict[frozenset[NoisePart], FreshScatter] = {}
     if like.slope_std > 0.0:  # the slopes come after the scatter
         drawn[frozenset()] = _scatter(result, draws.noise, sets, chosen, rng)
     return FreshTests(
@@ -188,7 +188,7 @@ def _scatter(
     sets: FloatArray,
     chosen: IndexArray,
     rng: np.random.Generator,
-) -> Scatter:
+) -> FreshScatter:
     plus, minus = (
         int(np.max(result.test.readings(direction), initial=0.0)) for direction in Direction
     )
@@ -196,10 +196,10 @@ def _scatter(
         fresh_scatter(noise.taken(np.flatnonzero(chosen == place)), targets, plus, minus, rng)
         for place, targets in enumerate(sets)
     ]
-    return Scatter(
+    return FreshScatter(
         **{
             each.name: np.vstack([getattr(one, each.name) for one in parts])
-            for each in fields(Scatter)
+            for each in fields(FreshScatter)
         }
     )
 

@@ -79,7 +79,7 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting 
     )
 
 
-class _Shown(Protocol):
+class _ShownParameter(Protocol):
     """What fresh tests show of the one parameter, as `FreshTests.quantiles` is asked."""
 
     def __call__(self, change: Correction, **taken: Any) -> Quantiles:
@@ -91,7 +91,7 @@ def _shown(fresh: FreshTests, name: str, change: Correction, **taken: Any) -> Qu
 
 
 def _without(
-    work: AxisWork, fresh: FreshTests, change: Correction, shown: _Shown, alike: Quantiles
+    work: AxisWork, fresh: FreshTests, change: Correction, shown: _ShownParameter, alike: Quantiles
 ) -> Iterator[tuple[str, Quantiles, float | None]]:
     """Yield every cause with what tests without it show, and what the fit says of it; ``alike``:
     what those without readings far off show.

@@ -33,7 +33,7 @@ from compwright.planning.mirrored import mirrored_tests
 from compwright.planning.together import acted_at
 from compwright.planning.ways_of_reading import (
     ActedAt,
-    Reading,
+    TestReading,
     WayOfReading,
     plus,
     ways_of_reading,
@@ -157,7 +157,7 @@ def misread_findings(bare: ObservedTest, axis: Axis, acted: ActedAt | None) -> t
     return _doubt(logs, bare.test.name)
 
 
-def _log_likelihood(reading: Reading, axis: Axis) -> float:
+def _log_likelihood(reading: TestReading, axis: Axis) -> float:
     travel, periods = Travel(*axis.travel, axis.modulo), axis.screw_pitch
     if reading.table is None or reading.smooth is None:
         return log_likelihood(reading.error, travel, periods)

@@ -26,7 +26,7 @@ _SHAPELESS: Final = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class TestReading:
     """One way of reading a test: the error of the axis that it leaves, in ``error``; ``table``: the
     table that is known, at its targets, (m,) by direction, mm or deg, and its ``smooth`` part. None
     where there is none.
@@ -40,7 +40,7 @@ class Reading:
 
 def ways_of_reading(
     bare: ObservedTest, axis: Axis, acted_at: ActedAt | None
-) -> tuple[Reading, ...]:
+) -> tuple[TestReading, ...]:
     """Return the ways between which the readings can tell, as stated first.
 
     ``bare``: the test without what acted in it; ``acted_at``: what that was by position and
@@ -48,27 +48,27 @@ def ways_of_reading(
     """
     table = None if acted_at is None else _at(acted_at, bare.test.targets)
     if acted_at is None or table is None or not _has_shape(bare, table):
-        stated = Reading("stated", bare)
+        stated = TestReading("stated", bare)
         if _symmetric(bare.test.targets):
             return (stated,)
-        return stated, Reading("order", _in_opposite_order(bare))
+        return stated, TestReading("order", _in_opposite_order(bare))
     return tuple(_with_table(bare, axis, acted_at, table))
 
 
 def _with_table(
     bare: ObservedTest, axis: Axis, acted_at: ActedAt, table: Acted
-) -> Iterator[Reading]:
+) -> Iterator[TestReading]:
     raw, smooth = plus(bare, table), _smooth(bare.test, axis, table)
-    yield Reading("stated", bare, table, smooth)
-    yield Reading("off", raw, table, smooth)
-    yield Reading("sign", _less(_turned(raw), table), table, smooth)
-    yield Reading("directions", _less(_exchanged(raw), table), table, smooth)
-    yield Reading("order", _less(_in_opposite_order(raw), table), table, smooth)
+    yield TestReading("stated", bare, table, smooth)
+    yield TestReading("off", raw, table, smooth)
+    yield TestReading("sign", _less(_turned(raw), table), table, smooth)
+    yield TestReading("directions", _less(_exchanged(raw), table), table, smooth)
+    yield TestReading("order", _less(_in_opposite_order(raw), table), table, smooth)
     if axis.modulo is None:
         against = _counted_against(raw, sum(axis.travel))
         there = _at(acted_at, against.test.targets)
         error = _less(against, there)
-        yield Reading("against", error, there, _smooth(against.test, axis, there))
+        yield TestReading("against", error, there, _smooth(against.test, axis, there))
 
 
 def _at(acted_at: ActedAt, targets: FloatArray) -> Acted:

@@ -12,7 +12,7 @@ import numpy as np
 from compwright.evaluation.decision import Decision
 from compwright.evaluation.statistics import parameters, vdi_parameters
 from compwright.foundations.errors import Fault, UsageError
-from compwright.prediction.scatter import Scatter
+from compwright.prediction.scatter import FreshScatter
 from compwright.records.axis import FloatArray
 from compwright.records.prediction import Quantiles
 from compwright.records.settled import settled_number
@@ -34,7 +34,7 @@ _LARGEST_MARGIN: Final = 0.25  # of the travel: a shorter axis cannot keep more 
 def predict_test(
     draws_positive: FloatArray,
     draws_negative: FloatArray,
-    scatter: Scatter,
+    scatter: FreshScatter,
     *,
     change_positive: FloatArray,
     change_negative: FloatArray,
@@ -70,7 +70,7 @@ def predict_test(
 def fresh_parameters(
     positive: FloatArray,
     negative: FloatArray,
-    scatter: Scatter,
+    scatter: FreshScatter,
     *,
     coverage: float,
     vdi: bool = False,

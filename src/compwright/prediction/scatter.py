@@ -19,7 +19,7 @@ _AT_ONCE: Final = 1_000_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Scatter:
+class FreshScatter:
     """Fresh tests, one for each draw of the noise: ``mean_*`` (s, m), by which the mean of the
     readings differs from the error of the axis, and ``s_*`` (s, m), their standard deviation; mm or
     deg. NaN where there is no mean (n = 0) or no s (n < 2).
@@ -37,7 +37,7 @@ def fresh_scatter(
     runs_positive: int | FloatArray,
     runs_negative: int | FloatArray,
     rng: np.random.Generator,
-) -> Scatter:
+) -> FreshScatter:
     """Return what fresh tests at ``targets`` (m,) with ``runs_*`` readings in + and - add, one test
     for each of the s draws of the ``noise``: simulated reading by reading, evaluated as in ISO
     230-2:1997, 2.10 and 2.15. ``runs_*``: one number or (m,); 0: the direction is not measured.
@@ -59,7 +59,7 @@ def fresh_scatter(
             made[2 * side].append(mean)
             made[2 * side + 1].append(s)
     means_positive, s_positive, means_negative, s_negative = map(np.concatenate, made)
-    return Scatter(
+    return FreshScatter(
         mean_positive=means_positive,
         s_positive=s_positive,
         mean_negative=means_negative,

@@ -50,7 +50,7 @@ _PARTS: Final = {"at_positive": "at {axis}+", "at_negative": "at {axis}−"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Cause:
+class CircleCause:
     """One cause: ``value`` and ``error`` (one standard error, NaN if unknown) in ``unit``,
     ``effect`` peak to peak and ``share``.
 
@@ -71,7 +71,7 @@ class Cause:
     plain: float | None = None
     printed: float | None = None
     doubtful: bool = False
-    parts: tuple[Cause, ...] = ()
+    parts: tuple[CircleCause, ...] = ()
 
     @property
     def value_text(self) -> str:
@@ -119,7 +119,7 @@ class Cause:
         return max(0.0, scale * ends[0]), scale * ends[1]
 
 
-def ranked_causes(result: Mapping[str, Any]) -> list[Cause]:
+def ranked_causes(result: Mapping[str, Any]) -> list[CircleCause]:
     """Return the causes of a circular result of the evaluation document, the largest effect first;
     none without a diagnosis. A cause without a value is left out: ``not_applicable`` says why.
     """
@@ -143,10 +143,10 @@ def _whole(name: str) -> str:
     return "scale_mismatch" if name.startswith("scale_error") else name
 
 
-def _cause(name: str, result: Mapping[str, Any]) -> Cause:
+def _cause(name: str, result: Mapping[str, Any]) -> CircleCause:
     entry = result["diagnosis"][name]
     printed, doubtful = _printed(name, result.get("vendor") or {})
-    return Cause(
+    return CircleCause(
         name=name,
         words=cause_words(name, result.get("axes") or ("first", "second")),
         value=_finite(entry.get("value")),

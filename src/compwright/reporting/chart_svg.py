@@ -13,7 +13,15 @@ from html import escape
 from typing import Final
 
 from compwright.foundations.utf8 import visible
-from compwright.reporting.charts import INK, LEGEND_TITLE, Band, Chart, Curve, covered, legend_of
+from compwright.reporting.charts import (
+    INK,
+    LEGEND_TITLE,
+    Band,
+    Chart,
+    ChartCurve,
+    covered,
+    legend_of,
+)
 
 _WIDTH: Final = 518.4
 # Round the panels: the label beside the numbers, one digit, the margin on the right, between
@@ -162,7 +170,7 @@ def _filled(band: Band, x: _Scale, y: _Scale) -> Iterator[str]:
         )
 
 
-def _drawn(curve: Curve, x: _Scale, y: _Scale) -> str:
+def _drawn(curve: ChartCurve, x: _Scale, y: _Scale) -> str:
     """Return a curve: its line, and its markers, all in one path."""
     look, parts = curve.look, []
     if curve.width:
@@ -180,7 +188,7 @@ def _drawn(curve: Curve, x: _Scale, y: _Scale) -> str:
     return "".join(parts)
 
 
-def _markers(curve: Curve, x: Sequence[float], y: Sequence[float]) -> str:
+def _markers(curve: ChartCurve, x: Sequence[float], y: Sequence[float]) -> str:
     half, size = 0.5 * curve.size, curve.size
     right, down, shape = {
         "^": (0.0, -half, f"l{half:g},{size:g}h{-size:g}z"),
@@ -283,17 +291,17 @@ def _legend(charts: Sequence[Chart], bottom: float) -> Iterator[str]:
         at += width + _FREE
 
 
-def _handle(part: Band | Curve, at: float, up: float) -> str:
+def _handle(part: Band | ChartCurve, at: float, up: float) -> str:
     ends = _Scale(0.0, 1.0, at, at + _HANDLE)
     level = _Scale(-1.0, 1.0, up + 3.0, up - 3.0)
     if isinstance(part, Band):
         return "".join(
             _filled(Band(x=(0, 1), low=(-1, -1), high=(1, 1), look=part.look), ends, level)
         )
-    line = Curve(
+    line = ChartCurve(
         x=(0, 1), y=(0, 0), look=part.look, width=part.width, whole=part.whole, opacity=part.opacity
     )
-    mark = Curve(
+    mark = ChartCurve(
         x=(0.5,), y=(0.0,), look=part.look, size=part.size, marker=part.marker, face=part.face,
         edge=part.edge, opacity=part.opacity,
     )  # fmt: skip

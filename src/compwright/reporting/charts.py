@@ -29,7 +29,7 @@ _MOST_MARKED: Final = 150  # nodes of a table that markers can still tell apart
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class CurveLook:
     """How one approach direction is drawn; ``dashes``: lengths of line and gap in widths of the
     line, none: a whole line.
     """
@@ -42,13 +42,13 @@ class Look:
 
 
 LOOKS: Final = (
-    Look("positive", "+", "^", (), "#0b4a82"),
-    Look("negative", "−", "v", (4.0, 1.6), "#c2590c"),
+    CurveLook("positive", "+", "^", (), "#0b4a82"),
+    CurveLook("negative", "−", "v", (4.0, 1.6), "#c2590c"),
 )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Curve:
+class ChartCurve:
     """A line of ``width`` points through ``y`` over ``x`` (none at 0), with markers of ``size``
     points (none at 0), filled with ``face`` (none: empty) inside edges of ``edge`` points. NaN is a
     gap; without a ``label`` it does not stand in the legend.
@@ -56,7 +56,7 @@ class Curve:
 
     x: Sequence[float]
     y: Sequence[float]
-    look: Look
+    look: CurveLook
     label: str = ""
     width: float = 0.0
     whole: bool = False
@@ -74,7 +74,7 @@ class Band:
     x: Sequence[float]
     low: Sequence[float]
     high: Sequence[float]
-    look: Look
+    look: CurveLook
     label: str = ""
 
 
@@ -91,11 +91,11 @@ class Chart:
     y_label: str = ""
     degrees: bool = False
     bands: list[Band] = field(default_factory=list)
-    curves: list[Curve] = field(default_factory=list)
+    curves: list[ChartCurve] = field(default_factory=list)
 
-    def named(self) -> Iterator[Band | Curve]:
+    def named(self) -> Iterator[Band | ChartCurve]:
         """Yield what stands in the legend."""
-        parts: list[Band | Curve] = [*self.bands, *self.curves]
+        parts: list[Band | ChartCurve] = [*self.bands, *self.curves]
         yield from (part for part in parts if part.label)
 
     def name_axes(self, unit: object, quantity: str = "Deviation") -> None:
@@ -136,7 +136,7 @@ def result_chart(result: Document) -> Chart:
             x, y = zip(*points, strict=True)
             label = f"single readings ({look.sign})"
             chart.curves.append(
-                Curve(x=x, y=y, look=look, label=label, size=2.6, edge=0.4, opacity=0.75)
+                ChartCurve(x=x, y=y, look=look, label=label, size=2.6, edge=0.4, opacity=0.75)
             )
         label = f"mean ({look.sign})"
         chart.curves.append(_means(positions, means, look, label, face=look.colour))
@@ -178,7 +178,7 @@ def table_chart(entry: Document) -> Chart:
             x, y = numbers(wanted["positions"]), numbers(wanted[look.key])
             label = f"wanted ({look.sign})"
             chart.curves.append(
-                Curve(x=x, y=y, look=look, label=label, width=2.6, whole=True, opacity=0.35)
+                ChartCurve(x=x, y=y, look=look, label=label, width=2.6, whole=True, opacity=0.35)
             )
     positions = numbers(table["positions"])
     values = {look.key: numbers(table.get(f"correction_{look.key}")) for look in LOOKS}
@@ -188,7 +188,7 @@ def table_chart(entry: Document) -> Chart:
     for look in LOOKS[:1] if same else LOOKS:
         label = "table (+ and −)" if same else f"table ({look.sign})"
         chart.curves.append(
-            Curve(
+            ChartCurve(
                 x=positions, y=values[look.key], look=look, label=label, width=1.0, size=size,
                 face=look.colour,
             )
@@ -213,7 +213,7 @@ def estimate_chart(estimate: Document, result: Document) -> Chart:
         spread = [2.0 * value for value in numbers(estimate[f"std_{look.key}"])]
         _add_band(chart, positions, means, spread, look)
         label = f"estimate ({look.sign})"
-        chart.curves.append(Curve(x=positions, y=means, look=look, label=label, width=1.2))
+        chart.curves.append(ChartCurve(x=positions, y=means, look=look, label=label, width=1.2))
     targets = result.get("targets", [])
     where = [_number(target.get("position")) for target in targets]
     for look in LOOKS:
@@ -221,14 +221,16 @@ def estimate_chart(estimate: Document, result: Document) -> Chart:
         if _any_known(means):
             label = f"measured mean ({look.sign})"
             chart.curves.append(
-                Curve(x=where, y=means, look=look, label=label, size=4.2, face=look.colour)
+                ChartCurve(x=where, y=means, look=look, label=label, size=4.2, face=look.colour)
             )
     chart.name_axes(result.get("unit"))
     return chart
 
 
-def _means(x: Sequence[float], y: Sequence[float], look: Look, label: str, *, face: str) -> Curve:
-    return Curve(x=x, y=y, look=look, label=label, width=1.4, size=4.2, face=face)
+def _means(
+    x: Sequence[float], y: Sequence[float], look: CurveLook, label: str, *, face: str
+) -> ChartCurve:
+    return ChartCurve(x=x, y=y, look=look, label=label, width=1.4, size=4.2, face=face)
 
 
 def _add_band(
@@ -236,7 +238,7 @@ def _add_band(
     x: Sequence[float],
     y: Sequence[float],
     half: Sequence[float],
-    look: Look,
+    look: CurveLook,
     label: str = "",
 ) -> None:
     """Add y ± half, with its limits where it has a ``label``; nothing where half is not known."""
@@ -247,7 +249,7 @@ def _add_band(
     chart.bands.append(Band(x=x, low=low, high=high, look=look, label=label))
     if label:
         chart.curves.extend(
-            Curve(x=x, y=limit, look=look, width=0.55, opacity=0.8, marker="_", size=3.5)
+            ChartCurve(x=x, y=limit, look=look, width=0.55, opacity=0.8, marker="_", size=3.5)
             for limit in (low, high)
         )
 
@@ -289,11 +291,11 @@ def _with_margin(limits: Sequence[float], share: float, least: float = 0.0) -> t
     return low - free, high + free
 
 
-def legend_of(charts: Sequence[Chart]) -> dict[str, Band | Curve]:
+def legend_of(charts: Sequence[Chart]) -> dict[str, Band | ChartCurve]:
     """Return what stands in the legend of all panels, by its name: each once, what is alike side by
     side, + before −.
     """
-    entries: dict[str, Band | Curve] = {}
+    entries: dict[str, Band | ChartCurve] = {}
     for chart in charts:
         for part in chart.named():
             entries.setdefault(part.label, part)

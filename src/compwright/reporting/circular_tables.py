@@ -15,7 +15,7 @@ from rich.console import Group, RenderableType
 from rich.rule import Rule
 from rich.table import Table
 
-from compwright.reporting.causes import Cause, cause_words, ranked_causes
+from compwright.reporting.causes import CircleCause, cause_words, ranked_causes
 from compwright.reporting.numbers import MISSING, number, plain, standard_text
 from compwright.reporting.shown import Text
 from compwright.reporting.summaries import finding_lines
@@ -216,7 +216,7 @@ def _causes(result: Mapping[str, Any]) -> list[RenderableType]:
     return lines
 
 
-def _row(cause: Cause, words: str, *, printed: bool, whole: bool = True) -> list[str]:
+def _row(cause: CircleCause, words: str, *, printed: bool, whole: bool = True) -> list[str]:
     cells = [words, cause.value_text, cause.unit_text]
     cells += [number(cause.effect), f"{100.0 * cause.share:.0f} %"] if whole else ["", ""]
     cells.append(cause.text(cause.plain))

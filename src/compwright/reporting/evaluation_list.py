@@ -64,17 +64,17 @@ def _apart(results: Iterable[_Result]) -> dict[tuple[str, str], list[_Result]]:
 
 
 @dataclass(frozen=True, slots=True)
-class _Cell:
+class _ListCell:
     text: str
     style: str = ""
 
 
 @dataclass(frozen=True, slots=True)
-class _Column:
+class _ListColumn:
     """A column of cells; ``right``: numbers. The one that is ``cut`` gets what the others leave."""
 
     head: str
-    cells: Sequence[_Cell]
+    cells: Sequence[_ListCell]
     right: bool = False
     cut: bool = False
 
@@ -84,18 +84,18 @@ class _Column:
 
 
 @dataclass(frozen=True, slots=True)
-class _Columns:
+class _ListColumns:
     """Columns as lines of text: a thousand lines are drawn in a tenth of the time of rich's own
     table.
     """
 
-    columns: Sequence[_Column]
+    columns: Sequence[_ListColumn]
 
     def __rich_console__(self, console: object, options: ConsoleOptions) -> Iterable[Text]:
         fixed = sum(_GAP + column.width for column in self.columns if not column.cut)
         room = max(options.max_width - fixed, _NARROWEST)
         widths = [min(c.width, room) if c.cut else c.width for c in self.columns]
-        heads = [_Cell(column.head, "bold") for column in self.columns]
+        heads = [_ListCell(column.head, "bold") for column in self.columns]
         rows = [column.cells for column in self.columns]
         for row in (heads, *zip(*rows, strict=True)):
             line = Text(no_wrap=True, overflow="ellipsis")
@@ -119,34 +119,34 @@ def _fitted(text: str, width: int, *, right: bool) -> str:
     return " " * (width - size) + text if right else text + " " * (width - size)
 
 
-def _axes(results: Sequence[_Result], folder: str) -> _Columns:
+def _axes(results: Sequence[_Result], folder: str) -> _ListColumns:
     names = _VDI if "P" in results[0]["parameters"] else _ISO
-    return _Columns(
+    return _ListColumns(
         [
             _files(results, folder),
-            _Column("Axis", [_Cell(visible(result["axis"]) or "?") for result in results]),
+            _ListColumn("Axis", [_ListCell(visible(result["axis"]) or "?") for result in results]),
             *_parameters(results, names),
             _warnings(results),
         ]
     )
 
 
-def _circles(results: Sequence[_Result], folder: str) -> _Columns:
+def _circles(results: Sequence[_Result], folder: str) -> _ListColumns:
     old = any(result["parameters"].get("H") is not None for result in results)
     causes = [ranked_causes(result) for result in results]
-    return _Columns(
+    return _ListColumns(
         [
             _files(results, folder),
-            _Column("Plane", [_Cell(visible(result["plane"])) for result in results]),
+            _ListColumn("Plane", [_ListCell(visible(result["plane"])) for result in results]),
             *_parameters(results, _CIRCLE_1996 if old else _CIRCLE),
-            _Column("Largest cause", [_Cell(_largest(one)) for one in causes]),
+            _ListColumn("Largest cause", [_ListCell(_largest(one)) for one in causes]),
             _warnings(results),
         ]
     )
 
 
-def _files(results: Sequence[_Result], folder: str) -> _Column:
-    return _Column("File", [_Cell(_named(result, folder)) for result in results], cut=True)
+def _files(results: Sequence[_Result], folder: str) -> _ListColumn:
+    return _ListColumn("File", [_ListCell(_named(result, folder)) for result in results], cut=True)
 
 
 def _named(result: _Result, folder: str) -> str:
@@ -155,31 +155,31 @@ def _named(result: _Result, folder: str) -> str:
     return f"{_shown(first, folder)}{f' +{len(more)}' if more else ''}"
 
 
-def _parameters(results: Sequence[_Result], names: Sequence[str]) -> list[_Column]:
+def _parameters(results: Sequence[_Result], names: Sequence[str]) -> list[_ListColumn]:
     columns = [
-        _Column(
+        _ListColumn(
             _SYMBOLS.get(name) or symbol(name),
-            [_Cell(number(result["parameters"].get(name))) for result in results],
+            [_ListCell(number(result["parameters"].get(name))) for result in results],
             right=True,
         )
         for name in names
     ]
-    return [*columns, _Column("", [_Cell(unit_text(result["unit"])) for result in results])]
+    return [*columns, _ListColumn("", [_ListCell(unit_text(result["unit"])) for result in results])]
 
 
-def _warnings(results: Sequence[_Result]) -> _Column:
-    return _Column("Warning", [_gravest(result["findings"]) for result in results])
+def _warnings(results: Sequence[_Result]) -> _ListColumn:
+    return _ListColumn("Warning", [_gravest(result["findings"]) for result in results])
 
 
-def _gravest(findings: Sequence[Mapping[str, str]]) -> _Cell:
+def _gravest(findings: Sequence[Mapping[str, str]]) -> _ListCell:
     """Return the code of the finding to be looked at first: an error, a doubt of the whole result,
     else the warning that stands first on the page of the test; an info is none.
     """
     grave = [one for one in findings if one["severity"] != "info"]
     if not grave:
-        return _Cell("")
+        return _ListCell("")
     first = min(grave, key=lambda one: (one["severity"] != "error", one["code"] not in DOUBTS))
-    return _Cell(first["code"], _STYLES[first["severity"]])
+    return _ListCell(first["code"], _STYLES[first["severity"]])
 
 
 def _largest(causes: Sequence[Any]) -> str:
@@ -207,21 +207,25 @@ def _summary(summary: Mapping[str, Any], folder: str) -> list[RenderableType]:
     return shown
 
 
-def _sizes(groups: Sequence[Mapping[str, Any]], folder: str) -> _Columns:
+def _sizes(groups: Sequence[Mapping[str, Any]], folder: str) -> _ListColumns:
     rows = [(group, name, size) for group in groups for name, size in group["sizes"].items()]
 
-    def numbers(key: str) -> _Column:
-        return _Column(key, [_Cell(number(size[key])) for _, _, size in rows], right=True)
+    def numbers(key: str) -> _ListColumn:
+        return _ListColumn(key, [_ListCell(number(size[key])) for _, _, size in rows], right=True)
 
-    return _Columns(
+    return _ListColumns(
         [
-            _Column("", [_Cell(_of(group)) for group, _, _ in rows]),
-            _Column("", [_Cell(_SYMBOLS.get(name) or symbol(name)) for _, name, _ in rows]),
-            _Column("tests", [_Cell(str(size["tests"])) for _, _, size in rows], right=True),
+            _ListColumn("", [_ListCell(_of(group)) for group, _, _ in rows]),
+            _ListColumn("", [_ListCell(_SYMBOLS.get(name) or symbol(name)) for _, name, _ in rows]),
+            _ListColumn(
+                "tests", [_ListCell(str(size["tests"])) for _, _, size in rows], right=True
+            ),
             *map(numbers, ("smallest", "median", "largest")),
-            _Column("", [_Cell(unit_text(group["unit"])) for group, _, _ in rows]),
-            _Column(
-                "largest in", [_Cell(_shown(size["file"], folder)) for *_, size in rows], cut=True
+            _ListColumn("", [_ListCell(unit_text(group["unit"])) for group, _, _ in rows]),
+            _ListColumn(
+                "largest in",
+                [_ListCell(_shown(size["file"], folder)) for *_, size in rows],
+                cut=True,
             ),
         ]
     )
@@ -232,15 +236,18 @@ def _of(group: Mapping[str, Any]) -> str:
     return f"{kind} {visible(group['axis']) or 'not named'}"
 
 
-def _findings(findings: Sequence[Mapping[str, Any]], folder: str) -> _Columns:
-    return _Columns(
+def _findings(findings: Sequence[Mapping[str, Any]], folder: str) -> _ListColumns:
+    return _ListColumns(
         [
-            _Column(
-                "Finding", [_Cell(one["severity"], _STYLES[one["severity"]]) for one in findings]
+            _ListColumn(
+                "Finding",
+                [_ListCell(one["severity"], _STYLES[one["severity"]]) for one in findings],
             ),
-            _Column("", [_Cell(one["code"]) for one in findings]),
-            _Column("tests", [_Cell(str(one["tests"])) for one in findings], right=True),
-            _Column("first in", [_Cell(_shown(one["file"], folder)) for one in findings], cut=True),
+            _ListColumn("", [_ListCell(one["code"]) for one in findings]),
+            _ListColumn("tests", [_ListCell(str(one["tests"])) for one in findings], right=True),
+            _ListColumn(
+                "first in", [_ListCell(_shown(one["file"], folder)) for one in findings], cut=True
+            ),
         ]
     )
 

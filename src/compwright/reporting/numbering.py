@@ -23,7 +23,7 @@ _ROW: Final = 18
 _GAP: Final = 60
 
 
-class _Cell(NamedTuple):
+class _SectionCell(NamedTuple):
     """A section that is shown, in words: its number, its ends, what names it, its number in the
     second set; ``gap``: sections before it are left out.
     """
@@ -49,7 +49,7 @@ class _Edge(NamedTuple):
 class _Drawing(NamedTuple):
     """Cells with their middles, edges, and the middles of gaps; places in units of the drawing."""
 
-    cells: list[tuple[int, _Cell]]
+    cells: list[tuple[int, _SectionCell]]
     edges: list[_Edge]
     gaps: list[int]
 
@@ -114,7 +114,7 @@ def numbering_svg(numbering: Mapping[str, Any]) -> str:
     )
 
 
-def _cells(numbering: Mapping[str, Any]) -> list[_Cell]:
+def _cells(numbering: Mapping[str, Any]) -> list[_SectionCell]:
     """Return the sections that are shown."""
     sections: Sequence[Mapping[str, Any]] = numbering["sections"]
     names: dict[int, list[str]] = {}
@@ -135,12 +135,14 @@ def _cells(numbering: Mapping[str, Any]) -> list[_Cell]:
         second = "" if numbering["second"] is None else str(numbering["second"] + number - first)
         low, high = _position(one["from"]), _position(one["to"])
         name = " ".join(names.get(number, ()))
-        cells.append(_Cell(str(number), low, high, name, second, place != before + 1))
+        cells.append(_SectionCell(str(number), low, high, name, second, place != before + 1))
         before = place
     return cells
 
 
-def _laid_out(cells: Sequence[_Cell], zero: str, start: int, width: int, gap: int) -> _Drawing:
+def _laid_out(
+    cells: Sequence[_SectionCell], zero: str, start: int, width: int, gap: int
+) -> _Drawing:
     """Return where everything stands: cells of one ``width`` from ``start`` on."""
     drawing = _Drawing([], [_Edge(start, cells[0].low, cells[0].low == zero)], [])
     place = start

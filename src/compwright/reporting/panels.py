@@ -10,7 +10,7 @@ from typing import Any, Final, Literal, cast
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.extras import need
 from compwright.foundations.one_thread import warnings_ignored
-from compwright.reporting.charts import INK, LEGEND_TITLE, Chart, Curve, covered, legend_of
+from compwright.reporting.charts import INK, LEGEND_TITLE, Chart, ChartCurve, covered, legend_of
 
 PlotFormat = Literal["svg", "png", "pdf"]
 
@@ -81,7 +81,7 @@ def draw_chart(panel: Any, chart: Chart) -> None:
     panel.set_ylim(*up)
 
 
-def _draw_curve(panel: Any, curve: Curve) -> None:
+def _draw_curve(panel: Any, curve: ChartCurve) -> None:
     dashes = () if curve.whole else curve.look.dashes
     panel.plot(
         curve.x, curve.y, color=curve.look.colour, alpha=curve.opacity,

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from compwright.foundations.errors import Fault, UsageError
-from compwright.reporting.causes import Cause, ranked_causes
+from compwright.reporting.causes import CircleCause, ranked_causes
 from compwright.reporting.charts import Document
 from compwright.reporting.panels import known_format, new_figure, render, style
 from compwright.reporting.polar_words import (
@@ -399,7 +399,7 @@ def _travel(panel: Any, path: Path, result: Document) -> None:
 # --------------------------------------------------------------------------------------------------
 
 
-def draw_causes(panel: Any, causes: Sequence[Cause]) -> None:
+def draw_causes(panel: Any, causes: Sequence[CircleCause]) -> None:
     """Draw the effects of the causes as bars, the largest above, with 95 % whiskers and the values
     beside.
     """

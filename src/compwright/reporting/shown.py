@@ -33,7 +33,7 @@ class Text(rich.text.Text):
         return super().append(visible(text) if isinstance(text, str) else text, style)
 
 
-class _Shown(Console):
+class _PlainConsole(Console):
     """A console in which no text is a command: neither markup nor control characters."""
 
     def __init__(self, **words: Any) -> None:
@@ -56,13 +56,13 @@ def print_renderables(renderables: Sequence[RenderableType]) -> None:
     """Print renderables on standard output: in colour on a terminal, plain and at least 100 columns
     wide elsewhere.
     """
-    console = _Shown()
+    console = _PlainConsole()
     if not console.is_terminal:
-        console = _Shown(width=max(console.width, 100))
+        console = _PlainConsole(width=max(console.width, 100))
     for renderable in renderables:
         console.print(renderable)
 
 
 def messages_console() -> Console:
     """Return a console on standard error, for what is no answer."""
-    return _Shown(stderr=True)
+    return _PlainConsole(stderr=True)

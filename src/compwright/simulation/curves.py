@@ -13,7 +13,7 @@ _WAVES: Final = 64  # enough cosines for their sum to look like a Gaussian proce
 _GRID: Final = 2001  # points over the travel on which the amplitude is set
 
 
-class Curve(Protocol):
+class DeviationCurve(Protocol):
     """A deviation by position, mm or deg."""
 
     def at(self, positions: FloatArray) -> FloatArray:

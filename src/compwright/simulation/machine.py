@@ -18,8 +18,8 @@ from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.positioning import Cycle, PositioningTest
 from compwright.simulation.circles import VirtualCircle
 from compwright.simulation.circular import CircleCorrection, CircleRecording, record_circle
-from compwright.simulation.curves import FLAT, Curve
-from compwright.simulation.scatter import Scatter
+from compwright.simulation.curves import FLAT, DeviationCurve
+from compwright.simulation.scatter import SimulatedScatter
 
 #: What a control adds to the command, by position (any shape) and approach direction: mm or deg.
 Correction = Callable[[FloatArray, Direction], FloatArray]
@@ -49,11 +49,11 @@ class AxisError:
     """
 
     slope: float = 0.0
-    smooth: Curve = FLAT
+    smooth: DeviationCurve = FLAT
     screw: tuple[ScrewError, ...] = ()
     reversal: float = 0.0
-    reversal_variation: Curve = FLAT
-    scatter: Scatter = field(default_factory=Scatter)
+    reversal_variation: DeviationCurve = FLAT
+    scatter: SimulatedScatter = field(default_factory=SimulatedScatter)
     drift: float = 0.0
     expansion: float = 0.0
 

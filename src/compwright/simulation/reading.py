@@ -22,7 +22,7 @@ from compwright.foundations.validation import checked
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, FloatArray, Motion
 from compwright.simulation.circles import VirtualCircle, circle_contradictions, circles_schema
-from compwright.simulation.curves import FLAT, Curve, PointCurve, RandomCurve
+from compwright.simulation.curves import FLAT, DeviationCurve, PointCurve, RandomCurve
 from compwright.simulation.machine import (
     AxisError,
     ScrewError,
@@ -30,7 +30,7 @@ from compwright.simulation.machine import (
     VirtualAxis,
     VirtualMachine,
 )
-from compwright.simulation.scatter import Scatter, Traverses
+from compwright.simulation.scatter import SimulatedScatter, TraverseShifts
 from compwright.simulation.values import (
     TEXT,
     Keys,
@@ -267,16 +267,16 @@ def _error(axis: Axis) -> cs.CoreSchema:
         "growth_of_noise": ("growth", number(least=0.0)),
         "tails_dof": ("tails", number(above=0.0)),
         "outliers": ("outliers", record(dict, outliers, outliers)),
-        "traverses": ("traverses", record(Traverses, traverses)),
+        "traverses": ("traverses", record(TraverseShifts, traverses)),
     }
     return record(_axis_error, keys)
 
 
 def _axis_error(
     slope: float = 0.0,
-    smooth: Curve = FLAT,
+    smooth: DeviationCurve = FLAT,
     screw: Sequence[ScrewError] = (),
-    reversal: tuple[float, Curve] = (0.0, FLAT),
+    reversal: tuple[float, DeviationCurve] = (0.0, FLAT),
     drift: float = 0.0,
     expansion: float = 0.0,
     outliers: Mapping[str, float] = MappingProxyType({"share": 0.0, "size": 0.0}),
@@ -288,7 +288,9 @@ def _axis_error(
         screw=tuple(screw),
         reversal=reversal[0],
         reversal_variation=reversal[1],
-        scatter=Scatter(outlier_share=outliers["share"], outlier_size=outliers["size"], **scatter),
+        scatter=SimulatedScatter(
+            outlier_share=outliers["share"], outlier_size=outliers["size"], **scatter
+        ),
         drift=drift,
         expansion=expansion,
     )
@@ -342,7 +344,7 @@ def _random_curve(
 def _reversal(axis: Axis) -> cs.CoreSchema:
     units = _UNITS[axis.kind]
 
-    def built(mean: float = 0.0, **curve: Any) -> tuple[float, Curve]:
+    def built(mean: float = 0.0, **curve: Any) -> tuple[float, DeviationCurve]:
         return mean, _random_curve(axis, _REVERSAL, **curve)
 
     mean = {f"mean_{units.deviation}": ("mean", scaled(units.inside))}

@@ -14,7 +14,7 @@ from compwright.records.axis import Direction, FloatArray
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Traverses:
+class TraverseShifts:
     """What sets one traverse (the readings of one run in one direction) apart from the others, mm
     or deg, standard deviations.
 
@@ -28,7 +28,7 @@ class Traverses:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Scatter:
+class SimulatedScatter:
     """How readings scatter, mm or deg.
 
     ``noise``: standard deviation of a reading at the lower end of the travel; ``noise_negative``:
@@ -43,7 +43,7 @@ class Scatter:
     tails: float | None = None
     outlier_share: float = 0.0
     outlier_size: float = 0.0
-    traverses: Traverses = field(default_factory=Traverses)
+    traverses: TraverseShifts = field(default_factory=TraverseShifts)
 
     def drawn(
         self,

@@ -20,7 +20,13 @@ import numpy as np
 from compwright.foundations.findings import Finding
 from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.likelihood import AfterMeans
-from compwright.verification.loading_names import LEAST_SLOPE, REFUSED, Named, factor_of, named
+from compwright.verification.loading_names import (
+    LEAST_SLOPE,
+    REFUSED,
+    NamedLoading,
+    factor_of,
+    named,
+)
 from compwright.verification.loading_words import (
     Shown,
     declared_slope_text,
@@ -87,7 +93,7 @@ def _stands(each: Rated) -> bool:
 
 
 def _verdict(
-    shown: Shown, names: Named, ways: Sequence[Rated], declared_slope: float | None
+    shown: Shown, names: NamedLoading, ways: Sequence[Rated], declared_slope: float | None
 ) -> LoadingVerdict:
     best = names.best
     clear = names.together >= CLEAR and not names.hidden and (names.fits or _explains(shown, best))
@@ -120,7 +126,7 @@ def _verdict(
     )
 
 
-def _neither(shown: Shown, names: Named) -> LoadingVerdict:
+def _neither(shown: Shown, names: NamedLoading) -> LoadingVerdict:
     """Return the verdict where nothing fits: the least unlikely of that is no lead."""
     text = neither_message(shown)
     return LoadingVerdict(
@@ -153,7 +159,7 @@ def _explains(shown: Shown, best: Rated) -> bool:
 
 
 def _message(
-    shown: Shown, names: Named, ways: Sequence[Rated], declared_slope: float | None
+    shown: Shown, names: NamedLoading, ways: Sequence[Rated], declared_slope: float | None
 ) -> str:
     """Return what is said of a name that is given."""
     best = names.best

@@ -31,7 +31,7 @@ _TOLD: Final = 0.005
 
 
 @dataclass(frozen=True, slots=True)
-class Named:
+class NamedLoading:
     """What a test says of names.
 
     ``best``: the likeliest hypothesis of the likeliest name; ``fits``: whether the test fits it.
@@ -51,7 +51,7 @@ class Named:
     hidden: bool
 
 
-def named(after: AfterMeans, rated: Sequence[Rated], declared_slope: float | None) -> Named:
+def named(after: AfterMeans, rated: Sequence[Rated], declared_slope: float | None) -> NamedLoading:
     """Return the name that ``rated`` give a test, and what is to be said beside it.
 
     ``declared_slope``: as `judge_loading` takes it.
@@ -79,7 +79,7 @@ def named(after: AfterMeans, rated: Sequence[Rated], declared_slope: float | Non
     told: set[LoadingName] = {*counted, *equivalent}
     if fits and any(each.hypothesis.read in counted for each in rated):
         told.add("measurement")
-    return Named(
+    return NamedLoading(
         best=best,
         fits=fits,
         together=together,

@@ -15,7 +15,7 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any, Final
 
-from compwright.evaluation.repeats import Named, same_measurement
+from compwright.evaluation.repeats import NamedTest, same_measurement
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import share_a_file
 from compwright.records.circular import CircularTest
@@ -229,7 +229,7 @@ def copies(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
     }
     for one, other in combinations(every, 2):
         same = same_measurement(
-            *(Named(entry.axis, entry.test.sources, entry.test) for entry in (one, other))
+            *(NamedTest(entry.axis, entry.test.sources, entry.test) for entry in (one, other))
         )
         if same or copied_scatter(one.test, other.test) is not None:
             message = (

@@ -64,7 +64,7 @@ def judge_read_back(
 
 
 @dataclass(frozen=True, slots=True)
-class _Cause:
+class _Mistake:
     """What the control would do after one mistake, and how to say it: exactly so, or so apart from
     the backlash.
     """
@@ -77,28 +77,28 @@ class _Cause:
 
 def _causes(
     wish: _Curves, where: FloatArray, planned: Correction, old: Correction, spacing: float
-) -> Iterator[_Cause]:
-    yield _Cause(
+) -> Iterator[_Mistake]:
+    yield _Mistake(
         "not_active",
         {side: old(where, side) for side in Direction},
         "what was in the control before is still there",
         "the table that was in the control before is still there; only the backlash differs from"
         " before",
     )
-    yield _Cause(
+    yield _Mistake(
         "not_active",
         {side: np.zeros(where.shape) for side in Direction},
         "nothing acts: the table is off or empty",
         "no table acts: it is off or empty; only backlash does",
     )
-    yield _Cause(
+    yield _Mistake(
         "inverted",
         {side: -wish[side] for side in Direction},
         "every value has the opposite sign",
         "every value of the table has the opposite sign, apart from the backlash",
     )
     for factor, says in _FACTORS.items():
-        yield _Cause(
+        yield _Mistake(
             "scaled",
             {side: factor * wish[side] for side in Direction},
             f"every value is {says}",
@@ -106,7 +106,7 @@ def _causes(
         )
     for nodes in (shift * sign for shift in range(1, _MOST_SHIFT + 1) for sign in (1, -1)):
         sits = f"the table sits {abs(nodes)} nodes too far to {'+' if nodes > 0 else '-'}"
-        yield _Cause(
+        yield _Mistake(
             "shifted",
             {side: _shifted(planned, where, side, nodes * spacing) for side in Direction},
             sits,

@@ -10,7 +10,7 @@ import numpy as np
 
 from compwright.controllers.fanuc.axis import AxisLoader
 from compwright.controllers.fanuc.beside import CYCLIC, CYCLIC_FACTOR, Cycle, inclination
-from compwright.controllers.fanuc.grid import Grid
+from compwright.controllers.fanuc.grid import IncrementGrid
 from compwright.controllers.fanuc.memory import number_list
 from compwright.controllers.fanuc.options import Options
 from compwright.controllers.fanuc.table import PitchTable, totals
@@ -23,7 +23,7 @@ _WHOLE_PERIODS = 1e-6
 
 
 def pitch_table(
-    loader: AxisLoader, grid: Grid, options: Options, returning: Direction
+    loader: AxisLoader, grid: IncrementGrid, options: Options, returning: Direction
 ) -> PitchTable | None:
     """Return the totals of a grid whose points are all there, inclination with them where it is
     counted; None when its points are at fault.
@@ -96,7 +96,9 @@ def backlash(loader: AxisLoader, axis: int, options: Options) -> int:
     return feed or 0
 
 
-def cycle(loader: AxisLoader, axis: int, grid: Grid | None, options: Options) -> Cycle | None:
+def cycle(
+    loader: AxisLoader, axis: int, grid: IncrementGrid | None, options: Options
+) -> Cycle | None:
     """Return the second table of an axis where it is counted, None where it has none or it is at
     fault. ``grid``: of its main table.
     """
@@ -176,7 +178,7 @@ def _rapid_unknown(loader: AxisLoader, axis: int, feed: int, options: Options) -
         )
 
 
-def _inclined(loader: AxisLoader, grid: Grid, options: Options, used: int) -> FloatArray:
+def _inclined(loader: AxisLoader, grid: IncrementGrid, options: Options, used: int) -> FloatArray:
     """Return the inclination (k + 1,) at the section ends of a grid, detection units, without 3623;
     0 where it is not counted.
     """
@@ -204,7 +206,7 @@ def _inclined(loader: AxisLoader, grid: Grid, options: Options, used: int) -> Fl
     return at
 
 
-def _check_turn(loader: AxisLoader, grid: Grid, pulses: int) -> None:
+def _check_turn(loader: AxisLoader, grid: IncrementGrid, pulses: int) -> None:
     """The increments of a turn have to add up to 0."""
     if grid.turn is not None and pulses != 0:
         creep = pulses * grid.magnification

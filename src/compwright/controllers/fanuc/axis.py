@@ -13,7 +13,7 @@ from dataclasses import replace
 
 from compwright.controllers.fanuc.beside import left_out
 from compwright.controllers.fanuc.checks import inclined_without_grid, not_used, stopping
-from compwright.controllers.fanuc.grid import Grid
+from compwright.controllers.fanuc.grid import IncrementGrid
 from compwright.controllers.fanuc.memory import Memory, number_list
 from compwright.controllers.fanuc.options import Options
 from compwright.controllers.request import Request, by_address, finite_number
@@ -52,14 +52,14 @@ class AxisLoader:
             del self.memory.faults[before:]
             self.note(axis, f"is odd and left alone: {odd[0].message}")
 
-    def neighbour(self, axis: int, options: Options) -> Grid | None:
+    def neighbour(self, axis: int, options: Options) -> IncrementGrid | None:
         """Return the grid of an axis that nobody asks for; one with faults is noted and left
         out.
         """
         with self.stopping_nothing(axis):
             return self.grid(axis, options)
 
-    def grid(self, axis: int, options: Options) -> Grid | None:
+    def grid(self, axis: int, options: Options) -> IncrementGrid | None:
         """Return the grid of an axis, None when the control compensates nothing by points (or a
         fault says why not).
         """
@@ -71,7 +71,7 @@ class AxisLoader:
             self.memory.faults += inclined_without_grid(self.memory, axis)
         return grid
 
-    def _grid(self, axis: int, options: Options) -> Grid | None:
+    def _grid(self, axis: int, options: Options) -> IncrementGrid | None:
         before = len(self.memory.faults)
         self.memory.faults += stopping(self.memory, axis, rotary=self.said_rotary(axis) is True)
         values = {number: self.memory.whole(number, axis) for number in _GRID[:-1]}
@@ -110,7 +110,7 @@ class AxisLoader:
         if interval == 0.0:
             self.fault(axis, f"interval 3624 of axis {axis}", "above 0", "0")
             return None
-        grid = Grid(
+        grid = IncrementGrid(
             axis=axis,
             reference=reference,
             lowest=lowest,
@@ -159,7 +159,7 @@ class AxisLoader:
         )
         return rotary
 
-    def _endless(self, grid: Grid, *, rotary: bool) -> Grid:
+    def _endless(self, grid: IncrementGrid, *, rotary: bool) -> IncrementGrid:
         """Return the grid with its turn where its numbers are those of an endless axis; a near miss
         is a fault.
         """
@@ -228,7 +228,7 @@ class AxisLoader:
             1006, 1, axis
         )
 
-    def _bidirectional(self, grid: Grid) -> Grid:
+    def _bidirectional(self, grid: IncrementGrid) -> IncrementGrid:
         """Return the grid with the set for travel towards - where 3605#0 = 1."""
         bit = self.memory.bit(3605, 0, grid.axis)
         if bit is None:
@@ -284,7 +284,7 @@ class AxisLoader:
                 "3605#2 = 1 may mean interpolated compensation (bit unsure); option output decides",
             )
 
-    def _check_points(self, grid: Grid, options: Options) -> None:
+    def _check_points(self, grid: IncrementGrid, options: Options) -> None:
         """All points of the grid have to be there and within the series' limit."""
         needless = {
             start

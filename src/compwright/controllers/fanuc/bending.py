@@ -13,7 +13,7 @@ import numpy as np
 
 from compwright.controllers.fanuc.axis import AxisLoader
 from compwright.controllers.fanuc.beside import Bend, bends
-from compwright.controllers.fanuc.grid import Grid
+from compwright.controllers.fanuc.grid import IncrementGrid
 from compwright.controllers.fanuc.options import Options
 from compwright.records.axis import FloatArray
 from compwright.records.correction import Assumption
@@ -41,7 +41,7 @@ class Bending:
 
 
 def bending_of(
-    loader: AxisLoader, grids: Mapping[int, Grid | None], options: Mapping[int, Options]
+    loader: AxisLoader, grids: Mapping[int, IncrementGrid | None], options: Mapping[int, Options]
 ) -> Iterator[Bending]:
     """Yield the pairs that an option counts and the caller asks for; what is open about one is a
     fault of the memory.
@@ -86,7 +86,7 @@ def _unit(loader: AxisLoader, bend: Bend, options: Mapping[int, Options]) -> flo
     return unit
 
 
-def _bending(loader: AxisLoader, bend: Bend, grid: Grid, unit: float) -> Bending:
+def _bending(loader: AxisLoader, bend: Bend, grid: IncrementGrid, unit: float) -> Bending:
     numbers = np.arange(
         grid.reference if grid.turn is not None else grid.lowest - 1, grid.highest + 1
     ).astype(np.float64)

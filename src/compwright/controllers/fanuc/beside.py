@@ -31,7 +31,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from compwright.controllers.fanuc.machine import MACHINE, Entry, Machine, Owner
+from compwright.controllers.fanuc.machine import MACHINE, Machine, MachineEntry, Owner
 from compwright.foundations.errors import Fault
 from compwright.records.axis import FloatArray
 
@@ -59,7 +59,7 @@ _LARGEST = 32767
 
 
 @dataclass(frozen=True, slots=True)
-class Lines:
+class InclinedLines:
     """Straight lines through ``amounts`` (detection units) at ``points`` (numbers), ascending; the
     ends hold.
     """
@@ -106,11 +106,11 @@ class Bend:
 
     moving: int
     bent: int
-    lines: Lines
-    entry: Entry
+    lines: InclinedLines
+    entry: MachineEntry
 
 
-def inclination(machine: Machine, axis: int, faults: list[Fault]) -> Lines | None:
+def inclination(machine: Machine, axis: int, faults: list[Fault]) -> InclinedLines | None:
     """Return the inclination of an axis, None where every amount is 0 or it is at fault."""
     at = [machine.said(number, axis) for number in _INCLINED_AT]
     amounts = [machine.said(number, axis) for number in _INCLINED]
@@ -124,7 +124,7 @@ def cyclic_numbers(machine: Machine, axis: int) -> range:
     return range(low, high + 1) if 0 <= low < high else range(0)
 
 
-def inclined(machine: Machine, axis: int) -> Entry | None:
+def inclined(machine: Machine, axis: int) -> MachineEntry | None:
     """Return an amount of inclination that is not 0, None without one."""
     found = (machine.said(number, axis) for number in _INCLINED)
     return next((entry for entry in found if entry is not None and not entry.zero), None)
@@ -201,8 +201,11 @@ def left_out(machine: Machine, axis: int, counted: frozenset[str]) -> Iterator[s
 
 
 def _lines(
-    at: list[Entry | None], amounts: list[Entry | None], what: str, faults: list[Fault]
-) -> Lines | None:
+    at: list[MachineEntry | None],
+    amounts: list[MachineEntry | None],
+    what: str,
+    faults: list[Fault],
+) -> InclinedLines | None:
     """Return the lines of four numbers and four amounts; None where every amount is 0 or something
     is at fault.
     """
@@ -226,16 +229,18 @@ def _lines(
             acting[0].fault(f"the points of the {what} ({found})", "ascending, one amount at each")
         )
         return None
-    return Lines(tuple(p for p, _ in pairs), tuple(v for _, v in pairs))
+    return InclinedLines(tuple(p for p, _ in pairs), tuple(v for _, v in pairs))
 
 
-def _of(machine: Machine, number: int, owner: Owner) -> Entry | None:
+def _of(machine: Machine, number: int, owner: Owner) -> MachineEntry | None:
     """Return the value of one path, else of the machine."""
     found = machine.entries.get(number, {})
     return found.get(owner, found.get(MACHINE))
 
 
-def _one_axis(machine: Machine, owner: Owner, entry: Entry, faults: list[Fault]) -> int | None:
+def _one_axis(
+    machine: Machine, owner: Owner, entry: MachineEntry, faults: list[Fault]
+) -> int | None:
     """Return the axis that an axis number names; a fault where it may mean another one too."""
     axes = () if entry.whole is None else machine.named(owner, entry.whole)
     if len(axes) == 1:
@@ -249,7 +254,7 @@ def _one_axis(machine: Machine, owner: Owner, entry: Entry, faults: list[Fault])
     return None
 
 
-def _naming(machine: Machine, numbers: Iterable[int], axis: int) -> Iterator[Entry]:
+def _naming(machine: Machine, numbers: Iterable[int], axis: int) -> Iterator[MachineEntry]:
     """Yield the values that are an axis number and may mean this axis."""
     for number in numbers:
         for owner, entry in machine.entries.get(number, {}).items():
@@ -260,11 +265,11 @@ def _naming(machine: Machine, numbers: Iterable[int], axis: int) -> Iterator[Ent
                 yield entry
 
 
-def _any(machine: Machine, numbers: Iterable[int]) -> Entry | None:
+def _any(machine: Machine, numbers: Iterable[int]) -> MachineEntry | None:
     """Return a value of these parameters that is not 0, of any owner."""
     found = (entry for number in numbers for entry in machine.entries.get(number, {}).values())
     return next((entry for entry in found if not entry.zero), None)
 
 
-def _where(entry: Entry) -> str:
+def _where(entry: MachineEntry) -> str:
     return f"{entry.number}: {entry.text}, {entry.file}, line {entry.line}"

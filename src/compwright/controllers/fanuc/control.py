@@ -32,7 +32,7 @@ from compwright.controllers.fanuc.acting import backlash, cycle, pitch_table
 from compwright.controllers.fanuc.axis import AxisLoader
 from compwright.controllers.fanuc.bending import Bending, bending_of
 from compwright.controllers.fanuc.beside import Cycle, cyclic_numbers
-from compwright.controllers.fanuc.grid import Grid
+from compwright.controllers.fanuc.grid import IncrementGrid
 from compwright.controllers.fanuc.machine import FINEST_CONFIRMED, read_machine
 from compwright.controllers.fanuc.memory import Memory, number_list
 from compwright.controllers.fanuc.options import Options, read_options
@@ -42,7 +42,7 @@ from compwright.controllers.fanuc.series import (
     SERIES_0I_F,
     SERIES_15I,
     SERIES_30I,
-    Series,
+    ControlSeries,
 )
 from compwright.controllers.fanuc.sheet import is_sheet, read_sheet
 from compwright.controllers.fanuc.table import PitchTable
@@ -57,7 +57,7 @@ _SAME_UNIT = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
-class _Axis:
+class _FanucAxis:
     """``backlash`` in detection units of ``unit`` mm or deg; ``unit`` None where the caller did not
     say it.
     """
@@ -79,7 +79,7 @@ class FanucControl:
     Addresses are controlled axis numbers as text, ``"1"``.
     """
 
-    axes: dict[str, _Axis]
+    axes: dict[str, _FanucAxis]
     bent: tuple[Bending, ...]
     assumed: tuple[Assumption, ...]
     notes: tuple[str, ...]
@@ -149,7 +149,7 @@ class FanucControl:
         x = np.asarray(positions, dtype=np.float64)
         return np.asarray(sum((entry.at(x) for entry in acting), np.zeros(x.shape)))
 
-    def _axis(self, address: str) -> _Axis:
+    def _axis(self, address: str) -> _FanucAxis:
         axis = by_address(self.axes, address)
         if axis is None:
             raise unknown_axis(address, self.addresses())
@@ -181,7 +181,7 @@ def fanuc_15i_control(files: Sequence[ControlFile], request: Request) -> FanucCo
     return _control(files, request, SERIES_15I)
 
 
-def _control(files: Sequence[ControlFile], request: Request, series: Series) -> FanucControl:
+def _control(files: Sequence[ControlFile], request: Request, series: ControlSeries) -> FanucControl:
     """Return the control with parameter files, pitch data files and typed-entry sheets loaded, in
     any order.
 
@@ -217,7 +217,7 @@ def _control(files: Sequence[ControlFile], request: Request, series: Series) -> 
     )
 
 
-def _memory(files: Sequence[ControlFile], request: Request, series: Series) -> Memory:
+def _memory(files: Sequence[ControlFile], request: Request, series: ControlSeries) -> Memory:
     """Return what all files say; files without any parameter of the compensation are a fault."""
 
     def pitch_sign(address: str) -> str:
@@ -240,7 +240,7 @@ def _memory(files: Sequence[ControlFile], request: Request, series: Series) -> M
     return memory
 
 
-def _spoken(series: Series, fault: Fault) -> Fault:
+def _spoken(series: ControlSeries, fault: Fault) -> Fault:
     """Return a fault with the numbers of parameters that the control has."""
     return replace(
         fault,
@@ -250,7 +250,7 @@ def _spoken(series: Series, fault: Fault) -> Fault:
     )
 
 
-def _options(request: Request, memory: Memory, series: Series) -> dict[int, Options]:
+def _options(request: Request, memory: Memory, series: ControlSeries) -> dict[int, Options]:
     """Return the options of each axis; its files say the detection unit where the caller does not,
     and must not contradict him.
     """
@@ -294,7 +294,9 @@ def _no_unit(address: str) -> Fault:
     )
 
 
-def _axis(loader: AxisLoader, axis: int, grid: Grid | None, options: Options) -> _Axis:
+def _axis(
+    loader: AxisLoader, axis: int, grid: IncrementGrid | None, options: Options
+) -> _FanucAxis:
     """Return one axis with its table and backlash; what was taken without being told goes to the
     loader.
     """
@@ -310,7 +312,7 @@ def _axis(loader: AxisLoader, axis: int, grid: Grid | None, options: Options) ->
                 f"the grid is taken to hang on the reference position {reference:g}, not on machine"
                 " zero (unconfirmed)",
             )
-    return _Axis(
+    return _FanucAxis(
         table=None if grid is None else pitch_table(loader, grid, options, returning),
         cycle=cycle(loader, axis, grid, options),
         backlash=backlash(loader, axis, options),
@@ -321,7 +323,7 @@ def _axis(loader: AxisLoader, axis: int, grid: Grid | None, options: Options) ->
     )
 
 
-def _note_shared(loader: AxisLoader, grids: dict[int, Grid]) -> None:
+def _note_shared(loader: AxisLoader, grids: dict[int, IncrementGrid]) -> None:
     """All axes share one array of points: what two of them use serves both, and is noted.
 
     An axis whose magnification is 0 uses none; that its range meets another's is noted too.
@@ -354,7 +356,9 @@ def _note_shared(loader: AxisLoader, grids: dict[int, Grid]) -> None:
         )
 
 
-def _sharing(loader: AxisLoader, first: Grid, second: Grid, numbers: Sequence[int]) -> None:
+def _sharing(
+    loader: AxisLoader, first: IncrementGrid, second: IncrementGrid, numbers: Sequence[int]
+) -> None:
     """Note what two axes that share ``numbers`` mean by them."""
     shared = number_list(numbers)
     how = (

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Grid:
+class IncrementGrid:
     """What 3605#0 and 3620 to 3627 say of an axis. ``interval`` and ``turn`` in mm or deg,
     ``offset`` in detection units.
 
@@ -34,6 +34,6 @@ class Grid:
         """Return all point numbers that the axis uses."""
         return [start + i for start in self.starts() for i in range(self.highest - self.lowest + 1)]
 
-    def same_use(self, other: Grid) -> bool:
+    def same_use(self, other: IncrementGrid) -> bool:
         """Whether two axes mean the same by the same numbers (a gantry pair may)."""
         return replace(self, axis=0) == replace(other, axis=0)

@@ -21,8 +21,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
 
-from compwright.controllers.fanuc.series import Series
-from compwright.controllers.fanuc.text import KEPT_FILES, Setting
+from compwright.controllers.fanuc.series import ControlSeries
+from compwright.controllers.fanuc.text import KEPT_FILES, ParameterSetting
 from compwright.foundations.errors import Fault
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.correction import ControlFile
@@ -53,7 +53,7 @@ _WHOLE = re.compile(r"-?[0-9]{1,9}")
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class MachineEntry:
     """One value and where it stands. ``letter``: P, M or I as the file has it."""
 
     number: int
@@ -96,12 +96,12 @@ MACHINE: Owner = ("", 0)
 class Machine:
     """Values by parameter and owner."""
 
-    series: Series
-    entries: dict[int, dict[Owner, Entry]] = field(default_factory=lambda: defaultdict(dict))
+    series: ControlSeries
+    entries: dict[int, dict[Owner, MachineEntry]] = field(default_factory=lambda: defaultdict(dict))
     #: What contradicts an entry: whose value it is, and the fault.
     contradictions: list[tuple[Owner, Fault]] = field(default_factory=list)
 
-    def take(self, owner: Owner, entry: Entry) -> None:
+    def take(self, owner: Owner, entry: MachineEntry) -> None:
         """Keep a value; another one for the same owner contradicts it."""
         kept = self.entries[entry.number].setdefault(owner, entry)
         letters = {kept.letter, entry.letter}
@@ -112,11 +112,11 @@ class Machine:
             )
             self.contradictions.append((owner, fault))
 
-    def typed(self, settings: Iterable[Setting]) -> None:
+    def typed(self, settings: Iterable[ParameterSetting]) -> None:
         """Keep what a typed-entry sheet says beside the pitch parameters."""
         for each in settings:
             if each.number in _KEPT and each.axis is not None:
-                entry = Entry(each.number, each.keyword, each.text, each.file, each.line)
+                entry = MachineEntry(each.number, each.keyword, each.text, each.file, each.line)
                 self.take(("A", each.axis), entry)
 
     def contradicting(self, axis: int) -> Iterator[Fault]:
@@ -132,7 +132,7 @@ class Machine:
         home = self.entries.get(PATH_OF, {}).get(("A", axis))
         return None if home is None or home.whole is None else max(home.whole, 1)
 
-    def said(self, number: int, axis: int) -> Entry | None:
+    def said(self, number: int, axis: int) -> MachineEntry | None:
         """Return what holds for an axis: its own value, its path's, the machine's.
 
         Where nobody says the path it is that of the first one; `either` says whether that decides.
@@ -174,7 +174,7 @@ class Machine:
         entry = self.said(1260, axis)
         return float(entry.text) if entry is not None and "." in entry.text.rstrip(".") else 0.0
 
-    def system(self, axis: int) -> Entry | None:
+    def system(self, axis: int) -> MachineEntry | None:
         """Return the parameter that says the increment system of an axis."""
         found = (self.said(number, axis) for number in self.series.systems)
         return next((entry for entry in found if entry is not None), None)
@@ -218,7 +218,7 @@ class Machine:
         return tuple(dict.fromkeys([number, *own]))
 
 
-def read_machine(files: Iterable[ControlFile], series: Series) -> Machine:
+def read_machine(files: Iterable[ControlFile], series: ControlSeries) -> Machine:
     """Return what all files say; sheets and pitch data say nothing here."""
     machine = Machine(series)
     for file in files:
@@ -228,10 +228,10 @@ def read_machine(files: Iterable[ControlFile], series: Series) -> Machine:
 
 
 @lru_cache(maxsize=KEPT_FILES)
-def _values(file: ControlFile, series: Series) -> tuple[tuple[Owner, Entry], ...]:
+def _values(file: ControlFile, series: ControlSeries) -> tuple[tuple[Owner, MachineEntry], ...]:
     """Return the values of a file that say something here, in its order."""
     kept = _KEPT if not series.own else {1001, *series.unknown}
-    found: list[tuple[Owner, Entry]] = []
+    found: list[tuple[Owner, MachineEntry]] = []
     for match in _ROW.finditer(file.content):
         number = int(match[1])
         if number not in kept or match[2] not in (None, b"1"):
@@ -241,7 +241,7 @@ def _values(file: ControlFile, series: Series) -> tuple[tuple[Owner, Entry], ...
         for letter, index, keyword, text in _GROUP.findall(rest):
             if number >= _POINTS_FROM and match[2] is None and not letter:
                 continue  # without Q1 and without an owner this is a point
-            entry = Entry(number, keyword, text, file.name, line)
+            entry = MachineEntry(number, keyword, text, file.name, line)
             found.append(((letter, int(index or 0)), entry))
     return tuple(found)
 

@@ -14,9 +14,9 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from typing import TypeVar
 
-from compwright.controllers.fanuc.machine import Entry, Machine
-from compwright.controllers.fanuc.series import Series
-from compwright.controllers.fanuc.text import POINT_BASE, FileContent, PointRecord, Setting
+from compwright.controllers.fanuc.machine import Machine, MachineEntry
+from compwright.controllers.fanuc.series import ControlSeries
+from compwright.controllers.fanuc.text import POINT_BASE, ParameterSetting, PointRecord, TapeContent
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.correction import Assumption
 
@@ -42,13 +42,17 @@ class Memory:
     to be the same.
     """
 
-    def __init__(self, contents: Sequence[FileContent], series: Series, machine: Machine) -> None:
+    def __init__(
+        self, contents: Sequence[TapeContent], series: ControlSeries, machine: Machine
+    ) -> None:
         self.series = series
         self.machine = machine
         self.faults = [fault for content in contents for fault in content.faults]
         self.notes = [note for content in contents for note in content.notes]
         self.assumed: list[Assumption] = []
-        self._settings: dict[tuple[int, int | None, int | None], list[Setting]] = defaultdict(list)
+        self._settings: dict[tuple[int, int | None, int | None], list[ParameterSetting]] = (
+            defaultdict(list)
+        )
         for content in contents:
             for setting in content.settings:
                 self._keep(setting)
@@ -73,7 +77,7 @@ class Memory:
         """Whether a parameter of an axis is in the files."""
         return bool(self._settings.get((number, axis, None)))
 
-    def setting(self, number: int, axis: int) -> Setting:
+    def setting(self, number: int, axis: int) -> ParameterSetting:
         """Return the setting of an axis for a fault's file and line; it must be `given`."""
         return self._settings[number, axis, None][0]
 
@@ -90,7 +94,7 @@ class Memory:
         """
         lowest, highest = self._range(number)
 
-        def convert(setting: Setting) -> int | None:
+        def convert(setting: ParameterSetting) -> int | None:
             if setting.keyword in ("M", "I") or not _WHOLE.fullmatch(setting.text):
                 self.faults.append(
                     setting.fault(
@@ -127,9 +131,9 @@ class Memory:
         """
         return self._one((number, axis, None), lambda setting: self._length(setting, rotary=rotary))
 
-    def entry_length(self, entry: Entry, axis: int, *, rotary: bool) -> float | None:
+    def entry_length(self, entry: MachineEntry, axis: int, *, rotary: bool) -> float | None:
         """Return a length that the machine's values hold, mm or deg, as `length` does."""
-        setting = Setting(
+        setting = ParameterSetting(
             entry.number, axis, None, entry.letter, entry.text, entry.file, entry.line
         )
         return self._length(setting, rotary=rotary)
@@ -155,7 +159,7 @@ class Memory:
             )
         return size
 
-    def _length(self, setting: Setting, *, rotary: bool) -> float | None:
+    def _length(self, setting: ParameterSetting, *, rotary: bool) -> float | None:
         if setting.keyword in ("mm", "deg") and (setting.keyword == "deg") != rotary:
             self.faults.append(
                 setting.fault(
@@ -196,7 +200,9 @@ class Memory:
         return (-32768, 32767) if number == 3627 else (0, self.series.highest_point)
 
     def _one(
-        self, key: tuple[int, int | None, int | None], convert: Callable[[Setting], Value | None]
+        self,
+        key: tuple[int, int | None, int | None],
+        convert: Callable[[ParameterSetting], Value | None],
     ) -> Value | None:
         """Return the one value that all settings of ``key`` agree on; what differs from the first
         is a fault.
@@ -216,7 +222,7 @@ class Memory:
             first = value if first is None else first
         return first
 
-    def _keep(self, setting: Setting) -> None:
+    def _keep(self, setting: ParameterSetting) -> None:
         """File a setting under its number, axis and bit."""
         number = setting.number
         if number in _BY_AXIS and setting.axis is None:
@@ -236,7 +242,7 @@ class Memory:
             self._settings[number, setting.axis, setting.bit].append(setting)
         elif setting.bit is None and setting.keyword == "P" and _EIGHT_BITS.fullmatch(setting.text):
             for bit in _BITS[number]:
-                single = Setting(
+                single = ParameterSetting(
                     number,
                     setting.axis,
                     bit,

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from compwright.controllers.fanuc.memory import BYTE
-from compwright.controllers.fanuc.series import Series
+from compwright.controllers.fanuc.series import ControlSeries
 from compwright.controllers.request import finite_number
 from compwright.foundations.errors import Fault
 
@@ -38,7 +38,7 @@ class Options:
 
 
 def read_options(
-    given: Mapping[str, object], series: Series, address: str, faults: list[Fault]
+    given: Mapping[str, object], series: ControlSeries, address: str, faults: list[Fault]
 ) -> Options:
     """Return the options of an axis; what is wrong is added to ``faults`` and its default is
     taken.

@@ -27,7 +27,7 @@ _COMMON = frozenset({1001, 1851, 1852})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)  # one object for each series
-class Series:
+class ControlSeries:
     """``whole_lengths``: 3624 without a point counts least input increments (16i and older).
 
     ``systems``: parameters that say the increment system, the first one given counts.
@@ -61,18 +61,18 @@ class Series:
         return re.sub(r"\b362[0-7]\b", lambda match: back[match[0]], text)
 
 
-SERIES_30I = Series(name="30i", highest_point=1535, increment_limit=127)
-SERIES_0I_16I = Series(
+SERIES_30I = ControlSeries(name="30i", highest_point=1535, increment_limit=127)
+SERIES_0I_16I = ControlSeries(
     name="0i/16i",
     highest_point=1023,
     increment_limit=7,
     whole_lengths=True,
     systems=(1013, 1004),
 )
-SERIES_0I_D = Series(name="0i-D", highest_point=1023, increment_limit=7, switched_by=8135)
+SERIES_0I_D = ControlSeries(name="0i-D", highest_point=1023, increment_limit=7, switched_by=8135)
 #: Whether it has more points than 1023 is not known: more are read, where a file holds them.
-SERIES_0I_F = Series(name="0i-F", highest_point=1535, increment_limit=7, switched_by=8135)
-SERIES_15I = Series(
+SERIES_0I_F = ControlSeries(name="0i-F", highest_point=1535, increment_limit=7, switched_by=8135)
+SERIES_15I = ControlSeries(
     name="15i",
     highest_point=1023,
     increment_limit=7,

@@ -13,8 +13,8 @@ import math
 import re
 from collections.abc import Callable
 
-from compwright.controllers.fanuc.series import Series
-from compwright.controllers.fanuc.text import POINT_BASE, FileContent, PointRecord, Setting
+from compwright.controllers.fanuc.series import ControlSeries
+from compwright.controllers.fanuc.text import POINT_BASE, ParameterSetting, PointRecord, TapeContent
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -45,14 +45,16 @@ def is_sheet(file: ControlFile) -> bool:
     return file.name.casefold().endswith(".csv")
 
 
-def read_sheet(file: ControlFile, pitch_sign: Callable[[str], str], series: Series) -> FileContent:
+def read_sheet(
+    file: ControlFile, pitch_sign: Callable[[str], str], series: ControlSeries
+) -> TapeContent:
     """Return what a sheet says. ``pitch_sign``: axis address -> option; a sheet that calls its
     values errors needs a ``-``.
     """
     try:
         text = file.content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        return FileContent(
+        return TapeContent(
             faults=[Fault(message="is no UTF-8 text", file=file.name, place=f"byte {error.start}")]
         )
     lines = [
@@ -71,12 +73,12 @@ def read_sheet(file: ControlFile, pitch_sign: Callable[[str], str], series: Seri
 
 
 class _Sheet:
-    def __init__(self, file: str, pitch_sign: Callable[[str], str], series: Series) -> None:
+    def __init__(self, file: str, pitch_sign: Callable[[str], str], series: ControlSeries) -> None:
         self.file = file
         self.series = series
         self.pitch_sign = pitch_sign
         self.errors_at = 0
-        self.found = FileContent()
+        self.found = TapeContent()
         self.keys: dict[str, str] = {}
         self.axis: int | None = None
         self.headed = False
@@ -170,7 +172,7 @@ class _Sheet:
             )
         else:
             self.found.settings.append(
-                Setting(key[0], self.axis, key[1], unit or "P", value, self.file, line)
+                ParameterSetting(key[0], self.axis, key[1], unit or "P", value, self.file, line)
             )
 
     def _point(self, number: int, position: str, value: str, unit: str, line: int) -> None:

@@ -23,7 +23,7 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Literal
 
-from compwright.controllers.fanuc.series import Series
+from compwright.controllers.fanuc.series import ControlSeries
 from compwright.controllers.places import OfLine
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -56,7 +56,7 @@ KEPT_FILES = 64
 
 
 @dataclass(frozen=True, slots=True)
-class Setting(OfLine):
+class ParameterSetting(OfLine):
     """One value of a parameter. ``axis``: controlled axis number, None for a parameter of no axis.
 
     ``bit``: number of a single bit, None for the whole value. ``keyword``: P, M or I as in a file,
@@ -104,17 +104,17 @@ class PointRecord(OfLine):
 
 
 @dataclass(slots=True)
-class FileContent:
+class TapeContent:
     """What one file says: settings and points in order, remarks, and what is wrong with it."""
 
-    settings: list[Setting] = field(default_factory=list)
+    settings: list[ParameterSetting] = field(default_factory=list)
     points: list[PointRecord] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
 
 
 @lru_cache(maxsize=KEPT_FILES)
-def read_file(file: ControlFile, series: Series) -> FileContent:
+def read_file(file: ControlFile, series: ControlSeries) -> TapeContent:
     """Return what one file of the control says (bytes, ASCII, lines ended by LF, CR LF, LF CR CR or
     CR), parameters by the numbers that this room has for them. Nothing is raised. What was read is
     kept by content: it is not to be changed.
@@ -125,8 +125,8 @@ def read_file(file: ControlFile, series: Series) -> FileContent:
             file=file.name,
             expected="the text that the control punches out",
         )
-        return FileContent(faults=[fault])
-    reader = _Reader(file.name, series)
+        return TapeContent(faults=[fault])
+    reader = _TapeReader(file.name, series)
     text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf")
     for number, line in enumerate(_BREAK.split(text), start=1):
         reader.take(line, number)
@@ -138,15 +138,15 @@ class _Unreadable(Exception):  # noqa: N818  # a signal inside this module
     """A block of ours that cannot be read; the text says what was expected."""
 
 
-class _Reader:
+class _TapeReader:
     """Takes a file line by line. ``marks``: number of ``%`` so far; an odd one opens a tape
     section, an even one closes it.
     """
 
-    def __init__(self, file: str, series: Series) -> None:
+    def __init__(self, file: str, series: ControlSeries) -> None:
         self.file = file
         self.series = series
-        self.found = FileContent()
+        self.found = TapeContent()
         self.marks = 0
         self.programmed = False
         self.before: list[int] = []
@@ -291,7 +291,7 @@ class _Reader:
                     raise _Unreadable("axis parameters of the first path (L1)")
                 if owner not in ("S", "T") and path == "1":
                     self.found.settings.append(
-                        Setting(number, axis, None, letter, text, self.file, line)
+                        ParameterSetting(number, axis, None, letter, text, self.file, line)
                     )
                 axis, owner, path = None, "done", "1"
         if owner != "done":
@@ -333,7 +333,7 @@ class _Reader:
         value = by_letter["R"]
         if number < POINT_BASE:
             self.found.settings.append(
-                Setting(
+                ParameterSetting(
                     number, axis, None if bit is None else int(bit), "P", value, self.file, line
                 )
             )

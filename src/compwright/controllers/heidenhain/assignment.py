@@ -10,7 +10,7 @@ from compwright.controllers.heidenhain.words import ITNC530, LETTERS
 from compwright.records.correction import Assumption
 
 
-class Assignment:
+class AxisAssignment:
     """The moving axis of every .COM; remarks go to what was given."""
 
     def __init__(self, given: Given) -> None:

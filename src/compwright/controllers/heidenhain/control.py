@@ -26,9 +26,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from compwright.controllers.heidenhain.curve import Curve, HeidenhainAxis
+from compwright.controllers.heidenhain.curve import CorrectionCurve, HeidenhainAxis
 from compwright.controllers.heidenhain.loading import Loader
-from compwright.controllers.heidenhain.sheet import Sheet, is_sheet, read_sheet
+from compwright.controllers.heidenhain.sheet import JudgedSheet, is_sheet, read_sheet
 from compwright.controllers.heidenhain.table import Content, read_text
 from compwright.controllers.heidenhain.words import ITNC530, NCK, Generation
 from compwright.controllers.request import Request, unknown_axis
@@ -45,7 +45,7 @@ class HeidenhainControl:
 
     generation: Generation
     axes: dict[str, HeidenhainAxis]
-    crossed: dict[tuple[str, str], Curve]
+    crossed: dict[tuple[str, str], CorrectionCurve]
     assumed: tuple[Assumption, ...]
     notes: tuple[str, ...]
 
@@ -136,7 +136,7 @@ def _control(
         if number > 0
     }
     generation = replace(generation, numbers=told)
-    sheets: list[Sheet] = []
+    sheets: list[JudgedSheet] = []
     contents: list[Content] = []
     faults: list[Fault] = []
     for file in files:

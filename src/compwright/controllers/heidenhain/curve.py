@@ -18,7 +18,7 @@ _MEETS = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
-class Curve:
+class CorrectionCurve:
     """``values`` (k,) added to the command at ``nodes`` (k,): straight lines between, the ends held
     outside.
 
@@ -45,8 +45,8 @@ class OwnTable:
     control has one).
     """
 
-    positive: Curve
-    negative: Curve
+    positive: CorrectionCurve
+    negative: CorrectionCurve
 
     def at(self, positions: FloatArray, direction: Direction) -> FloatArray:
         """Return the values at ``positions`` arriving in ``direction``."""

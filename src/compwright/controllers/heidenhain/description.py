@@ -12,10 +12,10 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from compwright.controllers.heidenhain.words import Place
+from compwright.controllers.heidenhain.words import LinePlace
 from compwright.foundations.errors import InputError
 
-Line = tuple[Place, str]
+Line = tuple[LinePlace, str]
 
 _QUOTED = re.compile(r'"[^"]*"')
 _DESCRIPTION = re.compile(r"\s*TableDescription\s*\(", re.IGNORECASE)
@@ -24,7 +24,7 @@ _STRUCT = re.compile(r"\s*(NAME|WIDTH)\s*=\s*(\S+)\s*", re.IGNORECASE)
 
 
 @dataclass(slots=True)
-class Description:
+class ColumnWidths:
     """``widths``: characters of each described column, in order; ``first``: the column that numbers
     the rows.
     """
@@ -46,7 +46,7 @@ class Description:
         return bool(places) and set(places) <= {0, 1} and described == set(names[1:])
 
 
-def described(lines: Sequence[Line]) -> tuple[Description, list[Line]]:
+def described(lines: Sequence[Line]) -> tuple[ColumnWidths, list[Line]]:
     """Return the description of a table and its other lines. Raises InputError for a description
     without its end, and for a column in inch of its own.
     """
@@ -60,7 +60,7 @@ def described(lines: Sequence[Line]) -> tuple[Description, list[Line]]:
     elif _DESCRIPTION.match(first):
         end = _closing(lines, begin)
     else:
-        return Description(), list(lines)
+        return ColumnWidths(), list(lines)
     if end is None:
         raise InputError(
             lines[begin][0].fault(
@@ -82,8 +82,8 @@ def _closing(lines: Sequence[Line], begin: int) -> int | None:
     return None
 
 
-def _read(lines: Sequence[Line]) -> Description:
-    found = Description()
+def _read(lines: Sequence[Line]) -> ColumnWidths:
+    found = ColumnWidths()
     column = ""
     for place, line in lines:
         match = _ENTRY.fullmatch(line) or _STRUCT.fullmatch(line)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from compwright.controllers.heidenhain.sheet import Sheet
+from compwright.controllers.heidenhain.sheet import JudgedSheet
 from compwright.controllers.heidenhain.table import Cma, Com, Content
 from compwright.controllers.heidenhain.words import Generation, Parameter
 from compwright.controllers.request import Request, by_address
@@ -24,7 +24,7 @@ class Given:
 
     generation: Generation
     request: Request
-    sheets: Sequence[Sheet]
+    sheets: Sequence[JudgedSheet]
     coms: list[Com]
     cmas: list[Cma]
     parameters: list[Parameter]
@@ -74,7 +74,7 @@ class Given:
 def given_in(
     generation: Generation,
     request: Request,
-    sheets: Sequence[Sheet],
+    sheets: Sequence[JudgedSheet],
     contents: Sequence[Content],
 ) -> Given:
     """Return what sheets and text files of a control say together."""

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.controllers.heidenhain.description import described
-from compwright.controllers.heidenhain.words import Place, number
+from compwright.controllers.heidenhain.words import LinePlace, number
 from compwright.foundations.errors import Fault, InputError
 from compwright.records.axis import FloatArray
 
@@ -27,7 +27,7 @@ _MOST_COLUMNS = 64
 
 
 @dataclass(frozen=True, slots=True)
-class Block:
+class TableBlock:
     """Lines from BEGIN to the end line, both left out; ``rest`` is what follows the unit in the
     BEGIN line.
     """
@@ -36,17 +36,17 @@ class Block:
     kind: str
     inch: bool
     rest: str
-    lines: list[tuple[Place, str]]
-    place: Place
+    lines: list[tuple[LinePlace, str]]
+    place: LinePlace
 
 
 @dataclass(frozen=True, slots=True)
-class Grid:
+class CellGrid:
     """Cells by column name; None where blank. The column NR is checked and left out."""
 
     names: tuple[str, ...]
     rows: tuple[tuple[str | None, ...], ...]
-    places: tuple[Place, ...]
+    places: tuple[LinePlace, ...]
 
     def column(self, name: str) -> list[str | None]:
         """Return the cells of one column."""
@@ -55,14 +55,14 @@ class Grid:
 
 
 def split_tables(
-    lines: list[tuple[Place, str]], faults: list[Fault]
-) -> tuple[list[Block], list[tuple[Place, str]]]:
+    lines: list[tuple[LinePlace, str]], faults: list[Fault]
+) -> tuple[list[TableBlock], list[tuple[LinePlace, str]]]:
     """Split the lines into tables and what stands outside of them; faults are added to
     ``faults``.
     """
-    blocks: list[Block] = []
-    outside: list[tuple[Place, str]] = []
-    opened: Block | None = None
+    blocks: list[TableBlock] = []
+    outside: list[tuple[LinePlace, str]] = []
+    opened: TableBlock | None = None
     for place, line in lines:
         words = line.upper().split(maxsplit=3)
         first = words[0] if words else ""
@@ -92,7 +92,7 @@ def split_tables(
     return blocks, outside
 
 
-def _cut_short(opened: Block | None, faults: list[Fault]) -> None:
+def _cut_short(opened: TableBlock | None, faults: list[Fault]) -> None:
     if opened is not None:
         faults.append(
             opened.place.fault(
@@ -113,7 +113,7 @@ def _table_name(words: list[str]) -> tuple[str, str, list[str]]:
     return "", "", words
 
 
-def _opened(line: str, place: Place, faults: list[Fault]) -> Block | None:
+def _opened(line: str, place: LinePlace, faults: list[Fault]) -> TableBlock | None:
     name, kind, words = _table_name(_EDITION.sub("", line).split()[1:])
     unit = words[0].upper() if words else ""
     if not kind or (kind == "COM" and unit not in {"MM", "INCH"}):
@@ -125,12 +125,12 @@ def _opened(line: str, place: Place, faults: list[Fault]) -> Block | None:
             )
         )
         return None
-    return Block(
+    return TableBlock(
         name=name, kind=kind, inch=unit == "INCH", rest=" ".join(words[1:]), lines=[], place=place
     )
 
 
-def read_grid(block: Block) -> Grid:
+def read_grid(block: TableBlock) -> CellGrid:
     """Return the cells of a table. Raises InputError with every row that cannot be told apart."""
     description, lines = described(block.lines)
     filled = [(place, line) for place, line in lines if line.strip()]
@@ -166,13 +166,13 @@ def read_grid(block: Block) -> Grid:
             rows.append(row)
     if faults:
         raise InputError(*faults)
-    return Grid(names, tuple(rows), tuple(place for place, _ in filled[1:]))
+    return CellGrid(names, tuple(rows), tuple(place for place, _ in filled[1:]))
 
 
 def _row(
     line: str,
     spans: Sequence[tuple[int, int]],
-    place: Place,
+    place: LinePlace,
     wanted: int,
     starts: Sequence[int] | None,
 ) -> tuple[str | None, ...] | Fault:
@@ -209,7 +209,7 @@ def _row(
 
 
 def numbers(
-    cells: Sequence[str | None], places: Sequence[Place], label: str, faults: list[Fault]
+    cells: Sequence[str | None], places: Sequence[LinePlace], label: str, faults: list[Fault]
 ) -> FloatArray:
     """Return the numbers of a column, NaN where blank; every other content is a fault."""
     values = np.full(len(cells), np.nan)

@@ -6,12 +6,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from compwright.controllers.heidenhain.assignment import Assignment
-from compwright.controllers.heidenhain.curve import Curve, HeidenhainAxis
+from compwright.controllers.heidenhain.assignment import AxisAssignment
+from compwright.controllers.heidenhain.curve import CorrectionCurve, HeidenhainAxis
 from compwright.controllers.heidenhain.given import filled, given_in
-from compwright.controllers.heidenhain.sheet import Sheet
+from compwright.controllers.heidenhain.sheet import JudgedSheet
 from compwright.controllers.heidenhain.table import Content
-from compwright.controllers.heidenhain.tables import TableLoader
+from compwright.controllers.heidenhain.tables import OwnTableLoader
 from compwright.controllers.heidenhain.words import ITNC530, Generation, Parameter, Quantity
 from compwright.controllers.request import Request
 from compwright.foundations.errors import Fault
@@ -26,14 +26,14 @@ class Loader:
         self,
         generation: Generation,
         request: Request,
-        sheets: Sequence[Sheet],
+        sheets: Sequence[JudgedSheet],
         contents: Sequence[Content],
     ) -> None:
         self.given = given_in(generation, request, sheets, contents)
-        self.tables = TableLoader(self.given)
+        self.tables = OwnTableLoader(self.given)
 
     @property
-    def crossed(self) -> dict[tuple[str, str], Curve]:
+    def crossed(self) -> dict[tuple[str, str], CorrectionCurve]:
         """The tables by which one axis corrects another."""
         return self.tables.crossed
 
@@ -45,7 +45,7 @@ class Loader:
     def axes(self) -> dict[str, HeidenhainAxis]:
         """Return every axis that the files correct, in order of tables, sheets, parameters."""
         spoken: dict[str, None] = {}
-        for com, moving in Assignment(self.given).moving_axes():
+        for com, moving in AxisAssignment(self.given).moving_axes():
             spoken.update(dict.fromkeys(filled(com)))
             if moving is not None:
                 self.tables.load_com(com, moving)

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from compwright.controllers.heidenhain.words import (
     MOST_AXES,
     Generation,
+    LinePlace,
     Parameter,
-    Place,
     Quantity,
     number,
 )
@@ -34,11 +34,13 @@ class ParameterLines:
     """
 
     parameters: list[Parameter] = field(default_factory=list)
-    stray: list[tuple[Place, str]] = field(default_factory=list)
+    stray: list[tuple[LinePlace, str]] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
 
 
-def read_parameters(lines: Sequence[tuple[Place, str]], generation: Generation) -> ParameterLines:
+def read_parameters(
+    lines: Sequence[tuple[LinePlace, str]], generation: Generation
+) -> ParameterLines:
     """Read MP710, MP720 and MP730 of the axes that ``generation`` counts; other parameters and
     comments (``;``, ``#``, ``*``) are passed over.
     """
@@ -52,7 +54,7 @@ def read_parameters(lines: Sequence[tuple[Place, str]], generation: Generation) 
     return found
 
 
-def _read(code: str, place: Place, found: ParameterLines, generation: Generation) -> None:
+def _read(code: str, place: LinePlace, found: ParameterLines, generation: Generation) -> None:
     match = _PARAMETER.fullmatch(code)
     index = None if match is None or match.group(2) is None else int(match.group(2))
     if match is None or (index is None) != (match.group(1) == "730") or (index or 0) >= MOST_AXES:
@@ -81,7 +83,7 @@ def _read(code: str, place: Place, found: ParameterLines, generation: Generation
 
 
 def _mask(
-    text: str, place: Place, found: ParameterLines, generation: Generation
+    text: str, place: LinePlace, found: ParameterLines, generation: Generation
 ) -> list[Parameter]:
     """Return the bits of MP730 that are written, bit 0 = first axis: all digits of ``%00011``, all
     axes of a decimal number.

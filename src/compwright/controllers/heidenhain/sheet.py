@@ -15,8 +15,8 @@ import numpy as np
 
 from compwright.controllers.heidenhain.words import (
     Generation,
+    LinePlace,
     Parameter,
-    Place,
     Quantity,
     binary_fault,
     lines_of,
@@ -37,7 +37,7 @@ _NO_UNIT = ("", "-", "bit")
 
 
 @dataclass(frozen=True, slots=True)
-class Sheet:
+class JudgedSheet:
     """One sheet: ``values`` (k,) in mm or deg at ``nodes`` (k,), errors or corrections as
     ``errors`` says; k = 0 without points.
 
@@ -50,7 +50,7 @@ class Sheet:
     values: FloatArray
     kind: AxisKind | None
     parameters: tuple[Parameter, ...]
-    place: Place
+    place: LinePlace
 
 
 def is_sheet(file: ControlFile) -> bool:
@@ -60,7 +60,7 @@ def is_sheet(file: ControlFile) -> bool:
     return any(_squeezed(line) == HEADER for line in lines_of(file.content.decode("latin-1")))
 
 
-def read_sheet(file: ControlFile, generation: Generation) -> tuple[Sheet | None, list[Fault]]:
+def read_sheet(file: ControlFile, generation: Generation) -> tuple[JudgedSheet | None, list[Fault]]:
     """Return the sheet, or None and everything that is wrong with it."""
     fault = binary_fault(file.name, file.content)
     if fault is not None:
@@ -71,28 +71,28 @@ def read_sheet(file: ControlFile, generation: Generation) -> tuple[Sheet | None,
         return None, [
             Fault(message="is not ASCII or UTF-8", file=file.name, place=f"byte {error.start + 1}")
         ]
-    reader = _Reader(file.name, generation)
+    reader = _SheetLines(file.name, generation)
     for line, content in enumerate(lines_of(text), start=1):
-        reader.read(content.strip(), Place(file.name, line))
+        reader.read(content.strip(), LinePlace(file.name, line))
     sheet = reader.sheet()
     return (None, reader.faults) if reader.faults else (sheet, [])
 
 
-class _Reader:
+class _SheetLines:
     """Reads the lines of one sheet in their order."""
 
     def __init__(self, file: str, generation: Generation) -> None:
         self.file = file
         self.generation = generation
         self.comments: dict[str, str] = {}
-        self.header: Place | None = None
+        self.header: LinePlace | None = None
         self.points: list[tuple[float, float]] = []
-        self.parameters: list[tuple[Quantity, float, str, Place]] = []
+        self.parameters: list[tuple[Quantity, float, str, LinePlace]] = []
         self.kind: AxisKind | None = None
         self.next_point = 0
         self.faults: list[Fault] = []
 
-    def read(self, line: str, place: Place) -> None:
+    def read(self, line: str, place: LinePlace) -> None:
         """Read one line, stripped."""
         if line.startswith("#"):
             self._comment(line[1:], place)
@@ -105,7 +105,7 @@ class _Reader:
         elif line:
             self._row(line, place)
 
-    def _comment(self, text: str, place: Place) -> None:
+    def _comment(self, text: str, place: LinePlace) -> None:
         key, colon, value = text.partition(":")
         key, value = key.strip().lower(), value.strip()
         if not colon or key not in {"axis", "address", "value"}:
@@ -115,7 +115,7 @@ class _Reader:
                 place.fault(f"a second # {key}:", expected=self.comments[key], found=value)
             )
 
-    def _row(self, line: str, place: Place) -> None:
+    def _row(self, line: str, place: LinePlace) -> None:
         fields = [part.strip() for part in line.split(",")]
         if self.header is None or len(fields) != 4:
             expected = f"the header {HEADER}" if self.header is None else f"four fields: {HEADER}"
@@ -136,7 +136,7 @@ class _Reader:
         else:
             self._parameter(point, position, parsed, unit, place)
 
-    def _point(self, point: int, position: str, value: float, unit: str, place: Place) -> None:
+    def _point(self, point: int, position: str, value: float, unit: str, place: LinePlace) -> None:
         where = number(position)
         wanted, self.next_point = self.next_point, point + 1
         if where is None:
@@ -169,7 +169,9 @@ class _Reader:
             self._unit(unit, place)
             self.points.append((where, value * _UNITS[unit]))
 
-    def _parameter(self, name: str, position: str, value: float, unit: str, place: Place) -> None:
+    def _parameter(
+        self, name: str, position: str, value: float, unit: str, place: LinePlace
+    ) -> None:
         quantity = self.generation.parameters.get(name)
         if quantity is None:
             known = ", ".join(self.generation.parameters)
@@ -210,7 +212,7 @@ class _Reader:
         else:
             self.parameters.append((quantity, value, unit, place))
 
-    def _unit(self, unit: str, place: Place) -> None:
+    def _unit(self, unit: str, place: LinePlace) -> None:
         kind = AxisKind.ROTARY if unit == "deg" else AxisKind.LINEAR
         if self.kind not in {None, kind}:
             self.faults.append(
@@ -220,12 +222,12 @@ class _Reader:
             )
         self.kind = kind
 
-    def sheet(self) -> Sheet | None:
+    def sheet(self) -> JudgedSheet | None:
         """Return what was read; None with a fault when the sheet as a whole says nothing or
         contradicts itself.
         """
         before = len(self.faults)
-        head = Place(self.file, self.header.line if self.header else 1)
+        head = LinePlace(self.file, self.header.line if self.header else 1)
         if self.header is None and not self.faults:
             self.faults.append(
                 Fault(message="is no entry sheet", file=self.file, expected=f"the header {HEADER}")
@@ -260,7 +262,7 @@ class _Reader:
         if len(self.faults) > before:
             return None
         columns = np.array(self.points, dtype=np.float64).reshape(-1, 2)
-        return Sheet(
+        return JudgedSheet(
             address=address,
             errors=values == "error",
             nodes=columns[:, 0],

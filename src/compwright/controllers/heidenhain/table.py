@@ -11,14 +11,20 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from compwright.controllers.heidenhain.grid import Block, Grid, numbers, read_grid, split_tables
+from compwright.controllers.heidenhain.grid import (
+    CellGrid,
+    TableBlock,
+    numbers,
+    read_grid,
+    split_tables,
+)
 from compwright.controllers.heidenhain.parameters import read_parameters
 from compwright.controllers.heidenhain.words import (
     ITNC530,
     MOST_AXES,
     Generation,
+    LinePlace,
     Parameter,
-    Place,
     binary_fault,
     lines_of,
     number,
@@ -48,7 +54,7 @@ class Com:
     inch: bool
     columns: tuple[str, ...]
     values: FloatArray
-    place: Place
+    place: LinePlace
     datum: float = 0.0
     distance: float = 0.0
     listed: FloatArray | None = None
@@ -64,7 +70,7 @@ class Cma:
     axes: tuple[str, ...]
     active: dict[str, str] | None
     marked: bool
-    place: Place
+    place: LinePlace
 
 
 @dataclass(slots=True)
@@ -89,7 +95,8 @@ def read_text(file: ControlFile, generation: Generation) -> Content:
         return found
     text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf")
     lines = [
-        (Place(file.name, line), content) for line, content in enumerate(lines_of(text), start=1)
+        (LinePlace(file.name, line), content)
+        for line, content in enumerate(lines_of(text), start=1)
     ]
     blocks, outside = split_tables(lines, found.faults)
     stem = file.name[:-4].upper() if file.name.upper().endswith(".COM") else None
@@ -107,7 +114,7 @@ def read_text(file: ControlFile, generation: Generation) -> Content:
 
 
 def _read_outside(
-    lines: list[tuple[Place, str]], generation: Generation, found: Content, *, strict: bool
+    lines: list[tuple[LinePlace, str]], generation: Generation, found: Content, *, strict: bool
 ) -> None:
     """Read what stands outside of tables: parameters. Anything else is a fault beside tables, else
     worth a note.
@@ -140,7 +147,7 @@ def _read_outside(
         )
 
 
-def _com(block: Block, generation: Generation, stem: str | None, found: Content) -> Com:
+def _com(block: TableBlock, generation: Generation, stem: str | None, found: Content) -> Com:
     grid = read_grid(block)
     faults: list[Fault] = []
     most = generation.most_points
@@ -169,11 +176,11 @@ def _com(block: Block, generation: Generation, stem: str | None, found: Content)
     return com
 
 
-def _names(block: Block, stem: str | None) -> frozenset[str]:
+def _names(block: TableBlock, stem: str | None) -> frozenset[str]:
     return frozenset({block.name.upper()} | ({stem} if stem else set()))
 
 
-def _values(grid: Grid, columns: dict[str, str], faults: list[Fault]) -> FloatArray:
+def _values(grid: CellGrid, columns: dict[str, str], faults: list[Fault]) -> FloatArray:
     """Return (rows, columns) of numbers; a column with any value must have one in its first and its
     last row.
     """
@@ -191,8 +198,8 @@ def _values(grid: Grid, columns: dict[str, str], faults: list[Fault]) -> FloatAr
 
 
 def _by_spacing(
-    block: Block,
-    grid: Grid,
+    block: TableBlock,
+    grid: CellGrid,
     generation: Generation,
     stem: str | None,
     found: Content,
@@ -231,7 +238,7 @@ def _by_spacing(
     )
 
 
-def _head(block: Block, faults: list[Fault]) -> dict[str, float]:
+def _head(block: TableBlock, faults: list[Fault]) -> dict[str, float]:
     """Return DATUM and DIST of a BEGIN line."""
     head: dict[str, float] = {}
     for entry in block.rest.replace(": ", ":").split():
@@ -261,7 +268,7 @@ def _head(block: Block, faults: list[Fault]) -> dict[str, float]:
     return {"DATUM": 0.0, "DIST": 0.0, **head}
 
 
-def _by_position(block: Block, grid: Grid, stem: str | None, faults: list[Fault]) -> Com:
+def _by_position(block: TableBlock, grid: CellGrid, stem: str | None, faults: list[Fault]) -> Com:
     """NCK: AXISPOS, perhaps BACKLASH, then one column per axis key."""
     if block.rest:
         faults.append(
@@ -308,7 +315,7 @@ def _by_position(block: Block, grid: Grid, stem: str | None, faults: list[Fault]
     )
 
 
-def _cma(block: Block, generation: Generation) -> Cma:
+def _cma(block: TableBlock, generation: Generation) -> Cma:
     """Return the active line. NCK: ``*`` in ACTIVE; iTNC 530: the only line, or the one with ``M``
     in STATUS or ACTIVE.
     """

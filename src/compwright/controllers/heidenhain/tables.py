@@ -8,15 +8,15 @@ import numpy as np
 
 from compwright.controllers.heidenhain.curve import (
     TURN,
-    Curve,
+    CorrectionCurve,
     OwnTable,
     leaves_turn,
     whole_turn,
 )
 from compwright.controllers.heidenhain.given import Given, filled
-from compwright.controllers.heidenhain.sheet import Sheet
+from compwright.controllers.heidenhain.sheet import JudgedSheet
 from compwright.controllers.heidenhain.table import Com
-from compwright.controllers.heidenhain.words import ITNC530, Place
+from compwright.controllers.heidenhain.words import ITNC530, LinePlace
 from compwright.controllers.request import by_address
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import AxisKind, FloatArray
@@ -34,15 +34,15 @@ _SHEET_POSITION = 1e-3
 _SAME_VALUE = 5e-5
 
 
-class TableLoader:
+class OwnTableLoader:
     """``own``: the statements of each axis' own table with their place; ``crossed``: moving and
     corrected axis -> curve. Remarks go to what was given.
     """
 
     def __init__(self, given: Given) -> None:
         self.given = given
-        self.own: dict[str, list[tuple[Place, OwnTable]]] = defaultdict(list)
-        self.crossed: dict[tuple[str, str], Curve] = {}
+        self.own: dict[str, list[tuple[LinePlace, OwnTable]]] = defaultdict(list)
+        self.crossed: dict[tuple[str, str], CorrectionCurve] = {}
 
     def load_com(self, com: Com, moving: str) -> None:
         """Take the columns of a .COM that ``moving`` moves: its own curves and those of others."""
@@ -139,7 +139,9 @@ class TableLoader:
         self.given.assumed.append(Assumption(f"values of {com.name}.COM", chosen, evidence))
         return -1.0 if chosen == "error" else 1.0
 
-    def _second_curve(self, com: Com, moving: str, nodes: FloatArray, sign: float) -> Curve | None:
+    def _second_curve(
+        self, com: Com, moving: str, nodes: FloatArray, sign: float
+    ) -> CorrectionCurve | None:
         """Return the curve arriving in - (NCK, column BACKLASH), None where one curve serves
         both.
         """
@@ -179,7 +181,7 @@ class TableLoader:
             )
         return None
 
-    def load_sheet(self, sheet: Sheet) -> None:
+    def load_sheet(self, sheet: JudgedSheet) -> None:
         """Take the points of an entry sheet, where it has any."""
         if sheet.nodes.size == 0:
             return
@@ -189,7 +191,7 @@ class TableLoader:
         )
         self.own[sheet.address].append((sheet.place, OwnTable(curve, curve)))
 
-    def _check_grid(self, sheet: Sheet) -> None:
+    def _check_grid(self, sheet: JudgedSheet) -> None:
         """iTNC 530: only DATUM and a spacing can be typed in, so the positions lie on a regular
         grid.
         """
@@ -209,7 +211,9 @@ class TableLoader:
                 )
             )
 
-    def _curve(self, moving: str, nodes: FloatArray, values: FloatArray, place: Place) -> Curve:
+    def _curve(
+        self, moving: str, nodes: FloatArray, values: FloatArray, place: LinePlace
+    ) -> CorrectionCurve:
         """Return the curve over the rows with a value; a rotary axis is endless when told, or when
         its table spans the turn.
         """
@@ -219,7 +223,7 @@ class TableLoader:
             Assumption(f"outside the table of {moving}", "the end values hold", "unconfirmed")
         )
         if self.given.kind(moving) is not AxisKind.ROTARY:
-            return Curve(nodes, values)
+            return CorrectionCurve(nodes, values)
         turn = by_address(self.given.request.modulo, moving)
         if turn is not None and turn != TURN:
             raise UsageError(
@@ -230,7 +234,7 @@ class TableLoader:
                 Assumption(f"turn of {moving}", f"{TURN:g}", "its table reaches from 0 to 360 deg")
             )
         endless = turn is not None or whole_turn(nodes)
-        curve = Curve(
+        curve = CorrectionCurve(
             nodes,
             values,
             endless=endless,

@@ -87,7 +87,7 @@ NCK = Generation(
 
 
 @dataclass(frozen=True, slots=True)
-class Place(OfLine):
+class LinePlace(OfLine):
     """A line of a file."""
 
     file: str
@@ -108,7 +108,7 @@ class Parameter:
     address: str
     value: float
     unit: str
-    place: Place
+    place: LinePlace
 
 
 def number(text: str) -> float | None:

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from compwright.controllers.isg.lists import AxisLists, Statement
+from compwright.controllers.isg.lists import AxisLists, ListStatement
 from compwright.controllers.request import Request, finite_number
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import FloatArray
@@ -19,7 +19,7 @@ LARGEST = 2.0**31 - 1
 _LIMITS = {"sgn16": 2.0**15 - 1, "sgn32": LARGEST, "real64": LARGEST}
 _ENTRY = re.compile(r"table\[(\d+)\]\.(\w+)")
 
-Entries = dict[str, dict[int, Statement]]
+Entries = dict[str, dict[int, ListStatement]]
 
 
 def table_entries(
@@ -41,7 +41,7 @@ def table_entries(
 
 
 def column(
-    axis: AxisLists, entries: Mapping[int, Statement], count: int, name: str, largest: float
+    axis: AxisLists, entries: Mapping[int, ListStatement], count: int, name: str, largest: float
 ) -> FloatArray | None:
     """Return one column (count,) in units of the list; None with faults where an entry is missing,
     no number, too large, or stands beyond the last index.
@@ -119,7 +119,7 @@ def _increment(request: Request, address: str, name: str) -> float:
     return increment
 
 
-def ascending(axis: AxisLists, positions: FloatArray, entries: Mapping[int, Statement]) -> None:
+def ascending(axis: AxisLists, positions: FloatArray, entries: Mapping[int, ListStatement]) -> None:
     """Keep a fault for the first setpoint that does not ascend."""
     steps = np.diff(positions)
     if steps.size and not np.all(steps > 0.0):

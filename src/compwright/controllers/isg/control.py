@@ -31,7 +31,7 @@ from compwright.records.correction import Assumption, ControlFile
 
 
 @dataclass(frozen=True, slots=True)
-class _Axis:
+class _ListAxis:
     """``backlash`` > 0: lost motion that is taken out, mm or deg; ``home``: the direction that
     keeps its zero.
     """
@@ -49,7 +49,7 @@ class IsgControl:
     Addresses are logical axis numbers as text.
     """
 
-    axes: Mapping[str, _Axis]
+    axes: Mapping[str, _ListAxis]
     tables: Mapping[tuple[str, str], CrossTable]
     assumed: tuple[Assumption, ...]
     notes: tuple[str, ...]
@@ -99,7 +99,7 @@ class IsgControl:
             )
         return table.at(np.asarray(positions, dtype=np.float64))
 
-    def _axis(self, address: str) -> _Axis:
+    def _axis(self, address: str) -> _ListAxis:
         axis = self.axes.get(address.strip())
         if axis is None:
             raise unknown_axis(address, self.addresses())
@@ -119,7 +119,7 @@ def isg_control(files: Sequence[ControlFile], request: Request) -> IsgControl:
     assumed: list[Assumption] = []
     notes = list(lists.notes)
     faults: list[Fault] = []
-    axes: dict[str, _Axis] = {}
+    axes: dict[str, _ListAxis] = {}
     tables: dict[tuple[str, str], CrossTable] = {}
     for address, lists_of_axis in sorted(lists.axes.items(), key=lambda entry: int(entry[0])):
         try:
@@ -143,7 +143,7 @@ def isg_control(files: Sequence[ControlFile], request: Request) -> IsgControl:
 
 def _loaded(
     axis: AxisLists, request: Request, assumed: list[Assumption], notes: list[str]
-) -> tuple[_Axis, CrossTable | None]:
+) -> tuple[_ListAxis, CrossTable | None]:
     """Return one axis and the table by which another corrects it; faults are kept in ``axis``."""
     table = read_table(axis, request, assumed)
     backlash = read_backlash(axis, table, assumed)
@@ -154,4 +154,4 @@ def _loaded(
     cross = read_cross(axis, request, assumed, notes)
     refuse_plane(axis, request, assumed, notes)
     refuse_others(axis)
-    return _Axis(table, backlash, home), cross
+    return _ListAxis(table, backlash, home), cross

@@ -20,7 +20,7 @@ from compwright.controllers.isg.columns import (
     unit_of,
 )
 from compwright.controllers.isg.leadscrew import SIGNS, switched
-from compwright.controllers.isg.lists import AxisLists, Statement
+from compwright.controllers.isg.lists import AxisLists, ListStatement
 from compwright.controllers.request import Request
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import FloatArray
@@ -157,7 +157,7 @@ def refuse_plane(
         notes.append(f"kw.crosscomp2 of axis {axis.address} does not act, or is 0 everywhere")
         return
     filled = (one for one in table if one.number() != 0.0)
-    where: Statement = next(filled, next(iter(section.values())))
+    where: ListStatement = next(filled, next(iter(section.values())))
     message = f"kw.crosscomp2 corrects axis {axis.address} over two other axes: not read"
     axis.fault(where, message, "lr_param.crosscomp2 0, or values 0")
 

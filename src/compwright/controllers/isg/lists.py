@@ -31,7 +31,7 @@ _HIGHEST_AXIS = 65535
 
 
 @dataclass(frozen=True, slots=True)
-class Statement(OfLine):
+class ListStatement(OfLine):
     """One statement: its name without blanks, in small letters, and the rest of its line."""
 
     name: str
@@ -57,11 +57,11 @@ class AxisLists:
     """
 
     address: str
-    statements: dict[str, Statement] = field(default_factory=dict)
+    statements: dict[str, ListStatement] = field(default_factory=dict)
     files: list[str] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
 
-    def add(self, statement: Statement) -> None:
+    def add(self, statement: ListStatement) -> None:
         """Take a statement; a second one of its name must say the same."""
         known = self.statements.setdefault(statement.name, statement)
         if _value(known) != _value(statement):
@@ -101,7 +101,7 @@ class AxisLists:
             return None
         return None if value is None else int(value)
 
-    def fault(self, statement: Statement, message: str, expected: str) -> None:
+    def fault(self, statement: ListStatement, message: str, expected: str) -> None:
         """Keep a fault at a statement."""
         self.faults.append(statement.fault(message, expected=expected))
 
@@ -116,7 +116,7 @@ class AxisLists:
             )
         )
 
-    def section(self, prefix: str) -> dict[str, Statement]:
+    def section(self, prefix: str) -> dict[str, ListStatement]:
         """Return the statements whose name starts with ``prefix``, by the rest of their name."""
         return {
             name.removeprefix(prefix): statement
@@ -126,7 +126,7 @@ class AxisLists:
 
 
 @dataclass(slots=True)
-class Lists:
+class ControlLists:
     """What all files say: the axes by logical number, notes on what is left alone, and faults that
     concern no single axis.
     """
@@ -136,9 +136,9 @@ class Lists:
     faults: list[Fault] = field(default_factory=list)
 
 
-def read_lists(files: Sequence[ControlFile]) -> Lists:
+def read_lists(files: Sequence[ControlFile]) -> ControlLists:
     """Return the statements of all ``files`` by axis; nothing is raised."""
-    lists = Lists()
+    lists = ControlLists()
     read = [(file.name, list(_statements(file, lists))) for file in files]
     started = _start_up([statement for _, found in read for statement in found], lists)
     for name, found in read:
@@ -157,7 +157,7 @@ def read_lists(files: Sequence[ControlFile]) -> Lists:
     return lists
 
 
-def _statements(file: ControlFile, lists: Lists) -> Iterable[Statement]:
+def _statements(file: ControlFile, lists: ControlLists) -> Iterable[ListStatement]:
     text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf")
     if "\x00" in text:
         lists.faults.append(
@@ -178,9 +178,9 @@ def _statements(file: ControlFile, lists: Lists) -> Iterable[Statement]:
         if line in {"", ":"}:
             continue
         match = _STATEMENT.fullmatch(line)
-        statement = Statement(line if match is None else _named(match), "", file.name, number)
+        statement = ListStatement(line if match is None else _named(match), "", file.name, number)
         if match is not None and match.group(2):
-            yield Statement(statement.name, match.group(2).strip(), file.name, number)
+            yield ListStatement(statement.name, match.group(2).strip(), file.name, number)
         elif _OURS.search(line):
             lists.faults.append(
                 statement.fault("no statement", expected="a name and a value", found=repr(line))
@@ -195,20 +195,20 @@ def _named(match: re.Match[str]) -> str:
     return re.sub(r"\[0*(\d+)\]", r"[\1]", bare)
 
 
-def _value(statement: Statement) -> float | str:
+def _value(statement: ListStatement) -> float | str:
     number = statement.number()
     return statement.text if number is None else number
 
 
-def _of_start_up(statement: Statement) -> bool:
+def _of_start_up(statement: ListStatement) -> bool:
     return statement.name.startswith(("achs_kw", "zahl_kw"))
 
 
-def _start_up(statements: Iterable[Statement], lists: Lists) -> dict[str, str] | None:
+def _start_up(statements: Iterable[ListStatement], lists: ControlLists) -> dict[str, str] | None:
     """Return the axis of each compensation list that a start-up list loads, by bare file name;
     None without a start-up list.
     """
-    found: dict[str, Statement] = {}
+    found: dict[str, ListStatement] = {}
     for one in statements:
         if _of_start_up(one) and _value(found.setdefault(one.name, one)) != _value(one):
             expected = f"{found[one.name].text!r} as before"
@@ -236,7 +236,7 @@ def _start_up(statements: Iterable[Statement], lists: Lists) -> dict[str, str] |
     return loaded
 
 
-def _axis_number(statement: Statement, lists: Lists) -> str | None:
+def _axis_number(statement: ListStatement, lists: ControlLists) -> str | None:
     value = statement.number()
     if value is None or value != int(value) or not 1 <= value <= _HIGHEST_AXIS:
         expected = f"a logical axis number, 1 to {_HIGHEST_AXIS}"
@@ -246,7 +246,7 @@ def _axis_number(statement: Statement, lists: Lists) -> str | None:
 
 
 def _address(
-    name: str, found: list[Statement], started: dict[str, str] | None, lists: Lists
+    name: str, found: list[ListStatement], started: dict[str, str] | None, lists: ControlLists
 ) -> str | None:
     """Return the logical axis number of one list, None where it is not known (a fault)."""
     headers = [statement for statement in found if statement.name in _HEADERS]
@@ -269,7 +269,7 @@ def _address(
 
 
 def _loaded(
-    name: str, found: list[Statement], started: dict[str, str] | None, lists: Lists
+    name: str, found: list[ListStatement], started: dict[str, str] | None, lists: ControlLists
 ) -> bool:
     """Whether a list is loaded: a compensation list that the start-up list does not name is not."""
     if started is None or name.casefold() in started:

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.controllers.linuxcnc.ini import IniFile, Value, bare_name, read_inis
+from compwright.controllers.linuxcnc.ini import IniFile, IniValue, bare_name, read_inis
 from compwright.controllers.linuxcnc.kinematics import MIXING, joint_number, letters_of_joints
 from compwright.controllers.linuxcnc.table import CompTable, leading_number, load_table
 from compwright.controllers.request import Request, by_address, unknown_axis
@@ -158,13 +158,13 @@ def linuxcnc_control(files: Sequence[ControlFile], request: Request) -> LinuxCnc
     inis, used = read_inis(files)
     tables = {file.name: file.content for file in files if file.name not in used}
     raise_all(InputError, [fault for ini in inis for fault in ini.faults])
-    loader = _Loader(inis, tables, request)
+    loader = _JointLoader(inis, tables, request)
     joints = loader.joints()
     raise_all(InputError, loader.faults)
     return LinuxCncControl(joints=joints, assumed=tuple(loader.assumed), notes=tuple(loader.notes))
 
 
-class _Loader:
+class _JointLoader:
     """Builds the joints and gathers what is assumed, worth a note, or keeps the control from
     starting.
     """
@@ -266,7 +266,7 @@ class _Loader:
         axis = joint_number(str(self.request.options.get("axis", "")))
         return int(axis) if re.fullmatch("[0-9]{1,3}", axis) and len(self.tables) == 1 else None
 
-    def _value(self, number: int, key: str) -> Value | None:
+    def _value(self, number: int, key: str) -> IniValue | None:
         """Return a joint's key over all INI files; two that differ are a fault."""
         found = [
             value for ini in self.inis if (value := ini.find(f"JOINT_{number}", key)) is not None

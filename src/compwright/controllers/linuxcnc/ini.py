@@ -20,7 +20,7 @@ _JOINT = re.compile(r"\[JOINT_([0-9]{1,3})\]")
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class IniLine:
     """One logical line with the file and line number where it starts."""
 
     text: str
@@ -29,11 +29,11 @@ class Line:
 
 
 @dataclass(frozen=True, slots=True)
-class Value:
+class IniValue:
     """What stands behind a key's equals sign."""
 
     text: str
-    line: Line
+    line: IniLine
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
         """Return a fault at this place."""
@@ -51,10 +51,10 @@ class IniFile:
     """One INI file with what it includes put in place."""
 
     name: str
-    lines: tuple[Line, ...]
+    lines: tuple[IniLine, ...]
     faults: tuple[Fault, ...]
 
-    def find(self, section: str, key: str) -> Value | None:
+    def find(self, section: str, key: str) -> IniValue | None:
         """Return the value of a key as the control finds it, None when it does not."""
         inside = False
         for line in self.lines:
@@ -67,7 +67,7 @@ class IniFile:
                 return None
             elif text.startswith(key) and text[len(key) : len(key) + 1] in {" ", "\t", "="}:
                 value = text.partition("=")[2].strip(_BLANKS)
-                return Value(value, line) if value else None
+                return IniValue(value, line) if value else None
         return None
 
     def joints(self) -> tuple[int, ...]:
@@ -121,7 +121,7 @@ def bare_name(path: str) -> str:
 
 
 def _expanded(file: ControlFile, files: Mapping[str, ControlFile], included: set[str]) -> IniFile:
-    lines: list[Line] = []
+    lines: list[IniLine] = []
     faults: list[Fault] = []
     for line in _lines(file, faults):
         # the start script includes one level deep and only where the mark is the line's first word
@@ -145,9 +145,9 @@ def _expanded(file: ControlFile, files: Mapping[str, ControlFile], included: set
     return IniFile(file.name, tuple(lines), tuple(faults))
 
 
-def _lines(file: ControlFile, faults: list[Fault]) -> list[Line]:
+def _lines(file: ControlFile, faults: list[Fault]) -> list[IniLine]:
     """Return the logical lines of one file."""
-    found: list[Line] = []
+    found: list[IniLine] = []
     text = file.content.decode("utf-8", "replace")
     carried, started = "", 0
     for number, raw in enumerate(text.split("\n"), start=1):
@@ -165,8 +165,8 @@ def _lines(file: ControlFile, faults: list[Fault]) -> list[Line]:
         if len(line) > 1 and line.endswith("\\"):
             carried += line[:-1]
             continue
-        found.append(Line(carried + line, file.name, started))
+        found.append(IniLine(carried + line, file.name, started))
         carried, started = "", 0
     if carried:
-        found.append(Line(carried, file.name, started))
+        found.append(IniLine(carried, file.name, started))
     return found

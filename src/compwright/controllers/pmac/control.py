@@ -19,8 +19,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.controllers.pmac.motor import Judged, Motor, Scale, looked_up
-from compwright.controllers.pmac.script import Card, Table, run_scripts
+from compwright.controllers.pmac.motor import Judged, Motor, MotorScale, looked_up
+from compwright.controllers.pmac.script import Card, CardTable, run_scripts
 from compwright.controllers.request import Request, finite_number, unknown_axis
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Direction, FloatArray
@@ -35,8 +35,8 @@ class PmacControl:
     """
 
     motors: Mapping[int, Motor]
-    tables: Mapping[tuple[int, int], Sequence[Table]]
-    scales: Mapping[int, Scale]
+    tables: Mapping[tuple[int, int], Sequence[CardTable]]
+    scales: Mapping[int, MotorScale]
     assumed: tuple[Assumption, ...]
     notes: tuple[str, ...]
 
@@ -100,7 +100,7 @@ class PmacControl:
             raise unknown_axis(address, self.addresses())
         return number, motor
 
-    def _scale(self, number: int) -> Scale:
+    def _scale(self, number: int) -> MotorScale:
         scale = self.scales.get(number)
         if scale is None:
             raise _without_counts(number, None)
@@ -159,10 +159,10 @@ def _left(card: Card, judged: Judged, request: Request) -> list[str]:
 
 def _scales(
     numbers: set[int],
-    crossing: Mapping[tuple[int, int], Sequence[Table]],
+    crossing: Mapping[tuple[int, int], Sequence[CardTable]],
     request: Request,
     assumed: list[Assumption],
-) -> dict[int, Scale]:
+) -> dict[int, MotorScale]:
     """Return the scale of each motor; one that is not under work may have none."""
     asked = {number for number in numbers if request.asks_for(str(number))}
     asked |= {source for source, target in crossing if target in asked}
@@ -173,7 +173,7 @@ def _scales(
         if counts:
             zero, why = request.referenced(str(number))
             assumed += [why] if why is not None else []
-            scales[number] = Scale(counts, zero)
+            scales[number] = MotorScale(counts, zero)
         elif number in asked:
             raise _without_counts(number, given)
     return scales

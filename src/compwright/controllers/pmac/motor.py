@@ -19,9 +19,9 @@ from compwright.controllers.pmac.script import (
     SIZE,
     TAKE_UP,
     Card,
-    Place,
-    Setting,
-    Table,
+    CardTable,
+    ScriptPlace,
+    VariableSetting,
 )
 from compwright.controllers.request import Request, by_address, finite_number
 from compwright.foundations.errors import Fault
@@ -33,7 +33,7 @@ PER_COUNT = 16.0
 
 
 @dataclass(frozen=True, slots=True)
-class Scale:
+class MotorScale:
     """``counts`` per mm or deg, negative where the motor counts against the axis; ``zero``: machine
     coordinate of motor zero, mm or deg.
     """
@@ -45,7 +45,7 @@ class Scale:
         """Return motor positions (counts) of machine coordinates (mm or deg, any shape)."""
         return (x - self.zero) * self.counts
 
-    def nodes(self, tables: Sequence[Table]) -> FloatArray:
+    def nodes(self, tables: Sequence[CardTable]) -> FloatArray:
         """Return the machine coordinates of all entries of ``tables`` with motor zero, ascending;
         one length of each.
         """
@@ -62,14 +62,14 @@ class Motor:
     1/16 count; ``tables_act`` and ``backlash_acts``: whether they are switched on.
     """
 
-    own: tuple[Table, ...]
-    varying: Table | None
+    own: tuple[CardTable, ...]
+    varying: CardTable | None
     constant: float
     tables_act: bool
     backlash_acts: bool
 
     @property
-    def tables(self) -> tuple[Table, ...]:
+    def tables(self) -> tuple[CardTable, ...]:
         """All tables over the motor itself, whether they act or not."""
         return (*self.own, *(() if self.varying is None else (self.varying,)))
 
@@ -92,7 +92,7 @@ class Motor:
         return total
 
 
-def looked_up(table: Table, position: FloatArray) -> FloatArray:
+def looked_up(table: CardTable, position: FloatArray) -> FloatArray:
     """Return a table's value (counts of its target) at ``position`` of its source (counts)."""
     nodes = table.length * np.arange(table.announced + 1) / table.announced
     values = np.array([0, *table.entries], dtype=np.float64) / PER_COUNT
@@ -115,9 +115,9 @@ class Judged:
         numbers |= {number // 100 for number in self.card.variables if number != ENABLE}
         return {number: self._motor(number) for number in sorted(numbers)}
 
-    def crossing(self) -> dict[tuple[int, int], list[Table]]:
+    def crossing(self) -> dict[tuple[int, int], list[CardTable]]:
         """Return the tables of one motor over another by (source, target)."""
-        found: dict[tuple[int, int], list[Table]] = {}
+        found: dict[tuple[int, int], list[CardTable]] = {}
         for table in self.card.tables.values():
             if table.kind == "COMP" and not table.plane and table.source != table.target:
                 self._closed(table)
@@ -136,7 +136,7 @@ class Judged:
             self.assumed.append(Assumption("I51", str(int(acts)), why))
         return acts
 
-    def _wrong(self, motor: int, setting: Setting, name: str, expected: str) -> None:
+    def _wrong(self, motor: int, setting: VariableSetting, name: str, expected: str) -> None:
         fault = setting.place.fault(name, expected=expected, found=repr(setting.text))
         self.faults.append((motor, fault))
 
@@ -160,7 +160,7 @@ class Judged:
         backlash = amount and self._taken_up(number, varying)
         return Motor(tuple(own), varying, size, self.enabled, backlash)
 
-    def _closed(self, table: Table) -> None:
+    def _closed(self, table: CardTable) -> None:
         """The last entry stands for motor zero too, where the correction is 0 by definition."""
         if table.entries and table.entries[-1] != 0:
             message = (
@@ -171,7 +171,7 @@ class Judged:
             self.faults.append((table.target, fault))
         self._turn(table)
 
-    def _turn(self, table: Table) -> None:
+    def _turn(self, table: CardTable) -> None:
         """On an endless axis the table has to repeat with the turn."""
         turn = by_address(self.request.modulo, str(table.source))
         options = self.request.options_of(str(table.source))
@@ -182,7 +182,7 @@ class Judged:
             expected = f"{counts:.12g} counts, or a whole part of it"
             self.faults.append((table.target, table.place.fault(message, expected=expected)))
 
-    def _plane(self, table: Table) -> None:
+    def _plane(self, table: CardTable) -> None:
         if any(table.entries):
             message = f"a table over two motors corrects motor {table.target}: not read"
             fault = table.place.fault(message, expected="entries 0, or none")
@@ -200,7 +200,7 @@ class Judged:
             return None
         return value
 
-    def _size(self, number: int, varying: Table | None, *, has_table: bool) -> float:
+    def _size(self, number: int, varying: CardTable | None, *, has_table: bool) -> float:
         """Return the backlash at motor zero (Ixx86, 1/16 count)."""
         name = 100 * number + SIZE
         value = self._register(name)
@@ -211,7 +211,7 @@ class Judged:
                 self.assumed.append(Assumption(f"I{name}", "0", "not in the files"))
         return value or 0.0
 
-    def _taken_up(self, number: int, varying: Table | None) -> bool:
+    def _taken_up(self, number: int, varying: CardTable | None) -> bool:
         """Whether the take-up rate lets backlash act."""
         name = 100 * number + TAKE_UP
         value = self._register(name)
@@ -220,7 +220,7 @@ class Judged:
             if setting is not None:
                 place = setting.place
             else:
-                place = varying.place if varying is not None else Place("", 0)
+                place = varying.place if varying is not None else ScriptPlace("", 0)
             self._missing(number, name, place, "0, its default, switches backlash off")
             return False
         acts = self.request.acts([value])
@@ -228,6 +228,6 @@ class Judged:
             self.card.notes.append(f"backlash of motor {number} is off (I{name})")
         return acts
 
-    def _missing(self, motor: int, name: int, place: Place, why: str) -> None:
+    def _missing(self, motor: int, name: int, place: ScriptPlace, why: str) -> None:
         fault = place.fault(f"I{name} is not in the files: {why}", expected=f"a line I{name}=...")
         self.faults.append((motor, fault))

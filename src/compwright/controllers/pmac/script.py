@@ -59,7 +59,7 @@ _LATER = {
 
 
 @dataclass(frozen=True, slots=True)
-class Place(OfLine):
+class ScriptPlace(OfLine):
     """A line of a script."""
 
     file: str
@@ -67,7 +67,7 @@ class Place(OfLine):
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class CardTable:
     """A table as the card holds it. ``entries``: 1/16 count of ``target``; entry i (from 1) stands
     i * ``length`` / n counts of ``source`` from its motor zero. ``plane``: over two motors;
     ``desired``: looked up by the commanded position.
@@ -79,19 +79,19 @@ class Table:
     target: int
     length: int
     announced: int
-    place: Place
+    place: ScriptPlace
     entries: list[int] = field(default_factory=list)
     plane: bool = False
     desired: bool = True
 
 
 @dataclass(frozen=True, slots=True)
-class Setting:
+class VariableSetting:
     """The last value of an I-variable; None where it is not a plain number."""
 
     value: float | None
     text: str
-    place: Place
+    place: ScriptPlace
 
 
 @dataclass(slots=True)
@@ -100,10 +100,10 @@ class Card:
     when they run; ``left_out``: what may not have been sent, by motor (0: all of them).
     """
 
-    tables: dict[tuple[str, int], Table] = field(default_factory=dict)
-    variables: dict[int, Setting] = field(default_factory=dict)
-    later: dict[int, Place] = field(default_factory=dict)
-    left_out: list[tuple[int, Place]] = field(default_factory=list)
+    tables: dict[tuple[str, int], CardTable] = field(default_factory=dict)
+    variables: dict[int, VariableSetting] = field(default_factory=dict)
+    later: dict[int, ScriptPlace] = field(default_factory=dict)
+    left_out: list[tuple[int, ScriptPlace]] = field(default_factory=list)
     buffers: set[str] = field(default_factory=set)
     notes: list[str] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
@@ -125,7 +125,7 @@ def run_scripts(files: Sequence[ControlFile]) -> Card:
         script = _Script(card, sending)
         lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
         for number, line in enumerate(lines, start=1):
-            script.line(without_remarks(line), Place(file.name, number))
+            script.line(without_remarks(line), ScriptPlace(file.name, number))
         script.finish()
         if script.inside is not None:
             card.faults.append(script.inside.fault("a program that does not end", expected="CLOSE"))
@@ -138,12 +138,12 @@ class _Script:
     def __init__(self, card: Card, sending: Sending) -> None:
         self.card = card
         self.sending = sending
-        self.done: dict[tuple[str, int], list[tuple[list[tuple[int, int]], Place]]] = {}
+        self.done: dict[tuple[str, int], list[tuple[list[tuple[int, int]], ScriptPlace]]] = {}
         self.motor: int | None = None
-        self.waiting: Table | None = None
-        self.inside: Place | None = None
+        self.waiting: CardTable | None = None
+        self.inside: ScriptPlace | None = None
 
-    def line(self, text: str, place: Place) -> None:
+    def line(self, text: str, place: ScriptPlace) -> None:
         rest = text.strip()
         wrong = self.sending.takes(rest, place.line)
         if wrong is not None:
@@ -171,7 +171,7 @@ class _Script:
                 )
             )
 
-    def _command(self, rest: str, place: Place) -> int | None:
+    def _command(self, rest: str, place: ScriptPlace) -> int | None:
         """Carry out the first command of ``rest`` and return where it ends; None ends the line."""
         if self.waiting is not None:
             match = _NUMBER.match(rest)
@@ -203,7 +203,7 @@ class _Script:
                 return match.end()
         return self._unknown(rest, place)
 
-    def _unknown(self, rest: str, place: Place) -> int | None:
+    def _unknown(self, rest: str, place: ScriptPlace) -> int | None:
         """Refuse what is not known; read over what macros make harmless."""
         said = self.sending.put_in(rest)
         if said != rest and _HARMLESS.fullmatch(said.strip()):
@@ -216,7 +216,7 @@ class _Script:
         self.card.faults.append(place.fault(message, found=repr(rest[:60])))
         return None
 
-    def _sent(self, what: str, motor: int, place: Place) -> bool:
+    def _sent(self, what: str, motor: int, place: ScriptPlace) -> bool:
         """Note what concerns compensation; False, with a fault, where the same stands in another
         branch of a block: the card did not get both.
         """
@@ -232,7 +232,7 @@ class _Script:
             self.card.left_out.append((motor, place))
         return True
 
-    def _entry(self, table: Table, value: int, place: Place) -> None:
+    def _entry(self, table: CardTable, value: int, place: ScriptPlace) -> None:
         if abs(value) > LARGEST:
             expected = f"-{LARGEST} to {LARGEST}"
             self.card.faults.append(place.fault("an entry", expected=expected, found=str(value)))
@@ -240,26 +240,26 @@ class _Script:
         if len(table.entries) == table.announced:
             self.waiting = None
 
-    def _known(self, number: int, place: Place) -> int | None:
+    def _known(self, number: int, place: ScriptPlace) -> int | None:
         if 1 <= number <= HIGHEST_MOTOR:
             return number
         expected = f"1 to {HIGHEST_MOTOR}"
         self.card.faults.append(place.fault("a motor", expected=expected, found=f"#{number}"))
         return None
 
-    def _address(self, match: re.Match[str], place: Place) -> None:
+    def _address(self, match: re.Match[str], place: ScriptPlace) -> None:
         motor = self._known(int(match.group(1)[:9]), place)
         if match.group(2) is None:
             self.motor = motor
 
-    def _comp(self, match: re.Match[str], place: Place) -> None:
+    def _comp(self, match: re.Match[str], place: ScriptPlace) -> None:
         count, source, desired, target, length = match.groups()
         motor = self._addressed(match, place)
         named = [self._known(int(one[:9]), place) for one in (source, target) if one]
         if motor is None or None in named:
             return
         self._define(
-            Table(
+            CardTable(
                 kind="COMP",
                 motor=motor,
                 source=(named[0] if named else None) or motor,
@@ -271,22 +271,22 @@ class _Script:
             )
         )
 
-    def _plane(self, match: re.Match[str], place: Place) -> None:
+    def _plane(self, match: re.Match[str], place: ScriptPlace) -> None:
         rows, columns = int(match.group(1)), int(match.group(2))
         named = [int(one[:9]) for one in re.findall(r"\d+", match.group(3))]
         motor = self._addressed(match, place)
         if motor is not None:
             target = named[2] if len(named) > 2 else motor
             count = (rows + 1) * (columns + 1) - 1
-            self._define(Table("COMP", motor, 0, target, 1, count, place, plane=True))
+            self._define(CardTable("COMP", motor, 0, target, 1, count, place, plane=True))
 
-    def _own(self, match: re.Match[str], place: Place) -> None:
+    def _own(self, match: re.Match[str], place: ScriptPlace) -> None:
         kind, count, length = match.groups()
         motor = self._addressed(match, place)
         if motor is not None:
-            self._define(Table(kind, motor, motor, motor, int(length), int(count), place))
+            self._define(CardTable(kind, motor, motor, motor, int(length), int(count), place))
 
-    def _addressed(self, match: re.Match[str], place: Place) -> int | None:
+    def _addressed(self, match: re.Match[str], place: ScriptPlace) -> int | None:
         if self.motor is None:
             found = repr(match.group())
             self.card.faults.append(
@@ -294,7 +294,7 @@ class _Script:
             )
         return self.motor
 
-    def _define(self, table: Table) -> None:
+    def _define(self, table: CardTable) -> None:
         if not table.announced or not table.length:
             found = f"{table.announced}, {table.length}"
             expected = "at least one entry and one count"
@@ -309,7 +309,7 @@ class _Script:
         self.card.tables[table.kind, table.motor] = table
         self.waiting = table
 
-    def _refuse(self, kind: str, motor: int, place: Place) -> None:
+    def _refuse(self, kind: str, motor: int, place: ScriptPlace) -> None:
         """Keep a fault where the card would not take a table (ERR003)."""
         lower = [other for one, other in self.card.tables if one == kind and other < motor]
         later = [one for one in _LATER[kind] if self.card.holds(one)]
@@ -324,7 +324,7 @@ class _Script:
         message = f"ERR003: DEFINE {kind} of motor {motor} is refused"
         self.card.faults.append(place.fault(message, expected=expected, found=found))
 
-    def _buffer(self, match: re.Match[str], place: Place) -> None:  # noqa: ARG002
+    def _buffer(self, match: re.Match[str], place: ScriptPlace) -> None:  # noqa: ARG002
         what, kind = match.group(1), match.group(2)
         kind = {"ROTARY": "ROT", "GAT": "GATHER", "LOOK": "LOOKAHEAD"}.get(kind, kind)
         if what == "DEF":
@@ -332,7 +332,7 @@ class _Script:
         else:
             self.card.buffers.discard(kind)
 
-    def _delete(self, match: re.Match[str], place: Place) -> None:
+    def _delete(self, match: re.Match[str], place: ScriptPlace) -> None:
         kind, motor = match.group(1), self._addressed(match, place)
         if motor is None or not self._sent(f"DELETE {kind}", motor, place):
             return
@@ -347,19 +347,19 @@ class _Script:
             )
         self.card.tables.pop((kind, motor), None)
 
-    def _variable(self, match: re.Match[str], text: str, place: Place) -> None:
+    def _variable(self, match: re.Match[str], text: str, place: ScriptPlace) -> None:
         first, last, count, step = match.groups()
         value = calculated(self.sending.put_in(text))
         end = int(last or first) if count is None else int(first) + (int(count) - 1) * int(step)
         for number in range(int(first), end + 1, max(1, int(step or 1))):
             if acts(number) and self._sent(f"I{number}", number // 100, place):
-                self.card.variables[number] = Setting(value, text, place)
+                self.card.variables[number] = VariableSetting(value, text, place)
 
-    def _open(self, match: re.Match[str], place: Place) -> None:
+    def _open(self, match: re.Match[str], place: ScriptPlace) -> None:
         self.inside = place
         self._program(match.group(1), place)
 
-    def _program(self, rest: str, place: Place) -> None:
+    def _program(self, rest: str, place: ScriptPlace) -> None:
         """Read over a program: what it does to compensation happens when it runs."""
         program, closed, after = re.match(r"(.*?)(?:\b(CLOSE\b)(.*))?$", rest).groups()  # type: ignore[union-attr]
         program = _CONDITION.sub("", self.sending.put_in(program))

@@ -11,11 +11,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from compwright.controllers.request import Request
-from compwright.controllers.sinumerik.text import Assignment, FileContent
+from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment
 
 
 @dataclass(frozen=True, slots=True)
-class AxisNames:
+class MachineAxisNames:
     """``by_name``: upper-case name -> AXn; ``called``: AXn -> the name by which the axis was asked
     for.
     """
@@ -41,7 +41,7 @@ class AxisNames:
             or numbered
         )
 
-    def renamed(self, entry: Assignment) -> Assignment:
+    def renamed(self, entry: VariableAssignment) -> VariableAssignment:
         """Return an assignment with its axes under their one name."""
         axis = self.name(entry.axis) if entry.axis else ""
         names = self.name(entry.names) if entry.names else ""
@@ -52,7 +52,7 @@ class AxisNames:
         )
 
 
-def axis_names(contents: Sequence[FileContent], request: Request) -> AxisNames:
+def axis_names(contents: Sequence[ProgramContent], request: Request) -> MachineAxisNames:
     """Return the names that the files list; a name that stands for two axes stands for none."""
     meant: dict[str, set[str]] = {}
     for content in contents:
@@ -77,4 +77,4 @@ def axis_names(contents: Sequence[FileContent], request: Request) -> AxisNames:
     }
     asked = dict.fromkeys((*request.reference_return, *request.encoder))
     called = {by_name.get(name.upper(), name.upper()): name for name in asked}
-    return AxisNames(by_name, called)
+    return MachineAxisNames(by_name, called)

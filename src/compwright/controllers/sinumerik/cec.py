@@ -18,12 +18,12 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from compwright.controllers.request import Request
-from compwright.controllers.sinumerik.axes import AxisNames
-from compwright.controllers.sinumerik.cec_tables import TableLoader
+from compwright.controllers.sinumerik.axes import MachineAxisNames
+from compwright.controllers.sinumerik.cec_tables import CecTableLoader
 from compwright.controllers.sinumerik.lengths import Lengths
 from compwright.controllers.sinumerik.sag import Pair, Sag, SagTable
 from compwright.controllers.sinumerik.tables import Remarks
-from compwright.controllers.sinumerik.text import Assignment
+from compwright.controllers.sinumerik.text import VariableAssignment
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.correction import Assumption
 
@@ -33,12 +33,12 @@ _SIGNS = {"correction": 1, "error": -1}
 
 
 def load_sag(
-    entries: Sequence[Assignment],
+    entries: Sequence[VariableAssignment],
     request: Request,
     spelling: Mapping[str, str],
     remarks: Remarks,
     unknown_keys: Mapping[int, str],
-    names: AxisNames,
+    names: MachineAxisNames,
     lengths: Lengths,
     screws: frozenset[str] = frozenset(),
     room: tuple[int, int] | None = None,
@@ -54,7 +54,7 @@ def load_sag(
     ``correction`` nor ``error``.
     """
     sign = _sign(request)
-    loader = TableLoader(
+    loader = CecTableLoader(
         [entry for entry in entries if "CEC" in entry.name], dict(spelling), remarks, request
     )
     loader.unknown_keys, loader.names, loader.lengths = unknown_keys, names, lengths

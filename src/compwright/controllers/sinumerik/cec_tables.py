@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 
 from compwright.controllers.request import Request, by_address
-from compwright.controllers.sinumerik.axes import AxisNames
+from compwright.controllers.sinumerik.axes import MachineAxisNames
 from compwright.controllers.sinumerik.lengths import Lengths, inches_in_mm
 from compwright.controllers.sinumerik.sag import Pair, SagTable
 from compwright.controllers.sinumerik.tables import (
@@ -20,7 +20,7 @@ from compwright.controllers.sinumerik.tables import (
     single,
     too_few_points,
 )
-from compwright.controllers.sinumerik.text import Assignment
+from compwright.controllers.sinumerik.text import VariableAssignment
 from compwright.foundations.errors import Fault
 from compwright.records.correction import Assumption
 
@@ -41,14 +41,14 @@ _ELSE = {
 }
 
 
-class TableLoader:
+class CecTableLoader:
     """Builds the tables. ``odd``: axes with a table over themselves that acts and cannot be
     followed, and why; ``left_out``: indices of tables that are left alone.
     """
 
     def __init__(
         self,
-        entries: Sequence[Assignment],
+        entries: Sequence[VariableAssignment],
         spelling: dict[str, str],
         remarks: Remarks,
         request: Request,
@@ -56,14 +56,14 @@ class TableLoader:
         self.request = request
         self.unknown_keys: Mapping[int, str] = {}
         self.screws: frozenset[str] = frozenset()
-        self.names = AxisNames({}, {})
+        self.names = MachineAxisNames({}, {})
         self.lengths = Lengths(inch=False, rotary={})
         self.odd: dict[str, str] = {}
         self.left_out: list[int] = []
         self.spelling = spelling
         self.remarks = remarks
-        self.by_table: dict[int, list[Assignment]] = defaultdict(list)
-        self.by_axis: dict[str, list[Assignment]] = defaultdict(list)
+        self.by_table: dict[int, list[VariableAssignment]] = defaultdict(list)
+        self.by_axis: dict[str, list[VariableAssignment]] = defaultdict(list)
         for entry in entries:
             if entry.axis:
                 self.by_axis[entry.axis.upper()].append(entry)
@@ -74,7 +74,7 @@ class TableLoader:
         """Return the tables by index, ascending."""
         found: dict[int, SagTable] = {}
         empty: list[int] = []
-        asked: dict[int, Assignment] = {}
+        asked: dict[int, VariableAssignment] = {}
         for index, entries in sorted(self.by_table.items()):
             data = [entry for entry in entries if entry.name.startswith(_PREFIX)]
             if not data:
@@ -140,7 +140,7 @@ class TableLoader:
         return enabled == 0.0
 
     def _curve(
-        self, index: int, entries: Sequence[Assignment], data: Sequence[Assignment]
+        self, index: int, entries: Sequence[VariableAssignment], data: Sequence[VariableAssignment]
     ) -> SagTable | None:
         """Return a table that is a curve. A whole one that is none is left alone; one that was cut
         short is a fault.
@@ -184,7 +184,9 @@ class TableLoader:
         self._leave_out(index, (base, output), why, data if on else (), inner)
         return None
 
-    def _in_mm(self, data: Sequence[Assignment], base: str, output: str) -> Sequence[Assignment]:
+    def _in_mm(
+        self, data: Sequence[VariableAssignment], base: str, output: str
+    ) -> Sequence[VariableAssignment]:
         """Return a table in mm: MD32711 of its output axis says whether it is in inch."""
         if self.of_axis(output, "MA_CEC_SCALING_SYSTEM_METRIC") != 0.0:
             return data
@@ -194,7 +196,9 @@ class TableLoader:
             positions=self.lengths.is_linear(base),
         )
 
-    def _reasons(self, index: int, entries: Sequence[Assignment], pair: Pair) -> Iterator[str]:
+    def _reasons(
+        self, index: int, entries: Sequence[VariableAssignment], pair: Pair
+    ) -> Iterator[str]:
         """Yield why a table that acts does something else than its values say."""
         for name, (most, why) in _ELSE.items():
             value = last_value(entries, name)
@@ -212,7 +216,7 @@ class TableLoader:
         index: int,
         pair: Pair,
         why: str,
-        acting: Sequence[Assignment],
+        acting: Sequence[VariableAssignment],
         inner: Remarks,
     ) -> None:
         """Leave a whole table alone that cannot be followed; the table of an axis under work over
@@ -242,7 +246,7 @@ class TableLoader:
         named = self.request.options_of(output).get("cec_tables")
         return not isinstance(named, list | tuple) or index not in named
 
-    def _acts(self, entries: Sequence[Assignment], output: str, *, own: bool) -> bool:
+    def _acts(self, entries: Sequence[VariableAssignment], output: str, *, own: bool) -> bool:
         """Return whether a table acts; what the job says of the test counts for tables of an axis
         over itself.
 
@@ -258,7 +262,7 @@ class TableLoader:
         return all(switch != 0.0 for switch in switches)
 
     def _table(
-        self, index: int, entries: Sequence[Assignment], data: Sequence[Assignment]
+        self, index: int, entries: Sequence[VariableAssignment], data: Sequence[VariableAssignment]
     ) -> SagTable | None:
         before = len(self.remarks.faults)
         faults = self.remarks.faults
@@ -296,7 +300,7 @@ class TableLoader:
             stays=self._stays(index, axes[1]),
         )
 
-    def _axis_of(self, data: Sequence[Assignment], name: str, label: str) -> str:
+    def _axis_of(self, data: Sequence[VariableAssignment], name: str, label: str) -> str:
         """Return an axis of a table by the name that all others use, empty with a fault when the
         files do not say it.
         """
@@ -310,7 +314,7 @@ class TableLoader:
         return self.spelling.setdefault(entry.names.upper(), entry.names)
 
     def _enabled(
-        self, index: int, entries: Sequence[Assignment], output: str, *, own: bool
+        self, index: int, entries: Sequence[VariableAssignment], output: str, *, own: bool
     ) -> bool:
         enabled = last_value(entries, "SN_CEC_TABLE_ENABLE")
         if enabled is None:
@@ -325,7 +329,7 @@ class TableLoader:
         return self._acts(entries, output, own=True) if own else enabled != 0.0
 
     def _check_factors(
-        self, found: dict[int, SagTable], asked: dict[int, Assignment], empty: set[int]
+        self, found: dict[int, SagTable], asked: dict[int, VariableAssignment], empty: set[int]
     ) -> None:
         """Refuse a product with a table that no file holds."""
         for index, entry in asked.items():
@@ -338,7 +342,9 @@ class TableLoader:
                 )
 
 
-def _is_damaged(data: Sequence[Assignment], names: Mapping[str, str], inner: Remarks) -> bool:
+def _is_damaged(
+    data: Sequence[VariableAssignment], names: Mapping[str, str], inner: Remarks
+) -> bool:
     """Return whether a table is no odd one but a file that was cut short or contradicts itself."""
     points = {entry.point for entry in data if entry.name == _PREFIX}
     incomplete = _NEEDED - {entry.name for entry in data} or not all(names.values())

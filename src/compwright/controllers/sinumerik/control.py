@@ -27,21 +27,21 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.controllers.request import Request, by_address, unknown_axis
-from compwright.controllers.sinumerik.axes import AxisNames, axis_names
+from compwright.controllers.sinumerik.axes import MachineAxisNames, axis_names
 from compwright.controllers.sinumerik.cec import load_sag
 from compwright.controllers.sinumerik.lengths import encoders_of, lengths_of
 from compwright.controllers.sinumerik.loading import load
 from compwright.controllers.sinumerik.programs import check_programs, without_programs
 from compwright.controllers.sinumerik.sag import Pair, Sag, union
 from compwright.controllers.sinumerik.tables import (
+    CompensationTable,
     Remarks,
-    Table,
     build_table,
     is_default,
     last_value,
     too_few_points,
 )
-from compwright.controllers.sinumerik.text import READ, SWITCHES, Assignment
+from compwright.controllers.sinumerik.text import READ, SWITCHES, VariableAssignment
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile
@@ -54,12 +54,12 @@ _ROOM_828D = (8, 200)
 
 
 @dataclass(frozen=True, slots=True)
-class _Axis:
+class _SinumerikAxis:
     """``table``: of the active measuring system, values as in the file (errors). ``screw_on``: the
     files end with a table on.
     """
 
-    table: Table | None = None
+    table: CompensationTable | None = None
     enabled: bool = False
     backlash: float = 0.0
     reference_return: Direction = Direction.POSITIVE
@@ -78,9 +78,9 @@ class SinumerikControl:
     ``controllers.virtual.VirtualControl``.
     """
 
-    axes: dict[str, _Axis]
+    axes: dict[str, _SinumerikAxis]
     sag: Sag
-    names: AxisNames
+    names: MachineAxisNames
     assumed: tuple[Assumption, ...]
     notes: tuple[str, ...]
 
@@ -158,7 +158,7 @@ class SinumerikControl:
             )
         return self.sag.shift(pair, np.asarray(positions, dtype=np.float64), direction)
 
-    def _axis(self, address: str) -> tuple[str, _Axis]:
+    def _axis(self, address: str) -> tuple[str, _SinumerikAxis]:
         """Return an axis by the name that the files use."""
         known = {name: name for name in self.axes}
         name = by_address(known, self.names.name(address))
@@ -213,11 +213,11 @@ def sinumerik_control(
     check_programs(contents, names, request, inch=lengths.inch)
     assignments = [lengths.in_mm(entry) for entry in assignments]
     remarks = Remarks(notes=[note for content in contents for note in content.notes])
-    by_axis: dict[str, list[Assignment]] = defaultdict(list)
+    by_axis: dict[str, list[VariableAssignment]] = defaultdict(list)
     for entry in assignments:
         if "system" in READ[entry.name]:
             by_axis[entry.axis.upper()].append(entry)
-    loader = _Loader(request, remarks, encoders_of(contents, names))
+    loader = _AxisLoader(request, remarks, encoders_of(contents, names))
     axes = {entries[0].axis: loader.axis(entries) for entries in by_axis.values()}
     keys = {table: key for content in contents for table, key in content.unknown_keys.items()}
     screws = frozenset(name.upper() for name, axis in axes.items() if axis.screw_on)
@@ -235,13 +235,13 @@ def sinumerik_control(
     raise_all(InputError, remarks.faults)
     for base, corrected in sag.pairs():
         if base == corrected:
-            axes.setdefault(base, _Axis())
+            axes.setdefault(base, _SinumerikAxis())
     return SinumerikControl(
         axes=axes, sag=sag, names=names, assumed=tuple(remarks.assumed), notes=tuple(remarks.notes)
     )
 
 
-def _out_of_range(entry: Assignment) -> Fault | None:
+def _out_of_range(entry: VariableAssignment) -> Fault | None:
     """Return the fault of a value that no SINUMERIK takes, None for a good one."""
     value, expected = entry.value, ""
     if not math.isfinite(value):
@@ -275,7 +275,7 @@ def _out_of_range(entry: Assignment) -> Fault | None:
     return None
 
 
-class _Loader:
+class _AxisLoader:
     """Builds leadscrew table and backlash of the axes from their assignments."""
 
     def __init__(self, request: Request, remarks: Remarks, encoders: Mapping[str, int]) -> None:
@@ -283,7 +283,7 @@ class _Loader:
         self.remarks = remarks
         self.encoders = encoders
 
-    def axis(self, entries: list[Assignment]) -> _Axis:
+    def axis(self, entries: list[VariableAssignment]) -> _SinumerikAxis:
         """Return one axis from its assignments in the order of the files."""
         name = entries[0].axis
         by_system = {
@@ -321,7 +321,7 @@ class _Loader:
         returning, assumption = self.request.returning(name)
         if assumption is not None:
             self.remarks.assumed.append(assumption)
-        return _Axis(
+        return _SinumerikAxis(
             table=table,
             enabled=acts,
             backlash=backlash * self._factor(name, entries),
@@ -333,7 +333,9 @@ class _Loader:
             ),
         )
 
-    def _table(self, name: str, system: int, given: Sequence[Assignment]) -> Table | None:
+    def _table(
+        self, name: str, system: int, given: Sequence[VariableAssignment]
+    ) -> CompensationTable | None:
         """Return the table of one measuring system; None without one, or when it is wrong (then
         there are faults).
         """
@@ -351,7 +353,7 @@ class _Loader:
             self.remarks.faults += too_few_points(reserved, table, f"MD38000 of {name}")
         return table
 
-    def _factor(self, name: str, entries: list[Assignment]) -> float:
+    def _factor(self, name: str, entries: list[VariableAssignment]) -> float:
         """Return MD32452 of the first parameter set, 1 when the files do not hold it."""
         if any(e.name == "MA_BACKLASH_DYN" and e.value != 0.0 for e in entries):
             self.remarks.assumed.append(
@@ -367,7 +369,10 @@ class _Loader:
         return factors.get(0, 1.0)
 
     def _system(
-        self, name: str, by_system: dict[int, list[Assignment]], tables: dict[int, Table | None]
+        self,
+        name: str,
+        by_system: dict[int, list[VariableAssignment]],
+        tables: dict[int, CompensationTable | None],
     ) -> int:
         """Return the index of the active measuring system."""
         given = by_address(self.request.encoder, name)

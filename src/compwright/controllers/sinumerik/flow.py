@@ -63,7 +63,7 @@ _MOST_WORDS = 200
 
 
 @dataclass(slots=True)
-class Block:
+class ProgramBlock:
     """One program of a file. ``doubts`` stand before its last assignment, ``late`` behind it.
 
     ``branch`` counts the branches so far; ``branches`` says by line in which each assignment
@@ -85,7 +85,7 @@ class Block:
     trail: list[Line] = field(default_factory=list)
 
     @classmethod
-    def named(cls, name: str, line: int, *, behind: bool = False) -> Block:
+    def named(cls, name: str, line: int, *, behind: bool = False) -> ProgramBlock:
         """Return the program that a header or a file's name begins; ``behind``: others stand
         before it in the file.
         """

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from compwright.controllers.request import Request
-from compwright.controllers.sinumerik.axes import AxisNames
-from compwright.controllers.sinumerik.text import Assignment, FileContent
+from compwright.controllers.sinumerik.axes import MachineAxisNames
+from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment
 from compwright.foundations.errors import Fault
 
 _MM = 25.4  # mm in an inch, MD10250 where nobody changed it
@@ -40,14 +40,16 @@ class Lengths:
         """Return whether an axis has lengths; one of which nobody says its kind has."""
         return not self.rotary.get(axis.upper(), False)
 
-    def in_mm(self, entry: Assignment) -> Assignment:
+    def in_mm(self, entry: VariableAssignment) -> VariableAssignment:
         """Return an assignment of an axis with its length in mm; any other one as it is."""
         if not self.inch or entry.name not in _LENGTHS or not self.is_linear(entry.axis):
             return entry
         return replace(entry, value=entry.value * _MM)
 
 
-def inches_in_mm(data: Sequence[Assignment], *, values: bool, positions: bool) -> list[Assignment]:
+def inches_in_mm(
+    data: Sequence[VariableAssignment], *, values: bool, positions: bool
+) -> list[VariableAssignment]:
     """Return the assignments of a CEC table that is in inch (MD32711), in mm: its ``values``, its
     ``positions``, each where it belongs to a linear axis.
     """
@@ -61,7 +63,7 @@ def inches_in_mm(data: Sequence[Assignment], *, values: bool, positions: bool) -
 
 
 def lengths_of(
-    contents: Sequence[FileContent], names: AxisNames, request: Request
+    contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request
 ) -> tuple[Lengths, list[Fault]]:
     """Return the units of all lengths, and what is wrong with them: a basic system that is said in
     two ways, an inch of another length, units of somebody's own.
@@ -96,7 +98,7 @@ def lengths_of(
     return Lengths(inch=inch, rotary=rotary), faults
 
 
-def _strange(contents: Sequence[FileContent], request: Request, *, inch: bool) -> list[Fault]:
+def _strange(contents: Sequence[ProgramContent], request: Request, *, inch: bool) -> list[Fault]:
     kinds = {str(kind) for kind in request.kinds.values()} or {"linear", "rotary"}
     own = [bit for kind in sorted(kinds) for bit in _OWN_UNITS[kind]]
     faults: list[Fault] = []
@@ -126,7 +128,7 @@ def _strange(contents: Sequence[FileContent], request: Request, *, inch: bool) -
     return faults
 
 
-def encoders_of(contents: Sequence[FileContent], names: AxisNames) -> dict[str, int]:
+def encoders_of(contents: Sequence[ProgramContent], names: MachineAxisNames) -> dict[str, int]:
     """Return MD30200, the number of measuring systems, by upper-case axis."""
     return {
         names.name(entry.axis).upper(): int(entry.value)

@@ -12,10 +12,10 @@ from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from compwright.controllers.sinumerik.axes import AxisNames
+from compwright.controllers.sinumerik.axes import MachineAxisNames
 from compwright.controllers.sinumerik.container import active_files, is_container
 from compwright.controllers.sinumerik.tables import last_value
-from compwright.controllers.sinumerik.text import Assignment, FileContent, read_file
+from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment, read_file
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -24,16 +24,16 @@ from compwright.records.correction import ControlFile
 class Loaded:
     """``under``: what the archives in containers say; ``over``: all other files."""
 
-    under: list[FileContent] = field(default_factory=list)
-    over: list[FileContent] = field(default_factory=list)
+    under: list[ProgramContent] = field(default_factory=list)
+    over: list[ProgramContent] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
 
     @property
-    def contents(self) -> list[FileContent]:
+    def contents(self) -> list[ProgramContent]:
         """All of them in the order of loading."""
         return [*self.under, *self.over]
 
-    def assignments(self, names: AxisNames) -> list[Assignment]:
+    def assignments(self, names: MachineAxisNames) -> list[VariableAssignment]:
         """Return what is assigned in the end, axes under their one name, in the order of loading:
         nothing of the archive that a small file replaces.
         """
@@ -43,7 +43,7 @@ class Loaded:
         kept = [entry for entry in under if _variable(entry) not in replaced]
         return [*_within_new_ends(kept, over), *over]
 
-    def unanswered(self, names: AxisNames) -> list[Fault]:
+    def unanswered(self, names: MachineAxisNames) -> list[Fault]:
         """Return the faults of variables that a file enters as ``n/a`` and no other file enters."""
         open_entries = [entry for content in self.contents for entry in content.not_given]
         said = {_variable(e) for e in self.assignments(names)} if open_entries else set()
@@ -72,11 +72,13 @@ def load(files: Sequence[ControlFile]) -> Loaded:
     return loaded
 
 
-def _variable(entry: Assignment) -> tuple[str, int, int | None, str]:
+def _variable(entry: VariableAssignment) -> tuple[str, int, int | None, str]:
     return entry.name, entry.number, entry.point, entry.axis.upper()
 
 
-def _within_new_ends(kept: list[Assignment], over: Sequence[Assignment]) -> list[Assignment]:
+def _within_new_ends(
+    kept: list[VariableAssignment], over: Sequence[VariableAssignment]
+) -> list[VariableAssignment]:
     """Return the archive's assignments without the points above the end of a table that a small
     file makes shorter: the control keeps them and does not use them.
     """
@@ -85,7 +87,7 @@ def _within_new_ends(kept: list[Assignment], over: Sequence[Assignment]) -> list
         for entry in over
         if entry.name.endswith(("_STEP", "_MIN", "_MAX")) or entry.point is not None
     }
-    grids: dict[tuple[str, int, str], list[Assignment]] = defaultdict(list)
+    grids: dict[tuple[str, int, str], list[VariableAssignment]] = defaultdict(list)
     for entry in (*kept, *over):
         if entry.point is None and _table(entry) in changed:
             grids[_table(entry)].append(entry)
@@ -102,6 +104,6 @@ def _within_new_ends(kept: list[Assignment], over: Sequence[Assignment]) -> list
     ]
 
 
-def _table(entry: Assignment) -> tuple[str, int, str]:
+def _table(entry: VariableAssignment) -> tuple[str, int, str]:
     prefix = "AA_ENC_COMP" if entry.name.startswith("AA_ENC_COMP") else "AN_CEC"
     return prefix, entry.number, entry.axis.upper()

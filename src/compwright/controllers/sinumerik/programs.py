@@ -8,10 +8,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from compwright.controllers.request import Request
-from compwright.controllers.sinumerik.axes import AxisNames
-from compwright.controllers.sinumerik.flow import Block
+from compwright.controllers.sinumerik.axes import MachineAxisNames
+from compwright.controllers.sinumerik.flow import ProgramBlock
 from compwright.controllers.sinumerik.reach import Doubt, conflicts, inevitable
-from compwright.controllers.sinumerik.text import Assignment, FileContent
+from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 
 #: Variables of which a value other than 0 acts on an axis.
@@ -20,7 +20,7 @@ _EXPORT = "the control's own export of the data in place of the program"
 
 
 def check_programs(
-    contents: Sequence[FileContent], names: AxisNames, request: Request, *, inch: bool
+    contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request, *, inch: bool
 ) -> None:
     """Raise InputError for programs that assign one variable in two branches, cannot carry out all
     of their assignments, or count lengths in another unit than the control (``inch``); UsageError
@@ -50,7 +50,7 @@ def check_programs(
     raise_all(UsageError, questions)
 
 
-def without_programs(contents: Sequence[FileContent]) -> list[FileContent]:
+def without_programs(contents: Sequence[ProgramContent]) -> list[ProgramContent]:
     """Return the contents without the assignments of programs that may not have been carried out,
     where it is known that none of them was. Raises InputError for what every run carries out.
     """
@@ -70,7 +70,7 @@ def without_programs(contents: Sequence[FileContent]) -> list[FileContent]:
     return found
 
 
-def _always(content: FileContent, block: Block) -> Iterator[Fault]:
+def _always(content: ProgramContent, block: ProgramBlock) -> Iterator[Fault]:
     lines = inevitable(block.trail)
     for one in content.assignments:
         if one.line in lines and one.name in _ACTING and one.value != 0.0:
@@ -81,7 +81,7 @@ def _always(content: FileContent, block: Block) -> Iterator[Fault]:
             return
 
 
-def _doubted_calls(contents: Sequence[FileContent]) -> dict[str, tuple[str, Doubt]]:
+def _doubted_calls(contents: Sequence[ProgramContent]) -> dict[str, tuple[str, Doubt]]:
     """Return by the name of a program the file and the line that may keep every call of it in these
     files from being carried out.
     """
@@ -106,7 +106,9 @@ def _doubted_calls(contents: Sequence[FileContent]) -> dict[str, tuple[str, Doub
         sure = set()
 
 
-def _not_all(content: FileContent, block: Block, doubted: Mapping[str, object]) -> Iterator[Fault]:
+def _not_all(
+    content: ProgramContent, block: ProgramBlock, doubted: Mapping[str, object]
+) -> Iterator[Fault]:
     """Yield the fault of assignments, or calls, of which one run cannot carry out all."""
     if not block.doubts and not any(line.mentions & doubted.keys() for line in block.trail):
         return
@@ -126,7 +128,7 @@ def _not_all(content: FileContent, block: Block, doubted: Mapping[str, object]) 
         )
 
 
-def _other_lengths(file: str, block: Block, *, inch: bool) -> Iterator[Fault]:
+def _other_lengths(file: str, block: ProgramBlock, *, inch: bool) -> Iterator[Fault]:
     for line, inches in block.inches.items():
         if inches is not inch:
             yield Fault(
@@ -138,8 +140,8 @@ def _other_lengths(file: str, block: Block, *, inch: bool) -> Iterator[Fault]:
             )
 
 
-def _in_two_branches(block: Block, given: Sequence[Assignment]) -> Iterator[Fault]:
-    seen: dict[str, Assignment] = {}
+def _in_two_branches(block: ProgramBlock, given: Sequence[VariableAssignment]) -> Iterator[Fault]:
+    seen: dict[str, VariableAssignment] = {}
     for entry in given:
         branch = block.branches[entry.line]
         before = seen.get(entry.variable.upper())

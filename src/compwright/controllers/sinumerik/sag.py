@@ -22,7 +22,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from compwright.controllers.sinumerik.tables import Table
+from compwright.controllers.sinumerik.tables import CompensationTable
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Direction, FloatArray
 
@@ -43,7 +43,7 @@ class SagTable:
 
     input: str
     output: str
-    table: Table
+    table: CompensationTable
     direction: int
     weight: float
     enabled: bool

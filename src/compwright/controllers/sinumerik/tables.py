@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from compwright.controllers.sinumerik.text import Assignment
+from compwright.controllers.sinumerik.text import VariableAssignment
 from compwright.foundations.errors import Fault
 from compwright.records.axis import FloatArray
 from compwright.records.correction import Assumption
@@ -29,7 +29,7 @@ _LEAST_STEP = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class CompensationTable:
     """Values (k + 1,) as the file has them, mm or deg, at ``lowest`` + i * ``step``; ``modulo``:
     repeats after MAX - MIN.
     """
@@ -71,21 +71,23 @@ class Remarks:
     faults: list[Fault] = field(default_factory=list)
 
 
-def last_value(entries: Sequence[Assignment], name: str) -> float | None:
+def last_value(entries: Sequence[VariableAssignment], name: str) -> float | None:
     """Return the last value assigned to a variable, None without one: a load sequence switches off
     and on again.
     """
     return next((entry.value for entry in reversed(entries) if entry.name == name), None)
 
 
-def single(entries: Sequence[Assignment], name: str, faults: list[Fault]) -> Assignment | None:
+def single(
+    entries: Sequence[VariableAssignment], name: str, faults: list[Fault]
+) -> VariableAssignment | None:
     """Return the assignment of a variable that may be given once; a repetition must agree."""
     given = [entry for entry in entries if entry.name == name]
     _agree(given, faults)
     return given[0] if given else None
 
 
-def is_default(entries: Sequence[Assignment], prefix: str) -> bool:
+def is_default(entries: Sequence[VariableAssignment], prefix: str) -> bool:
     """Return whether a table is the control's own default: STEP, MIN and MAX given as 0 and no
     value other than 0.
     """
@@ -101,14 +103,14 @@ def is_default(entries: Sequence[Assignment], prefix: str) -> bool:
 
 
 def build_table(
-    entries: Sequence[Assignment],
+    entries: Sequence[VariableAssignment],
     prefix: str,
     label: str,
     owner: str,
     remarks: Remarks,
     *,
     stranger: bool = False,
-) -> Table | None:
+) -> CompensationTable | None:
     """Return the table of one measuring system or index from all its assignments, or None with the
     faults in ``remarks``.
 
@@ -143,7 +145,9 @@ def build_table(
             remarks.assumed.append(
                 Assumption(f"${prefix}_IS_MODULO of {owner}", "0", "not in the files")
             )
-        table = Table(low, ends.highest, step, modulo is not None and modulo.value == 1.0, column)
+        table = CompensationTable(
+            low, ends.highest, step, modulo is not None and modulo.value == 1.0, column
+        )
         odd = _impossible(first, label, table)
         if ends.split and (table.modulo or values.get(count, 0.0) != column[-1]):
             odd = [*odd, _split(first, label, prefix, (step, low, high))]
@@ -162,7 +166,9 @@ def build_table(
     return None
 
 
-def too_few_points(reserved: Sequence[Assignment], table: Table, label: str) -> list[Fault]:
+def too_few_points(
+    reserved: Sequence[VariableAssignment], table: CompensationTable, label: str
+) -> list[Fault]:
     """Return the fault of machine data that reserve fewer points than the table has: the control
     would shorten it.
     """
@@ -177,7 +183,7 @@ def too_few_points(reserved: Sequence[Assignment], table: Table, label: str) -> 
     ]
 
 
-def _impossible(first: Assignment, label: str, table: Table) -> list[Fault]:
+def _impossible(first: VariableAssignment, label: str, table: CompensationTable) -> list[Fault]:
     """Return the faults of a table that is complete but cannot be followed."""
     if np.any(np.diff(table.positions()) <= 0.0):
         return [
@@ -217,7 +223,7 @@ class _Ends:
 
 
 def _ends(
-    first: Assignment, label: str, grid: tuple[float, float, float], faults: list[Fault]
+    first: VariableAssignment, label: str, grid: tuple[float, float, float], faults: list[Fault]
 ) -> _Ends | None:
     """Return where a table ends, k = (MAX - MIN) / STEP; None with a fault for an impossible
     grid.
@@ -249,7 +255,9 @@ def _ends(
     return _Ends(whole + 1, low + whole * step, split=True)
 
 
-def _split(first: Assignment, label: str, prefix: str, grid: tuple[float, float, float]) -> Fault:
+def _split(
+    first: VariableAssignment, label: str, prefix: str, grid: tuple[float, float, float]
+) -> Fault:
     """Return the fault of a table whose MAX lies between two points of different values: no page
     says what acts there.
     """
@@ -262,7 +270,11 @@ def _split(first: Assignment, label: str, prefix: str, grid: tuple[float, float,
 
 
 def _column(
-    first: Assignment, label: str, values: dict[int, float], ends: _Ends, faults: list[Fault]
+    first: VariableAssignment,
+    label: str,
+    values: dict[int, float],
+    ends: _Ends,
+    faults: list[Fault],
 ) -> FloatArray | None:
     """Return the values (count,) of points 0..count-1; None with a fault when they do not fill the
     grid. Values above MAX are ignored (FB2 09/2009, 6FC5397-1BP20-0BA0, p. 362 and p. 370).
@@ -285,9 +297,9 @@ def _column(
     return np.array([values[point] for point in range(count)], dtype=np.float64)
 
 
-def _values(entries: Sequence[Assignment], faults: list[Fault]) -> dict[int, float]:
+def _values(entries: Sequence[VariableAssignment], faults: list[Fault]) -> dict[int, float]:
     """Return point -> value; the same point given twice must agree."""
-    points: dict[int, list[Assignment]] = defaultdict(list)
+    points: dict[int, list[VariableAssignment]] = defaultdict(list)
     for entry in entries:
         if entry.point is not None:
             points[entry.point].append(entry)
@@ -296,7 +308,7 @@ def _values(entries: Sequence[Assignment], faults: list[Fault]) -> dict[int, flo
     return {point: same[0].value for point, same in points.items()}
 
 
-def _agree(same: Sequence[Assignment], faults: list[Fault]) -> None:
+def _agree(same: Sequence[VariableAssignment], faults: list[Fault]) -> None:
     faults += [
         entry.fault(
             f"{entry.variable} contradicts {same[0].file}, line {same[0].line}",

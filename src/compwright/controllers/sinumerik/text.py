@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 
 from compwright.controllers.places import OfLine
-from compwright.controllers.sinumerik.flow import Block, is_given
+from compwright.controllers.sinumerik.flow import ProgramBlock, is_given
 from compwright.controllers.sinumerik.units import UnitLines
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -134,7 +134,7 @@ _WHOLE = re.compile(r"[0-9]{1,9}")
 
 
 @dataclass(frozen=True, slots=True)
-class Assignment(OfLine):
+class VariableAssignment(OfLine):
     """One assignment: variable without ``$``; ``number``: measuring system e or table t, 0 without
     either; ``point`` N.
 
@@ -168,7 +168,7 @@ class Assignment(OfLine):
 
 
 @dataclass(slots=True)
-class FileContent:
+class ProgramContent:
     """What one file says: its assignments in order, remarks, and what is wrong with it.
 
     ``machine_names``, ``channel_names``: names by place from 0; ``channel_places``: machine axes
@@ -179,16 +179,16 @@ class FileContent:
     """
 
     name: str = ""
-    assignments: list[Assignment] = field(default_factory=list)
+    assignments: list[VariableAssignment] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     machine_names: dict[int, set[str]] = field(default_factory=dict)
     channel_names: dict[int, set[str]] = field(default_factory=dict)
     channel_places: dict[int, set[int]] = field(default_factory=dict)
-    facts: list[Assignment] = field(default_factory=list)
-    not_given: list[Assignment] = field(default_factory=list)
+    facts: list[VariableAssignment] = field(default_factory=list)
+    not_given: list[VariableAssignment] = field(default_factory=list)
     units: UnitLines = field(default_factory=UnitLines)
     unknown_keys: dict[int, str] = field(default_factory=dict)
-    blocks: list[Block] = field(default_factory=lambda: [Block()])
+    blocks: list[ProgramBlock] = field(default_factory=lambda: [ProgramBlock()])
     faults: list[Fault] = field(default_factory=list)
 
     def said(self) -> tuple[int, ...]:
@@ -210,7 +210,7 @@ class _Program:
 
 
 @lru_cache(maxsize=_KEPT)
-def read_file(file: ControlFile) -> FileContent:
+def read_file(file: ControlFile) -> ProgramContent:
     """Return the assignments of one file (bytes, ASCII with any comment). Faults are collected,
     nothing is raised.
 
@@ -218,7 +218,7 @@ def read_file(file: ControlFile) -> FileContent:
     What stands behind the end of a program (M17, M30, M02) and before the next header is a fault,
     because the control does not read it. What was read is kept by content: it is not to be changed.
     """
-    found = FileContent(file.name, blocks=[Block.named(file.name, 1)])
+    found = ProgramContent(file.name, blocks=[ProgramBlock.named(file.name, 1)])
     if b"\x00" in file.content:
         found.faults.append(
             Fault(
@@ -236,7 +236,7 @@ def read_file(file: ControlFile) -> FileContent:
         if _HEADER.match(code):
             _note_end(program, file.name, found, last=False)
             program = _Program(number, len(found.assignments))
-            found.blocks.append(Block.named(code, number, behind=begun))
+            found.blocks.append(ProgramBlock.named(code, number, behind=begun))
             begun = True
             continue
         begun = begun or code[:1] not in ("", ";")
@@ -263,7 +263,7 @@ def read_file(file: ControlFile) -> FileContent:
     return found
 
 
-def _note_flow(code: str, number: int, found: FileContent, whole: str, *, said: bool) -> None:
+def _note_flow(code: str, number: int, found: ProgramContent, whole: str, *, said: bool) -> None:
     """Take down what a line does in its program; ``said``: it is a statement that counts;
     ``whole``: with its strings.
     """
@@ -286,7 +286,7 @@ def _computed(file: str, number: int, shown: str) -> Fault:
     )
 
 
-def _read_names(code: str, found: FileContent) -> None:
+def _read_names(code: str, found: ProgramContent) -> None:
     """Take down what a line of the lists of axis names says."""
     match = _NAME_LISTS.match(code)
     if match is None:
@@ -309,7 +309,7 @@ def _with_points(lines: list[str]) -> list[str]:
     return [_COMMA.sub(r"\1.\2", line) for line in lines]
 
 
-def _read_fact(code: str, file: str, number: int, found: FileContent) -> None:
+def _read_fact(code: str, file: str, number: int, found: ProgramContent) -> None:
     """Take down a plain assignment of `FACTS`."""
     match = _ASSIGNMENT.fullmatch(code)
     name = "" if match is None else match["name"].upper()
@@ -320,10 +320,10 @@ def _read_fact(code: str, file: str, number: int, found: FileContent) -> None:
     if index is None or (match["value"] is None and word is None):
         return
     value = word if word is not None else _number(match["value"])
-    found.facts.append(Assignment(name, 0, None, index["axis"], value, "", file, number))
+    found.facts.append(VariableAssignment(name, 0, None, index["axis"], value, "", file, number))
 
 
-def _note_end(program: _Program, file: str, found: FileContent, *, last: bool) -> None:
+def _note_end(program: _Program, file: str, found: ProgramContent, *, last: bool) -> None:
     """Note a program without an end; in the middle of an archive only one that holds compensation
     data.
     """
@@ -334,7 +334,7 @@ def _note_end(program: _Program, file: str, found: FileContent, *, last: bool) -
         )
 
 
-def _read_line(code: str, file: str, number: int, found: FileContent, *, ended: bool) -> None:
+def _read_line(code: str, file: str, number: int, found: ProgramContent, *, ended: bool) -> None:
     """Read one line that mentions compensation; it must be understood wholly or be a fault."""
 
     def wrong(message: str, expected: str) -> None:
@@ -382,7 +382,7 @@ def _read_assignment(
     match: re.Match[str],
     file: str,
     number: int,
-    found: FileContent,
+    found: ProgramContent,
     wrong: Callable[[str, str], None],
 ) -> None:
     name = match["name"].upper()
@@ -407,7 +407,7 @@ def _read_assignment(
     if "=" not in match["sign_of_assignment"]:
         found.notes.append(f"{file}: line {number}: a blank stands in place of the equals sign")
     found.assignments.append(
-        Assignment(
+        VariableAssignment(
             name=name,
             number=int(indices.get("system", indices.get("table", "0"))),
             point=int(indices["point"]) if "point" in indices else None,
@@ -426,7 +426,7 @@ def _read_assignment(
     )
 
 
-def _foreign_key(name: str, index: str, found: FileContent) -> bool:
+def _foreign_key(name: str, index: str, found: ProgramContent) -> bool:
     """Take down a key of a table that is not known here; False for anything else."""
     known = name.startswith("AN_CEC_") and _WHOLE.fullmatch(index.strip()) is not None
     if known:

@@ -39,7 +39,7 @@ from compwright.formats.definition.vocabulary import (
     When,
 )
 from compwright.foundations.key_faults import KeyFault, shown, too_large
-from compwright.foundations.record_schemas import Form, RecordSchemas, listed, mapping
+from compwright.foundations.record_schemas import RecordForm, RecordSchemas, listed, mapping
 from compwright.foundations.validation import refuse
 
 _TEXT: Final = cs.str_schema(strict=True, min_length=1)
@@ -191,8 +191,8 @@ _SETTLED: Final = mapping(
     },
     dict,
 )
-_FORMS: Final[Mapping[type, Form]] = {
-    Definition: Form(
+_FORMS: Final[Mapping[type, RecordForm]] = {
+    Definition: RecordForm(
         nested={"sample": {"options": "sample_options", "files": "sample_files"}},
         absent=frozenset({"aliases", "parameters", "look_at"}),
         constant={"file": "", "text": None, "own": (), "aliases": (), "parameters": {}}
@@ -205,7 +205,7 @@ _FORMS: Final[Mapping[type, Form]] = {
         },
         build=_with_sample,
     ),
-    Dialect: Form(
+    Dialect: RecordForm(
         keys={"blanks_anywhere": "blanks"},
         types={
             "newline": _NEWLINE,
@@ -214,7 +214,7 @@ _FORMS: Final[Mapping[type, Form]] = {
         },
         more={"encoding": _word("ascii")},
     ),
-    TextKind: Form(
+    TextKind: RecordForm(
         named="name",
         keys={"blank_lines_anywhere": "blank_lines"},
         nested={
@@ -228,9 +228,9 @@ _FORMS: Final[Mapping[type, Form]] = {
             "other_lines_refused": _word("ignored", "refused", gives="refused".__eq__),
         },
     ),
-    Statement: Form(named="name"),
-    Layout: Form(nested={"ends": {"below": "below", "above": "above"}}),
-    Measure: Form(
+    Statement: RecordForm(named="name"),
+    Layout: RecordForm(nested={"ends": {"below": "below", "above": "above"}}),
+    Measure: RecordForm(
         named="quantity",
         nested={"unit": {"linear": "linear_unit", "rotary": "rotary_unit"}},
         absent=frozenset({"typed"}),
@@ -238,19 +238,19 @@ _FORMS: Final[Mapping[type, Form]] = {
         types=_BOUND,
         build=lambda values: {**values, "sign": None, **values["sign"]},
     ),
-    Choice: Form(named="quantity", types={"writes": _or_option(_TEXT)}),
-    Plain: Form(named="quantity"),
-    LimitRule: Form(
+    Choice: RecordForm(named="quantity", types={"writes": _or_option(_TEXT)}),
+    Plain: RecordForm(named="quantity"),
+    LimitRule: RecordForm(
         types={"number": cs.nullable_schema(cs.int_schema(strict=True, ge=1, le=10**6))}
     ),
-    BetweenAxes: Form(
+    BetweenAxes: RecordForm(
         types={
             "instead": cs.no_info_after_validator_function(
                 lambda text: text or "", cs.nullable_schema(_TEXT)
             )
         }
     ),
-    OptionRule: Form(
+    OptionRule: RecordForm(
         named="name",
         keys={"whole_control": "belongs_to"},
         constant={"option_wins": False},
@@ -266,14 +266,14 @@ _FORMS: Final[Mapping[type, Form]] = {
         },
         build=_option,
     ),
-    WrittenFile: Form(
+    WrittenFile: RecordForm(
         constant={"optional": False, "when": "always"},
         more={"set": _word("complete", "optional", *(w for w in get_args(When) if w != "always"))},
         build=_written,
     ),
-    CardRule: Form(constant={"two_curves": ""}, types={"text": _CURVES}, build=_split_text),
-    LookRule: Form(constant={"two_curves": ""}, types={"text": _CURVES}, build=_split_text),
-    Expectation: Form(
+    CardRule: RecordForm(constant={"two_curves": ""}, types={"text": _CURVES}, build=_split_text),
+    LookRule: RecordForm(constant={"two_curves": ""}, types={"text": _CURVES}, build=_split_text),
+    Expectation: RecordForm(
         types={
             "files": cs.tagged_union_schema(
                 {

@@ -84,7 +84,7 @@ class Occurrence:
 
 
 @dataclass(frozen=True, slots=True)
-class Form:
+class StatementForm:
     """A compiled form. ``group``: the part that repeats on the line, each time a statement of its
     own; None: nothing repeats.
     """
@@ -107,7 +107,7 @@ class Matcher:
     """
 
     statement: Statement
-    forms: tuple[Form, ...]
+    forms: tuple[StatementForm, ...]
     section: re.Pattern[str] | None
     head: str
     number: str | None = None
@@ -198,10 +198,12 @@ def compile_statement(statement: Statement, definition: Definition) -> Matcher:
     )
 
 
-def _compiled(form: str, statement: Statement, dialect: Dialect, flags: re.RegexFlag | int) -> Form:
+def _compiled(
+    form: str, statement: Statement, dialect: Dialect, flags: re.RegexFlag | int
+) -> StatementForm:
     grouped = _GROUPED.fullmatch(form)
     if grouped is None:
-        return Form(
+        return StatementForm(
             re.compile(
                 _line_pattern(_form_pattern(form, statement.fields, dialect), statement, dialect),
                 flags,
@@ -214,7 +216,7 @@ def _compiled(form: str, statement: Statement, dialect: Dialect, flags: re.Regex
     between = r"[ \t]+" if re.fullmatch(r"\{[^{}]*\}", grouped["group"]) else gap
     unnamed = re.sub(r"\?P<[a-z_0-9]+>", "?:", group)
     line = f"{before}{gap}(?P<groups_>{unnamed}(?:{between}{unnamed})*)"
-    return Form(
+    return StatementForm(
         re.compile(_line_pattern(line, statement, dialect), flags), re.compile(group, flags)
     )
 

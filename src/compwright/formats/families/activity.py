@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from compwright.formats.text.gathering import Found
+from compwright.formats.text.gathering import FoundValue
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault
 
@@ -27,7 +27,7 @@ class Activity:
     carried_out: bool = False
 
     def settle(
-        self, label: str, switches: str, word: str | None, place: Found | None, notes: Notes
+        self, label: str, switches: str, word: str | None, place: FoundValue | None, notes: Notes
     ) -> bool | None:
         """Return whether a table that is not zero acted; None where neither the files nor the job
         say it, and nobody asks.

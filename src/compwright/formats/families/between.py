@@ -19,7 +19,7 @@ from compwright.records.plan import PlannedCross
 _NO_SHIFT = 2e-6
 
 
-class Reading(Protocol):
+class FileReading(Protocol):
     """Reads control files. ``written``: compwright wrote them just now, so that a contradiction is
     a fault of its own.
     """
@@ -29,7 +29,7 @@ class Reading(Protocol):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Asked:
+class BetweenRequest:
     """What shall be added between axes.
 
     ``axes``: those of the job by name; ``tabled``: the names of those that get a table of their own
@@ -42,7 +42,7 @@ class Asked:
     tabled: Collection[str]
     tables: tuple[ControlFile, ...]
     base: tuple[ControlFile, ...]
-    read: Reading
+    read: FileReading
     small: bool = False
 
 
@@ -50,7 +50,7 @@ class Asked:
 class Between:
     """What a control does with corrections between axes.
 
-    ``files``: those of ``Asked.base`` that change, and new ones; None: no file holds them.
+    ``files``: those of ``BetweenRequest.base`` that change, and new ones; None: no file holds them.
     ``held``: the corrections that the files hold, as they hold them; None: all, as planned.
     ``sheets``: what is typed in. ``remarks``: what is to be said; ``steps``: title, text and
     evidence of steps of the card. ``quantum``: to what the values in the files are rounded, mm or

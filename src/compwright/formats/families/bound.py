@@ -10,7 +10,7 @@ from typing import Self
 from compwright.formats.definition.options import axis_options, resolve_options
 from compwright.formats.definition.schema import Choice, Definition, OptionRule
 from compwright.formats.text.addresses import normal_address
-from compwright.formats.text.scale import Scale
+from compwright.formats.text.scale import NumberScale
 from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, AxisCompensation, ControlState
 from compwright.records.facts import AxisFacts
@@ -79,7 +79,7 @@ class Bound:
         """Return which tables of an axis stay beside whatever is written for it."""
         return () if self.state is None else self.state.stays.get(address, ())
 
-    def scale_of(self, axis: Axis) -> Scale:
+    def scale_of(self, axis: Axis) -> NumberScale:
         """Return how numbers of an axis are written; choices are those that its options ask for."""
         options = self.options_of(axis)
         choices = {
@@ -87,7 +87,7 @@ class Bound:
             for name, binding in self.definition.bindings.items()
             if isinstance(binding, Choice)
         }
-        return Scale(self.definition, axis.kind, options, choices)
+        return NumberScale(self.definition, axis.kind, options, choices)
 
     @property
     def says_activity(self) -> bool:

@@ -7,7 +7,7 @@ import numpy as np
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import print_form
 from compwright.formats.text.addresses import normal_address
-from compwright.formats.text.scale import Scale
+from compwright.formats.text.scale import NumberScale
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
@@ -38,7 +38,7 @@ def typed(value: float) -> str:
 
 
 def table_values(
-    definition: Definition, scale: Scale, compensation: AxisCompensation
+    definition: Definition, scale: NumberScale, compensation: AxisCompensation
 ) -> dict[str, str]:
     """Return points, unit, backlash, start, end and spacing of a table, in the control's units:
     lengths in that of the positions, the backlash in its own.

@@ -17,7 +17,7 @@ from compwright.formats.text.axis_names import AxisNames
 from compwright.formats.text.container import is_container, unpacked
 from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.formats.text.gathering import Gathered, gather
-from compwright.formats.text.patching import Change, apply_changes
+from compwright.formats.text.patching import BytesChange, apply_changes
 from compwright.formats.text.texts import ReadText, text_reader
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.records.correction import ControlFile
@@ -186,7 +186,7 @@ class _Over:
             (file.content.rfind(b"\n", 0, start) + 1, _end(file.content, end))
             for start, end in spans
         ]
-        changes = [Change(start, end, b" " * (end - start)) for start, end in lines]
+        changes = [BytesChange(start, end, b" " * (end - start)) for start, end in lines]
         return ControlFile(file.name, apply_changes(file.content, changes))
 
     def _superseded(self, one: Occurrence) -> bool:

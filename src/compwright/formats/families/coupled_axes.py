@@ -158,7 +158,7 @@ def _other_leader(address: str, axis: Axis, couplings: Sequence[Coupling]) -> It
 
 
 @dataclass(frozen=True, slots=True)
-class Statement:
+class CouplingStatement:
     """A match of a pattern in a file, with its place."""
 
     match: re.Match[str]
@@ -194,7 +194,7 @@ class Statement:
 
 def statements_in(
     files: Iterable[ControlFile], pattern: re.Pattern[str], remark: re.Pattern[str]
-) -> Iterator[Statement]:
+) -> Iterator[CouplingStatement]:
     """Yield every match of ``pattern`` in files, in their order, outside of remarks."""
     for file in files:
         text = remark.sub(lambda found: " " * len(found[0]), file.content.decode("latin-1"))
@@ -202,4 +202,4 @@ def statements_in(
         for match in pattern.finditer(text):
             line += text.count("\n", place, match.start())
             place = match.start()
-            yield Statement(match, file.name, line)
+            yield CouplingStatement(match, file.name, line)

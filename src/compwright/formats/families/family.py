@@ -17,7 +17,7 @@ import numpy as np
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, paired
-from compwright.formats.families.between import Asked, Between
+from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.bound import Bound
 from compwright.formats.families.card_words import file_names
 from compwright.formats.text.addresses import normal_text
@@ -131,7 +131,7 @@ class Family(Bound, ABC):
         return None
 
     @abstractmethod
-    def between(self, asked: Asked) -> Between:
+    def between(self, asked: BetweenRequest) -> Between:
         """Return what the control does with corrections between axes, by the state that is bound.
 
         What it cannot hold is said, and what would help; nothing of that is written. Raises

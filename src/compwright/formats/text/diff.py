@@ -48,7 +48,7 @@ class FileDiff:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class DiffEntry:
     """One value of a statement: as the control writes it up to the value, its axis, its text."""
 
     label: str
@@ -57,7 +57,7 @@ class Entry:
 
 
 #: What tells a value from all others, and the value.
-_Told = tuple[tuple[str, ...], Entry]
+_Told = tuple[tuple[str, ...], DiffEntry]
 
 
 def compare_files(
@@ -123,7 +123,7 @@ def _sheet_entries(file: ControlFile) -> Iterator[_Told]:
         label = f"{row.point} at {row.position}" if row.position else row.point
         yield (
             (file.name, row.point),
-            Entry(f"{file.name}: {label}", sheet.axis if sheet else None, row.value),
+            DiffEntry(f"{file.name}: {label}", sheet.axis if sheet else None, row.value),
         )
 
 
@@ -146,7 +146,7 @@ def _values(definition: Definition, occurrence: Occurrence, row: int) -> Iterato
             continue
         yield (
             (scope, statement.name, *identity, field),
-            Entry(
+            DiffEntry(
                 _label(statement, occurrence, field)
                 or f"{occurrence.file}: {statement.name} {row}",
                 address,

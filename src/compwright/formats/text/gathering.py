@@ -19,7 +19,7 @@ _TRUTH = {"TRUE": "1", "FALSE": "0"}
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class FoundValue:
     """One value as it stands in a file; ``number`` is the place of the file among those given."""
 
     text: str
@@ -39,9 +39,9 @@ class Gathered:
     """
 
     definition: Definition
-    singles: dict[Key, dict[str, list[Found]]] = field(default_factory=dict)
-    rows: dict[Key, list[Found]] = field(default_factory=dict)
-    file_rows: dict[int, list[Found]] = field(default_factory=dict)
+    singles: dict[Key, dict[str, list[FoundValue]]] = field(default_factory=dict)
+    rows: dict[Key, list[FoundValue]] = field(default_factory=dict)
+    file_rows: dict[int, list[FoundValue]] = field(default_factory=dict)
     file_names: dict[int, str] = field(default_factory=dict)
     sections: list[str] = field(default_factory=list)
     names: AxisNames = field(default_factory=AxisNames)
@@ -80,7 +80,7 @@ class Gathered:
             }
         )
 
-    def found(self, quantity: str, address: str, system: str | None) -> list[Found]:
+    def found(self, quantity: str, address: str, system: str | None) -> list[FoundValue]:
         """Return every place where a quantity stands: for this system, else for the axis, else for
         the whole machine.
         """
@@ -109,14 +109,14 @@ def gather(
         for occurrence in text.occurrences:
             key = _key(result, occurrence)
             if occurrence.statement == table_statement:
-                row = Found("", occurrence, text.number)
+                row = FoundValue("", occurrence, text.number)
                 if key[0] is None:
                     result.file_rows.setdefault(text.number, []).append(row)
                 else:
                     result.rows.setdefault(key, []).append(row)
                 continue
             for binding in by_statement.get(occurrence.statement, ()):
-                found = Found(_text(definition, binding, occurrence), occurrence, text.number)
+                found = FoundValue(_text(definition, binding, occurrence), occurrence, text.number)
                 if binding.quantity == "machine_axis":
                     result.naming.add(text.number)
                 result.singles.setdefault(key, {}).setdefault(binding.quantity, []).append(found)
@@ -143,7 +143,7 @@ def _text(definition: Definition, binding: Binding, occurrence: Occurrence) -> s
     return text
 
 
-def first_set(places: Sequence[Found]) -> list[Found]:
+def first_set(places: Sequence[FoundValue]) -> list[FoundValue]:
     """Return the places of the first parameter set (0), where a quantity has several."""
     return [
         place

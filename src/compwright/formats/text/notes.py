@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from compwright.formats.text.gathering import Found
+from compwright.formats.text.gathering import FoundValue
 from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding, Severity
 from compwright.records.correction import Assumption
@@ -96,7 +96,7 @@ class Notes:
         self,
         label: str,
         message: str,
-        place: Found | None,
+        place: FoundValue | None,
         *,
         expected: str,
         found: str | None = None,

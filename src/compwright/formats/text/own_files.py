@@ -14,7 +14,7 @@ from decimal import Decimal, InvalidOperation
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence, print_form
-from compwright.formats.text.gathering import Found, Gathered, same_value
+from compwright.formats.text.gathering import FoundValue, Gathered, same_value
 from compwright.formats.text.patching import Patches, set_field
 from compwright.records.correction import ControlFile
 
@@ -27,8 +27,8 @@ class TablePlaces:
     (axis and system, or table).
     """
 
-    rows: Mapping[int, Sequence[Found]]
-    singles: Mapping[str, Sequence[Found]]
+    rows: Mapping[int, Sequence[FoundValue]]
+    singles: Mapping[str, Sequence[FoundValue]]
     value: str
     named: Mapping[str, str]
 
@@ -48,12 +48,12 @@ class OwnFiles(Patches):
         self.definition = definition
         self.gathered = gathered
 
-    def put(self, quantity: str, places: Sequence[Found], text: str) -> bool:
+    def put(self, quantity: str, places: Sequence[FoundValue], text: str) -> bool:
         """Set a single value where it counts (everywhere, or the first or last of each file); False
         where it stands nowhere.
         """
         binding = self.definition.bindings[quantity]
-        by_file: dict[int, list[Found]] = {}
+        by_file: dict[int, list[FoundValue]] = {}
         for place in places:
             by_file.setdefault(place.number, []).append(place)
         for group in by_file.values():
@@ -114,11 +114,11 @@ class OwnFiles(Patches):
             return
         self.replace(number, *set_field(occurrence, field, styled(old, text)))
 
-    def _add(self, anchor: Found, lines: Sequence[str]) -> None:
+    def _add(self, anchor: FoundValue, lines: Sequence[str]) -> None:
         some = next(iter(anchor.occurrence.tokens.values()))
         self.add_lines(anchor.number, some.start, lines)
 
-    def _row(self, anchor: Found, places: TablePlaces, index: int, text: str) -> str:
+    def _row(self, anchor: FoundValue, places: TablePlaces, index: int, text: str) -> str:
         """Return the line of a new value: the neighbouring row with other index and value, without
         block number and comment.
         """
@@ -161,7 +161,7 @@ def styled(old: str, new: str) -> str:
     return f"+{text}" if old.startswith("+") and not text.startswith("-") else text
 
 
-def _last(places: TablePlaces) -> Found:
+def _last(places: TablePlaces) -> FoundValue:
     """Return the row with the highest index, else the last single value."""
     if places.rows:
         return places.rows[max(places.rows)][-1]
@@ -169,9 +169,9 @@ def _last(places: TablePlaces) -> Found:
     return max(found, key=lambda place: (place.number, place.occurrence.line))
 
 
-def rows_by_index(places: Sequence[Found]) -> dict[int, list[Found]]:
+def rows_by_index(places: Sequence[FoundValue]) -> dict[int, list[FoundValue]]:
     """Return the rows of a table by their index."""
-    rows: dict[int, list[Found]] = {}
+    rows: dict[int, list[FoundValue]] = {}
     for place in places:
         rows.setdefault(int(place.occurrence.tokens["index"].text), []).append(place)
     return rows

@@ -15,7 +15,7 @@ from compwright.records.correction import ControlFile
 
 
 @dataclass(frozen=True, slots=True)
-class Change:
+class BytesChange:
     """The bytes from ``start`` up to but not including ``end`` are replaced; equal: bytes are
     inserted there.
     """
@@ -26,7 +26,7 @@ class Change:
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class BytesPlace:
     """A line in bytes: its text from ``start`` to ``end``, the following line from ``next``."""
 
     start: int
@@ -34,18 +34,18 @@ class Place:
     next: int
 
 
-def set_field(occurrence: Occurrence, field: str, text: str) -> tuple[Change, ...]:
+def set_field(occurrence: Occurrence, field: str, text: str) -> tuple[BytesChange, ...]:
     """Return the changes that put ``text`` into a field of a statement; a line checksum no longer
     fits and goes.
     """
     token = occurrence.tokens[field]
-    changes = [Change(token.start, token.end, text.encode("ascii"))]
+    changes = [BytesChange(token.start, token.end, text.encode("ascii"))]
     if occurrence.checksum is not None:
-        changes.append(Change(occurrence.checksum.start, occurrence.checksum.end, b""))
+        changes.append(BytesChange(occurrence.checksum.start, occurrence.checksum.end, b""))
     return tuple(changes)
 
 
-def apply_changes(original: bytes, changes: Iterable[Change]) -> bytes:
+def apply_changes(original: bytes, changes: Iterable[BytesChange]) -> bytes:
     """Return the original with all changes made; everything else stays byte for byte.
 
     Insertions at one place keep their order. Raises ValueError for changes that overlap or reach
@@ -74,17 +74,17 @@ class Patches:
         self.files = list(files)
         self._ends = sorted((end.encode() for end in dialect.newlines_read), key=len, reverse=True)
         self._end = re.compile(b"|".join(map(re.escape, self._ends)))
-        self._replaced: dict[int, dict[tuple[int, int], Change]] = {}
-        self._inserted: dict[int, list[Change]] = {}
+        self._replaced: dict[int, dict[tuple[int, int], BytesChange]] = {}
+        self._inserted: dict[int, list[BytesChange]] = {}
 
-    def replace(self, number: int, *changes: Change) -> None:
+    def replace(self, number: int, *changes: BytesChange) -> None:
         """Put other bytes in the place of some."""
         replaced = self._replaced.setdefault(number, {})
         replaced.update({(change.start, change.end): change for change in changes})
 
     def insert(self, number: int, place: int, text: str) -> None:
         """Put text before the byte ``place``, behind what was put there already."""
-        change = Change(place, place, text.encode("latin-1"))
+        change = BytesChange(place, place, text.encode("latin-1"))
         self._inserted.setdefault(number, []).append(change)
 
     def text(self, number: int, token: Token) -> str:
@@ -92,7 +92,7 @@ class Patches:
         change = self._replaced.get(number, {}).get((token.start, token.end))
         return token.text if change is None else change.content.decode("latin-1")
 
-    def line(self, number: int, place: int) -> Place:
+    def line(self, number: int, place: int) -> BytesPlace:
         """Return the line in which the byte ``place`` lies."""
         content = self.files[number].content
         before = [
@@ -100,7 +100,7 @@ class Patches:
         ]
         match = self._end.search(content, place)
         end = len(content.removesuffix(b"\x1a")) if match is None else match.start()
-        return Place(max(before, default=0), end, end if match is None else match.end())
+        return BytesPlace(max(before, default=0), end, end if match is None else match.end())
 
     def like(
         self, number: int, occurrence: Occurrence, texts: Mapping[str, str], *, end: str = ""
@@ -111,7 +111,7 @@ class Patches:
         line = self.line(number, occurrence.tokens[next(iter(texts))].start)
         stop = occurrence.tokens[end].end if end else line.end
         changes = [
-            Change(token.start - line.start, token.end - line.start, text.encode("ascii"))
+            BytesChange(token.start - line.start, token.end - line.start, text.encode("ascii"))
             for token, text in ((occurrence.tokens[name], text) for name, text in texts.items())
         ]
         content = self.files[number].content[line.start : stop]
@@ -136,7 +136,7 @@ class Patches:
     def cut_line(self, number: int, place: int) -> None:
         """Take out the line in which the byte ``place`` lies."""
         line = self.line(number, place)
-        self.replace(number, Change(line.start, line.next, b""))
+        self.replace(number, BytesChange(line.start, line.next, b""))
 
     def changed(self) -> set[int]:
         """Return the files that change, by their place."""

@@ -15,8 +15,8 @@ from compwright.formats.definition.schema import Definition, TextKind
 from compwright.formats.definition.statements import Occurrence, Token
 from compwright.formats.text.texts import (
     OPEN,
-    Line,
     ReadText,
+    TextLine,
     TextReader,
     comment_start,
     said_in_comment,
@@ -96,7 +96,7 @@ class _Redactor:
         self.result.file = ControlFile(self.file.name, content)
         return self.result
 
-    def line(self, line: Line) -> str:
+    def line(self, line: TextLine) -> str:
         statements = self.by_line.get(line.number)
         said = statements and said_in_comment(self.kind, line.text)
         end = len(line.text) if said else comment_start(self.kind, line.text)
@@ -119,7 +119,7 @@ class _Redactor:
             inside, behind = text[1:], ""
         return f"({self.cuts.remark(inside)}){behind}"
 
-    def statement(self, line: Line, code: str, statements: Sequence[Occurrence]) -> str:
+    def statement(self, line: TextLine, code: str, statements: Sequence[Occurrence]) -> str:
         """Return a line with statements; names in it that may be somebody's get others."""
         tokens = sorted(self._tokens(line, code, statements), key=lambda one: one[0].start)
         made, end = [], 0
@@ -137,7 +137,7 @@ class _Redactor:
         return "".join(made) + behind
 
     def _tokens(
-        self, line: Line, code: str, statements: Sequence[Occurrence]
+        self, line: TextLine, code: str, statements: Sequence[Occurrence]
     ) -> Iterator[tuple[Token, str]]:
         end = line.start + len(code)
         for one in statements:

@@ -35,7 +35,7 @@ class NotHeld(ValueError):  # noqa: N818 - it says what is the matter, and never
 
 
 @dataclass(frozen=True, slots=True)
-class Scale:
+class NumberScale:
     """How the numbers of one axis are written: ``choices`` are the neutral values on which signs
     depend.
     """
@@ -122,7 +122,7 @@ class Scale:
         return count
 
 
-def in_range(measure: Measure, scale: Scale, value: Decimal) -> bool:
+def in_range(measure: Measure, scale: NumberScale, value: Decimal) -> bool:
     """Return whether a neutral value that was read lies in the range of its quantity."""
     low, high = scale.range(measure.quantity)
     return low <= value <= high

@@ -45,7 +45,7 @@ KEPT_TEXTS, KEPT_READERS = 256, 16
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class TextLine:
     """One line without its end; ``start`` is its place in bytes, ``ended`` whether a line end
     follows.
     """
@@ -133,20 +133,20 @@ class TextReader:
         kind = self._kind(lines)
         return _KindReader(self, kind, file.name, faults).read(lines)
 
-    def lines(self, text: str) -> list[Line]:
+    def lines(self, text: str) -> list[TextLine]:
         """Return the lines of a text; a last line without an end counts when it is not empty."""
-        result: list[Line] = []
+        result: list[TextLine] = []
         start = 0
         for match in self.newline.finditer(text):
-            result.append(Line(len(result) + 1, text[start : match.start()], start, ended=True))
+            result.append(TextLine(len(result) + 1, text[start : match.start()], start, ended=True))
             start = match.end()
         if start < len(text):
             result.append(
-                Line(len(result) + 1, text[start:].removesuffix("\x1a"), start, ended=False)
+                TextLine(len(result) + 1, text[start:].removesuffix("\x1a"), start, ended=False)
             )
         return result
 
-    def _kind(self, lines: Sequence[Line]) -> TextKind:
+    def _kind(self, lines: Sequence[TextLine]) -> TextKind:
         kinds = self.definition.texts.values()
         for kind in kinds:
             if kind.recognised_by is not None:
@@ -203,7 +203,7 @@ class _KindReader:
             return False
         return all(matcher.match(code) is None for matcher in self.wordless)
 
-    def read(self, lines: Sequence[Line]) -> ReadText:
+    def read(self, lines: Sequence[TextLine]) -> ReadText:
         occurrences: list[Occurrence] = []
         last = max((line.number for line in lines if line.text.strip(" \t")), default=0)
         for line in lines:
@@ -233,7 +233,7 @@ class _KindReader:
             tuple(self._ending(lines, last, occurrences)),
         )
 
-    def _code(self, line: Line) -> str:
+    def _code(self, line: TextLine) -> str:
         """Return the line up to its comment; places stay as they are."""
         said = said_in_comment(self.kind, line.text)
         if said:
@@ -242,7 +242,7 @@ class _KindReader:
             return _ENCLOSED.sub(lambda comment: " " * len(comment[0]), line.text)
         return line.text[: comment_start(self.kind, line.text)]
 
-    def _open_section(self, line: Line, code: str) -> bool:
+    def _open_section(self, line: TextLine, code: str) -> bool:
         match = self.sections.forms[0].fullmatch(code) if self.sections is not None else None
         if match is None:
             return False
@@ -259,7 +259,7 @@ class _KindReader:
         self.seen_sections.append(self.section)
         return True
 
-    def _statement(self, line: Line, code: str) -> Iterator[Occurrence]:
+    def _statement(self, line: TextLine, code: str) -> Iterator[Occurrence]:
         if self._passed_over(code):
             return
         if (
@@ -293,7 +293,7 @@ class _KindReader:
         elif self.kind.other_lines_refused:
             self._refuse(line, "cannot be read as a row" + _hint(code))
 
-    def _unread(self, line: Line, code: str, expected: str) -> None:
+    def _unread(self, line: TextLine, code: str, expected: str) -> None:
         self._fault(line, "cannot be read" + _hint(code), expected=expected, found=_shown(code))
 
     def _here(self, matcher: Matcher) -> bool:
@@ -308,7 +308,7 @@ class _KindReader:
         )
 
     def _occurrences(
-        self, line: Line, matcher: Matcher, place: int, match: re.Match[str]
+        self, line: TextLine, matcher: Matcher, place: int, match: re.Match[str]
     ) -> Iterator[Occurrence]:
         repeating = matcher.forms[place].group
         if repeating is None:
@@ -318,7 +318,7 @@ class _KindReader:
             yield from self._occurrence(line, matcher, place, (match, group))
 
     def _occurrence(
-        self, line: Line, matcher: Matcher, place: int, matches: tuple[re.Match[str], ...]
+        self, line: TextLine, matcher: Matcher, place: int, matches: tuple[re.Match[str], ...]
     ) -> Iterator[Occurrence]:
         def token(name: str) -> Token:
             match = next(found for found in matches if name in found.re.groupindex)
@@ -352,7 +352,7 @@ class _KindReader:
         return next((claim for claim in self.kind.claims_at_start if start.startswith(claim)), None)
 
     def _ending(
-        self, lines: Sequence[Line], last: int, occurrences: Sequence[Occurrence]
+        self, lines: Sequence[TextLine], last: int, occurrences: Sequence[Occurrence]
     ) -> Iterator[Finding]:
         """A file that stops without its end mark may have been cut short; in the middle of a number
         it cannot be trusted.
@@ -387,7 +387,7 @@ class _KindReader:
             f"{self.file}: no {self.kind.ends_with[0]} at the end; check that the file is complete",
         )
 
-    def _refuse(self, line: Line, message: str, expected: str = "") -> None:
+    def _refuse(self, line: TextLine, message: str, expected: str = "") -> None:
         rows = " or ".join(readable(matcher.statement.form) for matcher in self.matchers)
         self._fault(
             line,
@@ -396,7 +396,7 @@ class _KindReader:
             found=_shown(line.text),
         )
 
-    def _fault(self, line: Line, message: str, *, expected: str = "", found: str = "") -> None:
+    def _fault(self, line: TextLine, message: str, *, expected: str = "", found: str = "") -> None:
         self.faults.append(
             Fault(
                 message=message,

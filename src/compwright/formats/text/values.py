@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.definition.statements import name_in_form
-from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.notes import Notes
 from compwright.foundations.findings import Finding
 
@@ -35,7 +35,9 @@ class Values:
         """Return the control's name of a quantity."""
         return name_of(self.definition, quantity)
 
-    def one(self, quantity: str, places: Sequence[Found], *, quiet: bool = False) -> Found | None:
+    def one(
+        self, quantity: str, places: Sequence[FoundValue], *, quiet: bool = False
+    ) -> FoundValue | None:
         """Return the place that counts: within a file the first, the last, or any where all have to
         be the same, as the binding says; several files have to agree.
 
@@ -45,7 +47,7 @@ class Values:
         if not places:
             return None
         rule = self.definition.bindings[quantity].repeated
-        by_file: dict[int, list[Found]] = {}
+        by_file: dict[int, list[FoundValue]] = {}
         for place in places:
             by_file.setdefault(place.number, []).append(place)
         chosen = [group[0] if rule == "first" else group[-1] for group in by_file.values()]
@@ -63,7 +65,7 @@ class Values:
             self.notes.findings.append(Finding("CW-S003", "info", message))
         return first
 
-    def word(self, quantity: str, found: Found | None) -> str | None:
+    def word(self, quantity: str, found: FoundValue | None) -> str | None:
         """Return the neutral word of a choice; None where it stands nowhere.
 
         A text that the definition does not know is a fault at its line.

@@ -31,7 +31,7 @@ class DamagedError(Exception):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Entry:
+class JournalEntry:
     """A file that is written or, without ``digest`` (sha256 of the new bytes), removed.
 
     ``name``: below the folder, with ``/``; ``there``: whether something stood there before, and
@@ -51,7 +51,7 @@ class Journal:
     """
 
     key: str
-    entries: tuple[Entry, ...]
+    entries: tuple[JournalEntry, ...]
     made: tuple[str, ...] = ()
     parts: tuple[str, ...] = ()
     first: str = ""
@@ -86,7 +86,7 @@ def digest_at(path: Path) -> str:
         return hashlib.file_digest(stream, "sha256").hexdigest()
 
 
-def is_new(path: Path, entry: Entry) -> bool:
+def is_new(path: Path, entry: JournalEntry) -> bool:
     """Whether the file at ``path`` is the new one of ``entry``. Raises OSError."""
     return digest_at(path) == entry.digest != ""
 
@@ -162,7 +162,9 @@ def _read(content: bytes) -> Journal:
         if checksum != _checksum(data):
             raise DamagedError("its journal is damaged")
         entries = tuple(
-            Entry(name=str(name), there=bool(there), digest=str(digest), earlier=str(earlier))
+            JournalEntry(
+                name=str(name), there=bool(there), digest=str(digest), earlier=str(earlier)
+            )
             for name, there, digest, earlier in data["files"]
         )
         return Journal(

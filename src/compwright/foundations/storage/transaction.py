@@ -22,8 +22,8 @@ from compwright.foundations.storage import disk
 from compwright.foundations.storage.journal import (
     JOURNAL,
     UNFINISHED,
-    Entry,
     Journal,
+    JournalEntry,
     digest_at,
     digest_of,
     is_ours,
@@ -269,12 +269,12 @@ class _Work:
         return ()
 
 
-def _entry(part: _Part, change: _Change) -> Entry:
+def _entry(part: _Part, change: _Change) -> JournalEntry:
     target = part.folder / change.name
     earlier = ""
     with suppress(OSError):  # not there, or not to be read
         earlier = digest_at(target)
-    return Entry(
+    return JournalEntry(
         name=change.name,
         there=os.path.lexists(target),
         digest="" if change.content is None else digest_of(change.content),

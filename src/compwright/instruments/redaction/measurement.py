@@ -29,7 +29,7 @@ from compwright.instruments.redaction.xml import redacted_xml
 from compwright.instruments.spans import Elements, Grammar
 from compwright.instruments.table_shape import has_table
 from compwright.instruments.text_input import encoding_of, read_any_lines
-from compwright.instruments.workbook import Sheet, is_workbook, sheets_of
+from compwright.instruments.workbook import WorkbookSheet, is_workbook, sheets_of
 
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8"),
@@ -200,7 +200,7 @@ def _of_workbook(content: bytes, file: str, cuts: Cuts, profile: Profile | None)
     sheets, sign_open = sheets_of(content, file), False
     if profile is None and not any(is_plain_csv(sheet.lines) for sheet in sheets):
         profile, sign_open = _proposed(content, file)
-    made: list[Sheet] = []
+    made: list[WorkbookSheet] = []
     read_by: Profile | None = None
     for sheet in sheets:
         found = at_its_header(sheet.lines, replace(profile, delimiter="\t")) if profile else None
@@ -211,20 +211,20 @@ def _of_workbook(content: bytes, file: str, cuts: Cuts, profile: Profile | None)
         else:
             _left_out(sheet, cuts)
             continue
-        made.append(Sheet(_title(sheet, cuts, made), lines))
+        made.append(WorkbookSheet(_title(sheet, cuts, made), lines))
     cuts.removed.extend(("part of the workbook", name) for name in other_parts(content))
     told = "" if read_by is None else profile_lines(read_by, sign_open=sign_open)
     return Redacted(workbook_of(made), told, profile)
 
 
-def _left_out(sheet: Sheet, cuts: Cuts) -> None:
+def _left_out(sheet: WorkbookSheet, cuts: Cuts) -> None:
     cuts.remark(sheet.name, "sheet")
     for line in sheet.lines:
         for cell in line.split("\t"):
             cuts.remark(cell, "cell of a sheet")
 
 
-def _title(sheet: Sheet, cuts: Cuts, before: Sequence[Sheet]) -> str:
+def _title(sheet: WorkbookSheet, cuts: Cuts, before: Sequence[WorkbookSheet]) -> str:
     name = sheet.name
     title = name if is_axis(name) or is_keywords(name) else cuts.name(name, "sheet")
     taken = {one.name.casefold() for one in before}

@@ -13,7 +13,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 from compwright.instruments.comments import comment_text
 from compwright.instruments.csv_table import row_cells
-from compwright.instruments.workbook import Sheet
+from compwright.instruments.workbook import WorkbookSheet
 
 #: The first moment that a zip archive can name: a workbook says nothing of the day.
 _NO_DATE: Final = (1980, 1, 1, 0, 0, 0)
@@ -25,7 +25,7 @@ _TYPE: Final = "application/vnd.openxmlformats-officedocument.spreadsheetml"
 _HEAD: Final = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
 
 
-def workbook_of(sheets: Sequence[Sheet]) -> bytes:
+def workbook_of(sheets: Sequence[WorkbookSheet]) -> bytes:
     """Return a workbook with these sheets: cells set off by tabs; numbers as numbers, but for the
     header row, where ``+1`` would lose its sign.
     """

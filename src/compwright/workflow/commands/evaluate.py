@@ -28,17 +28,17 @@ from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Crew, alone, in_order
 from compwright.foundations.utf8 import encoded, shown_path
 from compwright.workflow.inputs.evaluated import (
-    Asked,
     CirclesEvaluator,
     Evaluated,
+    EvaluationRequest,
     FilesEvaluator,
-    GivenFile,
+    FileToEvaluate,
     Noted,
     Why,
     ready,
 )
 from compwright.workflow.inputs.measurement_files import (
-    Found,
+    FoundMeasurements,
     load_profile,
     measurement_files,
 )
@@ -111,7 +111,7 @@ def evaluate_files(
     mapping = None if profile is None else load_profile(session, profile)
     found, faults = _files(session, paths)
     files = found.files
-    asked = Asked(
+    asked = EvaluationRequest(
         positioning=positioning,
         circular=circular,
         spread=spread,
@@ -279,11 +279,11 @@ def _circular_standard(name: str) -> str:
     return circular_standard_by_id(name).id
 
 
-def _files(session: Session, paths: Sequence[Path]) -> tuple[Found, list[Fault]]:
+def _files(session: Session, paths: Sequence[Path]) -> tuple[FoundMeasurements, list[Fault]]:
     """Return the files of all paths, each once, what was skipped beside them, and the faults of
     paths without any.
     """
-    found: list[Found] = []
+    found: list[FoundMeasurements] = []
     faults: list[Fault] = []
     for path in paths:
         try:
@@ -295,11 +295,11 @@ def _files(session: Session, paths: Sequence[Path]) -> tuple[Found, list[Fault]]
     folders = dict.fromkeys(
         folder for one in found for folder in one.folders if folder not in paths
     )
-    return Found(tuple(files), tuple(skipped), tuple(folders)), faults
+    return FoundMeasurements(tuple(files), tuple(skipped), tuple(folders)), faults
 
 
 def _evaluated(
-    session: Session, files: Sequence[Path], asked: Asked, crew: Crew, watch: Watch
+    session: Session, files: Sequence[Path], asked: EvaluationRequest, crew: Crew, watch: Watch
 ) -> tuple[list[Evaluated], list[Noted]]:
     """Return the tests in the files, those of one circular test joined, and what is wrong."""
     found: list[Evaluated | CircularTest] = []
@@ -322,17 +322,17 @@ def _evaluated(
     return _with_circles(found, noted, asked, crew, watch)
 
 
-def _given(session: Session, file: Path) -> GivenFile:
+def _given(session: Session, file: Path) -> FileToEvaluate:
     try:
-        return GivenFile(shown_path(file), storage.read_bytes(session, file, MEASUREMENT))
+        return FileToEvaluate(shown_path(file), storage.read_bytes(session, file, MEASUREMENT))
     except InputError as error:
-        return GivenFile(shown_path(file), faults=error.faults)
+        return FileToEvaluate(shown_path(file), faults=error.faults)
 
 
 def _with_circles(
     found: Sequence[Evaluated | CircularTest],
     noted: Sequence[Noted],
-    asked: Asked,
+    asked: EvaluationRequest,
     crew: Crew,
     watch: Watch,
 ) -> tuple[list[Evaluated], list[Noted]]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from compwright.documents.history import Series, history_csv, history_document
+from compwright.documents.history import TestSeries, history_csv, history_document
 from compwright.documents.json_text import to_json
 from compwright.evaluation.series import noted_changes, without_repeats
 from compwright.foundations import storage
@@ -112,7 +112,7 @@ def _forget_gone(tops: Sequence[Path], folders: Sequence[Path], database: Histor
                 database.forget(folder)
 
 
-def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[Series]:
+def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[TestSeries]:
     """Return the tests by machine and axis, in their order in time."""
     groups: dict[tuple[str, bool, str], list[HistoryEntry]] = {}
     for entry in entries:
@@ -125,7 +125,7 @@ def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[Serie
         ordered = sorted(without_repeats(sorted(group, key=in_time)), key=in_time)
         last = ordered[-1]
         found.append(
-            Series(
+            TestSeries(
                 key=key,
                 machine=last.machine,
                 serial=last.serial,
@@ -178,7 +178,7 @@ def _natural(text: str) -> list[tuple[int, int, str]]:
     ]
 
 
-def _notes(series: Sequence[Series]) -> list[str]:
+def _notes(series: Sequence[TestSeries]) -> list[str]:
     entries = [entry for one in series for entry in one.entries]
     undated = sum(not entry.day for entry in entries)
     unread = sum(bool(entry.date) and not entry.day for entry in entries)

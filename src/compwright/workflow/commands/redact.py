@@ -87,7 +87,7 @@ class RedactOutcome:
 
 
 @dataclass(slots=True)
-class _Input:
+class _FileToCopy:
     """One file to copy; ``name``: its own, or that of a text in a container below its stem."""
 
     path: Path
@@ -168,11 +168,11 @@ def _beside(paths: Sequence[Path], out: Path) -> tuple[Path, ...]:
 
 def _read(
     session: Session, paths: Sequence[Path], names: Names, faults: list[Fault]
-) -> list[_Input]:
+) -> list[_FileToCopy]:
     """Return what there is to copy, the texts of a container in its place; a file that is given
     twice is copied once, two files of one name are a fault, for their copies would be one.
     """
-    inputs: dict[str, _Input] = {}
+    inputs: dict[str, _FileToCopy] = {}
     for entry in _entries(session, paths, faults):
         try:
             found = _inputs(session, entry, names)
@@ -203,15 +203,15 @@ def _entries(session: Session, paths: Sequence[Path], faults: list[Fault]) -> li
     return list(entries.values())
 
 
-def _inputs(session: Session, path: Path, names: Names) -> list[_Input]:
+def _inputs(session: Session, path: Path, names: Names) -> list[_FileToCopy]:
     content = storage.read_bytes(session, path)
     texts = texts_in(ControlFile(path.name, content)) or (ControlFile(path.name, content),)
-    return [_Input(path, text.name, text.content, Cuts(names)) for text in texts]
+    return [_FileToCopy(path, text.name, text.content, Cuts(names)) for text in texts]
 
 
 def _copy(
     session: Session,
-    inputs: Sequence[_Input],
+    inputs: Sequence[_FileToCopy],
     profile: Profile | None,
     format_id: str | None,
     faults: list[Fault],
@@ -219,7 +219,7 @@ def _copy(
     """Make the copies: of measurements one by one, of controls' files together, and of what is
     neither by the profile that is proposed for it.
     """
-    others: list[_Input] = []
+    others: list[_FileToCopy] = []
     for one in inputs:
         if format_id is None and is_measurement(one.content, one.name, profile):
             _measurement(one, profile, faults)
@@ -242,7 +242,7 @@ def _copy(
         faults.extend(replace(fault, file=one.shown) for fault in told)
 
 
-def _measurement(one: _Input, profile: Profile | None, faults: list[Fault]) -> bool:
+def _measurement(one: _FileToCopy, profile: Profile | None, faults: list[Fault]) -> bool:
     try:
         made = measurement_copy(one.content, one.shown, one.cuts, profile)
     except CompwrightError as error:
@@ -255,14 +255,16 @@ def _measurement(one: _Input, profile: Profile | None, faults: list[Fault]) -> b
     return True
 
 
-def _of(one: _Input, name: str) -> list[tuple[str, bytes]]:
+def _of(one: _FileToCopy, name: str) -> list[tuple[str, bytes]]:
     copies = [(name, one.copy)]
     if one.profile:
         copies.append((f"{PurePath(name).with_suffix('')}.profile.yaml", encoded(one.profile)))
     return copies
 
 
-def _told(inputs: Sequence[_Input], names: Sequence[str], out: Path) -> tuple[RedactedFile, ...]:
+def _told(
+    inputs: Sequence[_FileToCopy], names: Sequence[str], out: Path
+) -> tuple[RedactedFile, ...]:
     return tuple(
         RedactedFile(
             file=one.path,

@@ -24,7 +24,7 @@ if TYPE_CHECKING:  # positioning tests, the common case, start without the circu
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Asked:
+class EvaluationRequest:
     """What is asked of every test: the standards of positioning and circular tests, how s is
     formed, the profile of foreign tables; ``whole``: whether entries carry targets and readings.
     """
@@ -37,7 +37,7 @@ class Asked:
 
 
 @dataclass(frozen=True, slots=True)
-class GivenFile:
+class FileToEvaluate:
     """A file by its name for people, and its content; or why it could not be read."""
 
     file: str
@@ -80,9 +80,9 @@ class FileTests:
 class FilesEvaluator:
     """Evaluates a file as it was ``asked``; a copy of it does so in any process."""
 
-    asked: Asked
+    asked: EvaluationRequest
 
-    def __call__(self, given: GivenFile) -> FileTests:
+    def __call__(self, given: FileToEvaluate) -> FileTests:
         """Return what is in a file; whatever is wrong with it is noted as a fault of this file."""
         if given.faults:
             return FileTests(noted=tuple(Noted("unread", fault) for fault in given.faults))
@@ -112,7 +112,7 @@ class FilesEvaluator:
 class CirclesEvaluator:
     """Evaluates and diagnoses a circular test as it was ``asked``."""
 
-    asked: Asked
+    asked: EvaluationRequest
 
     def __call__(self, test: CircularTest) -> FileTests:
         """Return the test evaluated; whatever is wrong with it is noted as a fault of its file."""
@@ -130,7 +130,7 @@ def ready() -> None:
     """Load what the work on files needs: importing this module did."""
 
 
-def _kept(entry: dict[str, Any], asked: Asked) -> dict[str, Any]:
+def _kept(entry: dict[str, Any], asked: EvaluationRequest) -> dict[str, Any]:
     return entry if asked.whole else in_short(entry)
 
 
@@ -142,7 +142,9 @@ def _noted(error: Exception, file: str, why: Why) -> tuple[Noted, ...]:
     return (Noted("own", own_fault(error, file)),)
 
 
-def _read(given: GivenFile, profile: Profile | None) -> Sequence[PositioningTest | CircularTest]:
+def _read(
+    given: FileToEvaluate, profile: Profile | None
+) -> Sequence[PositioningTest | CircularTest]:
     try:
         return read_tests(given.content, given.file, profile)
     except InputError as error:

@@ -22,7 +22,7 @@ BESIDE_MEASUREMENTS = frozenset(
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class FoundMeasurements:
     """The measurement files of a path in the order of their names, what a folder holds beside them,
     and the ``folders`` in it, which are not looked into.
     """
@@ -42,7 +42,7 @@ def load_profile(session: Session, path: Path) -> Profile:
     return read_profile(storage.read_bytes(session, path, PROFILE), shown_path(path))
 
 
-def measurement_files(session: Session, path: Path) -> Found:
+def measurement_files(session: Session, path: Path) -> FoundMeasurements:
     """Return the measurement files of ``path``: itself, or what its folder holds; plots, JSON,
     jobs, pages are left out.
 
@@ -51,7 +51,7 @@ def measurement_files(session: Session, path: Path) -> Found:
     """
     entries = storage.list_files(session, path)
     if entries == [path]:
-        return Found((path,))
+        return FoundMeasurements((path,))
     folders = tuple(storage.folders_in(path))
     files: list[Path] = []
     skipped: list[Path] = []
@@ -74,4 +74,4 @@ def measurement_files(session: Session, path: Path) -> Found:
                 found="; ".join(part for part in (named, below) if part),
             )
         )
-    return Found(tuple(files), tuple(skipped), folders)
+    return FoundMeasurements(tuple(files), tuple(skipped), folders)

@@ -11,7 +11,7 @@ from itertools import combinations
 from typing import Final
 
 from compwright.evaluation.plausibility import certain_fault, wrong_target_unit
-from compwright.evaluation.repeats import Named, same_measurement
+from compwright.evaluation.repeats import NamedTest, same_measurement
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import Job
@@ -86,7 +86,7 @@ def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
     )
 
 
-def given_twice(named: Iterable[Named]) -> list[Fault]:
+def given_twice(named: Iterable[NamedTest]) -> list[Fault]:
     """Return a fault for every pair of tests that come from one measurement, and for a test that
     holds one file twice.
 
@@ -122,10 +122,10 @@ def given_twice(named: Iterable[Named]) -> list[Fault]:
     return faults
 
 
-def named_tests(tests: Mapping[str, Sequence[PlannedTest]]) -> list[Named]:
+def named_tests(tests: Mapping[str, Sequence[PlannedTest]]) -> list[NamedTest]:
     """Return every positioning test of a job with its name."""
     return [
-        Named(f"test {entry.test.name} of axis {axis}", entry.test.sources, entry.test)
+        NamedTest(f"test {entry.test.name} of axis {axis}", entry.test.sources, entry.test)
         for axis, planned in tests.items()
         for entry in planned
     ]

@@ -15,7 +15,7 @@ from compwright.controls.settled import (
     unknown_zeros,
     with_counted_turns,
 )
-from compwright.evaluation.repeats import Named
+from compwright.evaluation.repeats import NamedTest
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
@@ -117,7 +117,7 @@ def _inputs(
     except InputError as error:
         raise InputError(*error.faults, *faults) from error
     raise_all(InputError, list(faults))
-    circles = [Named(f"circle {test.name}", test.sources) for test in tests]
+    circles = [NamedTest(f"circle {test.name}", test.sources) for test in tests]
     raise_all(
         InputError,
         [

@@ -15,7 +15,7 @@ from typing import Any, Final
 
 from compwright.controls.changes import in_the_control
 from compwright.controls.control import Control, decode
-from compwright.documents.next_round import NextAxis, next_document
+from compwright.documents.next_round import UpdatedAxis, next_document
 from compwright.documents.record import RECORD, copied_by_record
 from compwright.documents.verification import VerifiedAxis, VerifiedCircle
 from compwright.foundations import storage
@@ -100,7 +100,7 @@ def next_round(
 
     ``compared``: the document of ``compare``, or why there is none.
     """
-    told = {name: NextAxis(reason=why) for name, why in _refused(found, compared)}
+    told = {name: UpdatedAxis(reason=why) for name, why in _refused(found, compared)}
     general = _general(found, compared)
     well = [test for test in found.tests if test.axis not in told]
     if general or not well:
@@ -300,18 +300,18 @@ def _worked(
     return finished, {**results.files, **record}, results.notes
 
 
-def _told(finished: Finished, name: str) -> NextAxis:
+def _told(finished: Finished, name: str) -> UpdatedAxis:
     """Return what became of an axis in the next round."""
     work, prediction = finished.works[name], finished.predicted.axes[name]
     if work.planned.fitted is not None:
-        return NextAxis(
+        return UpdatedAxis(
             updated=True, table=True, reason=_gained(prediction.limits, work.planned.axis)
         )
     if not work.stops:
-        return NextAxis(reason=f"no further table: {work.refused}")
+        return UpdatedAxis(reason=f"no further table: {work.refused}")
     stopped = [one.message for one in prediction.findings if one.code == "CW-P155"]
     reason = next(iter(stopped), f"stop here: {work.refused}")
-    return NextAxis(updated=True, reason=reason.removeprefix(f"Axis {name}: "))
+    return UpdatedAxis(updated=True, reason=reason.removeprefix(f"Axis {name}: "))
 
 
 def _gained(limits: Limiting | None, axis: Axis) -> str:
@@ -325,7 +325,7 @@ def _gained(limits: Limiting | None, axis: Axis) -> str:
     )
 
 
-def _result(told: Mapping[str, NextAxis], *, between: bool) -> str:
+def _result(told: Mapping[str, UpdatedAxis], *, between: bool) -> str:
     """Return what to do with the next round; ``between``: it corrects something between axes."""
     tabled = [name for name, axis in told.items() if axis.table]
     tabled += ["squareness"] if between else []

@@ -10,8 +10,8 @@ import numpy as np
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.columns.table import SECOND, is_number
 from compwright.formats.families.columns.values import TableValues
-from compwright.formats.text.gathering import Found
-from compwright.formats.text.scale import Scale, in_range
+from compwright.formats.text.gathering import FoundValue
+from compwright.formats.text.scale import NumberScale, in_range
 from compwright.formats.text.values import Values
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind, Direction, FloatArray
@@ -20,7 +20,7 @@ from compwright.records.facts import Fact
 from compwright.records.options import REFERENCE, REFERENCE_RETURN, TABLE_VALUES
 
 
-class AxisReader:
+class ColumnAxisReader:
     """Reads one axis: its sheet, its own column of its own table, its parameters."""
 
     def __init__(
@@ -215,7 +215,7 @@ class AxisReader:
 
     # --- parameters
 
-    def _found(self, quantity: str) -> Found | None:
+    def _found(self, quantity: str) -> FoundValue | None:
         """Return a parameter; several files have to agree."""
         given = self.sources.given.get((self.address, quantity), [])
         return self.parameters.one(quantity, given, quiet=True)
@@ -262,7 +262,7 @@ class AxisReader:
         )
         return self._answer(word, found)
 
-    def _zeros(self, found: Found | None) -> bool:
+    def _zeros(self, found: FoundValue | None) -> bool:
         """Return whether a table of zeros acts. Nothing hangs on it, but the linear error acts
         where it does not.
         """
@@ -304,7 +304,7 @@ class AxisReader:
         known = "enabled" in self.definition.bindings
         return self.parameters.name("enabled") if known else "the active line of the .CMA"
 
-    def _answer(self, word: str | None, found: Found | None) -> bool:
+    def _answer(self, word: str | None, found: FoundValue | None) -> bool:
         """Return whether tables that are not zero act: what the files say (``word``), else the job;
         listed where nobody does.
         """
@@ -341,7 +341,7 @@ class AxisReader:
             not is_number(text) or float(text) != 0 for text in cells
         )
 
-    def _parameter(self, quantity: str, scale: Scale) -> float:
+    def _parameter(self, quantity: str, scale: NumberScale) -> float:
         found = self._found(quantity)
         if found is None:
             self.parameters.absent(quantity)
@@ -354,9 +354,9 @@ class AxisReader:
             self.notes.refuse(self.label, message, found, expected=expected, found=found.text[:60])
         return float(value) + 0.0
 
-    def _slope(self, scale: Scale, kind: AxisKind, *, enabled: bool) -> float:
+    def _slope(self, scale: NumberScale, kind: AxisKind, *, enabled: bool) -> float:
         slope = self._parameter(
-            "slope", Scale(self.definition, AxisKind.LINEAR, scale.options, scale.choices)
+            "slope", NumberScale(self.definition, AxisKind.LINEAR, scale.options, scale.choices)
         )
         why = (
             "it has a table"

@@ -11,8 +11,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from compwright.formats.families.between import (
-    Asked,
     Between,
+    BetweenRequest,
     in_turn,
     label,
     not_held,
@@ -35,7 +35,7 @@ _CHECK = (
 )
 
 
-def columns_between(family: Family, asked: Asked) -> Between:
+def columns_between(family: Family, asked: BetweenRequest) -> Between:
     """Return the column of every correction, or why it cannot act."""
     files = tuple(file for file in asked.base if not is_entry_sheet(file))
     own = files
@@ -65,7 +65,7 @@ def columns_between(family: Family, asked: Asked) -> Between:
     )
 
 
-def _in_the_table(family: Family, asked: Asked, filled: Filled) -> Between:
+def _in_the_table(family: Family, asked: BetweenRequest, filled: Filled) -> Between:
     """Return what is said of a correction that stands in the user's own table."""
     entry, form = filled.entry, _form(family, asked, filled.entry)
     rows = _rows(entry, form)
@@ -87,7 +87,7 @@ def _in_the_table(family: Family, asked: Asked, filled: Filled) -> Between:
     )
 
 
-def _typed(family: Family, asked: Asked, entry: PlannedCross, why: str) -> Between:
+def _typed(family: Family, asked: BetweenRequest, entry: PlannedCross, why: str) -> Between:
     """Return the column as it is typed in; ``why``: the reason for which no file can hold it."""
     form = _form(family, asked, entry)
     rows = _rows(entry, form)
@@ -103,7 +103,7 @@ def _typed(family: Family, asked: Asked, entry: PlannedCross, why: str) -> Betwe
     return typed_in(entry, _sheet(entry, form, rows), message, text)
 
 
-def _form(family: Family, asked: Asked, entry: PlannedCross) -> str:
+def _form(family: Family, asked: BetweenRequest, entry: PlannedCross) -> str:
     """Return what the values of a column are: the table is the moving axis' own, and so is what its
     values mean.
     """
@@ -118,7 +118,7 @@ def _selected(family: Family, entry: PlannedCross) -> str:
     return f"It acts on {entry.output} only while the bit of {entry.output} in {select} is 1. "
 
 
-def _by_line(family: Family, asked: Asked, entry: PlannedCross) -> str:
+def _by_line(family: Family, asked: BetweenRequest, entry: PlannedCross) -> str:
     """Return why a column cannot act on its axis: the linear error of that axis acts, now or by
     this job; empty where it can.
     """

@@ -17,7 +17,7 @@ from compwright.formats.families.columns.values import TableValues
 from compwright.formats.families.family import Family
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.patching import Patches
-from compwright.formats.text.scale import EXACTNESS, NotHeld, Scale
+from compwright.formats.text.scale import EXACTNESS, NotHeld, NumberScale
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import InputError, raise_all
 from compwright.records.axis import Axis, AxisKind, FloatArray
@@ -102,7 +102,7 @@ class CrossFiller(Patches):
         if rule is not None and np.any(np.abs(np.diff(total)) > np.diff(rows) / rule):
             raise NotHeld(f"neighbouring values of {table.file} would differ too much")
 
-    def _write(self, table: UserTable, column: str, scale: Scale, total: FloatArray) -> None:
+    def _write(self, table: UserTable, column: str, scale: NumberScale, total: FloatArray) -> None:
         quantum = scale.quantum("value")
         number = [file.name for file in self.files].index(table.file)
         changes = []

@@ -33,7 +33,7 @@ _SETTING = re.compile(r"[ \t]*([A-Za-z-]+)[ \t]*:?=[ \t]*\"?([^\"]*?)\"?[ \t]*,?
 
 
 @dataclass(frozen=True, slots=True)
-class Description:
+class TableDescription:
     """The columns that a table describes, by name in capitals; ``key`` names the one that numbers
     the rows. ``lines``: how many lines it takes; None: it has no end.
     """
@@ -58,7 +58,7 @@ class Description:
         return bool(gaps) and all(said == found for said, found in gaps)
 
 
-def read_description(lines: Sequence[str]) -> Description:
+def read_description(lines: Sequence[str]) -> TableDescription:
     """Return the description with which ``lines`` begin, those behind the first line of a table;
     an empty one where there is none.
     """
@@ -67,15 +67,15 @@ def read_description(lines: Sequence[str]) -> Description:
         return _struct(lines)
     if re.fullmatch(_OBJECT + r"[ \t]*\(", first):
         return _object(lines)
-    return Description()
+    return TableDescription()
 
 
-def _struct(lines: Sequence[str]) -> Description:
+def _struct(lines: Sequence[str]) -> TableDescription:
     columns: dict[str, Described] = {}
     name = ""
     for number, line in enumerate(lines):
         if line.strip().upper() == _STRUCT_END:
-            return Description(columns, None, number + 1)
+            return TableDescription(columns, None, number + 1)
         match = _SETTING.fullmatch(line)
         if match is None or line.lstrip().startswith("*"):  # a comment
             continue
@@ -85,17 +85,17 @@ def _struct(lines: Sequence[str]) -> Description:
             columns[name] = Described()
         elif name:
             columns[name] = _said(columns[name], word, match[2], "struct")
-    return Description(columns, None, None)
+    return TableDescription(columns, None, None)
 
 
-def _object(lines: Sequence[str]) -> Description:
+def _object(lines: Sequence[str]) -> TableDescription:
     columns: dict[str, Described] = {}
     name, key, depth = "", None, 0
     for number, line in enumerate(lines):
         bare = re.sub('"[^"]*"', "", line)
         depth += bare.count("(") + bare.count("[") - bare.count(")") - bare.count("]")
         if depth <= 0:
-            return Description(columns, key, number + 1)
+            return TableDescription(columns, key, number + 1)
         match = _SETTING.fullmatch(line)
         word = match[1].upper() if match else ""
         if match is not None and word == "PRIMARYKEY":
@@ -105,7 +105,7 @@ def _object(lines: Sequence[str]) -> Description:
             columns[name] = Described()
         elif match is not None and name:
             columns[name] = _said(columns[name], word, match[2], "object")
-    return Description(columns, key, None)
+    return TableDescription(columns, key, None)
 
 
 def _said(column: Described, word: str, text: str, form: Literal["struct", "object"]) -> Described:

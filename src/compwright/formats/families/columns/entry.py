@@ -17,7 +17,7 @@ from compwright.records.axis import Axis, AxisKind, FloatArray
 from compwright.records.correction import AxisCompensation
 
 
-class Entry:
+class ColumnEntry:
     """What is entered for one axis, as text."""
 
     def __init__(self, control: Family, axis: Axis, compensation: AxisCompensation) -> None:

@@ -9,7 +9,7 @@ from typing import Self
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable
-from compwright.formats.families.between import Asked, Between
+from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.card_words import table_values
 from compwright.formats.families.columns.between import columns_between
 from compwright.formats.families.columns.capacity import (
@@ -94,7 +94,7 @@ class ColumnsFamily(Family):
         values = table_values(self.definition, self.scale_of(axis), compensation)
         return values | card_values(self, axis, compensation)
 
-    def between(self, asked: Asked) -> Between:
+    def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: columns to type in."""
         return columns_between(self, asked)
 

@@ -10,7 +10,7 @@ from decimal import Decimal
 import numpy as np
 
 from compwright.formats.families.columns.capacity import spacings
-from compwright.formats.families.columns.entry import Entry
+from compwright.formats.families.columns.entry import ColumnEntry
 from compwright.formats.families.columns.table import (
     POSITION,
     ROW_NUMBER,
@@ -28,7 +28,7 @@ from compwright.formats.families.columns.values import (
     TURN,
     TableValues,
 )
-from compwright.formats.text.patching import Change, Patches
+from compwright.formats.text.patching import BytesChange, Patches
 from compwright.formats.text.scale import EXACTNESS, NotHeld
 from compwright.foundations.errors import CapacityError, Fault, InputError, raise_all
 from compwright.records.axis import AxisKind, FloatArray
@@ -37,7 +37,9 @@ from compwright.records.axis import AxisKind, FloatArray
 class TableFiller:
     """Puts one axis' curve into its column of the user's table."""
 
-    def __init__(self, patches: Patches, values: TableValues, address: str, entry: Entry) -> None:
+    def __init__(
+        self, patches: Patches, values: TableValues, address: str, entry: ColumnEntry
+    ) -> None:
         self.patches = patches
         self.values = values
         self.sources = values.sources
@@ -146,7 +148,7 @@ class TableFiller:
             cell = self.table.head[name]
             if Decimal(cell.text) != Decimal(new):
                 text = with_sign(cell.text, new)
-                self.patches.replace(self.number, Change(cell.start, cell.end, text.encode()))
+                self.patches.replace(self.number, BytesChange(cell.start, cell.end, text.encode()))
 
     def _rows(self, grid: FloatArray, held: np.ndarray) -> None:
         """Fill the rows that there are and add those that are missing; ``held`` (k,): the node

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence, readable
 from compwright.formats.families.columns.sources import PARAMETERS, Sources
-from compwright.formats.text.gathering import Found
+from compwright.formats.text.gathering import FoundValue
 from compwright.formats.text.texts import TextReader
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import Fault
@@ -38,7 +38,7 @@ def take_parameters(
             _take_mask(sources, place, number, faults)
         else:
             address = sources.numbers.address(int(place.tokens["number"].text) + 1)
-            given = Found(place.tokens["value"].text, place, number)
+            given = FoundValue(place.tokens["value"].text, place, number)
             sources.given.setdefault((address, quantity), []).append(given)
 
 
@@ -95,7 +95,7 @@ def _take_mask(sources: Sources, place: Occurrence, file: int, faults: list[Faul
         return
     for number, address in sources.numbers.by_number.items():
         bit = str(mask >> (number - 1) & 1)
-        sources.given.setdefault((address, "enabled"), []).append(Found(bit, place, file))
+        sources.given.setdefault((address, "enabled"), []).append(FoundValue(bit, place, file))
 
 
 def ambiguous(text: str) -> bool:

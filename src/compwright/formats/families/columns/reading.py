@@ -15,7 +15,7 @@ from dataclasses import replace
 import numpy as np
 
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.columns.axis_reading import AxisReader
+from compwright.formats.families.columns.axis_reading import ColumnAxisReader
 from compwright.formats.families.columns.coupling import couplings_of
 from compwright.formats.families.columns.finding import find_sources
 from compwright.formats.families.columns.sources import PARAMETERS
@@ -78,7 +78,7 @@ def read_columns(
         else:  # its table would come out of the control by itself, as that of every axis
             notes.no_table(f"axis {partner}")
     values = TableValues(control, sources, known, notes)
-    state = _StateReader(values, files, asked, activity).read()
+    state = _ColumnStateReader(values, files, asked, activity).read()
     return replace(state, facts=_paired(state.facts, couplings))
 
 
@@ -92,7 +92,7 @@ def _paired(facts: Mapping[str, AxisFacts], couplings: Sequence[Coupling]) -> di
     }
 
 
-class _StateReader:
+class _ColumnStateReader:
     def __init__(
         self,
         values: TableValues,
@@ -115,7 +115,7 @@ class _StateReader:
         for address in self.asked or mentioned:
             if address not in mentioned and not sources.idle:
                 self.notes.faults.append(_unnamed(address, mentioned, self.files))
-            reader = AxisReader(self.values, address, self.asked, self.activity)
+            reader = ColumnAxisReader(self.values, address, self.asked, self.activity)
             if reader.spoken_of:
                 compensations[address] = reader.read()
             if reader.spoken_of or address in self.asked:

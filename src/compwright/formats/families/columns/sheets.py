@@ -11,7 +11,7 @@ from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.columns.sources import PARAMETERS, SheetPoint, Sources
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.entry_sheet import EntrySheet, SheetRow, read_sheet
-from compwright.formats.text.gathering import Found
+from compwright.formats.text.gathering import FoundValue
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.correction import ControlFile
@@ -116,7 +116,7 @@ def _points(row: SheetRow, expected: int, file: str, faults: list[Fault]) -> Ite
         yield SheetPoint(Decimal(row.position), Decimal(row.value) * _UNITS[row.unit], row.line)
 
 
-def _give(sources: Sources, address: str, quantity: str, unit: str, found: Found) -> None:
+def _give(sources: Sources, address: str, quantity: str, unit: str, found: FoundValue) -> None:
     sources.given.setdefault((address, quantity), []).append(found)
     if quantity == "backlash":
         sources.units.setdefault(address, set()).add(unit)
@@ -124,7 +124,7 @@ def _give(sources: Sources, address: str, quantity: str, unit: str, found: Found
 
 def _parameter(
     quantity: str, row: SheetRow, file: str, number: int, faults: list[Fault]
-) -> Found | None:
+) -> FoundValue | None:
     units = {"slope": ("mm/m",), "enabled": ("", "-", "bit")}.get(quantity, ("mm", "um", "deg"))
     if row.position:
         faults.append(_at(row, file, "a parameter has no position", "an empty cell", row.position))
@@ -135,7 +135,7 @@ def _parameter(
         faults.append(_at(row, file, f"{row.point} of one axis is one bit", "0 or 1", row.value))
     else:
         text = row.value if quantity == "enabled" else f"{Decimal(row.value) * _UNITS[row.unit]:f}"
-        return Found(text, Occurrence(quantity, file, row.line, {}), number)
+        return FoundValue(text, Occurrence(quantity, file, row.line, {}), number)
     return None
 
 

@@ -13,7 +13,7 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.families.columns.table import RESERVED, VALUES, Row, UserTable
 from compwright.formats.text.addresses import normal_address
 from compwright.formats.text.entry_sheet import EntrySheet
-from compwright.formats.text.gathering import Found
+from compwright.formats.text.gathering import FoundValue
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis
 
@@ -76,7 +76,7 @@ class Sources:
     sheets: dict[str, EntrySheet] = field(default_factory=dict)
     points: dict[str, tuple[SheetPoint, ...]] = field(default_factory=dict)
     units: dict[str, set[str]] = field(default_factory=dict)
-    given: dict[tuple[str, str], list[Found]] = field(default_factory=dict)
+    given: dict[tuple[str, str], list[FoundValue]] = field(default_factory=dict)
     tables: dict[str, UserTable] = field(default_factory=dict)
     idle: list[UserTable] = field(default_factory=list)
     assignments: UserTable | None = None

@@ -11,7 +11,7 @@ from decimal import Decimal
 from typing import Literal
 
 from compwright.formats.definition.statements import Token
-from compwright.formats.text.patching import Change
+from compwright.formats.text.patching import BytesChange
 from compwright.formats.text.scale import NotHeld
 
 #: The statements of a definition that open a table of values and a table of assignments.
@@ -75,7 +75,7 @@ class Described:
 
 
 @dataclass(frozen=True, slots=True)
-class Column:
+class TableColumn:
     """A column. Cells stand from ``low`` up to ``high`` (characters of the line; None: to its end),
     flush with one of them.
 
@@ -106,7 +106,7 @@ class UserTable:
     file: str
     kind: Kind
     head: Mapping[str, Token]
-    columns: tuple[Column, ...]
+    columns: tuple[TableColumn, ...]
     rows: tuple[Row, ...]
 
     @property
@@ -114,7 +114,7 @@ class UserTable:
         """The table's name in its first line, without the ending."""
         return self.head["name"].text
 
-    def column(self, name: str) -> Column | None:
+    def column(self, name: str) -> TableColumn | None:
         """Return a column by name, None where the table has none."""
         return next((column for column in self.columns if column.name == name), None)
 
@@ -172,7 +172,9 @@ def set_cell(table: UserTable, line: str, name: str, text: str) -> str:
     )
 
 
-def cell_changes(table: UserTable, row: Row, line: str, cells: Mapping[str, str]) -> list[Change]:
+def cell_changes(
+    table: UserTable, row: Row, line: str, cells: Mapping[str, str]
+) -> list[BytesChange]:
     """Return the changes that put texts into cells of a row, by column name; ``line`` is the row's
     text as it stands.
 
@@ -183,13 +185,13 @@ def cell_changes(table: UserTable, row: Row, line: str, cells: Mapping[str, str]
         for column in columns:
             column.check(cells[column.name], table.file)
         return [
-            Change(row.cells[name].start, row.cells[name].end, cells[name].encode("ascii"))
+            BytesChange(row.cells[name].start, row.cells[name].end, cells[name].encode("ascii"))
             for name in cells
         ]
     changed = line
     for name, text in cells.items():
         changed = set_cell(table, changed, name, text)
-    return [Change(row.start, row.end, changed.encode("latin-1"))] if changed != line else []
+    return [BytesChange(row.start, row.end, changed.encode("latin-1"))] if changed != line else []
 
 
 def with_sign(old: str, new: str) -> str:

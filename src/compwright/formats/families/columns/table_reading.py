@@ -23,7 +23,7 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Token, readable
 from compwright.formats.families.columns.description import (
     EDITION,
-    Description,
+    TableDescription,
     read_description,
 )
 from compwright.formats.families.columns.table import (
@@ -31,12 +31,12 @@ from compwright.formats.families.columns.table import (
     RESERVED,
     ROW_NUMBER,
     VALUES,
-    Column,
     Kind,
     Row,
+    TableColumn,
     UserTable,
 )
-from compwright.formats.text.texts import BINARY, Line, TextReader, no_text, text_reader
+from compwright.formats.text.texts import BINARY, TextLine, TextReader, no_text, text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -82,23 +82,23 @@ def _read(reader: TextReader, file: ControlFile) -> tuple[UserTable | None, tupl
 
 def parse_table(reader: TextReader, file: ControlFile, faults: list[Fault]) -> UserTable | None:
     """Return a table that was not read before; as `read_table_text`."""
-    return _TableReader(reader, file, faults).read()
+    return _ColumnTableReader(reader, file, faults).read()
 
 
-def _words(line: Line) -> list[Token]:
+def _words(line: TextLine) -> list[Token]:
     return [
         Token(match[0], match.start(), match.end()) for match in re.finditer(r"[^ \t]+", line.text)
     ]
 
 
-class _TableReader:
+class _ColumnTableReader:
     def __init__(self, reader: TextReader, file: ControlFile, faults: list[Fault]) -> None:
         self.reader = reader
         self.definition = reader.definition
         self.file = file
         self.faults = faults
         self.known = len(faults)
-        self.description = Description()
+        self.description = TableDescription()
 
     def read(self) -> UserTable | None:
         if BINARY.search(self.file.content):
@@ -142,7 +142,7 @@ class _TableReader:
             return None
         return self._table(kind, head, lines[1], names, lines[2:end])
 
-    def _opened(self, line: Line) -> tuple[Kind, dict[str, Token]] | None:
+    def _opened(self, line: TextLine) -> tuple[Kind, dict[str, Token]] | None:
         kinds: tuple[tuple[Kind, str], ...] = (("values", VALUES), ("assignments", ASSIGNMENTS))
         for kind, name in kinds:
             statement = self.definition.statements[name]
@@ -163,7 +163,7 @@ class _TableReader:
         )
         return None
 
-    def _closed(self, line: Line, name: str, ending: str) -> None:
+    def _closed(self, line: TextLine, name: str, ending: str) -> None:
         """The last line may name its table; another name is the end of another table."""
         said = "".join(word.text for word in _words(line)[1:])
         if said and said.upper() != f"{name}.{ending}".upper():
@@ -174,7 +174,7 @@ class _TableReader:
                 found=line.text.strip(),
             )
 
-    def _names(self, line: Line) -> list[str]:
+    def _names(self, line: TextLine) -> list[str]:
         names = [self._spelling(word.text) for word in _words(line)]
         key = self.description.key or ROW_NUMBER
         if names[0].upper() not in (ROW_NUMBER, key) or len(names) < 2:
@@ -206,9 +206,9 @@ class _TableReader:
         self,
         kind: Kind,
         head: Mapping[str, Token],
-        header: Line,
+        header: TextLine,
         names: list[str],
-        lines: Sequence[Line],
+        lines: Sequence[TextLine],
     ) -> UserTable | None:
         titles = _words(header)
         spans, which = self._assigned(titles, lines)
@@ -243,7 +243,7 @@ class _TableReader:
         return UserTable(self.file.name, kind, head, columns, tuple(rows))
 
     def _assigned(
-        self, titles: Sequence[Token], lines: Sequence[Line]
+        self, titles: Sequence[Token], lines: Sequence[TextLine]
     ) -> tuple[list[list[int]] | None, str]:
         """Return, for every row, the column of each word; None where that is not sure. And how
         cells stand: left, right, free.
@@ -282,7 +282,9 @@ class _TableReader:
         )
         return None, ""
 
-    def _fault(self, message: str, line: Line | None, expected: str = "", found: str = "") -> None:
+    def _fault(
+        self, message: str, line: TextLine | None, expected: str = "", found: str = ""
+    ) -> None:
         place = "" if line is None else f"line {line.number}"
         self.faults.append(
             Fault(
@@ -326,9 +328,9 @@ def _places(words: Sequence[Token], slots: Sequence[_Slot]) -> list[int] | None:
 
 def _columns(
     names: Sequence[str], titles: Sequence[Token], rows: Sequence[Row], which: str
-) -> tuple[Column, ...]:
+) -> tuple[TableColumn, ...]:
     if which == "free":
-        return tuple(Column(name, 0, None, "free", 0) for name in names)
+        return tuple(TableColumn(name, 0, None, "free", 0) for name in names)
     slots = _left_slots(titles) if which == "left" else _right_slots(titles)
     found = {
         name: [
@@ -341,7 +343,7 @@ def _columns(
     columns = []
     for name, title, (low, high) in zip(names, titles, slots, strict=True):
         if which == "right":
-            columns.append(Column(name, low, high, "right", title.end))
+            columns.append(TableColumn(name, low, high, "right", title.end))
             continue
         spans, origin = found[name], title.start
         if not spans:  # a blank column: as its neighbours
@@ -352,10 +354,10 @@ def _columns(
             ]
         starts, ends = {a for a, _ in spans}, {b for _, b in spans}
         if len(starts) > 1 and len(ends) == 1:
-            columns.append(Column(name, low, high, "right", ends.pop()))
+            columns.append(TableColumn(name, low, high, "right", ends.pop()))
         else:
             columns.append(
-                Column(
+                TableColumn(
                     name, low, high, "left", starts.pop() if len(starts) == 1 else max(low, origin)
                 )
             )

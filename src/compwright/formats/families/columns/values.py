@@ -16,7 +16,7 @@ from compwright.formats.families.columns.sources import Sources
 from compwright.formats.families.columns.table import POSITION, Row, UserTable, is_number
 from compwright.formats.families.family import Family
 from compwright.formats.text.notes import Notes
-from compwright.formats.text.scale import Scale, in_range
+from compwright.formats.text.scale import NumberScale, in_range
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis, AxisKind, FloatArray
 from compwright.records.options import TABLE_VALUES
@@ -54,11 +54,13 @@ def kind_by_letter(address: str) -> AxisKind:
     return AxisKind.ROTARY if address.upper() in ("A", "B", "C") else AxisKind.LINEAR
 
 
-def column_scale(definition: Definition, kind: AxisKind, options: Mapping[str, object]) -> Scale:
+def column_scale(
+    definition: Definition, kind: AxisKind, options: Mapping[str, object]
+) -> NumberScale:
     """Return how numbers of an axis are written: table values as its option ``table_values``
     says.
     """
-    return Scale(definition, kind, options, {"table_form": str(options[TABLE_VALUES])})
+    return NumberScale(definition, kind, options, {"table_form": str(options[TABLE_VALUES])})
 
 
 class TableValues:
@@ -84,7 +86,7 @@ class TableValues:
         sheet = self.sources.sheets.get(address)
         return options if sheet is None else {**options, TABLE_VALUES: sheet.comments["value"]}
 
-    def scale(self, address: str, kind: AxisKind | None = None) -> Scale:
+    def scale(self, address: str, kind: AxisKind | None = None) -> NumberScale:
         """Return how the numbers of an axis are read; ``kind``: of what its table corrects, where
         that is not the axis itself.
         """
@@ -151,7 +153,7 @@ class TableValues:
                 " so",
             )
 
-    def _listed(self, table: UserTable, scale: Scale) -> list[Decimal] | None:
+    def _listed(self, table: UserTable, scale: NumberScale) -> list[Decimal] | None:
         """Return the positions that stand in the rows, in the unit of the table."""
         positions = []
         for row in table.rows:
@@ -181,7 +183,7 @@ class TableValues:
         return [Decimal(datum.text) + number * spacing for number in range(len(table.rows))]
 
     def _checked(
-        self, table: UserTable, positions: list[Decimal], scale: Scale
+        self, table: UserTable, positions: list[Decimal], scale: NumberScale
     ) -> tuple[Decimal, ...] | None:
         node = self.definition.measure("node_position")
         for row, position, before in zip(
@@ -233,7 +235,7 @@ class TableValues:
         return curve
 
     def _value(
-        self, table: UserTable, row: Row, column: str, text: str, scale: Scale
+        self, table: UserTable, row: Row, column: str, text: str, scale: NumberScale
     ) -> Iterator[float]:
         if not is_number(text):
             message = f"the {column} holds no number"

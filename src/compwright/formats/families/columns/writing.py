@@ -13,7 +13,7 @@ from decimal import Decimal
 
 from compwright.formats.definition.statements import print_form
 from compwright.formats.families.axis_tables import AxisTable
-from compwright.formats.families.columns.entry import Entry
+from compwright.formats.families.columns.entry import ColumnEntry
 from compwright.formats.families.columns.filling import TableFiller
 from compwright.formats.families.columns.finding import find_sources
 from compwright.formats.families.columns.parameters import ambiguous, mask_of
@@ -21,7 +21,7 @@ from compwright.formats.families.columns.table import is_number, with_sign
 from compwright.formats.families.columns.values import TableValues
 from compwright.formats.families.family import Family
 from compwright.formats.text.entry_sheet import SheetRow, is_entry_sheet, write_sheet
-from compwright.formats.text.gathering import Found
+from compwright.formats.text.gathering import FoundValue
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.patching import Patches, set_field
 from compwright.formats.text.scale import NotHeld
@@ -83,7 +83,7 @@ def _refuse_unsaid_backlash(
         )
         for address, axis, compensation in pairs
         if (address, "backlash") not in given
-        and Decimal(Entry(control, axis, compensation).parameters()["backlash"])
+        and Decimal(ColumnEntry(control, axis, compensation).parameters()["backlash"])
     ]
     raise_all(UsageError, asked)
 
@@ -105,7 +105,7 @@ class _OwnTables(Patches):
         """Note the changes for one axis and return the sheet with what has no place in the user's
         files; None: nothing is left.
         """
-        entry = Entry(self.control, axis, compensation)
+        entry = ColumnEntry(self.control, axis, compensation)
         points: list[SheetRow] = []
         if not entry.line:
             if self.sources.own_column(address) is not None:
@@ -121,7 +121,7 @@ class _OwnTables(Patches):
         return self._sheet(address, entry, rows, len(points)) if rows else None
 
     def _sheet(
-        self, address: str, entry: Entry, rows: Sequence[SheetRow], points: int
+        self, address: str, entry: ColumnEntry, rows: Sequence[SheetRow], points: int
     ) -> ControlFile:
         file = next(file for file in self.control.definition.writing if file.rows is not None)
         meaning = str(entry.options["table_values"])
@@ -153,10 +153,10 @@ class _OwnTables(Patches):
                 self._set(place, with_sign(place.text, text))
         return bool(found)
 
-    def _set(self, place: Found, text: str) -> None:
+    def _set(self, place: FoundValue, text: str) -> None:
         self.replace(place.number, *set_field(place.occurrence, "value", text))
 
-    def _bit(self, address: str, place: Found, text: str) -> None:
+    def _bit(self, address: str, place: FoundValue, text: str) -> None:
         """Change one bit of a mask, for several axes one after the other."""
         known = self.text(place.number, place.occurrence.tokens["value"])
         number, mask = self.sources.numbers.number(address), mask_of(known)

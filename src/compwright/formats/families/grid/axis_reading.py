@@ -14,17 +14,17 @@ from compwright.formats.definition.options import known_kind
 from compwright.formats.definition.schema import Choice
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
-from compwright.formats.families.grid.axis_values import AxisValues
+from compwright.formats.families.grid.axis_values import GridAxisValues
 from compwright.formats.families.grid.basic_system import SAYING
 from compwright.formats.families.grid.joint_motion import homing_of, unapplied_steps
 from compwright.formats.families.grid.joints import joint_letters
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.systems import SystemChoice
-from compwright.formats.families.grid.tables import Table, TableSource, value_fields
+from compwright.formats.families.grid.tables import GridTable, TableSource, value_fields
 from compwright.formats.families.grid.turn_checks import check_modulo, period_of
-from compwright.formats.text.gathering import Found, Gathered, first_set
+from compwright.formats.text.gathering import FoundValue, Gathered, first_set
 from compwright.formats.text.notes import Notes
-from compwright.formats.text.scale import Scale, in_range
+from compwright.formats.text.scale import NumberScale, in_range
 from compwright.foundations.errors import Fault
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -48,7 +48,7 @@ class AskedAxis:
 
     address: str
     axis: Axis | None
-    rows: Sequence[Found] | None
+    rows: Sequence[FoundValue] | None
     elsewhere: bool
 
 
@@ -60,7 +60,7 @@ class AxisReading:
     facts: AxisFacts
 
 
-class AxisReader:
+class GridAxisReader:
     """Reads one axis of the files ``gathered``."""
 
     def __init__(
@@ -87,7 +87,9 @@ class AxisReader:
         self.rows = (
             gathered.rows.get((self.address, system), []) if asked.rows is None else asked.rows
         )
-        self.values = AxisValues(self.definition, self.label, notes, gathered, self.address, system)
+        self.values = GridAxisValues(
+            self.definition, self.label, notes, gathered, self.address, system
+        )
         self.options = self._settled(options)
 
     def read(self) -> AxisReading:
@@ -101,7 +103,7 @@ class AxisReader:
         facts = self._facts(kind, said, enabled=enabled)
         repeats = has_table and enabled and self.values.choice("repeats") == "yes"
         check_modulo(self.values, self.axis)
-        table: Table | None = None
+        table: GridTable | None = None
         scale = self._scale(kind, has_table=has_table)
         if has_table and enabled and scale is not None:
             table = self._table(scale, max_points, repeats=repeats)
@@ -242,7 +244,7 @@ class AxisReader:
             self.notes.faults.append(fault)
         return self.axis.kind
 
-    def _scale(self, kind: AxisKind, *, has_table: bool) -> Scale | None:
+    def _scale(self, kind: AxisKind, *, has_table: bool) -> NumberScale | None:
         """Return how numbers are read; None when a sign depends on a choice that cannot be read."""
         choices: dict[str, str] = {}
         if has_table and "table_form" in self.definition.bindings:
@@ -250,9 +252,9 @@ class AxisReader:
             if word is None:
                 return None
             choices["table_form"] = word
-        return Scale(self.definition, kind, self.options, choices)
+        return NumberScale(self.definition, kind, self.options, choices)
 
-    def _enabled(self, *, has_table: bool, max_points: Found | None) -> bool:
+    def _enabled(self, *, has_table: bool, max_points: FoundValue | None) -> bool:
         if "enabled" not in self.definition.bindings:
             return True
         if has_table:
@@ -301,7 +303,9 @@ class AxisReader:
             self.notes.switched_off(self.label, "the table is switched off in the files")
         return word != "no"
 
-    def _table(self, scale: Scale, max_points: Found | None, *, repeats: bool) -> Table | None:
+    def _table(
+        self, scale: NumberScale, max_points: FoundValue | None, *, repeats: bool
+    ) -> GridTable | None:
         singles = {
             name: found
             for name in shape_of(self.definition).rules.grid
@@ -322,7 +326,7 @@ class AxisReader:
             source.fault(message, max_points, expected=f"{reserved}", what=str(size))
         return table
 
-    def _idle_nodes(self, scale: Scale) -> tuple[float, ...]:
+    def _idle_nodes(self, scale: NumberScale) -> tuple[float, ...]:
         """Return the nodes of a table that does not act, mm or deg; none where it is odd, which
         stops nothing as long as it is off.
         """
@@ -336,7 +340,7 @@ class AxisReader:
         table = shape_of(self.definition).read(source)
         return () if table is None else tuple(float(node) for node in table.positions)
 
-    def _backlash(self, scale: Scale, *, has_table: bool) -> tuple[float, float]:
+    def _backlash(self, scale: NumberScale, *, has_table: bool) -> tuple[float, float]:
         """Return the backlash value beside the table, and the constant correction that takes its
         place where there is no table.
         """
@@ -373,9 +377,9 @@ class AxisReader:
         found = self.values.one("backlash_factor", places)
         return Decimal(1) if found is None else Decimal(found.text)
 
-    def _constant(self, half: float) -> Table:
+    def _constant(self, half: float) -> GridTable:
         """Return no table, or one node (the reference) whose value holds everywhere."""
         if half == 0.0:
-            return Table(np.empty(0), np.empty(0), np.empty(0))
+            return GridTable(np.empty(0), np.empty(0), np.empty(0))
         reference = self.axis.reference if self.axis else float(str(self.options[REFERENCE]))
-        return Table(np.array([reference]), np.array([half]), np.array([-half]))
+        return GridTable(np.array([reference]), np.array([half]), np.array([-half]))

@@ -4,23 +4,23 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from compwright.formats.text.gathering import Found, Gathered
+from compwright.formats.text.gathering import FoundValue, Gathered
 from compwright.formats.text.values import Values
 
 
 @dataclass(frozen=True, slots=True)
-class AxisValues(Values):
+class GridAxisValues(Values):
     """``system``: the measuring system, as counted in the files ``gathered``."""
 
     gathered: Gathered
     address: str
     system: str | None
 
-    def places(self, quantity: str) -> list[Found]:
+    def places(self, quantity: str) -> list[FoundValue]:
         """Return every place where a quantity stands."""
         return self.gathered.found(quantity, self.address, self.system)
 
-    def single(self, quantity: str, *, quiet: bool = True) -> Found | None:
+    def single(self, quantity: str, *, quiet: bool = True) -> FoundValue | None:
         """Return the place that counts. Unless ``quiet``, repetitions are told: once, where the
         value is used.
         """

@@ -10,7 +10,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from compwright.formats.definition.schema import Choice
-from compwright.formats.text.gathering import Found, Gathered
+from compwright.formats.text.gathering import FoundValue, Gathered
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.values import Values, bit_mask
 
@@ -54,10 +54,10 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
     return next(iter(by_word), None)
 
 
-def _places(gathered: Gathered) -> dict[str, Found]:
+def _places(gathered: Gathered) -> dict[str, FoundValue]:
     """Return the first place that says it, by what it says."""
     definition = gathered.definition
-    places: dict[str, Found] = {}
+    places: dict[str, FoundValue] = {}
     values = Values(definition, "basic system", Notes())
     for quantity in SAYING:
         binding = definition.bindings.get(quantity)

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from decimal import Decimal
 
-from compwright.formats.text.gathering import Found, Gathered
+from compwright.formats.text.gathering import FoundValue, Gathered
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.values import bit_mask
 from compwright.records.axis import Axis
@@ -86,7 +86,7 @@ class Beside:
         begin = MODULO_START if start is None else start
         return Turn(begin, length or _WHOLE_TURN, start is not None)
 
-    def last(self, quantity: str, address: str | None = None) -> Found | None:
+    def last(self, quantity: str, address: str | None = None) -> FoundValue | None:
         """Return the last place where something is said of an axis as a whole."""
         places = self.gathered.singles.get((address or self.address, None), {}).get(quantity, ())
         return places[-1] if places else None

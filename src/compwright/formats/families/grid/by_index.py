@@ -11,14 +11,14 @@ import numpy as np
 from compwright.formats.definition.kept_lines import AXIS, NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.grid.tables import (
-    Table,
+    GridTable,
     TableShape,
     TableSource,
     TableText,
     WrittenTable,
     table_of,
 )
-from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.foundations.errors import Fault
 
 #: How far (MAX - MIN) / STEP may be from a whole number when a file is read: without a word, and
@@ -62,7 +62,7 @@ class ByIndex(TableShape):
     spacing = "equidistant"
     repeats = True
 
-    def read(self, source: TableSource) -> Table | None:
+    def read(self, source: TableSource) -> GridTable | None:
         """See `TableShape.read`. Memory that nobody has written, all zero, is no table."""
         if not source.rows and not source.singles:
             return None
@@ -151,9 +151,9 @@ def _whole(source: TableSource) -> bool:
     return bool(source.rows) and not missing
 
 
-def indexed(source: TableSource) -> dict[int, Found] | None:
+def indexed(source: TableSource) -> dict[int, FoundValue] | None:
     """Return the rows by index; None (with faults) where two of one index differ."""
-    values: dict[int, Found] = {}
+    values: dict[int, FoundValue] = {}
     clean = True
     for row in source.rows:
         index = int(row.occurrence.tokens["index"].text)
@@ -179,7 +179,7 @@ class _Grid:
     beyond: bool = False
 
 
-def _steps(source: TableSource, values: Mapping[int, Found]) -> _Grid | None:
+def _steps(source: TableSource, values: Mapping[int, FoundValue]) -> _Grid | None:
     """Return the grid. Where its end lies between two points it is not known whether the control
     goes on to the second one: both must hold the same value.
     """
@@ -217,7 +217,7 @@ def _steps(source: TableSource, values: Mapping[int, Found]) -> _Grid | None:
     return None
 
 
-def _alike(source: TableSource, values: Mapping[int, Found], inside: int) -> bool:
+def _alike(source: TableSource, values: Mapping[int, FoundValue], inside: int) -> bool:
     """Return whether the last point inside and the first one beyond the end hold the same value, or
     all points hold nothing.
     """
@@ -232,7 +232,7 @@ def _alike(source: TableSource, values: Mapping[int, Found], inside: int) -> boo
     return len(texts) == 2 and all(map(same_value, *texts))
 
 
-def _complete(source: TableSource, values: Mapping[int, Found], grid: _Grid) -> bool:
+def _complete(source: TableSource, values: Mapping[int, FoundValue], grid: _Grid) -> bool:
     """Return whether there is a value for each node.
 
     Values behind the end are memory that the control does not use, such as an older, longer table

@@ -7,7 +7,7 @@ from decimal import Decimal
 from compwright.formats.definition.kept_lines import NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.grid.tables import (
-    Table,
+    GridTable,
     TableShape,
     TableSource,
     TableText,
@@ -45,7 +45,7 @@ class ByPosition(TableShape):
     spacing = "free"
     repeats = False
 
-    def read(self, source: TableSource) -> Table | None:
+    def read(self, source: TableSource) -> GridTable | None:
         """See `TableShape.read`."""
         positions: list[Decimal] = []
         pairs: list[tuple[Decimal, Decimal]] = []

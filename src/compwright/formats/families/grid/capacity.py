@@ -19,7 +19,7 @@ from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption
 
 
-class AxisLimits:
+class GridLimits:
     """The limits of one axis' own table. Raises UsageError for an address that the control cannot
     have, and for wrong options of the axis.
     """

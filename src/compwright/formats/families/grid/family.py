@@ -11,10 +11,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, sound
-from compwright.formats.families.between import Asked, Between, instead
+from compwright.formats.families.between import Between, BetweenRequest, instead
 from compwright.formats.families.card_words import table_values
 from compwright.formats.families.family import Family
-from compwright.formats.families.grid.capacity import AxisLimits
+from compwright.formats.families.grid.capacity import GridLimits
 from compwright.formats.families.grid.entered import entered
 from compwright.formats.families.grid.joints import other_joints, sure_joints
 from compwright.formats.families.grid.loading import loading_order
@@ -86,7 +86,7 @@ class GridFamily(Family):
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`."""
         del one_curve
-        return AxisLimits(self, axis).capacity()
+        return GridLimits(self, axis).capacity()
 
     def loading_order(self, files: Sequence[ControlFile]) -> list[str]:
         """See `Family.loading_order`."""
@@ -96,7 +96,7 @@ class GridFamily(Family):
         """See `Family.misnamed`: another joint, or a second one."""
         return other_joints(axis, facts, state)
 
-    def between(self, asked: Asked) -> Between:
+    def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: no such table."""
         return instead(self.definition, asked.planned)
 

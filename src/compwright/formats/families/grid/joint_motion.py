@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from compwright.formats.families.grid.axis_values import AxisValues
+from compwright.formats.families.grid.axis_values import GridAxisValues
 from compwright.records.axis import Direction
 
 _TRUE = {"1", "YES", "TRUE"}
@@ -18,7 +18,9 @@ _RAMP = 0.5
 Homing = Literal["", "relative", "absolute"]
 
 
-def homing_of(values: AxisValues, factor: float) -> tuple[Homing, tuple[float, Direction] | None]:
+def homing_of(
+    values: GridAxisValues, factor: float
+) -> tuple[Homing, tuple[float, Direction] | None]:
     """Return what homing makes of the correction, and the place (mm or deg) and direction at which
     it counts as zero. ``factor``: mm or deg per unit of the files.
 
@@ -46,7 +48,7 @@ def homing_of(values: AxisValues, factor: float) -> tuple[Homing, tuple[float, D
     return "relative", (round(offset * factor, 9), direction)
 
 
-def _is_true(values: AxisValues, name: str, *, others: bool = False) -> bool:
+def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool:
     """Whether a switch is on; ``others``: so is any number but 0."""
     found = values.single(name)
     if found is None:
@@ -55,7 +57,7 @@ def _is_true(values: AxisValues, name: str, *, others: bool = False) -> bool:
     return word in _TRUE or (others and word.isdigit() and int(word) != 0)
 
 
-def unapplied_steps(values: AxisValues, factor: float) -> tuple[float, float] | None:
+def unapplied_steps(values: GridAxisValues, factor: float) -> tuple[float, float] | None:
     """Return the steps of the correction that the control never applies, mm or deg: above the first
     number, not above the second; None where the files do not say it.
 

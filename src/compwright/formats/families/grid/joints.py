@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from compwright.formats.families.coupled_axes import (
     UNREAD,
     Coupling,
-    Statement,
+    CouplingStatement,
     statements_in,
     whole_number,
 )
@@ -38,7 +38,7 @@ def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
     """
     if any(True for _ in statements_in(files, _LETTERED, _REMARK)):
         return
-    section, joints = "", dict[int, list[tuple[int, Statement]]]()
+    section, joints = "", dict[int, list[tuple[int, CouplingStatement]]]()
     for found in statements_in(files, _HOMING, _REMARK):
         if found.match["section"]:
             section = found.match["section"].upper()

@@ -18,7 +18,7 @@ from compwright.formats.families.control_texts import is_listing, texts_of
 from compwright.formats.families.coupled_axes import Coupling, check_couplings
 from compwright.formats.families.family import Family
 from compwright.formats.families.gantry import find_partners
-from compwright.formats.families.grid.axis_reading import AskedAxis, AxisReader, AxisReading
+from compwright.formats.families.grid.axis_reading import AskedAxis, AxisReading, GridAxisReader
 from compwright.formats.families.grid.basic_system import basic_system
 from compwright.formats.families.grid.beside import Beside
 from compwright.formats.families.grid.joints import joined_joints
@@ -36,7 +36,7 @@ from compwright.formats.text.container import (
     programs_setting,
     unknown_container,
 )
-from compwright.formats.text.gathering import Found, Gathered, gather
+from compwright.formats.text.gathering import FoundValue, Gathered, gather
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import BINARY, ReadText, no_text, text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -182,7 +182,7 @@ class GridReader:
         """Return the tables between axes that the files hold."""
         return PairTables()
 
-    def acting_lines(self) -> dict[str, Found]:
+    def acting_lines(self) -> dict[str, FoundValue]:
         """Return, by the name that they give to the axis, a line that corrects something: a value
         that is not zero, or a switch on.
         """
@@ -197,7 +197,7 @@ class GridReader:
             rows=self.tables.rows(address, spoken_of=address in self.spoken_of),
             elsewhere=self.elsewhere(address),
         )
-        own = AxisReader(self.control, self.gathered, asked, self.activity, self.notes).read()
+        own = GridAxisReader(self.control, self.gathered, asked, self.activity, self.notes).read()
         beside = Beside(self.gathered, address, self.notes)
         facts = beside.facts(own.facts, axis, self.partners)
         if axis is not None and address not in self.partners.values():
@@ -385,8 +385,8 @@ class GridReader:
             )
 
 
-def _acting_lines(gathered: Gathered) -> dict[str, Found]:
-    lines: dict[str, Found] = {}
+def _acting_lines(gathered: Gathered) -> dict[str, FoundValue]:
+    lines: dict[str, FoundValue] = {}
     for (name, _), rows in gathered.rows.items():
         acting = [row for row in rows if Decimal(row.occurrence.tokens["value"].text) != 0]
         if name is not None and acting:

@@ -12,7 +12,7 @@ from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import field_matches
 from compwright.formats.text.addresses import normal_text
-from compwright.formats.text.gathering import Found, Gathered
+from compwright.formats.text.gathering import FoundValue, Gathered
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import BINARY, ReadText, text_reader
 from compwright.foundations.errors import Fault
@@ -73,7 +73,7 @@ class TableFiles:
         """
         return len(self.texts) == len(self.tables) == 1
 
-    def rows(self, address: str, *, spoken_of: bool) -> list[Found] | None:
+    def rows(self, address: str, *, spoken_of: bool) -> list[FoundValue] | None:
         """Return the rows of an axis; None where rows name their axis themselves. ``spoken_of``:
         other lines name the axis, and would name its file.
         """

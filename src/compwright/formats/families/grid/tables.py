@@ -18,16 +18,16 @@ import numpy as np
 from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.shape_rules import ShapeRules
-from compwright.formats.text.gathering import Found
+from compwright.formats.text.gathering import FoundValue
 from compwright.formats.text.notes import Notes
-from compwright.formats.text.scale import NotHeld, Scale, in_range
+from compwright.formats.text.scale import NotHeld, NumberScale, in_range
 from compwright.foundations.errors import Fault
 from compwright.records.axis import FloatArray
 from compwright.records.correction import AxisCompensation
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class GridTable:
     """Nodes (k,) strictly ascending and the correction (k,) of each direction, mm or deg."""
 
     positions: FloatArray
@@ -53,9 +53,9 @@ class TableSource:
     """
 
     label: str
-    rows: Sequence[Found]
-    singles: Mapping[str, Found]
-    scale: Scale
+    rows: Sequence[FoundValue]
+    singles: Mapping[str, FoundValue]
+    scale: NumberScale
     notes: Notes
     ends_at_point: bool = False
 
@@ -65,7 +65,7 @@ class TableSource:
         return value_fields(self.scale.definition)
 
     def fault(
-        self, message: str, found: Found | None = None, *, expected: str = "", what: str = ""
+        self, message: str, found: FoundValue | None = None, *, expected: str = "", what: str = ""
     ) -> None:
         """Note a fault, at the line of ``found`` or else of the first thing that was found."""
         place = found or next(iter((*self.rows, *self.singles.values())), None)
@@ -79,7 +79,7 @@ class TableSource:
             )
         )
 
-    def position(self, quantity: str, found: Found) -> Decimal | None:
+    def position(self, quantity: str, found: FoundValue) -> Decimal | None:
         """Return a position, mm or deg; None (with a fault) for one that is not plausible."""
         measure = self.scale.definition.measure(quantity)
         text = found.occurrence.tokens[measure.field].text
@@ -92,7 +92,7 @@ class TableSource:
         self.fault(message, found, expected=expected, what=text)
         return None
 
-    def values(self, row: Found, position: Decimal) -> tuple[Decimal, Decimal] | None:
+    def values(self, row: FoundValue, position: Decimal) -> tuple[Decimal, Decimal] | None:
         """Return the corrections (+, -) of a row, mm or deg; None (with a fault) for one that is
         not plausible.
         """
@@ -122,7 +122,7 @@ class TableText:
     """
 
     compensation: AxisCompensation
-    scale: Scale
+    scale: NumberScale
     faults: list[Fault]
     there: Mapping[str, str] = field(default_factory=dict)
 
@@ -156,7 +156,7 @@ class TableShape(ABC):
     repeats: ClassVar[bool]
 
     @abstractmethod
-    def read(self, source: TableSource) -> Table | None:
+    def read(self, source: TableSource) -> GridTable | None:
         """Return the table that was found; None when there is none, or when something is wrong with
         it (then ``source`` has faults).
         """
@@ -171,9 +171,9 @@ def value_fields(definition: Definition) -> list[str]:
     return [definition.bindings[quantity].field for quantity in curves(definition)]
 
 
-def table_of(positions: Sequence[Decimal], values: Sequence[tuple[Decimal, Decimal]]) -> Table:
+def table_of(positions: Sequence[Decimal], values: Sequence[tuple[Decimal, Decimal]]) -> GridTable:
     """Return a table of positions and corrections (+, -), mm or deg."""
-    return Table(
+    return GridTable(
         np.array([float(position) for position in positions]),
         np.array([float(value[0]) + 0.0 for value in values]),
         np.array([float(value[1]) + 0.0 for value in values]),

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from compwright.formats.families.grid.axis_values import AxisValues
-from compwright.formats.families.grid.tables import Table
+from compwright.formats.families.grid.axis_values import GridAxisValues
+from compwright.formats.families.grid.tables import GridTable
 from compwright.formats.families.limits import SAME_TURN
-from compwright.formats.text.gathering import Found
+from compwright.formats.text.gathering import FoundValue
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation
 
 
-def check_modulo(values: AxisValues, axis: Axis | None) -> None:
+def check_modulo(values: GridAxisValues, axis: Axis | None) -> None:
     """Job and control must mean the same: an axis with ends, or one that turns endlessly by the
     same range.
     """
@@ -41,7 +41,7 @@ def check_modulo(values: AxisValues, axis: Axis | None) -> None:
         )
 
 
-def _check_range(values: AxisValues, axis: Axis, found: Found) -> None:
+def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
     """The turn of an endless axis is that of the control; a job that gives it ends would leave the
     rest of the turn behind.
     """
@@ -61,7 +61,9 @@ def _check_range(values: AxisValues, axis: Axis, found: Found) -> None:
         values.notes.refuse(values.label, message, length, expected=expected, found=said)
 
 
-def period_of(values: AxisValues, axis: Axis | None, rows: Sequence[Found], table: Table) -> float:
+def period_of(
+    values: GridAxisValues, axis: Axis | None, rows: Sequence[FoundValue], table: GridTable
+) -> float:
     """Return the period of a table that repeats: it follows itself without a step only if both ends
     are equal.
     """
@@ -84,7 +86,7 @@ def period_of(values: AxisValues, axis: Axis | None, rows: Sequence[Found], tabl
     return float(table.positions[-1] - table.positions[0])
 
 
-def _check_beginning(values: AxisValues, table: Table) -> None:
+def _check_beginning(values: GridAxisValues, table: GridTable) -> None:
     """A repeating table that does not begin where the control's range begins: whether it is found
     there is not known.
     """

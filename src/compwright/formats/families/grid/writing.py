@@ -22,16 +22,16 @@ from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.tables import TableText, WrittenTable
 from compwright.formats.families.grid.turns import RANGE_QUANTITY, in_range_of, over_travel
 from compwright.formats.families.limits import SAME_TURN
-from compwright.formats.text.gathering import Found, first_set
+from compwright.formats.text.gathering import FoundValue, first_set
 from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
-from compwright.formats.text.scale import NotHeld, Scale
+from compwright.formats.text.scale import NotHeld, NumberScale
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation, ControlFile
 
 
 @dataclass(frozen=True, slots=True)
-class AxisWork:
+class AxisToWrite:
     """One axis to be written. ``options``: its own over the controller's; ``faults``: what its text
     cannot say.
     """
@@ -67,12 +67,12 @@ class GridWriter:
         """
         fresh: list[ControlFile] = []
         for address, axis, compensation in tables:
-            work = AxisWork(address, axis, compensation, self.control.options_of(axis))
+            work = AxisToWrite(address, axis, compensation, self.control.options_of(axis))
             fresh.extend(self.axis(replace(work, compensation=self._turned(work))))
             faults.extend(_first_few(work.faults, address))
         return (*self._own_files([address for address, _, _ in tables]), *fresh)
 
-    def axis(self, work: AxisWork) -> list[ControlFile]:
+    def axis(self, work: AxisToWrite) -> list[ControlFile]:
         """Put one axis into the control's own files and return new files with what has no place
         there.
         """
@@ -80,7 +80,7 @@ class GridWriter:
         self.make_room(work)
         return self.new_files(self.files_for("one_curve"), text, self._put(text, work), (), work)
 
-    def make_room(self, work: AxisWork) -> None:
+    def make_room(self, work: AxisToWrite) -> None:
         """Take away what would act beside a new table."""
 
     def speaking(self, addresses: Collection[str]) -> set[int]:
@@ -110,7 +110,7 @@ class GridWriter:
             speaking |= gathered.naming
         return self.own.patched(speaking)
 
-    def _turned(self, work: AxisWork) -> AxisCompensation:
+    def _turned(self, work: AxisToWrite) -> AxisCompensation:
         """Return the table of an endless axis over the control's own range: from its beginning,
         once around.
         """
@@ -133,7 +133,7 @@ class GridWriter:
         start = MODULO_START if turn is None else turn.start
         return in_range_of(compensation, start, axis.name, work.faults)
 
-    def _text(self, work: AxisWork) -> AxisText:
+    def _text(self, work: AxisToWrite) -> AxisText:
         scale = self.control.scale_of(work.axis)
         system = str(work.axis.encoder.system - 1)
         said = {} if self.own is None else self.own.gathered.singles.get((work.address, system), {})
@@ -146,7 +146,7 @@ class GridWriter:
         repeats = self.definition.choice("repeats").text("yes")
         return replace(text, singles={**text.singles, "repeats": repeats})
 
-    def text(self, work: AxisWork, scale: Scale, table: WrittenTable) -> AxisText:
+    def text(self, work: AxisToWrite, scale: NumberScale, table: WrittenTable) -> AxisText:
         """Return a table with the single values beside it."""
         spelled = work.address if self.own is None else self.own.gathered.spelled(work.address)
         named = {"axis": spelled, "system": str(work.axis.encoder.system - 1)}
@@ -183,7 +183,7 @@ class GridWriter:
         text: AxisText,
         placed: Collection[str],
         switches: Sequence[str],
-        work: AxisWork,
+        work: AxisToWrite,
     ) -> list[ControlFile]:
         """Return new files with what is not ``placed`` yet; ``switches``: see `NewFile.made`."""
         made = [
@@ -205,14 +205,14 @@ class GridWriter:
             self.own.put("backlash_factor", first_set(factors), "1")
         return {"backlash"} if placed else set()
 
-    def said(self, text: AxisText, *, whole: bool = False) -> Mapping[str, Sequence[Found]]:
+    def said(self, text: AxisText, *, whole: bool = False) -> Mapping[str, Sequence[FoundValue]]:
         """Return what the control's own files say of the measuring system, or ``whole`` axis."""
         if self.own is None:
             return {}
         key = (text.address, None if whole else text.named["system"])
         return self.own.gathered.singles.get(key, {})
 
-    def _put(self, text: AxisText, work: AxisWork) -> set[str]:
+    def _put(self, text: AxisText, work: AxisToWrite) -> set[str]:
         """Put what has a place in the control's own files there; return these quantities."""
         if self.own is None:
             return set()
@@ -240,7 +240,7 @@ class GridWriter:
         )
         return placed | {value, *names}
 
-    def _switch_on(self, switches: Sequence[Found], table: TablePlaces) -> None:
+    def _switch_on(self, switches: Sequence[FoundValue], table: TablePlaces) -> None:
         """Make the table act where the files end with it switched off; a load sequence counts by
         its last value.
 
@@ -266,7 +266,9 @@ class GridWriter:
             if number not in {switch.number for switch in behind}:
                 self.own.put_behind(table, number, "enabled", on)
 
-    def _reserve(self, places: Sequence[Found], count: int, options: Mapping[str, object]) -> None:
+    def _reserve(
+        self, places: Sequence[FoundValue], count: int, options: Mapping[str, object]
+    ) -> None:
         """Reserve the points where the files say fewer than the table has: what the option
         promises, or where none were reserved as many as it has; files that say less would take the
         room away again when they are loaded.
@@ -285,7 +287,9 @@ def _first_few(faults: list[Fault], address: str) -> list[Fault]:
 
 
 def _spelled(
-    rows: Mapping[int, Sequence[Found]], singles: Mapping[str, Sequence[Found]], address: str
+    rows: Mapping[int, Sequence[FoundValue]],
+    singles: Mapping[str, Sequence[FoundValue]],
+    address: str,
 ) -> str:
     """Return how the files write the axis."""
     found = [place for places in (*rows.values(), *singles.values()) for place in places]

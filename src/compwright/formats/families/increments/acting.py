@@ -11,7 +11,11 @@ from collections.abc import Iterator
 from itertools import islice
 
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.parameters import AxisParameters, Parameters, Value
+from compwright.formats.families.increments.parameters import (
+    AxisParameters,
+    Parameters,
+    ParameterValue,
+)
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind
 
@@ -26,7 +30,7 @@ def refusals(own: AxisParameters) -> Iterator[Fault]:
         )
 
 
-def second_tables(parameters: Parameters) -> list[tuple[Value, range]]:
+def second_tables(parameters: Parameters) -> list[tuple[ParameterValue, range]]:
     """Return the point numbers of the second (cyclic) tables that are set, whose data they hold,
     each with the parameter of its first.
     """

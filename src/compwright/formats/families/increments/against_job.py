@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.formats.families.increments.axis_values import IncrementAxisValues
 from compwright.formats.families.travel_limits import check_travel
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis, AxisKind
@@ -14,7 +14,7 @@ from compwright.records.axis import Axis, AxisKind
 SAME_PLACE = 1e-6
 
 
-def check_wrapping(values: AxisValues, kind: AxisKind) -> None:
+def check_wrapping(values: IncrementAxisValues, kind: AxisKind) -> None:
     """Whether the axis is endless, and its turn: the job and the files must say the same."""
     wraps, bits = values.wraps(), values.own.get(known.KIND)
     if kind is not AxisKind.ROTARY or values.axis is None or wraps is None or bits is None:
@@ -35,7 +35,7 @@ def check_wrapping(values: AxisValues, kind: AxisKind) -> None:
     values.notes.faults.append(bits.fault(f"{values.label}: {message}", expected))
 
 
-def check_travel_limits(values: AxisValues, kind: AxisKind) -> None:
+def check_travel_limits(values: IncrementAxisValues, kind: AxisKind) -> None:
     """Hold 1321 and 1320, the limits of the stroke, against the job's travel; where 1320 is not
     above 1321 none are set.
     """
@@ -56,7 +56,7 @@ def check_travel_limits(values: AxisValues, kind: AxisKind) -> None:
 
 
 def check_reference(
-    values: AxisValues, kind: AxisKind, reference: float, *, unanswered: bool
+    values: IncrementAxisValues, kind: AxisKind, reference: float, *, unanswered: bool
 ) -> None:
     """Compare 1240 with the job's reference, and say what a reference beside zero rests on.
 
@@ -104,7 +104,7 @@ def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
     )
 
 
-def check_return(values: AxisValues, *, two: bool) -> None:
+def check_return(values: IncrementAxisValues, *, two: bool) -> None:
     """Hold 1006#5 against the job. It decides the sign of 3627, so two sets are refused; one set
     differs by a constant only.
     """
@@ -128,7 +128,7 @@ def check_return(values: AxisValues, *, two: bool) -> None:
     )
 
 
-def check_diameter(values: AxisValues, kind: AxisKind) -> None:
+def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
     """An axis in diameter programming: the job and 1006#3 must agree, else everything may be wrong
     by 2. Raises UsageError where no file says it.
     """

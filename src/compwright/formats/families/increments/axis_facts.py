@@ -8,7 +8,7 @@ from decimal import Decimal
 
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.acting import second_tables
-from compwright.formats.families.increments.axis_values import INCH, AxisValues
+from compwright.formats.families.increments.axis_values import INCH, IncrementAxisValues
 from compwright.formats.families.increments.beside import (
     OPTION_OF,
     across,
@@ -35,7 +35,7 @@ _HALVED = (
 _GRID = (3620, 3621, 3622, 3623, 3624)
 
 
-def facts_of(values: AxisValues) -> AxisFacts:
+def facts_of(values: IncrementAxisValues) -> AxisFacts:
     """Return what the files say of an axis."""
     increments = _increments(values)
     kind, wraps = values.kind(quiet=True), values.wraps()
@@ -75,7 +75,7 @@ def facts_of(values: AxisValues) -> AxisFacts:
     )
 
 
-def name_of(values: AxisValues) -> str | None:
+def name_of(values: IncrementAxisValues) -> str | None:
     """Return what the control calls the axis: the letter of 1020 and, where there are more, the
     characters of 1025 and 1026, all by their codes.
     """
@@ -109,7 +109,7 @@ def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, obj
     return replace(facts, beside="; ".join(words), increments=said, pairs=pairs)
 
 
-def _increments(values: AxisValues) -> IncrementFacts:
+def _increments(values: IncrementAxisValues) -> IncrementFacts:
     return IncrementFacts(
         reference_number=values.integer("reference_number"),
         first_number=values.integer("first_number"),
@@ -127,7 +127,7 @@ def _increments(values: AxisValues) -> IncrementFacts:
     )
 
 
-def _rapid_feed(values: AxisValues) -> float | None:
+def _rapid_feed(values: IncrementAxisValues) -> float | None:
     rapid = values.own.get(known.RAPID)
     if rapid is None or not rapid.acts:
         return None
@@ -135,7 +135,7 @@ def _rapid_feed(values: AxisValues) -> float | None:
     return float(Decimal(rapid.text) * (INCH if inch else 1))
 
 
-def _length(values: AxisValues, quantity: str) -> float | None:
+def _length(values: IncrementAxisValues, quantity: str) -> float | None:
     """Return 3624 or 3625, mm or deg; None where it cannot be read, which is told where the table
     is.
     """
@@ -143,7 +143,7 @@ def _length(values: AxisValues, quantity: str) -> float | None:
     return None if length is None else float(length)
 
 
-def _coordinate(values: AxisValues, quantity: str, kind: AxisKind) -> float | None:
+def _coordinate(values: IncrementAxisValues, quantity: str, kind: AxisKind) -> float | None:
     """Return a machine coordinate, mm or deg; None where it has no decimal point, which says that
     its unit is not known.
     """

@@ -16,17 +16,21 @@ from compwright.formats.families.increments.against_job import (
     check_travel_limits,
     check_wrapping,
 )
-from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.formats.families.increments.axis_values import IncrementAxisValues
 from compwright.formats.families.increments.backlash import acting_backlash
 from compwright.formats.families.increments.beside import left_alone, stays
 from compwright.formats.families.increments.counted import counted
 from compwright.formats.families.increments.detection_unit import detection_unit, two_systems
 from compwright.formats.families.increments.points import POINTS_FROM
 from compwright.formats.families.increments.screw_lead import tell_lead
-from compwright.formats.families.increments.sections import Sections, read_sections, repeats
+from compwright.formats.families.increments.sections import (
+    IncrementSections,
+    read_sections,
+    repeats,
+)
 from compwright.formats.families.increments.smooth import smooth_backlash
-from compwright.formats.text.gathering import Found
-from compwright.formats.text.scale import Scale
+from compwright.formats.text.gathering import FoundValue
+from compwright.formats.text.scale import NumberScale
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 from compwright.records.options import REFERENCE, REFERENCE_RETURN
@@ -40,8 +44,8 @@ class IncrementReader:
     ``checks_travel``: its software limits are held against the job's travel.
     """
 
-    values: AxisValues
-    points: Mapping[int, Found]
+    values: IncrementAxisValues
+    points: Mapping[int, FoundValue]
     options: Mapping[str, object]
     checks_travel: bool = True
 
@@ -87,7 +91,7 @@ class IncrementReader:
         return self._with_counted(kind, sections, table)
 
     def _with_counted(
-        self, kind: AxisKind, sections: Sections | None, table: AxisCompensation
+        self, kind: AxisKind, sections: IncrementSections | None, table: AxisCompensation
     ) -> AxisCompensation:
         """Return the table with the functions beside it that the options let count."""
         functions = counted(self.values, kind, self.options, self._increments)
@@ -157,7 +161,7 @@ class IncrementReader:
         )
 
     def _unit(self, kind: AxisKind) -> Decimal:
-        return Scale(self.values.definition, kind, self.options, {}).factor("value")
+        return NumberScale(self.values.definition, kind, self.options, {}).factor("value")
 
     def _sign(self, option: str) -> int:
         return -1 if self.options.get(option) == "-" else 1
@@ -220,7 +224,7 @@ class IncrementReader:
                 return None
         return np.array(counts, dtype=np.float64)
 
-    def _offset(self, sections: Sections, kind: AxisKind) -> float:
+    def _offset(self, sections: IncrementSections, kind: AxisKind) -> float:
         """Return 3627, mm or deg: the value at the reference against its return direction, which
         goes on the curve that is not the zero state's.
         """
@@ -242,7 +246,7 @@ class IncrementReader:
         return shift * self._sign("offset_sign")
 
     def _endless(
-        self, kind: AxisKind, sections: Sections, counts: FloatArray, backlash: float
+        self, kind: AxisKind, sections: IncrementSections, counts: FloatArray, backlash: float
     ) -> AxisCompensation | None:
         values = self.values
         turn, where = values.turn(kind), values.found("last_number")
@@ -279,7 +283,7 @@ class IncrementReader:
         return self._compensation(kind, (positions, curve, curve), backlash, turn)
 
 
-def totals(counts: FloatArray, sections: Sections) -> FloatArray:
+def totals(counts: FloatArray, sections: IncrementSections) -> FloatArray:
     """Return the sums (k + 1,) of the increments (k,) at the nodes, zero at the reference."""
     sums = np.concatenate([[0.0], np.cumsum(counts)])
     zero: FloatArray = sums - sums[sections.reference - sections.first + 1]

@@ -8,7 +8,7 @@ from decimal import Decimal
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.parameters import AxisParameters
-from compwright.formats.text.gathering import Found, Gathered
+from compwright.formats.text.gathering import FoundValue, Gathered
 from compwright.formats.text.values import Values
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -25,7 +25,7 @@ def thousandths(definition: Definition) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
-class AxisValues(Values):
+class IncrementAxisValues(Values):
     """``own``: parameters beside those of the table; ``axis``: what the job knows of the axis, None
     without a job; ``known_kind``: given for files that do not say it.
     """
@@ -35,7 +35,7 @@ class AxisValues(Values):
     axis: Axis | None
     known_kind: AxisKind | None = None
 
-    def found(self, quantity: str) -> Found | None:
+    def found(self, quantity: str) -> FoundValue | None:
         """Return where a quantity stands, for this axis or for the whole machine."""
         if quantity not in self.definition.bindings:
             return None

@@ -7,12 +7,12 @@ Source: FANUC B-64120EN/01 page 116, 21i B-63090EN/02 page 97.
 from __future__ import annotations
 
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.formats.families.increments.axis_values import IncrementAxisValues
 from compwright.records.axis import Axis
 from compwright.records.facts import IncrementFacts
 
 
-def acting_backlash(values: AxisValues, feed: int) -> int:
+def acting_backlash(values: IncrementAxisValues, feed: int) -> int:
     """Return the backlash, detection units, that acts at the motion of the axis' test; ``feed``:
     1851.
 

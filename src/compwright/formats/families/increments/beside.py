@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.parameters import AxisParameters, Value
+from compwright.formats.families.increments.parameters import AxisParameters, ParameterValue
 from compwright.records.facts import Hung, PointNumber
 
 #: What may compensate by the grid where nobody knows what it is on a series.
@@ -40,8 +40,8 @@ class Function:
     """
 
     words: str
-    values: tuple[Value, ...]
-    points: tuple[Value, ...] | None
+    values: tuple[ParameterValue, ...]
+    points: tuple[ParameterValue, ...] | None
     moves: bool = True
 
     @property
@@ -105,7 +105,7 @@ def across(own: AxisParameters, options: Mapping[str, object]) -> str:
     return ", ".join(value.label for value in own.all.of(numbers) if value.acts)
 
 
-def _point(value: Value) -> PointNumber:
+def _point(value: ParameterValue) -> PointNumber:
     return PointNumber(
         number=value.whole,
         parameter=str(value.number) if value.owner == "A" else "",
@@ -116,7 +116,7 @@ def _point(value: Value) -> PointNumber:
     )
 
 
-def _acting(own: AxisParameters, numbers: tuple[int, ...]) -> tuple[Value, ...]:
+def _acting(own: AxisParameters, numbers: tuple[int, ...]) -> tuple[ParameterValue, ...]:
     values = (own.get(number) for number in numbers)
     return tuple(value for value in values if value is not None and value.acts)
 

@@ -13,8 +13,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from compwright.formats.families.between import (
-    Asked,
     Between,
+    BetweenRequest,
     in_turn,
     instead,
     label,
@@ -22,15 +22,15 @@ from compwright.formats.families.between import (
     typed_in,
 )
 from compwright.formats.families.family import Family
-from compwright.formats.families.increments.parameters import Parameters, Value
+from compwright.formats.families.increments.parameters import Parameters, ParameterValue
 from compwright.formats.families.increments.straightness import free_pair
-from compwright.formats.text.patching import Change, apply_changes
+from compwright.formats.text.patching import BytesChange, apply_changes
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
 
 
-def straightness_between(family: Family, asked: Asked) -> Between:
+def straightness_between(family: Family, asked: BetweenRequest) -> Between:
     """Return the parameters of one straight line, where the job says that the control has them."""
     if family.options.get("straightness") != "available":
         return instead(family.definition, asked.planned)
@@ -52,7 +52,7 @@ def straightness_between(family: Family, asked: Asked) -> Between:
     return typed_in(entry, sheet, message, text)
 
 
-def _filled(family: Family, asked: Asked, entry: PlannedCross) -> Between | None:
+def _filled(family: Family, asked: BetweenRequest, entry: PlannedCross) -> Between | None:
     """Return the files with one straight line in parameters that they hold and that are at rest;
     None where it has no place there, or is not exactly what is wanted.
     """
@@ -91,12 +91,12 @@ def _filled(family: Family, asked: Asked, entry: PlannedCross) -> Between | None
 
 
 def _patched(
-    files: Sequence[ControlFile], places: Mapping[int, Value], texts: Sequence[str]
+    files: Sequence[ControlFile], places: Mapping[int, ParameterValue], texts: Sequence[str]
 ) -> tuple[ControlFile, ...]:
-    changes: dict[str, list[Change]] = {}
+    changes: dict[str, list[BytesChange]] = {}
     for place, text in enumerate(texts):
         value = places[place]
-        change = Change(value.start, value.start + len(value.text), text.encode("ascii"))
+        change = BytesChange(value.start, value.start + len(value.text), text.encode("ascii"))
         changes.setdefault(value.file, []).append(change)
     return tuple(
         ControlFile(file.name, apply_changes(file.content, changes[file.name]))
@@ -106,7 +106,7 @@ def _patched(
 
 
 def _rows(
-    family: Family, asked: Asked, entry: PlannedCross, state: ControlState | None
+    family: Family, asked: BetweenRequest, entry: PlannedCross, state: ControlState | None
 ) -> list[tuple[str, str, str]] | None:
     """Return parameter, value and meaning; None where one straight line over a table does not say
     it. ``state``: what the tables of this run say.

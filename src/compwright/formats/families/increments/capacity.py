@@ -21,7 +21,7 @@ from compwright.records.correction import Assumption
 MIN_SECTIONS = 2
 
 
-class AxisLimits:
+class IncrementLimits:
     """The limits of one axis' table. ``assumed``: what they rest on; ``shares``: other axes have
     some of its numbers too.
     """

@@ -18,10 +18,10 @@ from itertools import pairwise
 import numpy as np
 
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.axis_values import INCH, AxisValues
+from compwright.formats.families.increments.axis_values import INCH, IncrementAxisValues
 from compwright.formats.families.increments.beside import OPTION_OF, Function, functions
-from compwright.formats.families.increments.parameters import Value
-from compwright.formats.families.increments.sections import Sections
+from compwright.formats.families.increments.parameters import ParameterValue
+from compwright.formats.families.increments.sections import IncrementSections
 from compwright.records.axis import AxisKind, FloatArray
 
 #: Nodes and totals there, both (k,) mm or deg, and the period after which they repeat; None: never.
@@ -39,7 +39,7 @@ _EVIDENCE = {
 class _NotCountedError(Exception):
     """A parameter that keeps a function from being counted: how it is, and what would help."""
 
-    def __init__(self, value: Value, how: str, expected: str) -> None:
+    def __init__(self, value: ParameterValue, how: str, expected: str) -> None:
         super().__init__(how)
         self.value = value
         self.how = how
@@ -47,7 +47,10 @@ class _NotCountedError(Exception):
 
 
 def counted(
-    values: AxisValues, kind: AxisKind, options: Mapping[str, object], increments: Increments
+    values: IncrementAxisValues,
+    kind: AxisKind,
+    options: Mapping[str, object],
+    increments: Increments,
 ) -> Counted:
     """Return what is counted beside the table of an axis, by its options."""
     wanted = [
@@ -66,7 +69,7 @@ class Counted:
 
     def __init__(
         self,
-        values: AxisValues,
+        values: IncrementAxisValues,
         kind: AxisKind,
         functions: Mapping[str, Function],
         increments: Increments,
@@ -77,7 +80,7 @@ class Counted:
         self.increments = increments
 
     def curves(
-        self, sections: Sections | None, nodes: FloatArray, zero: float, scale: float
+        self, sections: IncrementSections | None, nodes: FloatArray, zero: float, scale: float
     ) -> Iterator[Curve]:
         """Yield what they add, in the sign of the pitch data.
 
@@ -99,7 +102,7 @@ class Counted:
             self.values.notes.once(error.value.fault(message, error.expected))
 
     def _inclination(
-        self, function: Function, sections: Sections | None, nodes: FloatArray, zero: float
+        self, function: Function, sections: IncrementSections | None, nodes: FloatArray, zero: float
     ) -> FloatArray:
         """Return the lines at the nodes, detection units."""
         own = self.values.own
@@ -148,7 +151,7 @@ class Counted:
             )
         return interval, np.concatenate([[0.0], np.cumsum(counts)])
 
-    def _interval(self, value: Value | None) -> float | None:
+    def _interval(self, value: ParameterValue | None) -> float | None:
         if value is None or not value.acts:
             return None
         inch = self.values.in_inches(value.key, self.kind)

@@ -13,7 +13,11 @@ from collections.abc import Iterator, Sequence
 
 from compwright.formats.families.coupled_axes import Coupling
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.parameters import AxisParameters, Parameters, Value
+from compwright.formats.families.increments.parameters import (
+    AxisParameters,
+    Parameters,
+    ParameterValue,
+)
 
 _TANDEM_BIT, _ANGULAR_BIT = 6, 0
 #: 8312 from here on: the slave moves against the master.
@@ -61,11 +65,13 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
         yield _coupling(value, leads, str(value.index), switched=True, unlike=unlike)
 
 
-def _others(addresses: Sequence[str], value: Value) -> tuple[str, ...]:
+def _others(addresses: Sequence[str], value: ParameterValue) -> tuple[str, ...]:
     return tuple(one for one in addresses if one != str(value.index))
 
 
-def _masters(parameters: Parameters, value: Value, addresses: Sequence[str]) -> tuple[str, ...]:
+def _masters(
+    parameters: Parameters, value: ParameterValue, addresses: Sequence[str]
+) -> tuple[str, ...]:
     """Return the axes that a number may mean: counted over the machine, or within a path."""
     number = value.whole
     path = AxisParameters(parameters, str(value.index)).path
@@ -136,13 +142,15 @@ def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupl
             yield _coupling(value, (), each, unlike=unlike)
 
 
-def _named(parameters: Parameters, value: Value, addresses: Sequence[str]) -> tuple[str, ...]:
+def _named(
+    parameters: Parameters, value: ParameterValue, addresses: Sequence[str]
+) -> tuple[str, ...]:
     """Return the axes that a number which belongs to a path, or to the machine, may mean."""
     return tuple(each for each in addresses if AxisParameters(parameters, each).named_by(value))
 
 
 def _coupling(
-    value: Value,
+    value: ParameterValue,
     leads: tuple[str, ...],
     follows: str,
     *,

@@ -10,8 +10,8 @@ from fractions import Fraction
 from compwright.formats.definition.options import axis_options
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.against_job import check_diameter
-from compwright.formats.families.increments.axis_values import AxisValues
-from compwright.formats.families.increments.parameters import AxisParameters, Value
+from compwright.formats.families.increments.axis_values import IncrementAxisValues
+from compwright.formats.families.increments.parameters import AxisParameters, ParameterValue
 from compwright.foundations.errors import UsageError
 from compwright.records.axis import AxisKind
 from compwright.records.options import DETECTION_UNIT
@@ -28,7 +28,7 @@ class DetectionUnit:
 
     size: float
     evidence: str
-    multiplier: Value
+    multiplier: ParameterValue
 
 
 def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
@@ -63,7 +63,7 @@ def _command_multiplier(setting: int) -> tuple[Fraction, str]:
     return Fraction(setting, 2), f"{setting / 2:g}"
 
 
-def _power(system: Value) -> int | None:
+def _power(system: ParameterValue) -> int | None:
     """Return the power of ten of the least command increment by 1013 or 1004; None for a system
     that no page at hand explains.
     """
@@ -71,7 +71,7 @@ def _power(system: Value) -> int | None:
     return {(): -3, (0,): -2, (1,): -4}.get(said)
 
 
-def _unread(own: AxisParameters, kind: AxisKind) -> Value | None:
+def _unread(own: AxisParameters, kind: AxisKind) -> ParameterValue | None:
     """Return the parameter because of which the files do not tell the detection unit although they
     hold its coding.
     """
@@ -99,7 +99,9 @@ def two_systems(own: AxisParameters) -> str:
     return said if older.bit(0) or older.bit(1) else ""
 
 
-def settled_options(values: AxisValues, options: Mapping[str, object]) -> Mapping[str, object]:
+def settled_options(
+    values: IncrementAxisValues, options: Mapping[str, object]
+) -> Mapping[str, object]:
     """Return the options of an axis over the controller's; its files say the detection unit where
     the job does not, and must not contradict it.
 
@@ -126,7 +128,7 @@ def settled_options(values: AxisValues, options: Mapping[str, object]) -> Mappin
     return settled
 
 
-def _silent(values: AxisValues, kind: AxisKind) -> bool:
+def _silent(values: IncrementAxisValues, kind: AxisKind) -> bool:
     """Whether nothing hangs on a detection unit that nobody says: the axis does nothing, or its
     files are contradictory, which comes before a question. Raises UsageError.
     """
@@ -146,7 +148,7 @@ def _silent(values: AxisValues, kind: AxisKind) -> bool:
     return bool(values.notes.faults)
 
 
-def _check_unit(values: AxisValues, said: DetectionUnit, size: float, unit: str) -> None:
+def _check_unit(values: IncrementAxisValues, said: DetectionUnit, size: float, unit: str) -> None:
     other = abs(size - said.size) > _SAME_UNIT * said.size
     if other and (values.axis is not None or values.does_anything()):
         message = (

@@ -20,7 +20,7 @@ from compwright.formats.families.increments.lengths import length_text
 from compwright.formats.families.increments.moving import check_sets, moved_numbers
 from compwright.formats.families.increments.numbering import (
     NoRoom,
-    Place,
+    NumberPlace,
     find_place,
     kept_place,
     used_numbers,
@@ -33,7 +33,7 @@ from compwright.formats.families.increments.own_beside import (
 )
 from compwright.formats.families.increments.smooth import covers
 from compwright.formats.text.addresses import normal_text
-from compwright.formats.text.scale import NotHeld, Scale
+from compwright.formats.text.scale import NotHeld, NumberScale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
@@ -65,7 +65,7 @@ class Entries:
     points: Mapping[int, int]
     cleared: tuple[int, ...]
     interval: float
-    place: Place
+    place: NumberPlace
     switches: bool
     inch: bool | None
     kept: bool
@@ -94,7 +94,7 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
         used = [*used_numbers(family.state, [address]), *given]
         try:
             rapid = family.facts_of(leading.get(address, address)).increments
-            entry = _Axis(family, address, axis, compensation, rapid).entries(used, start)
+            entry = _WholeNumbers(family, address, axis, compensation, rapid).entries(used, start)
         except NotHeld as error:
             faults.append(Fault(message=f"axis {axis.name} ({address}): {error}"))
             continue
@@ -146,7 +146,7 @@ def free_numbers_question(definition: Definition) -> Fault:
     )
 
 
-class _Axis:
+class _WholeNumbers:
     """One axis' table as whole numbers. ``rapid``: the facts of the axis whose difference between
     both backlashes it has.
     """
@@ -216,7 +216,7 @@ class _Axis:
         )
 
     def _parameters(
-        self, place: Place, magnification: int, interval: float
+        self, place: NumberPlace, magnification: int, interval: float
     ) -> dict[str, str | Decimal]:
         parameters: dict[str, str | Decimal] = {
             "reference_number": str(place.reference),
@@ -234,7 +234,7 @@ class _Axis:
         return parameters
 
     def _own_beside(
-        self, steps: FloatArray, place: Place, used: Sequence[range], start: int
+        self, steps: FloatArray, place: NumberPlace, used: Sequence[range], start: int
     ) -> OwnBeside:
         """Return the straight line and the second table beside the table that are not in the
         control yet.
@@ -351,7 +351,7 @@ class _Axis:
 
     def _kept(
         self, low: int, high: int, interval: float, used: Sequence[range], *, two: bool
-    ) -> Place | None:
+    ) -> NumberPlace | None:
         """Return the numbers that the axis has now, where the table stands on its sections."""
         now = self.facts.interval
         if now is None or abs(now - interval) > _ON_GRID * interval:
@@ -362,7 +362,9 @@ class _Axis:
             low, high, self.facts, highest=highest, used=used, two=two, endless=endless
         )
 
-    def _place(self, low: int, high: int, used: Sequence[range], start: int, *, two: bool) -> Place:
+    def _place(
+        self, low: int, high: int, used: Sequence[range], start: int, *, two: bool
+    ) -> NumberPlace:
         stated = self.axis.options.get("first_point") is not None
         try:
             return find_place(
@@ -380,7 +382,7 @@ class _Axis:
             raise NotHeld(str(error)) from error
 
     def _points(
-        self, counts: FloatArray, steps: FloatArray, place: Place, magnification: int
+        self, counts: FloatArray, steps: FloatArray, place: NumberPlace, magnification: int
     ) -> dict[int, int]:
         """Return the increments by number, those of the second set as if it were the first."""
         reference = place.reference
@@ -439,7 +441,7 @@ def magnifications(definition: Definition, facts: IncrementFacts) -> tuple[int, 
     return tuple(range(1, (definition.limit_number("max_magnification") or 1) + 1))
 
 
-def length_step(scale: Scale, facts: IncrementFacts) -> Decimal:
+def length_step(scale: NumberScale, facts: IncrementFacts) -> Decimal:
     """Return the last digit of a length of an axis (its ``scale``), mm or deg; of the linear axes
     of a control in inches a tenth of it, in inches.
     """

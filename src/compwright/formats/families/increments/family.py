@@ -9,12 +9,12 @@ from compwright.formats.definition.kept_lines import NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, sound
-from compwright.formats.families.between import Asked, Between
+from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.card_words import sign_check
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.against_job import points_question
 from compwright.formats.families.increments.between import straightness_between
-from compwright.formats.families.increments.capacity import AxisLimits
+from compwright.formats.families.increments.capacity import IncrementLimits
 from compwright.formats.families.increments.card import increment_values
 from compwright.formats.families.increments.entered import entered, whereabouts
 from compwright.formats.families.increments.entries import free_numbers_question
@@ -101,7 +101,7 @@ class IncrementsFamily(Family):
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`."""
         del one_curve
-        return AxisLimits(self, axis).capacity()
+        return IncrementLimits(self, axis).capacity()
 
     def files_of(
         self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
@@ -127,7 +127,7 @@ class IncrementsFamily(Family):
         """See `Family.numbered`."""
         return numbered_sections(self, axis, facts, table)
 
-    def between(self, asked: Asked) -> Between:
+    def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: one straight line in parameters to type in, as an option."""
         return straightness_between(self, asked)
 

@@ -4,7 +4,7 @@ refused by the parameter's name.
 
 from __future__ import annotations
 
-from compwright.formats.families.increments.numbering import Place
+from compwright.formats.families.increments.numbering import NumberPlace
 from compwright.formats.text.scale import NotHeld
 from compwright.records.axis import Axis
 from compwright.records.facts import Hung, IncrementFacts, PointNumber
@@ -18,7 +18,7 @@ _HELP = (
 
 
 def moved_numbers(
-    axis: Axis, facts: IncrementFacts, place: Place, interval: float, magnification: int
+    axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float, magnification: int
 ) -> tuple[tuple[PointNumber, int], ...]:
     """Return the numbers that other functions have to name so that they mean the same positions
     under the new grid; none where it does the same over the travel as the old one.
@@ -56,7 +56,7 @@ def _sets(*, two: bool) -> str:
     return "two sets of data" if two else "one set of data"
 
 
-def _stays(axis: Axis, facts: IncrementFacts, place: Place, interval: float) -> bool:
+def _stays(axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float) -> bool:
     """Whether every number keeps its position, and both grids end alike, or beyond the travel."""
     if (facts.reference_number, facts.interval) != (place.reference, interval):
         return False
@@ -90,7 +90,7 @@ def _check_kept(each: Hung, facts: IncrementFacts, magnification: int) -> None:
 
 
 def _known(
-    each: Hung, facts: IncrementFacts, place: Place, interval: float
+    each: Hung, facts: IncrementFacts, place: NumberPlace, interval: float
 ) -> tuple[PointNumber, ...]:
     if each.points is None:
         raise NotHeld(
@@ -105,7 +105,7 @@ def _there(
     each: Hung,
     point: PointNumber,
     facts: IncrementFacts,
-    place: Place,
+    place: NumberPlace,
     interval: float,
 ) -> int:
     """Return the number of a point's position in the new grid."""
@@ -141,7 +141,7 @@ def _old_ends(axis: Axis, facts: IncrementFacts, interval: float) -> str:
     return f"table: {{start: {low:g}, end: {high:g}}}, the old ends, would keep it, or {_HELP}"
 
 
-def _grids(facts: IncrementFacts, place: Place, interval: float) -> str:
+def _grids(facts: IncrementFacts, place: NumberPlace, interval: float) -> str:
     return (
         f"3620 to 3622 are {facts.reference_number}, {facts.first_number}, {facts.last_number} with"
         f" an interval of {facts.interval:g}, the new grid would be {place.reference},"

@@ -17,7 +17,7 @@ class NoRoom(ValueError):  # noqa: N818 - it says what is the matter, and never 
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class NumberPlace:
     """Numbers of the reference, of the first and the last section, and of the first of the set for
     travel in -, if there is one.
     """
@@ -47,7 +47,7 @@ def find_place(
     negative: int | None = None,
     claimed: Sequence[range] = (),
     start: int,
-) -> Place:
+) -> NumberPlace:
     """Return where a table of nodes ``low`` to ``high`` (whole spacings from the reference, low <=
     0 <= high) goes.
 
@@ -88,7 +88,7 @@ def kept_place(
     used: Sequence[range],
     two: bool,
     endless: bool,
-) -> Place | None:
+) -> NumberPlace | None:
     """Return the numbers that an axis has now where a table of nodes ``low`` to ``high`` (whole
     spacings from the reference) stands on exactly its sections; None where it does not, or where
     other axes use them too.
@@ -105,11 +105,11 @@ def kept_place(
         return None
     if high != last - reference or not (round_turn or low == first - 1 - reference):
         return None
-    place = Place(reference, first, last)
+    place = NumberPlace(reference, first, last)
     if two:
         there = facts.negative_first if facts.two_sets else None
         starts = range(last + 1, highest + 2 - len(place.ranges[0])) if there is None else [there]
-        places = (Place(reference, first, last, start) for start in starts)
+        places = (NumberPlace(reference, first, last, start) for start in starts)
         return next((one for one in places if _free(one, highest, used)), None)
     return place if _free(place, highest, used) else None
 
@@ -161,12 +161,12 @@ def used_numbers(state: ControlState | None, without: Iterable[str]) -> list[ran
     ]
 
 
-def _at(reference: int, first: int, last: int, *, two: bool) -> Place:
+def _at(reference: int, first: int, last: int, *, two: bool) -> NumberPlace:
     begin, end = reference + first, reference + last
-    return Place(reference, begin, end, end + 1 if two else None)
+    return NumberPlace(reference, begin, end, end + 1 if two else None)
 
 
-def _free(place: Place, highest: int, used: Sequence[range]) -> bool:
+def _free(place: NumberPlace, highest: int, used: Sequence[range]) -> bool:
     own, *second = place.ranges
     return not any(_meet(own, other) for other in second) and all(
         numbers.start >= 0

@@ -102,7 +102,7 @@ _BITS = re.compile("[01]{8}")
 
 
 @dataclass(frozen=True, slots=True)
-class Value:
+class ParameterValue:
     """One value: ``owner`` A (axis), L (path) or empty (the machine), ``index`` its number; ``key``
     P, M (metric) or I (inch). It stands in the bytes of the file from ``start`` on.
     """
@@ -166,9 +166,9 @@ class Parameters:
     """
 
     def __init__(self, files: Sequence[ControlFile], rules: Mapping[str, ParameterRule]) -> None:
-        self.values: dict[int, list[Value]] = {}
-        self.another: list[Value] = []
-        self.unknown: list[Value] = []
+        self.values: dict[int, list[ParameterValue]] = {}
+        self.another: list[ParameterValue] = []
+        self.unknown: list[ParameterValue] = []
         self._here = {number: rules[name].here for number, name in NAMES.items()}
         for file in files:
             if not is_entry_sheet(file):
@@ -178,11 +178,11 @@ class Parameters:
             for number, values in self.values.items()
         }
 
-    def of(self, numbers: Iterable[int]) -> list[Value]:
+    def of(self, numbers: Iterable[int]) -> list[ParameterValue]:
         """Return all values of some parameters, whoever they belong to."""
         return [value for number in numbers for value in self.values.get(number, ())]
 
-    def held(self, number: int) -> Mapping[tuple[str, int], Value]:
+    def held(self, number: int) -> Mapping[tuple[str, int], ParameterValue]:
         """Return the values of a parameter by what they belong to: the last one of each."""
         return self._held.get(number, {})
 
@@ -203,7 +203,7 @@ class Parameters:
             for value in _values(number, rest, where):
                 self._keep(value)
 
-    def _keep(self, value: Value) -> None:
+    def _keep(self, value: ParameterValue) -> None:
         here = self._here[value.number]
         if here == "read":
             self.values.setdefault(value.number, []).append(value)
@@ -235,11 +235,11 @@ class AxisParameters:
         return None if said is None else said.whole or None
 
     @property
-    def system(self) -> Value | None:
+    def system(self) -> ParameterValue | None:
         """The increment system: by axis (1013), on series that have it of the machine (1004)."""
         return self.get(SYSTEM) or self.get(SYSTEM_OF_MACHINE)
 
-    def get(self, number: int) -> Value | None:
+    def get(self, number: int) -> ParameterValue | None:
         """Return the value that holds for the axis: its own, else that of its path, else the
         machine's; None where nothing says it.
 
@@ -250,7 +250,7 @@ class AxisParameters:
         values = self.all.held(number)
         return next((values[whose] for whose in self._owners() if whose in values), None)
 
-    def another(self, number: int) -> Value | None:
+    def another(self, number: int) -> ParameterValue | None:
         """Return what stands for the axis under a number that is another parameter here."""
         values = {value.whose: value for value in self.all.another if value.number == number}
         return next((values[whose] for whose in self._owners() if whose in values), None)
@@ -266,13 +266,13 @@ class AxisParameters:
         """
         owners = self._owners()
         for values in self.all.values.values():
-            first: dict[tuple[str, int], Value] = {}
+            first: dict[tuple[str, int], ParameterValue] = {}
             for value in values:
                 known = first.setdefault(value.whose, value)
                 if value.whose in owners and Decimal(value.text) != Decimal(known.text):
                     yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
 
-    def rivals(self, number: int, bits: Sequence[int]) -> list[Value]:
+    def rivals(self, number: int, bits: Sequence[int]) -> list[ParameterValue]:
         """Return the values of paths that could hold for an axis whose path nobody says (981) and
         whose ``bits`` differ.
         """
@@ -283,7 +283,7 @@ class AxisParameters:
         differ = len({tuple(map(value.bit, bits)) for value in paths.values()}) > 1
         return [paths[index] for index in sorted(paths)] if differ else []
 
-    def named_by(self, value: Value) -> bool:
+    def named_by(self, value: ParameterValue) -> bool:
         """Whether an axis number that stands in ``value`` means the axis: counted over the machine,
         or within its own path.
 
@@ -305,7 +305,7 @@ class AxisParameters:
         return [("A", self.index), ("L", self.path or 1), ("", 0)]
 
 
-def _values(number: int, rest: str, where: tuple[str, int, int]) -> list[Value]:
+def _values(number: int, rest: str, where: tuple[str, int, int]) -> list[ParameterValue]:
     """Return the values of one line; pitch data (Q0, or a large number with neither Q1 nor owner)
     and spindles have none here. ``where``: file, line, and the byte at which ``rest`` begins.
     """
@@ -324,6 +324,6 @@ def _values(number: int, rest: str, where: tuple[str, int, int]) -> list[Value]:
         elif key in "PMI":
             if owner in ("A", "L") or (owner == "" and not plain):
                 start = begin + word.start(2)
-                values.append(Value(number, owner, index, key, text, file, line, start))
+                values.append(ParameterValue(number, owner, index, key, text, file, line, start))
             owner, index = "", 0
     return values

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.text.gathering import Found, Gathered, same_value
+from compwright.formats.text.gathering import FoundValue, Gathered, same_value
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -22,7 +22,7 @@ _RECORD = re.compile(r"[ \t]*P[ \t]*-?[0-9]{1,4}[ \t]*")
 
 def point_rows(
     definition: Definition, gathered: Gathered, files: Sequence[ControlFile]
-) -> list[Found]:
+) -> list[FoundValue]:
     """Return the lines that hold pitch data, in the order of the files (``files``: those that were
     gathered).
 
@@ -77,19 +77,19 @@ def _claims(gathered: Gathered) -> Iterator[range]:
             yield range(int(ends[0]), int(ends[1]) + 1)
 
 
-def point_number(row: Found) -> int:
+def point_number(row: FoundValue) -> int:
     """Return the number of a point, from 0."""
     return int(row.occurrence.tokens["number"].text) - POINTS_FROM
 
 
 def points_by_number(
     definition: Definition, gathered: Gathered, files: Sequence[ControlFile], notes: Notes
-) -> dict[int, Found]:
+) -> dict[int, FoundValue]:
     """Return the point records by number. The same number twice must say the same, and the control
     must have it.
     """
     highest = definition.limit_number("max_number") or 0
-    points: dict[int, Found] = {}
+    points: dict[int, FoundValue] = {}
     for row in point_rows(definition, gathered, files):
         number = point_number(row)
         text = row.occurrence.tokens["value"].text
@@ -104,7 +104,7 @@ def points_by_number(
     return points
 
 
-def _fault(found: Found, message: str, expected: str, what: str) -> Fault:
+def _fault(found: FoundValue, message: str, expected: str, what: str) -> Fault:
     return Fault(
         message=message,
         file=found.occurrence.file,

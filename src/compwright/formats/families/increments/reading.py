@@ -26,7 +26,7 @@ from compwright.formats.families.family import Family
 from compwright.formats.families.increments.acting import pointed_numbers
 from compwright.formats.families.increments.axis_facts import facts_of, name_of, with_beside
 from compwright.formats.families.increments.axis_reading import IncrementReader
-from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.formats.families.increments.axis_values import IncrementAxisValues
 from compwright.formats.families.increments.coupling import couplings_of
 from compwright.formats.families.increments.detection_unit import settled_options
 from compwright.formats.families.increments.parameters import AxisParameters, Parameters
@@ -189,10 +189,10 @@ class StateReader:
         """Return the numbers of all axes of the files."""
         return [address for address in self.gathered.addresses() if address != "0"]
 
-    def _values(self, address: str, notes: Notes) -> AxisValues:
+    def _values(self, address: str, notes: Notes) -> IncrementAxisValues:
         own = AxisParameters(self.parameters, address)
         axis = self.wanted.get(address)
-        return AxisValues(
+        return IncrementAxisValues(
             self.family.definition,
             own.label,
             notes,

@@ -7,7 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.formats.families.increments.axis_values import IncrementAxisValues
 from compwright.formats.families.increments.detection_unit import detection_unit
 from compwright.formats.families.increments.parameters import AxisParameters
 from compwright.records.axis import AxisKind
@@ -45,7 +45,7 @@ def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
     return Lead(size, evidence)
 
 
-def tell_lead(values: AxisValues, kind: AxisKind) -> None:
+def tell_lead(values: IncrementAxisValues, kind: AxisKind) -> None:
     """Say what the files suggest where the job names no period, or another one."""
     lead = screw_lead(values.own, kind)
     if values.axis is None or lead is None:

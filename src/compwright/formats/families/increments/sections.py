@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.formats.families.increments.against_job import SAME_PLACE
-from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.formats.families.increments.axis_values import IncrementAxisValues
 from compwright.formats.text.notes import Notes
 from compwright.records.axis import AxisKind, FloatArray
 
@@ -17,7 +17,7 @@ GRID = ("reference_number", "first_number", "last_number", "magnification", "tab
 
 
 @dataclass(frozen=True, slots=True)
-class Sections:
+class IncrementSections:
     """Numbers of the reference, the first and the last section, interval in mm or deg,
     magnification.
 
@@ -56,7 +56,7 @@ class Sections:
         return abs((self.last - self.reference) * self.interval - turn) < SAME_PLACE
 
 
-def read_sections(values: AxisValues, kind: AxisKind) -> Sections | None:
+def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections | None:
     """Return where the table lies; None where there is none, or where something is wrong (then the
     notes have faults).
     """
@@ -86,7 +86,7 @@ def read_sections(values: AxisValues, kind: AxisKind) -> Sections | None:
     return _checked(values, kind)
 
 
-def _tell_off(values: AxisValues) -> None:
+def _tell_off(values: IncrementAxisValues) -> None:
     """Stored pitch error compensation is off as a whole: no table of an axis under work can act."""
     number = values.name("compensation_off")
     values.notes.switched_off(values.label, f"{number}#0 is 1: pitch error compensation is off")
@@ -100,13 +100,13 @@ def _tell_off(values: AxisValues) -> None:
         )
 
 
-def order(values: AxisValues) -> str:
+def order(values: IncrementAxisValues) -> str:
     """Return how the three numbers of an axis have to lie, by the names of their parameters."""
     names = ("first_number", "reference_number", "last_number")
     return " <= ".join(values.name(name) for name in names)
 
 
-def repeats(values: AxisValues, kind: AxisKind, sections: Sections) -> bool:
+def repeats(values: IncrementAxisValues, kind: AxisKind, sections: IncrementSections) -> bool:
     """Return whether the axis is endless: the job says so, or the table of a rotary axis starts at
     the reference and spans a turn.
 
@@ -121,7 +121,7 @@ def repeats(values: AxisValues, kind: AxisKind, sections: Sections) -> bool:
     return from_reference and sections.goes_round(values.turn(kind))
 
 
-def idle_nodes(values: AxisValues, kind: AxisKind) -> tuple[float, ...]:
+def idle_nodes(values: IncrementAxisValues, kind: AxisKind) -> tuple[float, ...]:
     """Return the nodes of a table that is switched off (3623 = 0), mm or deg; none where its
     parameters are no table, or no job says where the reference is.
     """
@@ -132,12 +132,12 @@ def idle_nodes(values: AxisValues, kind: AxisKind) -> tuple[float, ...]:
     whole = None not in numbers and first < last and first - 1 <= reference <= last
     if values.axis is None or magnification or not whole or not interval or interval < 0:
         return ()
-    sections = Sections(reference, first, last, float(interval), 0, None)
+    sections = IncrementSections(reference, first, last, float(interval), 0, None)
     nodes = sections.nodes(values.axis.reference, round_turn=repeats(values, kind, sections))
     return tuple(float(node) for node in nodes)
 
 
-def _checked(values: AxisValues, kind: AxisKind) -> Sections | None:
+def _checked(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections | None:
     reference, first, last, magnification = (int(values.integer(name) or 0) for name in GRID[:-1])
     highest = values.definition.limit_number("max_number") or 0
     most = values.definition.limit_number("max_magnification") or 100
@@ -163,11 +163,13 @@ def _checked(values: AxisValues, kind: AxisKind) -> Sections | None:
     negative = _negative_first(values, range(first, last + 1), highest)
     if len(values.notes.faults) > before or interval is None:
         return None
-    sections = Sections(reference, first, last, float(interval), magnification, negative)
+    sections = IncrementSections(reference, first, last, float(interval), magnification, negative)
     return _next_to_reference(values, kind, sections) if round_from_next else sections
 
 
-def _next_to_reference(values: AxisValues, kind: AxisKind, sections: Sections) -> Sections | None:
+def _next_to_reference(
+    values: IncrementAxisValues, kind: AxisKind, sections: IncrementSections
+) -> IncrementSections | None:
     """A full turn whose first number is that behind the reference's: real controls live with it,
     the manual has 3621 = 3620.
     """
@@ -188,7 +190,7 @@ def _next_to_reference(values: AxisValues, kind: AxisKind, sections: Sections) -
     return sections
 
 
-def _negative_first(values: AxisValues, own: range, highest: int) -> int | None:
+def _negative_first(values: IncrementAxisValues, own: range, highest: int) -> int | None:
     """Return the first number of the set for travel in -, None with one set (or without its number:
     then there is a fault).
     """

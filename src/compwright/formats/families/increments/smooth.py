@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.parameters import AxisParameters, Value
+from compwright.formats.families.increments.parameters import AxisParameters, ParameterValue
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind
 
@@ -24,7 +24,7 @@ NEAR = 1.0
 class SmoothBacklash:
     """The parameters that are not zero."""
 
-    values: tuple[Value, ...]
+    values: tuple[ParameterValue, ...]
 
     def judged(self, label: str, kind: AxisKind, unit: float) -> tuple[list[Fault], str]:
         """Return the fault where it may reach to targets of a test, and what has to be said.

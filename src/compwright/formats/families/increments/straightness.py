@@ -17,7 +17,11 @@ from itertools import pairwise
 import numpy as np
 
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.parameters import AxisParameters, Parameters, Value
+from compwright.formats.families.increments.parameters import (
+    AxisParameters,
+    Parameters,
+    ParameterValue,
+)
 from compwright.foundations.errors import Fault
 from compwright.records.axis import FloatArray
 
@@ -46,7 +50,7 @@ class Pair:
     bent: str
     points: tuple[int, ...]
     amounts: tuple[int, ...]
-    place: Value
+    place: ParameterValue
 
     def at(self, numbers: FloatArray, reference: int) -> FloatArray:
         """Return the lines at point numbers (k,), less their value at the reference's."""
@@ -93,12 +97,14 @@ def straightness_pairs(
         yield Pair(names[0][0], names[1][0], points, amounts, value)
 
 
-def _own(parameters: Parameters, value: Value, numbers: range | list[int]) -> list[Value]:
+def _own(
+    parameters: Parameters, value: ParameterValue, numbers: range | list[int]
+) -> list[ParameterValue]:
     """Return parameters of the same owner (path) as another one, in the order of their numbers."""
     return [each for each in parameters.of(numbers) if each.whose == value.whose]
 
 
-def free_pair(parameters: Parameters, moving: str) -> dict[int, Value] | None:
+def free_pair(parameters: Parameters, moving: str) -> dict[int, ParameterValue] | None:
     """Return the parameters of the first pair that the files hold whole and at rest for the path of
     an axis, by what they are: 0 moving, 1 compensated, 2 to 5 points, 6 to 9 amounts; None where
     there is none, or where an axis number may be counted within the path.

@@ -23,8 +23,8 @@ from compwright.formats.families.increments.parameters import AxisParameters, Pa
 from compwright.formats.families.increments.points import POINTS_FROM, point_number, point_rows
 from compwright.formats.families.increments.reading import read_texts
 from compwright.formats.text.entry_sheet import SheetRow, is_entry_sheet
-from compwright.formats.text.gathering import Found, gather
-from compwright.formats.text.patching import Change, Patches, fresh_file, set_field
+from compwright.formats.text.gathering import FoundValue, gather
+from compwright.formats.text.patching import BytesChange, Patches, fresh_file, set_field
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, Fault, InputError, raise_all
 from compwright.records.axis import AxisKind
@@ -85,7 +85,7 @@ class _OwnFiles(Patches):
         raise_all(InputError, faults)
         self.gathered = gather(definition, texts)
         self.parameters = Parameters(self.files, definition.parameters)
-        self.rows: dict[int, list[Found]] = {}
+        self.rows: dict[int, list[FoundValue]] = {}
         for row in point_rows(definition, self.gathered, self.files):
             self.rows.setdefault(point_number(row), []).append(row)
 
@@ -116,7 +116,7 @@ class _OwnFiles(Patches):
             if point.file not in names:  # it was typed in: the sheet and a fresh line say it
                 left_beside |= {int(point.parameter): str(new)} if point.parameter else {}
                 continue
-            change = Change(point.start, point.start + point.size, str(new).encode("ascii"))
+            change = BytesChange(point.start, point.start + point.size, str(new).encode("ascii"))
             self.replace(names.index(point.file), change)
         missing = {
             number: value for number, value in entry.points.items() if number not in self.rows
@@ -135,7 +135,7 @@ class _OwnFiles(Patches):
             if value.whose == ("A", AxisParameters(self.parameters, address).index)
         ]
         for value in places:
-            change = Change(value.start, value.start + len(value.text), text.encode("ascii"))
+            change = BytesChange(value.start, value.start + len(value.text), text.encode("ascii"))
             self.replace(names.index(value.file), change)
         return bool(places)
 
@@ -150,7 +150,7 @@ class _OwnFiles(Patches):
                 self._set(place, binding.field, text)
         return bool(places)
 
-    def _length_there(self, place: Found, entry: Entries, value: Decimal) -> str:
+    def _length_there(self, place: FoundValue, entry: Entries, value: Decimal) -> str:
         """Return a length as the letter that stands there counts it: M mm, I inch, P the machine's
         unit, deg for rotary axes.
         """
@@ -159,7 +159,7 @@ class _OwnFiles(Patches):
         whole = thousandths(self.definition) and "." not in place.text
         return length_text(value, inch=inch and entry.axis.kind is AxisKind.LINEAR, whole=whole)
 
-    def _set(self, place: Found, field: str, text: str) -> None:
+    def _set(self, place: FoundValue, field: str, text: str) -> None:
         """Change a field, unless it says the same already: a value that stays keeps its bytes."""
         old = place.occurrence.tokens[field].text
         if ("." in old) != ("." in text) or Decimal(old) != Decimal(text):

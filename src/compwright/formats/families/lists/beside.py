@@ -7,7 +7,7 @@ from decimal import Decimal, InvalidOperation
 
 from compwright.formats.families.lists.said import AxisSaid
 from compwright.formats.families.lists.table import TENTH
-from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.records.axis import Direction
 
 #: A backlash holds numbers up to this one.
@@ -46,7 +46,7 @@ def _name(of: AxisSaid) -> str:
     return of.lists.name("backlash").replace("..", "0")
 
 
-def _acting(of: AxisSaid, number: Decimal, place: Found, *, two: bool) -> float:
+def _acting(of: AxisSaid, number: Decimal, place: FoundValue, *, two: bool) -> float:
     if number != int(number) or abs(number) > _MOST:
         expected = f"a whole number, {-_MOST} to {_MOST}"
         of.notes.refuse(of.label, "a backlash must be whole", place, expected=expected)
@@ -65,7 +65,7 @@ def _acting(of: AxisSaid, number: Decimal, place: Found, *, two: bool) -> float:
     return float(number * Decimal(str(TENTH)))
 
 
-def _check_gears(of: AxisSaid, gears: Mapping[int, Found]) -> None:
+def _check_gears(of: AxisSaid, gears: Mapping[int, FoundValue]) -> None:
     """Every gear must have the backlash of the first one, or none."""
     first = gears.get(0)
     for gear, found in gears.items():

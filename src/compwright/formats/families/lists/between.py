@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from compwright.formats.families.between import Asked, Between, in_turn, label, not_held
+from compwright.formats.families.between import Between, BetweenRequest, in_turn, label, not_held
 from compwright.formats.families.family import Family
 from compwright.formats.families.lists.cross import CROSS_ROOM, CROSS_VALUES
 from compwright.formats.families.lists.table import TENTH
@@ -21,7 +21,7 @@ from compwright.records.plan import PlannedCross
 _STRAIGHT = 1e-9
 
 
-def lists_between(family: Family, asked: Asked) -> Between:
+def lists_between(family: Family, asked: BetweenRequest) -> Between:
     """Return the lists with the tables between axes, and the steps that load them; or why the
     control cannot hold them. Raises UsageError where nobody says what the values are.
     """
@@ -44,11 +44,11 @@ def lists_between(family: Family, asked: Asked) -> Between:
     return Between(files=changed, steps=tuple(steps), quantum=TENTH)
 
 
-def _values(family: Family, asked: Asked, entry: PlannedCross) -> object:
+def _values(family: Family, asked: BetweenRequest, entry: PlannedCross) -> object:
     return family.options_of(asked.axes.get(entry.output))[CROSS_VALUES]
 
 
-def _sign(family: Family, asked: Asked, entry: PlannedCross) -> int:
+def _sign(family: Family, asked: BetweenRequest, entry: PlannedCross) -> int:
     """Return by what a correction is multiplied to be a value of the list."""
     said = _values(family, asked, entry)
     if said is None:

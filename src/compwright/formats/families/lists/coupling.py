@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from compwright.formats.families.coupled_axes import (
     UNREAD,
     Coupling,
-    Statement,
+    CouplingStatement,
     statements_in,
     whole_number,
 )
@@ -56,7 +56,7 @@ def _of_axes(
 
 
 def _of_channels(files: Sequence[ControlFile], asked: Sequence[str]) -> Iterator[Coupling]:
-    pairs: dict[tuple[str, str, str], dict[str, Statement]] = {}
+    pairs: dict[tuple[str, str, str], dict[str, CouplingStatement]] = {}
     for found in statements_in(files, _OF_CHANNEL, _REMARK):
         key = (found.file, found.match[1], found.match[2])
         pairs.setdefault(key, {})[found.match[3].lower()] = found

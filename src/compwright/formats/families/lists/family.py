@@ -13,14 +13,14 @@ from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, sound
-from compwright.formats.families.between import Asked, Between
+from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.card_words import sign_check, typed
 from compwright.formats.families.family import Family
 from compwright.formats.families.lists.between import lists_between
 from compwright.formats.families.lists.reading import read_state
 from compwright.formats.families.lists.table import COUNTS, TENTH, VALUE_TYPES, counted
 from compwright.formats.families.lists.writing import ListsWriter
-from compwright.formats.text.scale import Scale
+from compwright.formats.text.scale import NumberScale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, FloatArray
 from compwright.records.capacity import Capacity
@@ -70,7 +70,7 @@ class ListsFamily(Family):
         address, _ = self.address(axis)
         return str(self.facts_of(address).said.get("table_form", "tenths"))
 
-    def scale_of(self, axis: Axis) -> Scale:
+    def scale_of(self, axis: Axis) -> NumberScale:
         """Return how the numbers of an axis are written. Raises UsageError where its list counts in
         increments and nobody says how long one is.
         """
@@ -83,7 +83,7 @@ class ListsFamily(Family):
             raise UsageError(
                 Fault(message=message, place="encoder_increment", expected="mm or deg")
             )
-        return counted(Scale(self.definition, axis.kind, options, {}), options, increment)
+        return counted(NumberScale(self.definition, axis.kind, options, {}), options, increment)
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`. The reversal goes into the two columns: which direction the
@@ -169,6 +169,6 @@ class ListsFamily(Family):
             values["end"] = typed(round(float(positions[-1]) / count))
         return values
 
-    def between(self, asked: Asked) -> Between:
+    def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: into the list of the corrected axis."""
         return lists_between(self, asked)

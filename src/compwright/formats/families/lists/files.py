@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence, name_in_form
-from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import ReadText, text_reader
 from compwright.records.correction import ControlFile
@@ -35,7 +35,7 @@ def without_remarks(content: bytes) -> bytes:
 
 
 @dataclass(slots=True)
-class Lists:
+class ListsByAxis:
     """All lists, sorted by axis: ``said[address][statement]`` in the order of the files.
 
     ``files``: the places of the files of an axis among those given; ``start_up``: those of start-up
@@ -45,13 +45,13 @@ class Lists:
     """
 
     definition: Definition
-    said: dict[str, dict[str, list[Found]]] = field(default_factory=dict)
+    said: dict[str, dict[str, list[FoundValue]]] = field(default_factory=dict)
     files: dict[str, set[int]] = field(default_factory=dict)
-    listed: dict[str, list[Found]] = field(default_factory=dict)
-    start_up: dict[str, list[Found]] = field(default_factory=dict)
-    missing: dict[str, Found] = field(default_factory=dict)
+    listed: dict[str, list[FoundValue]] = field(default_factory=dict)
+    start_up: dict[str, list[FoundValue]] = field(default_factory=dict)
+    missing: dict[str, FoundValue] = field(default_factory=dict)
 
-    def places(self, address: str, statement: str) -> Sequence[Found]:
+    def places(self, address: str, statement: str) -> Sequence[FoundValue]:
         """Return every place where a statement stands for an axis."""
         return self.said.get(address, {}).get(statement, ())
 
@@ -75,7 +75,7 @@ def _in_value_list(definition: Definition, statement: str) -> bool:
     return definition.statements[statement].form.startswith(_VALUE_LIST)
 
 
-def read_lists(definition: Definition, files: Sequence[ControlFile], notes: Notes) -> Lists:
+def read_lists(definition: Definition, files: Sequence[ControlFile], notes: Notes) -> ListsByAxis:
     """Return what the files say of each axis; lines that cannot be read, and lists that nobody can
     tell an axis of, go to the faults of ``notes``.
     """
@@ -87,7 +87,7 @@ def read_lists(definition: Definition, files: Sequence[ControlFile], notes: Note
         if text is not None:
             notes.findings.extend(text.findings)
             texts.append(text)
-    sorter = _Sorter(Lists(definition), notes, texts)
+    sorter = _Sorter(ListsByAxis(definition), notes, texts)
     for text in texts:
         sorter.sort(text)
     sorter.find_missing()
@@ -95,14 +95,14 @@ def read_lists(definition: Definition, files: Sequence[ControlFile], notes: Note
 
 
 class _Sorter:
-    def __init__(self, lists: Lists, notes: Notes, texts: Sequence[ReadText]) -> None:
+    def __init__(self, lists: ListsByAxis, notes: Notes, texts: Sequence[ReadText]) -> None:
         self.lists = lists
         self.notes = notes
         self.texts = texts
         for text in texts:
             for occurrence in text.occurrences:
                 if occurrence.statement in _START_UP:
-                    found = Found(_value(occurrence), occurrence, text.number)
+                    found = FoundValue(_value(occurrence), occurrence, text.number)
                     lists.start_up.setdefault(occurrence.statement, []).append(found)
         self.axes = self._by_index(LISTED_AXIS)
         self.names = self._by_index(LISTED_FILE)
@@ -116,7 +116,7 @@ class _Sorter:
 
     def _check_count(self) -> None:
         """Refuse what the start-up list names beyond its own number of lists: it is not loaded."""
-        counts: Sequence[Found] = self.lists.start_up.get(LISTED_COUNT, ())
+        counts: Sequence[FoundValue] = self.lists.start_up.get(LISTED_COUNT, ())
         name = self.lists.name(LISTED_COUNT)
         for other in counts[1:]:
             if int(other.text) != int(counts[0].text):
@@ -130,9 +130,9 @@ class _Sorter:
                 expected = f"{name} {index + 1}, or no such entry"
                 self.notes.refuse("start-up list", message, found, expected=expected)
 
-    def _by_index(self, statement: str) -> Mapping[int, Found]:
+    def _by_index(self, statement: str) -> Mapping[int, FoundValue]:
         """Return the entries of the start-up list; two that differ are a fault."""
-        entries: dict[int, Found] = {}
+        entries: dict[int, FoundValue] = {}
         for found in self.lists.start_up.get(statement, ()):
             index = int(found.occurrence.tokens["index"].text)
             first = entries.setdefault(index, found)
@@ -158,7 +158,7 @@ class _Sorter:
         self.lists.files.setdefault(address, set()).add(text.number)
         said = self.lists.said.setdefault(address, {})
         for occurrence in own:
-            found = Found(_value(occurrence), occurrence, text.number)
+            found = FoundValue(_value(occurrence), occurrence, text.number)
             said.setdefault(occurrence.statement, []).append(found)
 
     def _address(
@@ -166,7 +166,7 @@ class _Sorter:
     ) -> str | None:
         """Return whose list a file is, by its header and by the start-up list, which must agree."""
         headers = [
-            Found(each.tokens["axis"].text, each, text.number)
+            FoundValue(each.tokens["axis"].text, each, text.number)
             for each in own
             if each.statement in _HEADERS
         ]
@@ -185,7 +185,7 @@ class _Sorter:
             )
         elif not numbers and own:
             message = "nothing says to which axis it belongs"
-            place = Found(own[0].statement, own[0], text.number)
+            place = FoundValue(own[0].statement, own[0], text.number)
             expected = f"a line {self.lists.name(AXIS_NUMBER)} <number>"
             self.notes.refuse("this list", message, place, expected=expected, found="none")
         return str(numbers.pop()) if len(numbers) == 1 else None
@@ -213,7 +213,7 @@ def _value(occurrence: Occurrence) -> str:
     return tokens["value" if "value" in tokens else "axis"].text
 
 
-def entries(places: Sequence[Found]) -> Iterator[tuple[int, Found]]:
+def entries(places: Sequence[FoundValue]) -> Iterator[tuple[int, FoundValue]]:
     """Yield the index of each of the places of an entry, with the place."""
     for found in places:
         yield int(found.occurrence.tokens["index"].text), found

@@ -20,7 +20,7 @@ from compwright.formats.families.lists.axis import read_axis
 from compwright.formats.families.lists.beside import check_others
 from compwright.formats.families.lists.coupling import couplings_of
 from compwright.formats.families.lists.cross import left_out, read_cross
-from compwright.formats.families.lists.files import Lists, read_lists
+from compwright.formats.families.lists.files import ListsByAxis, read_lists
 from compwright.formats.families.lists.said import AxisSaid
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.notes import Notes
@@ -44,10 +44,10 @@ def read_state(
     activity: Activity,
 ) -> ControlState:
     """Return what a control does with ``files``; arguments and errors as `Family.read`."""
-    return _StateReader(family, axes, address, activity).read(files)
+    return _ListStateReader(family, axes, address, activity).read(files)
 
 
-class _StateReader:
+class _ListStateReader:
     def __init__(
         self, family: Family, axes: Sequence[Axis], address: str | None, activity: Activity
     ) -> None:
@@ -111,7 +111,7 @@ class _StateReader:
             findings=tuple(dict.fromkeys(self.notes.findings)),
         )
 
-    def _couplings(self, lists: Lists, files: Sequence[ControlFile]) -> None:
+    def _couplings(self, lists: ListsByAxis, files: Sequence[ControlFile]) -> None:
         """Hold what couples axes against the job."""
         owners = {
             files[number].name: int(address)
@@ -127,7 +127,7 @@ class _StateReader:
                 leading=leader(couplings, address),
             )
 
-    def _unsaid(self, lists: Lists, address: str, files: Sequence[ControlFile]) -> None:
+    def _unsaid(self, lists: ListsByAxis, address: str, files: Sequence[ControlFile]) -> None:
         fault = Fault(
             message=f"no list says anything about axis {address}; missing is not zero",
             file=", ".join(file.name for file in files),
@@ -136,12 +136,12 @@ class _StateReader:
         )
         self.notes.faults.append(fault)
 
-    def _missing(self, lists: Lists, address: str) -> None:
+    def _missing(self, lists: ListsByAxis, address: str) -> None:
         place = lists.missing[address]
         message = "the list that the start-up list names was not given"
         self.notes.refuse(f"axis {address}", message, place, expected="this file too")
 
-    def _axis(self, lists: Lists, address: str, axis: Axis | None) -> None:
+    def _axis(self, lists: ListsByAxis, address: str, axis: Axis | None) -> None:
         """Read an axis that is asked for."""
         reader = self._reader(lists, address, axis, self.notes, self.activity)
         own = read_axis(reader)
@@ -159,7 +159,7 @@ class _StateReader:
         if axis is not None:
             self._check_turn(axis, self.compensations[address])
 
-    def _unasked(self, lists: Lists, address: str) -> None:
+    def _unasked(self, lists: ListsByAxis, address: str) -> None:
         """Read what another axis does to one that nobody asks for; where it is odd it is left out,
         and said.
         """
@@ -192,7 +192,7 @@ class _StateReader:
                 note_twin(address, other, self.notes)
 
     def _reader(
-        self, lists: Lists, address: str, axis: Axis | None, notes: Notes, activity: Activity
+        self, lists: ListsByAxis, address: str, axis: Axis | None, notes: Notes, activity: Activity
     ) -> AxisSaid:
         options = axis_options(self.definition, self.family.options, axis)
         return AxisSaid(lists, address, axis, options, notes, activity)

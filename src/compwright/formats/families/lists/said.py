@@ -7,8 +7,8 @@ from decimal import Decimal
 
 from compwright.formats.definition.options import known_kind
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.lists.files import Lists, entries
-from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.families.lists.files import ListsByAxis, entries
+from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.values import Values
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -22,7 +22,7 @@ class AxisSaid:
 
     def __init__(
         self,
-        lists: Lists,
+        lists: ListsByAxis,
         address: str,
         axis: Axis | None,
         options: Mapping[str, object],
@@ -47,11 +47,11 @@ class AxisSaid:
         self.values = Values(self.definition, self.label, notes)
         self.said: dict[str, Fact] = {}
 
-    def one(self, statement: str) -> Found | None:
+    def one(self, statement: str) -> FoundValue | None:
         """Return what a statement says; said twice with two values it is a fault."""
         return self._agreed(statement, self.lists.places(self.address, statement))
 
-    def _agreed(self, what: str, places: Sequence[Found]) -> Found | None:
+    def _agreed(self, what: str, places: Sequence[FoundValue]) -> FoundValue | None:
         for place in places[1:]:
             if not same_value(place.text, places[0].text):
                 message = f"{self.lists.name(what)} contradicts {places[0].where}"
@@ -59,7 +59,7 @@ class AxisSaid:
                 return None
         return places[0] if places else None
 
-    def needed(self, statement: str, beside: Found | None) -> Found | None:
+    def needed(self, statement: str, beside: FoundValue | None) -> FoundValue | None:
         """Return what a statement says; it must be there, because ``beside`` is."""
         found = self.one(statement)
         if found is None and not self.lists.places(self.address, statement):
@@ -106,14 +106,14 @@ class AxisSaid:
         self.notes.assume(f"{label}: {name}", "1", "unconfirmed: in no list that was given")
         return True
 
-    def any_place(self) -> Found | None:
+    def any_place(self) -> FoundValue | None:
         """Return some statement of the axis, for messages."""
         said = self.lists.said.get(self.address, {})
         return next((found for places in said.values() for found in places), None)
 
-    def rows(self, column: str) -> dict[int, Found]:
+    def rows(self, column: str) -> dict[int, FoundValue]:
         """Return the entries of one column by index; two that differ are a fault."""
-        by_index: dict[int, list[Found]] = {}
+        by_index: dict[int, list[FoundValue]] = {}
         for index, found in entries(self.lists.places(self.address, column)):
             by_index.setdefault(index, []).append(found)
         agreed = {index: self._agreed(column, found) for index, found in by_index.items()}
@@ -129,10 +129,10 @@ class AxisSaid:
 
     def complete(
         self,
-        rows: Mapping[int, Found],
+        rows: Mapping[int, FoundValue],
         count: int,
         column: str,
-        place: Found | None,
+        place: FoundValue | None,
         *,
         needed: bool = True,
     ) -> None:
@@ -151,7 +151,7 @@ class AxisSaid:
             self.notes.refuse(self.label, message, rows[beyond[0]], expected=expected)
 
     def check_ascending(
-        self, places: Sequence[Decimal], setpoints: Mapping[int, Found], otherwise: Found
+        self, places: Sequence[Decimal], setpoints: Mapping[int, FoundValue], otherwise: FoundValue
     ) -> None:
         """Refuse the first of some positions that does not lie above the one before it."""
         for index in range(1, len(places)):

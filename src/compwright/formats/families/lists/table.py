@@ -9,8 +9,8 @@ from decimal import Decimal
 import numpy as np
 
 from compwright.formats.families.lists.said import AxisSaid
-from compwright.formats.text.gathering import Found, same_value
-from compwright.formats.text.scale import Scale, in_range
+from compwright.formats.text.gathering import FoundValue, same_value
+from compwright.formats.text.scale import NumberScale, in_range
 from compwright.foundations.errors import Fault
 from compwright.records.axis import FloatArray
 from compwright.records.options import DETECTION_UNIT
@@ -28,9 +28,11 @@ VALUE_TYPES = {"sgn16": 32767, "sgn32": 2147483647}
 COLUMNS = ("setpoint", "positive", "negative")
 
 
-def counted(definition_scale: Scale, options: Mapping[str, object], increment: float) -> Scale:
+def counted(
+    definition_scale: NumberScale, options: Mapping[str, object], increment: float
+) -> NumberScale:
     """Return a scale in which one count is ``increment`` mm or deg."""
-    return Scale(
+    return NumberScale(
         definition_scale.definition,
         definition_scale.kind,
         {**options, DETECTION_UNIT: increment},
@@ -100,16 +102,16 @@ class TableReader:
             self.of.said["table_form"] = word
         self.of.room("max_points", 0)
 
-    def _needed_word(self, quantity: str, beside: Found | None) -> str | None:
+    def _needed_word(self, quantity: str, beside: FoundValue | None) -> str | None:
         """Return the word of a choice that must be there."""
         statement = self.of.definition.bindings[quantity].statement
         return None if self.of.needed(statement, beside) is None else self.of.word(quantity)
 
     def _corrections(
         self,
-        scale: Scale,
+        scale: NumberScale,
         places: Sequence[Decimal],
-        rows: Mapping[str, Mapping[int, Found]],
+        rows: Mapping[str, Mapping[int, FoundValue]],
         *,
         two: bool,
     ) -> ListTable:
@@ -130,7 +132,7 @@ class TableReader:
             period=self._period(positions, (positive, negative), count),
         )
 
-    def scale(self, word: str | None, place: Found | None) -> Scale | None:
+    def scale(self, word: str | None, place: FoundValue | None) -> NumberScale | None:
         """Return how the numbers of a table are read, by the word of its unit; None where nobody
         says how long an increment is, which is asked.
         """
@@ -153,10 +155,10 @@ class TableReader:
                 return None
         elif word is None:
             return None
-        base = Scale(self.of.definition, self.of.kind, self.of.options, {})
+        base = NumberScale(self.of.definition, self.of.kind, self.of.options, {})
         return counted(base, self.of.options, float(str(increment)))
 
-    def _check_count(self, count: int, place: Found | None) -> None:
+    def _check_count(self, count: int, place: FoundValue | None) -> None:
         room = self.of.room("max_points", int(self.of.values.absent("max_points", tell=False) or 0))
         if count >= room:
             name = self.of.lists.name("count")
@@ -168,10 +170,10 @@ class TableReader:
 
     def _places(
         self,
-        setpoints: Mapping[int, Found],
+        setpoints: Mapping[int, FoundValue],
         count: int,
-        interval: Found | None,
-        place: Found | None,
+        interval: FoundValue | None,
+        place: FoundValue | None,
     ) -> list[Decimal]:
         """Return the positions of the entries, as counts; they must ascend."""
         if interval is None:
@@ -193,7 +195,7 @@ class TableReader:
         return result
 
     def _listed(
-        self, setpoints: Mapping[int, Found], count: int, place: Found | None
+        self, setpoints: Mapping[int, FoundValue], count: int, place: FoundValue | None
     ) -> list[Decimal]:
         """Return the positions where every entry has its setpoint."""
         self.of.complete(setpoints, count, "setpoint", place)
@@ -205,7 +207,7 @@ class TableReader:
         return result
 
     def _even(
-        self, setpoints: Mapping[int, Found], count: int, step: Decimal, interval: Found
+        self, setpoints: Mapping[int, FoundValue], count: int, step: Decimal, interval: FoundValue
     ) -> list[Decimal]:
         """Return the positions at equal spacing; setpoints beside it must say the same."""
         start = self.of.needed("start", interval)
@@ -219,7 +221,7 @@ class TableReader:
                 self.of.notes.refuse(self.of.label, message, found, expected=str(result[index]))
         return result
 
-    def _one_column(self, rows: Mapping[str, Mapping[int, Found]]) -> None:
+    def _one_column(self, rows: Mapping[str, Mapping[int, FoundValue]]) -> None:
         """A table for both directions uses the column of +; another one beside it must be the
         same.
         """
@@ -229,7 +231,7 @@ class TableReader:
                 message = "bilateral is 0, but the column for - holds another value"
                 self.of.notes.refuse(self.of.label, message, found, expected=first.text)
 
-    def _value(self, scale: Scale, quantity: str, found: Found) -> Decimal:
+    def _value(self, scale: NumberScale, quantity: str, found: FoundValue) -> Decimal:
         self._check_type(found)
         value = scale.read(quantity, found.text)
         if not in_range(self.of.definition.measure(quantity), scale, value):
@@ -237,7 +239,7 @@ class TableReader:
             self.of.notes.refuse(self.of.label, message, found, expected="32 bits")
         return value
 
-    def _check_type(self, found: Found) -> None:
+    def _check_type(self, found: FoundValue) -> None:
         """Hold a number against the type of the values, where somebody says it."""
         kind = str(self.of.options.get("value_type"))
         most = VALUE_TYPES.get(kind)

@@ -17,17 +17,17 @@ from compwright.formats.families.lists.files import (
     LISTED_AXIS,
     LISTED_COUNT,
     LISTED_FILE,
-    Lists,
+    ListsByAxis,
     base_name,
     entries,
     read_lists,
     without_remarks,
 )
 from compwright.formats.families.lists.table import COLUMNS
-from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.notes import Notes
-from compwright.formats.text.patching import Change, Patches, fresh_file, set_field
-from compwright.formats.text.scale import NotHeld, Scale
+from compwright.formats.text.patching import BytesChange, Patches, fresh_file, set_field
+from compwright.formats.text.scale import NotHeld, NumberScale
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.records.axis import FloatArray
 from compwright.records.correction import AxisCompensation, ControlFile
@@ -45,14 +45,14 @@ class ListsWriter:
         self.patches = Patches(definition.dialect, files)
         self.lists = self._read()
 
-    def _read(self) -> Lists:
+    def _read(self) -> ListsByAxis:
         notes = Notes()
         lists = read_lists(self.definition, self.patches.files, notes)
         raise_all(InputError, notes.faults)
         return lists
 
     def put_table(
-        self, address: str, table: AxisCompensation, scale: Scale, faults: list[Fault]
+        self, address: str, table: AxisCompensation, scale: NumberScale, faults: list[Fault]
     ) -> None:
         """Put the table of an axis into its list; a number that the list cannot hold goes to
         ``faults``.
@@ -227,7 +227,9 @@ class ListsWriter:
         ]
         return set(old) == set(new) and all(same_value(found.text, text) for found, text in places)
 
-    def _anchor(self, address: str, names: Sequence[str], places: Sequence[Found]) -> Found:
+    def _anchor(
+        self, address: str, names: Sequence[str], places: Sequence[FoundValue]
+    ) -> FoundValue:
         """Return the line before the first entry of a table, else behind what its list says of it,
         else the last line of the list.
         """
@@ -244,7 +246,7 @@ class ListsWriter:
     def _line(self, statement: str, fields: Mapping[str, str]) -> str:
         return print_form(self.definition.statements[statement].form, fields)
 
-    def _put(self, places: Sequence[Found], text: str) -> bool:
+    def _put(self, places: Sequence[FoundValue], text: str) -> bool:
         """Set a value wherever it stands; False where it stands nowhere."""
         for place in places:
             if not same_value(place.text, text):
@@ -256,7 +258,7 @@ class ListsWriter:
         self._put(self.lists.places(address, switch), "1")
         self._put(self.lists.places(address, manual), "0")
 
-    def _take_out(self, found: Found) -> None:
+    def _take_out(self, found: FoundValue) -> None:
         """Take out an old entry with its line; a remark over several lines stays."""
         line = self.patches.line(found.number, _start(found))
         content = self.patches.files[found.number].content
@@ -267,16 +269,16 @@ class ListsWriter:
         code = without_remarks(content)[line.start : line.end]
         start = line.start + len(code) - len(code.lstrip())
         end = found.occurrence.tokens["value"].end
-        self.patches.replace(found.number, Change(start, end, b""))
+        self.patches.replace(found.number, BytesChange(start, end, b""))
 
 
-def _start(found: Found) -> int:
+def _start(found: FoundValue) -> int:
     """Return a byte within the line of a statement."""
     return next(iter(found.occurrence.tokens.values())).start
 
 
 def _texts(
-    scale: Scale, quantity: str, values: FloatArray, label: str, faults: list[Fault]
+    scale: NumberScale, quantity: str, values: FloatArray, label: str, faults: list[Fault]
 ) -> list[str]:
     """Return numbers as whole counts; what is none goes to ``faults``."""
     texts = []

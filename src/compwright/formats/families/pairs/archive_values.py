@@ -10,7 +10,7 @@ from functools import lru_cache
 
 from compwright.formats.families.grid.tables import value_fields
 from compwright.formats.text.container import opened
-from compwright.formats.text.gathering import Found, Gathered, same_value
+from compwright.formats.text.gathering import FoundValue, Gathered, same_value
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -88,7 +88,7 @@ def compared(gathered: Gathered, address: str, system: str, unit: str) -> str:
     return ", ".join(shown[: _SHOWN + 1])
 
 
-def _single(gathered: Gathered, found: Found, index: str, unit: str) -> str:
+def _single(gathered: Gathered, found: FoundValue, index: str, unit: str) -> str:
     statement = gathered.definition.statements[found.occurrence.statement]
     name = statement.form.partition("[")[0]
     counted = "" if "ENABLE" in name else f" {unit}"

@@ -6,7 +6,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from compwright.formats.definition.statements import print_form
-from compwright.formats.families.between import Asked, Between, in_turn, label, not_held, together
+from compwright.formats.families.between import (
+    Between,
+    BetweenRequest,
+    in_turn,
+    label,
+    not_held,
+    together,
+)
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.cross_writing import write_cross
 from compwright.formats.families.pairs.options import reserving
@@ -20,7 +27,7 @@ from compwright.records.plan import PlannedCross
 _OWN = "own files/"
 
 
-def pairs_between(family: Family, asked: Asked) -> Between:
+def pairs_between(family: Family, asked: BetweenRequest) -> Between:
     """Return the tables between axes with the steps that load them, or why the control has no room
     for them.
     """
@@ -39,7 +46,9 @@ def pairs_between(family: Family, asked: Asked) -> Between:
     return Between(files=new, steps=tuple(steps))
 
 
-def _written(family: Family, asked: Asked, before: ControlState) -> tuple[ControlFile, ...]:
+def _written(
+    family: Family, asked: BetweenRequest, before: ControlState
+) -> tuple[ControlFile, ...]:
     """Return the files of the base that change, and new ones under names that no file of it has.
 
     A new file may be called like one that a former round left in the control: it must not stand in
@@ -60,7 +69,9 @@ def _written(family: Family, asked: Asked, before: ControlState) -> tuple[Contro
     return tuple(files)
 
 
-def _named(family: Family, asked: Asked, entry: PlannedCross, new: Sequence[ControlFile]) -> str:
+def _named(
+    family: Family, asked: BetweenRequest, entry: PlannedCross, new: Sequence[ControlFile]
+) -> str:
     """Return the names of the files that hold a new table, as they are delivered."""
     if not asked.small:
         return " and ".join(file.name for file in new)

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from compwright.formats.definition.options import settled_number
-from compwright.formats.families.grid.capacity import AxisLimits
+from compwright.formats.families.grid.capacity import GridLimits
 from compwright.formats.families.pairs.options import (
     allowed_tables,
     free_tables,
@@ -23,7 +23,7 @@ from compwright.records.correction import Assumption
 from compwright.records.facts import PairTables
 
 
-class PairLimits(AxisLimits):
+class PairLimits(GridLimits):
     """The limits of one axis' pair of tables, which stand in the place of one table and backlash. A
     gantry needs a pair for each of its axes.
     """

@@ -12,7 +12,7 @@ from dataclasses import replace
 from compwright.formats.families.coupled_axes import (
     UNREAD,
     Coupling,
-    Statement,
+    CouplingStatement,
     statements_in,
     whole_number,
 )
@@ -53,7 +53,7 @@ def couplings_of(
 def _masters(
     files: Sequence[ControlFile], address: Callable[[str], str], asked: Sequence[str]
 ) -> Iterator[Coupling]:
-    said: dict[tuple[str, str], Statement] = {}
+    said: dict[tuple[str, str], CouplingStatement] = {}
     for found in statements_in(files, _OF_AXIS, _REMARK):
         said[address(found.match["axis"]), found.match["key"].upper()] = found
     for (follows, key), found in said.items():

@@ -11,7 +11,7 @@ import numpy as np
 from compwright.formats.families.control_texts import gathered_files
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.options import available, too_few, unit_unknown
-from compwright.formats.families.pairs.writing import CecWriter, Entry
+from compwright.formats.families.pairs.writing import CecWriter, PairEntry
 from compwright.formats.text.own_files import OwnFiles
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Direction
@@ -47,7 +47,7 @@ def write_cross(
     own = OwnFiles(definition, files, gathered_files(definition, files, asked)) if files else None
     writer = CecWriter(control, own)
     faults: list[Fault] = []
-    left: dict[str, list[Entry]] = {}
+    left: dict[str, list[PairEntry]] = {}
     for entry in cross:
         kinds = entry.input_kind, entry.output_kind
         label = f"{entry.input} on {entry.output}"
@@ -64,7 +64,7 @@ def write_cross(
     return (*(own.patched(own.changed()) if own is not None else ()), *fresh)
 
 
-def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> list[Entry]:
+def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> list[PairEntry]:
     """Put the table, or the two tables, by which one axis corrects another; return those without a
     place in the files.
     """

@@ -14,7 +14,7 @@ import numpy as np
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable
-from compwright.formats.families.between import Asked, Between
+from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.card_words import CURVES
 from compwright.formats.families.control_texts import is_listing, texts_of
 from compwright.formats.families.grid.family import GridFamily
@@ -222,7 +222,7 @@ class PairsFamily(GridFamily):
         two = holds_two_curves(self.options_of(axis), compensation)
         return self.capacity(axis, one_curve=not two)
 
-    def between(self, asked: Asked) -> Between:
+    def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: tables of their own, where the control has them."""
         return pairs_between(self, asked) if available(self.options) else super().between(asked)
 

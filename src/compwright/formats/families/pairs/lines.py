@@ -10,7 +10,7 @@ from compwright.formats.definition.schema import Choice
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.grid.tables import value_fields
 from compwright.formats.families.pairs.places import Pair, Places, is_zero, last, of_axis
-from compwright.formats.text.gathering import Found, Gathered
+from compwright.formats.text.gathering import FoundValue, Gathered
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.values import Values
 from compwright.foundations.errors import Fault
@@ -45,7 +45,7 @@ class Units:
         return self.inch and any(self.kind(one) is not AxisKind.ROTARY for one in pair)
 
 
-class Lines:
+class SingleValues:
     """Reads single values of the files ``gathered``."""
 
     def __init__(self, gathered: Gathered, notes: Notes) -> None:
@@ -58,7 +58,7 @@ class Lines:
         return Values(self.definition, label, self.notes)
 
     def word(
-        self, label: str, quantity: str, found: Found | None, *, tell: bool = True
+        self, label: str, quantity: str, found: FoundValue | None, *, tell: bool = True
     ) -> str | None:
         """Return the neutral word of a choice, or what counts when it is absent, which is listed
         (``tell``). A value that is not known is a fault.
@@ -79,7 +79,7 @@ class _Switch:
 
     quantity: str
     owner: str
-    found: Found | None
+    found: FoundValue | None
     word: str | None
 
 
@@ -95,7 +95,7 @@ class _Leadscrew:
     word: str
 
 
-class TableLines(Lines):
+class TableLines(SingleValues):
     """The lines of one table. ``pair``: its input and output axis."""
 
     def __init__(
@@ -139,7 +139,7 @@ class TableLines(Lines):
         said = all(ends) or self.activity.said is True or not self.activity.asking
         return said and self.on()
 
-    def _ends_on(self, quantity: str, found: Found | None) -> bool:
+    def _ends_on(self, quantity: str, found: FoundValue | None) -> bool:
         values, binding = self.values(self.label), self.definition.choice(quantity)
         if found is None:
             return values.absent(quantity, tell=False) == "yes"
@@ -208,7 +208,7 @@ class TableLines(Lines):
             return False
         return self.activity.settle(owner, _SWITCHES, word, place, self.notes)
 
-    def _slept(self, owner: str, word: str | None, place: Found | None) -> bool:
+    def _slept(self, owner: str, word: str | None, place: FoundValue | None) -> bool:
         """Return whether the table slept beside the leadscrew table of its axis.
 
         One that is switched off in another file than that with its values is switched off by no
@@ -230,7 +230,7 @@ class TableLines(Lines):
         return slept
 
     def _ask_which(
-        self, owner: str, word: str | None, place: Found | None, screw: _Leadscrew
+        self, owner: str, word: str | None, place: FoundValue | None, screw: _Leadscrew
     ) -> None:
         off, unsaid = "switched off", "not said to be on"
         leadscrew = "on" if screw.on else "off" if screw.word == "no" else unsaid

@@ -12,7 +12,7 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.lines import MAYBE_INCH, SAYING_METRIC
 from compwright.formats.families.pairs.places import Pair, as_table
-from compwright.formats.text.scale import Scale
+from compwright.formats.text.scale import NumberScale
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
@@ -140,7 +140,7 @@ def unit_unknown(
         )
 
 
-def scale_of_pairs(control: Family, kind: AxisKind) -> Scale:
+def scale_of_pairs(control: Family, kind: AxisKind) -> NumberScale:
     """Return how numbers of such a table are read and written, as if it were one on one axis.
 
     Where the sign is not known its structure can be read all the same.
@@ -148,4 +148,4 @@ def scale_of_pairs(control: Family, kind: AxisKind) -> Scale:
     options = control.options
     if not sign_known(control):
         options = {**options, "cec_sign": "correction"}
-    return Scale(as_table(control.definition), kind, options, {})
+    return NumberScale(as_table(control.definition), kind, options, {})

@@ -18,7 +18,7 @@ from compwright.formats.families.pairs.places import (
     places_of,
 )
 from compwright.formats.text.addresses import normal_text
-from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
 from compwright.foundations.errors import Fault
 from compwright.records.facts import PairTables
@@ -65,11 +65,11 @@ class OwnTables:
         """Return how the files write an axis."""
         return address if self.own is None else self.own.gathered.spelled(address)
 
-    def said(self, index: int, quantity: str) -> Sequence[Found]:
+    def said(self, index: int, quantity: str) -> Sequence[FoundValue]:
         """Return the places of a quantity of one table."""
         return self.places.get(index, {}).get(quantity, ())
 
-    def unnamed(self, index: int, quantity: str) -> list[Found]:
+    def unnamed(self, index: int, quantity: str) -> list[FoundValue]:
         """Return the places of one table where ``()`` stands in the place of the axis."""
         statements, bindings = self.definition.statements, self.definition.bindings
         own = name_in_form(statements[bindings[quantity].statement].form)
@@ -81,7 +81,7 @@ class OwnTables:
             and (before + found.occurrence.tokens["key"].text).upper() == own.upper()
         ]
 
-    def said_of_axis(self, output: str, quantity: str) -> Sequence[Found]:
+    def said_of_axis(self, output: str, quantity: str) -> Sequence[FoundValue]:
         """Return the places of a quantity of all tables on one axis together."""
         return () if self.own is None else of_axis(self.own.gathered, output).get(quantity, ())
 

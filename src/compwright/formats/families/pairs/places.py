@@ -8,7 +8,7 @@ from dataclasses import replace
 from decimal import Decimal
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.text.gathering import Found, Gathered
+from compwright.formats.text.gathering import FoundValue, Gathered
 
 #: Quantities of one table, by the names that a table on one axis has.
 AS_TABLE = {
@@ -30,7 +30,7 @@ ADDED = ("cross_first_added", "cross_second_added")
 #: Input and output axis.
 Pair = tuple[str, str]
 #: Every place of one table by quantity.
-Places = Mapping[str, Sequence[Found]]
+Places = Mapping[str, Sequence[FoundValue]]
 
 
 def as_table(definition: Definition) -> Definition:
@@ -43,9 +43,9 @@ def as_table(definition: Definition) -> Definition:
     return replace(definition, bindings={**definition.bindings, **bindings})
 
 
-def places_of(gathered: Gathered) -> dict[int, dict[str, list[Found]]]:
+def places_of(gathered: Gathered) -> dict[int, dict[str, list[FoundValue]]]:
     """Return every place by table index and quantity."""
-    found: dict[int, dict[str, list[Found]]] = {}
+    found: dict[int, dict[str, list[FoundValue]]] = {}
     for quantity, places in gathered.singles.get((None, None), {}).items():
         for place in places:
             if quantity.startswith("cross_") and "table" in place.occurrence.tokens:
@@ -54,7 +54,7 @@ def places_of(gathered: Gathered) -> dict[int, dict[str, list[Found]]]:
     return found
 
 
-def last(quantity: str, places: Places) -> Found | None:
+def last(quantity: str, places: Places) -> FoundValue | None:
     """Return the last place of a quantity."""
     found = places.get(quantity, ())
     return found[-1] if found else None

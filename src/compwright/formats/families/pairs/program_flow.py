@@ -15,7 +15,7 @@ from functools import lru_cache
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.entry_keys import NAMES, Key, quantities_of
-from compwright.formats.families.pairs.program_ways import Step, Ways, ways_through
+from compwright.formats.families.pairs.program_ways import ProgramWays, Step, ways_through
 from compwright.formats.text.texts import KEPT_TEXTS, ReadText, text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -152,7 +152,7 @@ class ProgramFlow:
     calls: list[Call] = field(default_factory=list)
 
     @property
-    def ways(self) -> Ways:
+    def ways(self) -> ProgramWays:
         """The ways through it."""
         return ways_through(
             _step(number, code, marked=marked) for number, code, marked in self.lines

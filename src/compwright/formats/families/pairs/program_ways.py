@@ -36,7 +36,7 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
-class Ways:
+class ProgramWays:
     """Steps of one program with the steps that may follow each; behind the last one is the end."""
 
     steps: Sequence[Step]
@@ -85,7 +85,7 @@ class Ways:
         return self.steps[next(before, 0)].line
 
 
-def ways_through(steps: Iterable[Step]) -> Ways:
+def ways_through(steps: Iterable[Step]) -> ProgramWays:
     """Return the ways through a program."""
     kept = _merged(list(steps))
     places = {step.name.upper(): i for i, step in reversed(list(enumerate(kept))) if step.name}
@@ -94,7 +94,7 @@ def ways_through(steps: Iterable[Step]) -> Ways:
     for place, step in enumerate(kept):
         found = _following(kept, place, places, blocks) if step.code else {place + 1}
         follow.append(frozenset(found | ({place + 1} if step.skipped else set())))
-    return Ways(tuple(kept), tuple(follow))
+    return ProgramWays(tuple(kept), tuple(follow))
 
 
 def _merged(steps: list[Step]) -> list[Step]:

@@ -13,8 +13,8 @@ from decimal import Decimal
 
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.grid.shapes import shape_of
-from compwright.formats.families.grid.tables import Table, TableSource
-from compwright.formats.families.pairs.lines import Lines, TableLines, Units
+from compwright.formats.families.grid.tables import GridTable, TableSource
+from compwright.formats.families.pairs.lines import SingleValues, TableLines, Units
 from compwright.formats.families.pairs.places import (
     ADDED,
     AS_TABLE,
@@ -30,9 +30,9 @@ from compwright.formats.families.pairs.places import (
     print_of,
 )
 from compwright.formats.families.pairs.tables import Cec, CecTable, OddTable
-from compwright.formats.text.gathering import Found, Gathered, same_value
+from compwright.formats.text.gathering import FoundValue, Gathered, same_value
 from compwright.formats.text.notes import Notes
-from compwright.formats.text.scale import Scale
+from compwright.formats.text.scale import NumberScale
 from compwright.records.axis import Axis, Direction
 
 _ZERO = (Decimal(0),)
@@ -73,7 +73,7 @@ def _largest(places: Places) -> float:
     return factor * (max(amounts, default=0.0) + max(added, default=0.0))
 
 
-class CecReader(Lines):
+class CecReader(SingleValues):
     """Reads the tables between axes; what is wrong with them goes to ``notes``.
 
     ``scale``: that of a table on one axis (`places.as_table`). ``wanted``: the axes that are asked
@@ -87,7 +87,7 @@ class CecReader(Lines):
     def __init__(
         self,
         gathered: Gathered,
-        scale: Scale,
+        scale: NumberScale,
         notes: Notes,
         wanted: Mapping[str, Axis | None],
         activity: Activity,
@@ -134,7 +134,7 @@ class CecReader(Lines):
         """
         if not any(name in places for name in DATA) or is_unused(places):
             return None
-        one = _TableReader(self.gathered, index, places, self.activity, self.units)
+        one = _CrossTableReader(self.gathered, index, places, self.activity, self.units)
         stays = self.writable.stays(one)
         table = one.curve(self.scale, asked=one.pair[1] in self.wanted, stays=stays)
         self.occupied[index] = one.pair
@@ -162,7 +162,7 @@ class CecReader(Lines):
             )
             self.notes.find("CW-S054", "info", message)
 
-    def _leave_alone(self, one: _TableReader) -> None:
+    def _leave_alone(self, one: _CrossTableReader) -> None:
         """Keep a table that cannot be read where the work does not touch it; else its faults are
         those of the files.
         """
@@ -174,10 +174,10 @@ class CecReader(Lines):
             return
         self._name_left(one, faults[0].message.removeprefix(f"{one.label}: "))
 
-    def _touched(self, one: _TableReader) -> bool:
+    def _touched(self, one: _CrossTableReader) -> bool:
         return not self.wanted or any(self._touches(one.pair, each) for each in self.wanted)
 
-    def _name_left(self, one: _TableReader, why: str) -> None:
+    def _name_left(self, one: _CrossTableReader, why: str) -> None:
         """Keep a table as it is, name it, and note what it adds at most."""
         acts, product, touched = one.on(), one.times is not None, self._touched(one)
         largest = _largest(one.places) if acts else 0.0
@@ -235,7 +235,7 @@ class CecReader(Lines):
         return {address: word == "yes" for address, word in said.items()}
 
 
-class _TableReader(TableLines):
+class _CrossTableReader(TableLines):
     """Reads one table."""
 
     @property
@@ -249,7 +249,7 @@ class _TableReader(TableLines):
         found = last("cross_multiplier", self.places)
         return None if found is None or int(found.text) == 0 else int(found.text) - 1
 
-    def curve(self, scale: Scale, *, asked: bool, stays: bool) -> CecTable | None:
+    def curve(self, scale: NumberScale, *, asked: bool, stays: bool) -> CecTable | None:
         """Return the table as a curve; what keeps it from being one goes to the notes. See
         `TableLines.acts`.
         """
@@ -282,10 +282,10 @@ class _TableReader(TableLines):
         positions = table.positions
         return CecTable(self.index, *self.pair, directions, positions, values, period, active)
 
-    def _one(self, quantity: str) -> Found | None:
+    def _one(self, quantity: str) -> FoundValue | None:
         return self.values(self.label).one(quantity, self.places.get(quantity, ()))
 
-    def _table(self, scale: Scale, said: Mapping[str, Found]) -> Table | None:
+    def _table(self, scale: NumberScale, said: Mapping[str, FoundValue]) -> GridTable | None:
         singles = {AS_TABLE[name]: found for name, found in said.items() if name in AS_TABLE}
         repeats = said.get("cross_repeats")
         turns = repeats is not None and not same_value(repeats.text, "0")
@@ -293,7 +293,7 @@ class _TableReader(TableLines):
         source = TableSource(self.label, rows, singles, scale, self.notes, strict)
         return shape_of(self.definition).read(source)
 
-    def _period(self, table: Table, repeats: Found | None, *, quiet: bool) -> float | None:
+    def _period(self, table: GridTable, repeats: FoundValue | None, *, quiet: bool) -> float | None:
         if self.word(self.label, "cross_repeats", repeats, tell=not quiet) != "yes":
             return None
         if repeats is not None and table.positive[0] != table.positive[-1]:
@@ -301,11 +301,11 @@ class _TableReader(TableLines):
         return float(table.positions[-1] - table.positions[0])
 
     def _wrong(
-        self, message: str, place: Found, *, expected: str = "", found: str | None = None
+        self, message: str, place: FoundValue, *, expected: str = "", found: str | None = None
     ) -> None:
         self.notes.refuse(self.label, message, place, expected=expected, found=found)
 
-    def _check_axes(self, said: Mapping[str, Found]) -> None:
+    def _check_axes(self, said: Mapping[str, FoundValue]) -> None:
         for name in ("cross_input", "cross_output"):
             if not self.gathered.names.known(self.gathered.axis(said[name].text)):
                 message = f"{self.values(self.label).name(name)} is no machine axis"
@@ -327,14 +327,14 @@ class _TableReader(TableLines):
                 name = self.values(self.label).name(quantity)
                 self._wrong(f"{name} {what}", found, expected=str(expected[0]))
 
-    def _directions(self, found: Found) -> tuple[Direction, ...] | None:
+    def _directions(self, found: FoundValue) -> tuple[Direction, ...] | None:
         for text, directions in _DIRECTIONS.items():
             if same_value(text, found.text):
                 return directions
         self._wrong("a direction that is not known", found, expected="0 (both), 1 or -1")
         return None
 
-    def _simple(self, multiplier: Found | None) -> bool:
+    def _simple(self, multiplier: FoundValue | None) -> bool:
         """Return whether the table is not multiplied by another one."""
         if multiplier is None or int(multiplier.text) == 0:
             return True
@@ -345,7 +345,7 @@ class _TableReader(TableLines):
         self._wrong(message, multiplier, expected="0: not multiplied")
         return False
 
-    def _check_reserved(self, table: Table) -> None:
+    def _check_reserved(self, table: GridTable) -> None:
         fixed = self.definition.limit_number("cross_points")
         if fixed is not None and table.positions.size > fixed:
             message = f"more points than the {fixed} of such a table"

@@ -44,7 +44,7 @@ _CHANNEL = re.compile(rb"^[ \t]*CHANDATA\([0-9]+\)", re.MULTILINE | re.IGNORECAS
 
 
 @dataclass(frozen=True, slots=True)
-class _Side:
+class _FilesSide:
     """What one set of files says: the last occurrence of each entry, and the names of the axes."""
 
     entries: Mapping[Key, Occurrence]
@@ -105,7 +105,7 @@ class SmallFiles:
 
     # -- what is said
 
-    def _side(self, files: Sequence[ControlFile]) -> _Side:
+    def _side(self, files: Sequence[ControlFile]) -> _FilesSide:
         reader, faults = text_reader(self.definition), list[Fault]()
         read = [reader.read(file, faults, number) for number, file in enumerate(files)]
         raise_all(InputError, faults)
@@ -116,7 +116,7 @@ class SmallFiles:
         for text in texts:
             for occurrence in text.occurrences:
                 entries[entry_key(self.definition, occurrence, names)] = occurrence
-        return _Side(entries, names)
+        return _FilesSide(entries, names)
 
     def _is(self, key: Key, quantities: Iterable[str]) -> bool:
         return not self.holds[key[0]].isdisjoint(quantities)

@@ -33,7 +33,7 @@ from compwright.formats.families.pairs.sums import (
     with_own_tables,
 )
 from compwright.formats.text.container import is_container
-from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.values import name_of
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, CrossCompensation
@@ -131,7 +131,7 @@ class PairsReader(GridReader):
         """
         own = None if system is None else str(system - 1)
         ours = {row.number for row in self.gathered.rows.get((address, own), ())}
-        rows: dict[tuple[str, str, str | None], list[Found]] = {
+        rows: dict[tuple[str, str, str | None], list[FoundValue]] = {
             ("enabled", name or "", index): found
             for (name, index), found in self.gathered.rows.items()
             if (name, index) != (address, own)
@@ -174,7 +174,7 @@ class PairsReader(GridReader):
         """See `GridReader.pair_tables`."""
         return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
 
-    def acting_lines(self) -> dict[str, Found]:
+    def acting_lines(self) -> dict[str, FoundValue]:
         """See `GridReader.acting_lines`: also the values of a table of an axis over itself."""
         lines = super().acting_lines()
         for places in places_of(self.gathered).values():

@@ -10,7 +10,7 @@ from dataclasses import replace
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.new_files import AxisText
 from compwright.formats.families.grid.tables import WrittenTable
-from compwright.formats.families.grid.writing import AxisWork, GridWriter
+from compwright.formats.families.grid.writing import AxisToWrite, GridWriter
 from compwright.formats.families.pairs.options import allowed_tables, holds_two_curves
 from compwright.formats.families.pairs.writing import CecWriter
 from compwright.records.correction import ControlFile
@@ -25,7 +25,7 @@ class PairsWriter(GridWriter):
         super().__init__(control, files, addresses)
         self.cec = CecWriter(control, self.own)
 
-    def axis(self, work: AxisWork) -> list[ControlFile]:
+    def axis(self, work: AxisToWrite) -> list[ControlFile]:
         """See `GridWriter.axis`."""
         self.cec.tables.allowed = allowed_tables(self.definition, work.options)
         if not holds_two_curves(work.options, work.compensation):
@@ -40,7 +40,7 @@ class PairsWriter(GridWriter):
         made = self.new_files(files, text, self._put_pair(text), self.cec.unsaid(left), work)
         return [*fresh, *made]  # what switches tables on is loaded last
 
-    def make_room(self, work: AxisWork) -> None:
+    def make_room(self, work: AxisToWrite) -> None:
         """See `GridWriter.make_room`."""
         self.cec.empty_own(work)
 

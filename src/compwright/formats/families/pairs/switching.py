@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 from compwright.formats.families.pairs.own_tables import OwnTables
 from compwright.formats.families.pairs.places import ADDED
-from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.own_files import OwnFiles, TablePlaces
 from compwright.foundations.errors import Fault
 
@@ -67,7 +67,7 @@ class Switches:
         self,
         own: OwnFiles,
         quantity: str,
-        switches: Sequence[Found],
+        switches: Sequence[FoundValue],
         indices: Collection[int],
         named: Mapping[str, str],
     ) -> None:

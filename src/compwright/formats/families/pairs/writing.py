@@ -14,7 +14,7 @@ from compwright.formats.definition.vocabulary import When
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.tables import TableText
-from compwright.formats.families.grid.writing import AxisWork
+from compwright.formats.families.grid.writing import AxisToWrite
 from compwright.formats.families.pairs.options import (
     free_tables,
     scale_of_pairs,
@@ -37,7 +37,7 @@ _DIRECTIONS = {None: "0", Direction.POSITIVE: "1", Direction.NEGATIVE: "-1"}
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class PairEntry:
     """What one table will hold, as text: values by point, single values by quantity."""
 
     index: int
@@ -57,7 +57,7 @@ class CecWriter:
         self.tables = OwnTables(control, own)
         self.switches = Switches(self.tables)
 
-    def own_pair(self, work: AxisWork) -> list[Entry]:
+    def own_pair(self, work: AxisToWrite) -> list[PairEntry]:
         """Put the two tables of an axis over itself; return those that have no place in the files.
 
         Raises UsageError where nobody said what a value means.
@@ -83,7 +83,7 @@ class CecWriter:
         curves: Sequence[tuple[Direction | None, AxisCompensation]],
         label: str,
         faults: list[Fault],
-    ) -> list[Entry]:
+    ) -> list[PairEntry]:
         """Put curves over the first axis of a pair, by the direction in which they act (None:
         both), into tables; return those without a place in the files.
 
@@ -116,7 +116,7 @@ class CecWriter:
         rest = [index for index in indices if index != second]
         return indices if second is None or not rest else [rest[0], second, *rest[1:]]
 
-    def empty_own(self, work: AxisWork) -> None:
+    def empty_own(self, work: AxisToWrite) -> None:
         """Set the values of an axis' old tables over itself to zero, as far as they act and are not
         used again.
         """
@@ -155,7 +155,7 @@ class CecWriter:
         direction: Direction | None,
         curve: AxisCompensation,
         faults: list[Fault],
-    ) -> Entry:
+    ) -> PairEntry:
         self.tables.kept.add(index)
         scale = scale_of_pairs(self.control, curve.kind)
         there = {
@@ -175,7 +175,7 @@ class CecWriter:
             "cross_repeats": self.definition.choice("cross_repeats").text(repeats),
         }
         self._reserve(index, len(table.rows), faults)
-        return Entry(index, tuple(row[field] for row in table.rows), singles)
+        return PairEntry(index, tuple(row[field] for row in table.rows), singles)
 
     def _reserve(self, index: int, count: int, faults: list[Fault]) -> None:
         """Reserve the points of a table where the files say fewer than it has: what the option
@@ -199,7 +199,7 @@ class CecWriter:
             needed = promised if isinstance(promised, int) else count
             self.own.put("cross_max_points", places, str(needed))
 
-    def _placed(self, entry: Entry, pair: Pair, faults: list[Fault]) -> bool:
+    def _placed(self, entry: PairEntry, pair: Pair, faults: list[Fault]) -> bool:
         """Put a table where the control's own files hold one; return whether they do."""
         places = self.tables.table_places(entry.index)
         # a switch alone is no place for a table
@@ -217,7 +217,7 @@ class CecWriter:
         self.switches.table_on(entry.index)
         return held
 
-    def _spelled(self, entry: Entry, places: TablePlaces) -> dict[str, str]:
+    def _spelled(self, entry: PairEntry, places: TablePlaces) -> dict[str, str]:
         """Return the single values; an axis that the file names already keeps its spelling."""
         singles, axis = dict(entry.singles), self.tables.axis
         for name in BETWEEN:
@@ -226,7 +226,7 @@ class CecWriter:
                     singles[name] = place.text
         return singles
 
-    def new_file(self, when: When, address: str, entries: Sequence[Entry]) -> ControlFile:
+    def new_file(self, when: When, address: str, entries: Sequence[PairEntry]) -> ControlFile:
         """Return the definition's file for tables that no file of the control holds."""
         file = next(
             file for file in self.definition.writing if file.when == when and file.rows is not None
@@ -248,7 +248,7 @@ class CecWriter:
         content = "".join(line + newline for line in lines).encode("ascii")
         return ControlFile(print_form(file.name, named), content)
 
-    def unsaid(self, entries: Iterable[Entry]) -> list[str]:
+    def unsaid(self, entries: Iterable[PairEntry]) -> list[str]:
         """Return the lines that switch new tables on where the control's own files say nothing of
         it: they come last.
         """

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from compwright.formats.definition.statements import Occurrence
-from compwright.formats.families.wrapped.preprocessor import Block
-from compwright.formats.text.gathering import Found
+from compwright.formats.families.wrapped.preprocessor import ConditionalBlock
+from compwright.formats.text.gathering import FoundValue
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -31,9 +31,9 @@ class Word:
     value: int | None = None
 
     @property
-    def found(self) -> Found:
+    def found(self) -> FoundValue:
         """The piece as the notes take it."""
-        return Found(self.text, Occurrence("script", self.file, self.line, {}), self.number)
+        return FoundValue(self.text, Occurrence("script", self.file, self.line, {}), self.number)
 
     def fault(self, message: str, *, expected: str = "", found: str | None = None) -> Fault:
         """Return a fault at this place."""
@@ -48,7 +48,7 @@ class Word:
 
 
 @dataclass(slots=True)
-class Table:
+class MemoryTable:
     """A table in the memory of a motor: ``needed`` entries, which stand at ``values``.
 
     ``desired``: looked up by the commanded position. ``plane``: over two motors.
@@ -94,15 +94,15 @@ class Script:
     """
 
     files: tuple[ControlFile, ...]
-    tables: dict[tuple[Kind, int], Table] = field(default_factory=dict)
+    tables: dict[tuple[Kind, int], MemoryTable] = field(default_factory=dict)
     settings: dict[tuple[str, int], list[Word]] = field(default_factory=dict)
     programs: dict[tuple[str, int], Word] = field(default_factory=dict)
     commands: list[tuple[str, int, Word]] = field(default_factory=list)
-    conditional: list[tuple[int, Word, Block]] = field(default_factory=list)
+    conditional: list[tuple[int, Word, ConditionalBlock]] = field(default_factory=list)
     shared: set[Word] = field(default_factory=set)
     faults: list[Fault] = field(default_factory=list)
 
-    def of(self, kind: Kind) -> list[Table]:
+    def of(self, kind: Kind) -> list[MemoryTable]:
         """Return the tables of a kind by motor."""
         return [table for (name, _), table in sorted(self.tables.items()) if name == kind]
 
@@ -117,7 +117,7 @@ def number_of(word: Word) -> int:
     return int(word.text) if word.value is None else word.value
 
 
-def over_itself(script: Script, motor: int) -> list[Table]:
+def over_itself(script: Script, motor: int) -> list[MemoryTable]:
     """Return the tables by which a motor corrects itself, wherever they are kept."""
     return [
         table

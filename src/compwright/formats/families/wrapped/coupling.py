@@ -9,7 +9,12 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from compwright.formats.families.coupled_axes import UNREAD, Coupling, Statement, statements_in
+from compwright.formats.families.coupled_axes import (
+    UNREAD,
+    Coupling,
+    CouplingStatement,
+    statements_in,
+)
 from compwright.formats.families.wrapped.preprocessor import expanded, whole_value
 from compwright.records.correction import ControlFile
 
@@ -55,7 +60,7 @@ def couplings_of(files: Sequence[ControlFile]) -> tuple[Coupling, ...]:
 
 def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
     """Yield the motors of one axis, the lowest leads; and those that a program places."""
-    system, last = "1", dict[int, tuple[str, Statement]]()
+    system, last = "1", dict[int, tuple[str, CouplingStatement]]()
     for found in statements_in(files, _ASSIGNED, _REMARK):
         if found.match["system"]:
             system = found.match["system"]
@@ -85,7 +90,7 @@ def _following(files: Sequence[ControlFile], motors: Iterable[int]) -> Iterator[
     """Yield the motors whose position following is on, or of which nobody knows; ``motors``: those
     of the files. Where no file explains the register, each of them may lead.
     """
-    said: dict[tuple[int, str], Statement] = {}
+    said: dict[tuple[int, str], CouplingStatement] = {}
     for found in statements_in(files, _SETTING, _REMARK):
         said[int(found.match["motor"]), found.match["which"]] = found
     for (motor, which), found in sorted(said.items()):
@@ -107,7 +112,7 @@ def _following(files: Sequence[ControlFile], motors: Iterable[int]) -> Iterator[
 
 
 def _sources(
-    said: Mapping[tuple[int, str], Statement], motor: int, register: int | None
+    said: Mapping[tuple[int, str], CouplingStatement], motor: int, register: int | None
 ) -> list[int]:
     """Return the motors that a register belongs to: by their feedback (Ixx03, Ixx04), or because it
     is one of their own (motor n has $80 of them from n times $80 on).
@@ -123,6 +128,6 @@ def _sources(
     return sorted(fed) or ([own] if 1 <= own <= _MOTORS and own != motor else [])
 
 
-def _number(found: Statement) -> int | None:
+def _number(found: CouplingStatement) -> int | None:
     """Return the number that a setting gives; None where the card alone knows it."""
     return whole_value(found.match["value"], {})

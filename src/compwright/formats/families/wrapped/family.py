@@ -11,7 +11,7 @@ from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, sound
-from compwright.formats.families.between import Asked, Between, instead
+from compwright.formats.families.between import Between, BetweenRequest, instead
 from compwright.formats.families.card_words import sign_check
 from compwright.formats.families.family import Family
 from compwright.formats.families.wrapped.card import table_words
@@ -183,6 +183,6 @@ class WrappedFamily(Family):
         words = table_words(axis, self._motor_table(axis, compensation), self._counts(axis), rate)
         return words | sign_check(compensation, check_at)
 
-    def between(self, asked: Asked) -> Between:
+    def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: a table of a third motor, which is left to the user."""
         return instead(self.definition, asked.planned)

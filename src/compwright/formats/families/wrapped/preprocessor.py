@@ -33,7 +33,7 @@ _LONGEST = 2000
 
 
 @dataclass(slots=True)
-class Block:
+class ConditionalBlock:
     """A conditional block: where it began, and which of its branches is read."""
 
     line: int
@@ -46,7 +46,7 @@ class Conditions:
     """The macros that are defined, and the conditional blocks that are open."""
 
     macros: dict[str, str] = field(default_factory=dict)
-    open: list[Block] = field(default_factory=list)
+    open: list[ConditionalBlock] = field(default_factory=list)
 
     def apply(self, match: re.Match[str], line: int) -> str:
         """Take a directive in; return what is wrong with it, or an empty text."""
@@ -56,7 +56,7 @@ class Conditions:
         elif name == "UNDEF":
             self.macros.pop(rest.strip(), None)
         elif name.startswith("IF"):
-            self.open.append(Block(line, match[0].strip()))
+            self.open.append(ConditionalBlock(line, match[0].strip()))
         elif not self.open:
             return f"#{name} without the beginning of its block"
         elif name == "ENDIF":
@@ -66,13 +66,13 @@ class Conditions:
         return ""
 
     @property
-    def here(self) -> tuple[tuple[Block, int], ...]:
+    def here(self) -> tuple[tuple[ConditionalBlock, int], ...]:
         """The blocks that are open, each with its branch."""
         return tuple((block, block.branch) for block in self.open)
 
 
 def in_two_branches(
-    one: tuple[tuple[Block, int], ...], other: tuple[tuple[Block, int], ...]
+    one: tuple[tuple[ConditionalBlock, int], ...], other: tuple[tuple[ConditionalBlock, int], ...]
 ) -> bool:
     """Whether two places stand in different branches of one block: not both are sent."""
     return any(

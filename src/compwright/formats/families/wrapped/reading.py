@@ -17,7 +17,12 @@ from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.coupled_axes import check_couplings, followers, leader
 from compwright.formats.families.limits import SAME_TURN
-from compwright.formats.families.wrapped.card_memory import Table, Word, number_of, over_itself
+from compwright.formats.families.wrapped.card_memory import (
+    MemoryTable,
+    Word,
+    number_of,
+    over_itself,
+)
 from compwright.formats.families.wrapped.counts import (
     Counts,
     around,
@@ -51,10 +56,10 @@ def read_wrapped(
     activity: Activity,
 ) -> ControlState:
     """Return what a control does with ``files``; arguments and errors as `Family.read`."""
-    return _StateReader(definition, options, files, axes, address, activity).read()
+    return _WrappedStateReader(definition, options, files, axes, address, activity).read()
 
 
-class _StateReader:
+class _WrappedStateReader:
     def __init__(
         self,
         definition: Definition,
@@ -289,7 +294,7 @@ class _StateReader:
             return replace(empty, backlash=amount, reference_return=counts.forward)
         return replace(parts[0], others=tuple(parts[1:]))
 
-    def _idle_nodes(self, motor: int, tables: Sequence[Table]) -> tuple[float, ...]:
+    def _idle_nodes(self, motor: int, tables: Sequence[MemoryTable]) -> tuple[float, ...]:
         """Return one round of the nodes of a motor's first table, mm or deg; none where nobody says
         its counts, which is asked where the table acts.
         """
@@ -397,7 +402,7 @@ class _StateReader:
                 expected = "the assignment outside the program, as it was during the test"
                 self.notes.faults.append(word.fault(f"{message} known", expected=expected))
 
-    def _by_actual(self, table: Table) -> None:
+    def _by_actual(self, table: MemoryTable) -> None:
         self.notes.assume(
             f"{table.says}: looked up by the actual position",
             "counted as the commanded one",
@@ -406,7 +411,7 @@ class _StateReader:
 
     # --- tables between motors
 
-    def _cross(self, table: Table) -> CrossCompensation | None:
+    def _cross(self, table: MemoryTable) -> CrossCompensation | None:
         if not any(table.numbers):
             return None
         pair = [self.axes.get(str(motor)) for motor in (table.source, table.target)]
@@ -441,14 +446,14 @@ class _StateReader:
         )
 
 
-def _closed(table: Table) -> FloatArray:
+def _closed(table: MemoryTable) -> FloatArray:
     """Return the entries (n + 1,) from motor zero, where there is 0, to the length."""
     return np.array([0, *table.numbers], dtype=np.float64)
 
 
 def _add(
     grids: dict[tuple[int, int], tuple[FloatArray, FloatArray]],
-    table: Table,
+    table: MemoryTable,
     added: FloatArray,
     *,
     both: bool,

@@ -18,14 +18,14 @@ from compwright.formats.families.wrapped.buffers import Buffers
 from compwright.formats.families.wrapped.card_memory import (
     MOST_MOTORS,
     Kind,
+    MemoryTable,
     Script,
-    Table,
     Word,
 )
 from compwright.formats.families.wrapped.preprocessor import (
     DIRECTIVE,
     REMARK,
-    Block,
+    ConditionalBlock,
     Conditions,
     expanded,
     expression_end,
@@ -82,14 +82,14 @@ def read_script(definition: Definition, files: Sequence[ControlFile]) -> Script:
     """Return what ``files`` leave in a control that takes them in this order; what is wrong stands
     in its ``faults``.
     """
-    reader = _Reader(definition, files)
+    reader = _ScriptReader(definition, files)
     for number in range(len(files)):
         reader.read(number)
     reader.complete()
     return reader.script
 
 
-class _Reader:
+class _ScriptReader:
     def __init__(self, definition: Definition, files: Sequence[ControlFile]) -> None:
         self.script = Script(tuple(files))
         self.range = definition.measure("value_positive").range
@@ -99,11 +99,13 @@ class _Reader:
             for statement in (definition.bindings[name].statement,)
         ]
         self.motor = 0
-        self.open: Table | None = None
+        self.open: MemoryTable | None = None
         self.full = False
         self.buffers = Buffers()
         self.conditions = Conditions()
-        self.carried: list[tuple[tuple[str, int], Word, tuple[tuple[Block, int], ...]]] = []
+        self.carried: list[
+            tuple[tuple[str, int], Word, tuple[tuple[ConditionalBlock, int], ...]]
+        ] = []
         self.file, self.number, self.text = "", 0, ""
         self.line_ends: list[int] = []  # of the text: counting them for each word takes its square
 
@@ -265,11 +267,11 @@ class _Reader:
         self.script.tables[kind, self.motor] = table
         self.open = table
 
-    def _table(self, kind: Kind, word: Word, text: str, place: int) -> Table | None:
+    def _table(self, kind: Kind, word: Word, text: str, place: int) -> MemoryTable | None:
         plane = _PLANE.fullmatch(text) if kind == "COMP" else None
         if plane is not None:
             needed = (int(plane["rows"]) + 1) * (int(plane["columns"]) + 1) - 1
-            return Table(kind, self.motor, word, needed, plane=True)
+            return MemoryTable(kind, self.motor, word, needed, plane=True)
         match = (_ARGUMENTS if kind == "COMP" else _PLAIN).fullmatch(text)
         if match is None or not int(match["entries"]) or not int(match["length"]):
             return None
@@ -278,7 +280,7 @@ class _Reader:
         target = int(said.get("target") or self.motor)
         if not all(1 <= motor <= MOST_MOTORS for motor in (source, target)):
             return None
-        return Table(
+        return MemoryTable(
             kind,
             self.motor,
             word,

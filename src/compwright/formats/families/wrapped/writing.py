@@ -14,15 +14,15 @@ from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.definition.statements import print_form
 from compwright.formats.families.wrapped.buffers import BEHIND, long_name
 from compwright.formats.families.wrapped.card_memory import (
+    MemoryTable,
     Script,
-    Table,
     Word,
     number_of,
     over_itself,
 )
 from compwright.formats.families.wrapped.script import read_script
 from compwright.formats.families.wrapped.tables import MotorTable
-from compwright.formats.text.patching import Change, Patches, fresh_file
+from compwright.formats.text.patching import BytesChange, Patches, fresh_file
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -125,7 +125,7 @@ class _Patcher:
             self._define("BLCOMP", table)
         self._set(table, rate)
 
-    def _occupied(self, other: Table) -> None:
+    def _occupied(self, other: MemoryTable) -> None:
         message = (
             f"motor {other.motor} holds a table of its own no more: {other.says} corrects"
             f" #{other.target} by #{other.source}, and a motor holds one table"
@@ -133,7 +133,7 @@ class _Patcher:
         expected = "that table defined at a motor without one, by hand, and the script of that"
         self.faults.append(other.word.fault(message, expected=expected))
 
-    def _replace(self, place: Table, entries: Sequence[int], length: int) -> None:
+    def _replace(self, place: MemoryTable, entries: Sequence[int], length: int) -> None:
         """Put other numbers into a table; a number that stays the same keeps its bytes."""
         for word, value in ((place.entries, len(entries)), (place.length, length)):
             if word is not None:
@@ -158,9 +158,9 @@ class _Patcher:
         start = before.end + between.rfind(b",") if b"," in between else word.start
         if b"," in between and between[start - before.end + 1 :].strip():
             start = word.start
-        self.patches.replace(word.number, Change(start, word.end, b""))
+        self.patches.replace(word.number, BytesChange(start, word.end, b""))
 
-    def _by_comma(self, place: Table) -> bool:
+    def _by_comma(self, place: MemoryTable) -> bool:
         if len(place.values) < 2:
             return False
         first, second = place.values[:2]
@@ -169,7 +169,9 @@ class _Patcher:
 
     def _number(self, word: Word, value: int) -> None:
         if number_of(word) != value:
-            self.patches.replace(word.number, Change(word.start, word.end, str(value).encode()))
+            self.patches.replace(
+                word.number, BytesChange(word.start, word.end, str(value).encode())
+            )
 
     def _assigned(self, word: Word, value: int) -> bool:
         """Let an assignment say ``value``; False where it would say so of other variables too."""
@@ -280,7 +282,7 @@ class _Patcher:
             form = self.definition.statements[binding.statement].form
             self._at_the_end([print_form(form, {"value": str(binding.writes)})])
 
-    def _ours(self, table: Table) -> bool:
+    def _ours(self, table: MemoryTable) -> bool:
         alone = table.kind == "BLCOMP" or table.source == table.target
         return alone and (table.target or table.motor) in self.motors
 
