@@ -210,6 +210,32 @@ def test_source_was_found_with_every_room_known() -> None:
     assert {name.partition(".")[0] for name in trees()} <= set(MAY_IMPORT)
 
 
+def test_each_class_has_a_name_of_its_own() -> None:
+    names = Counter(
+        node.name
+        for tree in trees().values()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ClassDef)
+    )
+    assert [name for name, count in names.items() if count > 1] == []
+
+
+#: What still reaches past `controls`.
+PAST_THE_DOOR = {"workflow.redact.redacted_controls", "workflow.redact.redacted_names"} | {
+    "workflow.results.card"
+}
+
+
+def test_controls_is_the_door_to_formats_and_controllers() -> None:
+    past = {
+        found.by
+        for found in all_imports()
+        if (inside(found) or "").partition(".")[0] in ("formats", "controllers")
+        and found.room not in ("formats", "controllers", "controls")
+    }
+    assert past == PAST_THE_DOOR
+
+
 def test_table_of_edges_is_that_of_the_page() -> None:
     page = (PROJECT / "docs" / "architecture.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| `([\w.]+)` \|[^|]*\|([^|]*)\|$", page, re.MULTILINE)
