@@ -14,6 +14,9 @@ import pytest
 
 from compwright import cli
 from compwright.cli import run as compwright
+from compwright.cli.words import Invocation
+from compwright.foundations.session import Session
+from compwright.foundations.side_by_side import alone
 
 
 def told(words: str) -> dict[str, object]:
@@ -22,7 +25,9 @@ def told(words: str) -> dict[str, object]:
     command = cli.compwright.commands[name]
     return {
         key: value
-        for key, value in command.make_context(name, rest).params.items()
+        for key, value in command.make_context(
+            name, rest, obj=Invocation(Session(), alone)
+        ).params.items()
         if value not in (None, (), False)
     }
 
@@ -146,7 +151,9 @@ def hall(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_wildcards_that_the_shell_leaves_are_the_files_that_fit(
     command: str, values: list[str], key: str, expected: list[str], hall: Path
 ) -> None:
-    context = cli.compwright.commands[command].make_context(command, values)
+    context = cli.compwright.commands[command].make_context(
+        command, values, obj=Invocation(Session(), alone)
+    )
     found = [str(one).replace(os.sep, "/") for one in context.params[key]]
     assert found == expected
     if command == "new":
@@ -156,7 +163,9 @@ def test_wildcards_that_the_shell_leaves_are_the_files_that_fit(
 @pytest.mark.skipif(os.name == "nt", reason="no file can have such a name")
 def test_a_name_that_is_there_wins_over_what_it_fits(hall: Path) -> None:
     (hall / "x*.csv").write_text("")
-    context = cli.compwright.commands["evaluate"].make_context("evaluate", ["x*.csv"])
+    context = cli.compwright.commands["evaluate"].make_context(
+        "evaluate", ["x*.csv"], obj=Invocation(Session(), alone)
+    )
     assert names(context.params["paths"]) == ["x*.csv"]
 
 

@@ -42,15 +42,13 @@ def log_likelihood(
     constant that depends on its targets and counts alone. Raises InputError for readings at fewer
     than two targets.
     """
-    stepped = cells_of([observed], turn=travel.turn)
-    # A jump that is only taken out would cost nothing: whatever looks torn would be as likely.
-    cells = cells_of([observed], turn=travel.turn, stepped=False) if stepped.jumps else stepped
-    torn = sum(float(np.log1p(jump.odds)) for jump in stepped.jumps)
+    # Jumps stay in: a table that is taken the wrong way tears an error where there is no jump.
+    cells = cells_of([observed], turn=travel.turn, stepped=False)
     if shape is not None:
         cells = _with(cells, observed, shape)
     drawn = _fitted(cells, travel, periods).drawn
     free = cells.data.signs.size - (_FREE_LINES if cells.bidirectional else _FREE_LINES - 1)
-    return torn + drawn.log_evidence - free * float(np.log(cells.data.scale))
+    return drawn.log_evidence - free * float(np.log(cells.data.scale))
 
 
 def smooth_part(observed: ObservedTest, travel: Travel) -> tuple[FloatArray, FloatArray]:

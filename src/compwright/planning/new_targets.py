@@ -9,6 +9,7 @@ from typing import Final, Literal
 
 from compwright.estimation.hidden_periods import HiddenPeriods
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.declared import fresh_slope
 from compwright.planning.fresh import FreshTests, Like, fresh_tests, generator
@@ -86,7 +87,7 @@ def _left_open(
         if _NAMED <= each.probability < 1.0
     ]
     if hidden.probability >= _NAMED:
-        likely = ", ".join(f"{period:.3g}" for period, _ in hidden.periods[:3])
+        likely = ", ".join(significant(period, 3) for period, _ in hidden.periods[:3])
         reasons.append(
             f"with a period that these targets leave open ({hidden.probability:.0%}; first of all"
             f" {likely} {axis.kind.unit})"
