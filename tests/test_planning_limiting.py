@@ -29,7 +29,7 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, no_compensation
 from compwright.records.estimate import AxisPeriod
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted import Mode, TableRequest
 from compwright.records.limits import Limiting, Worth
 from planning_samples import (
     MINUS,
@@ -54,6 +54,7 @@ def fitted(
     spacing: float = 50.0,
     axis: Axis | None = None,
     active: AxisCompensation | None = None,
+    mode: Mode = "auto",
     **limits: Any,
 ) -> AxisWork:
     """An axis whose table is fitted to its known error, on nodes every ``spacing`` mm."""
@@ -61,7 +62,7 @@ def fitted(
     bare = no_compensation(axis.address, axis.kind)
     work = work_of(known, axis, active=active or bare)
     dense = np.linspace(*axis.travel, 4001)
-    request = TableRequest(start=0.0, end=1000.0, spacing=spacing)
+    request = TableRequest(start=0.0, end=1000.0, spacing=spacing, mode=mode)
     periods = tuple(AxisPeriod(one, 1.0, "job") for one in axis.screw_pitch)
     estimate = replace(known.summary(dense), periods=periods)
     planned = replace(work.planned, request=request, estimate=estimate)
@@ -394,11 +395,20 @@ def drift_told(known: KnownAxis, **limits: Any) -> list[str]:
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_two_tables_that_may_hold_a_drift_are_doubted(sign: float) -> None:
-    (message,) = drift_told(Warming(sign, sign * 6.0 * UM))
+    (message,) = drift_told(Warming(sign, sign * 6.0 * UM), mode="bidirectional")
     rise = sign * 6.0 * 20 / 22  # the low end waits 21 readings for its second direction, the
     assert f"changes by {rise:+.2f} µm" in message  # high end one
     assert f"{sign * 6.0:+.2f} µm from the first run to the last" in message
     assert "measure again before two tables" in message
+
+
+@pytest.mark.parametrize(("drift", "mode"), [(6.0, "single"), (0.0, "bidirectional")])
+def test_one_table_is_taken_where_two_may_hold_a_drift(drift: float, mode: str) -> None:
+    known = Warming(1.0, drift * UM)
+    table = fitted(known).planned.fitted
+    assert table is not None
+    assert table.mode == mode
+    assert ("drift" in table.mode_reason) == (mode == "single")
 
 
 def test_a_reversal_that_no_drift_explains_is_not_doubted() -> None:

@@ -28,6 +28,7 @@ from compwright.planning.never_applied import never_applied
 from compwright.planning.new_targets import decided
 from compwright.planning.outlook import predict, why_not_better, why_not_seen, yardstick
 from compwright.planning.practical_tables import Shown, practical_table
+from compwright.planning.reversals import drift_within, rise_of, rises_as_drift
 from compwright.planning.scenarios import alike, gains, scenarios_of
 from compwright.planning.sharing import shared_fairly
 from compwright.planning.tables import fit_within, freely_chosen, offer
@@ -227,6 +228,13 @@ def _told(posterior: MeasuredError) -> Iterator[frozenset[str]]:
         yield frozenset(_TOLD_BY[each.code] for each in found if each.code in _TOLD_BY)
 
 
+#: Why one table is taken where two would hold what may be the drift of the test.
+_ONE_TABLE: Final = (
+    "one table and one reversal value: the reversal changes along the travel by about what the"
+    " drift within each run would show with a constant play"
+)
+
+
 @dataclass(frozen=True, slots=True)
 class _Fitted:
     wanted: WantedCorrection
@@ -289,11 +297,38 @@ def fit_all(
 def _fit(
     task: tuple[AxisWork, Capacity, Literal["simple", "guarded"]],
 ) -> _Fitted | CapacityError:
+    """Return what is wanted of an axis and its tables, or why the control cannot hold one: one
+    table where two would hold what may be the drift of the test, and the job leaves the choice.
+    """
+    work, capacity, rule = task
+    found = _fit_as_asked(work, capacity, rule)
+    if isinstance(found, CapacityError) or not _holds_drift(work, found, rule):
+        return found
+    planned = replace(work.planned, request=replace(work.planned.request, mode="single"))
+    single = _fit_as_asked(replace(work, planned=planned), capacity, rule)
+    if isinstance(single, CapacityError):
+        return single
+    tables = (single.table, single.chosen, single.beside)
+    table, chosen, beside = (one and replace(one, mode_reason=_ONE_TABLE) for one in tables)
+    return replace(single, table=table or single.table, chosen=chosen, beside=beside)
+
+
+def _holds_drift(work: AxisWork, found: _Fitted, rule: Literal["simple", "guarded"]) -> bool:
+    """Return whether two tables that the job did not ask for may hold the drift of its test."""
+    planned = work.planned
+    if planned.request.mode != "auto" or found.table.mode != "bidirectional":
+        return False
+    within = drift_within(work.results[0].test, fresh_like_first(work, rule).draws.noise)
+    return rises_as_drift(rise_of(planned.estimate, work.active), within)
+
+
+def _fit_as_asked(
+    work: AxisWork, capacity: Capacity, rule: Literal["simple", "guarded"]
+) -> _Fitted | CapacityError:
     """Return what is wanted of an axis and its tables, or why the control cannot hold one. The
     table for a goal is taken where the tests of the prediction show that it gains, or where it is
     the usual one.
     """
-    work, capacity, rule = task
     planned = work.planned
     if planned.active is None:
         raise TypeError("nobody said what is in the control")

@@ -18,11 +18,10 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import AxisWork
 from compwright.planning.fresh import FreshTests
-from compwright.records.axis import Direction, FloatArray
+from compwright.planning.reversals import drift_within, own_reversal, rise_of, rises_as_drift
+from compwright.records.axis import Direction
 from compwright.records.settled import settled_number
 
-#: The reversal changes by about what the drift would give: within this factor.
-_ALIKE: Final = 2.0
 #: A backlash value is doubted from where the drift may make out so much of it, and so much of the
 #: standard deviation of one reading.
 _OF_THE_REVERSAL: Final = 0.25
@@ -31,8 +30,8 @@ _OF_THE_NOISE: Final = 0.5
 
 def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
     """Yield that what is written may hold the drift of the test, where its readings drift: the
-    second table (CW-P153), or the constant between the directions (CW-P154): the backlash value, or
-    that of two curves where the control has none.
+    second table that the job asks for (CW-P153), or the constant between the directions (CW-P154),
+    that is the backlash value, or that of two curves where the control has none.
     """
     planned, test = work.planned, work.results[0].test
     runs = min(int(np.max(test.readings(way), initial=0.0)) for way in Direction)
@@ -41,7 +40,7 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
     noise = fresh.draws.noise
     drift = settled_number(np.median(noise.drift))
     if planned.fitted.mode == "bidirectional":
-        yield from _second_table(work, drift, drift / (runs - 1))
+        yield from _second_table(work, drift, drift_within(test, noise))
     elif work.capacity is not None and (
         work.capacity.curves == 2 or work.capacity.backlash_quantum is not None
     ):
@@ -54,8 +53,8 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
 
 def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Finding]:
     """Yield CW-P153: ``drift`` from the first run to the last, ``within`` a run; mm or deg."""
-    rises = _rise(work)
-    if within == 0.0 or not 1.0 / _ALIKE <= rises / within <= _ALIKE:
+    rises = rise_of(work.planned.estimate, work.active)
+    if not rises_as_drift(rises, within):
         return
     risen, drifted, shown = _texts(work, rises, drift, within)
     yield Finding(
@@ -73,7 +72,7 @@ def _backlash_value(work: AxisWork, drift: float, moved: float) -> Iterator[Find
     """Yield CW-P154: ``drift`` from the first run to the last, by which the mean reversal is
     ``moved``; mm or deg.
     """
-    _, reversal = _reversal(work)
+    _, reversal = own_reversal(work.planned.estimate, work.active)
     mean = settled_number(float(np.mean(reversal)))
     noise = work.planned.estimate.noise
     if abs(moved) < max(_OF_THE_REVERSAL * abs(mean), _OF_THE_NOISE * noise, 1e-9):
@@ -93,30 +92,3 @@ def _texts(work: AxisWork, *sizes: float) -> Iterator[str]:
     unit = work.planned.axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
     return (f"{one * factor:+.2f} {small}" for one in sizes)
-
-
-def _rise(work: AxisWork) -> float:
-    """Return by how much the reversal of the axis itself rises from end to end of the measured
-    range, mm or deg: by a straight line.
-    """
-    where, reversal = _reversal(work)
-    slope = np.polyfit(where - where[0], reversal, 1)[0]
-    low, high = work.planned.estimate.measured
-    return settled_number(slope * (high - low))
-
-
-def _reversal(work: AxisWork) -> tuple[FloatArray, FloatArray]:
-    """Return positions (k,) over the measured range, and there the reversal of the axis itself,
-    mean in + less mean in -, mm or deg.
-    """
-    estimate, active = work.planned.estimate, work.active
-    low, high = estimate.measured
-    where = estimate.positions
-    inside = (where >= low) & (where <= high)
-    reversal: FloatArray = (
-        estimate.mean_positive
-        - active(where, Direction.POSITIVE)
-        - estimate.mean_negative
-        + active(where, Direction.NEGATIVE)
-    )
-    return where[inside], reversal[inside]
