@@ -9,7 +9,8 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 
-from compwright.planning.axes import AxisWork, fit_all, start_axis
+from compwright.planning.axes import AxisWork, start_axis
+from compwright.planning.axis_fits import fit_all
 from compwright.planning.fresh import Like, fresh_tests
 from compwright.planning.goals import goal_told
 from compwright.planning.scenarios import alike, gains, scenarios_of
@@ -189,7 +190,7 @@ def test_a_table_that_fresh_tests_do_not_bear_out_is_not_taken(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Nor when the plan is exported: there it asks for the least expected square."""
-    monkeypatch.setattr("compwright.planning.axes.gains", lambda *_: False)
+    monkeypatch.setattr("compwright.planning.axis_fits.gains", lambda *_: False)
     work, usual = fitted("E", 1000.0), fitted("expected", 1000.0)
     assert work.planned.fitted is not None
     assert usual.planned.fitted is not None

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from compwright.estimation.axis import Draws
-from compwright.planning.axes import AxisWork, fit_all
+from compwright.planning.axes import AxisWork
+from compwright.planning.axis_fits import fit_all
 from compwright.planning.drifting import drift_or_reversal
 from compwright.planning.fresh import Like, fresh_tests
 from compwright.planning.limiting import (

@@ -1,4 +1,4 @@
-"""What a control loads of written files, held against the whole that they stand for."""
+"""What a control loads of written files, compared with the whole files."""
 
 from __future__ import annotations
 

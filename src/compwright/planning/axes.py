@@ -11,9 +11,7 @@ import numpy as np
 from compwright.estimation.reach import longer_tests
 from compwright.evaluation.believable import believable
 from compwright.evaluation.standards import evaluate
-from compwright.foundations.errors import CapacityError, CompwrightError, Fault, collect, raise_all
-from compwright.foundations.findings import Finding, doubts_of
-from compwright.foundations.side_by_side import Each, in_turn
+from compwright.foundations.findings import Finding
 from compwright.planning.declared import fresh_slope, with_slopes
 from compwright.planning.fresh import FreshTests, Like, fresh_tests
 from compwright.planning.guard import guard_bands
@@ -27,11 +25,7 @@ from compwright.planning.motions import with_backlash, with_motion
 from compwright.planning.never_applied import never_applied
 from compwright.planning.new_targets import decided
 from compwright.planning.outlook import predict, why_not_better, why_not_seen, yardstick
-from compwright.planning.practical_tables import Shown, practical_table
-from compwright.planning.reversals import drift_within, rise_of, rises_as_drift
-from compwright.planning.scenarios import alike, gains, scenarios_of
-from compwright.planning.sharing import shared_fairly
-from compwright.planning.tables import fit_within, freely_chosen, offer
+from compwright.planning.tables import offer
 from compwright.planning.together import counted_together, with_what_acted
 from compwright.planning.wanted import (
     MeasuredError,
@@ -39,15 +33,14 @@ from compwright.planning.wanted import (
     dense_positions,
     held_by,
     observed_tests,
-    wanted_correction,
     with_change,
 )
 from compwright.prediction.acting import Correction, difference, nothing
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
-from compwright.records.estimate import ErrorEstimate, WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.estimate import ErrorEstimate
+from compwright.records.fitted import FittedTable
 from compwright.records.job import AxisJob, Job
 from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest
@@ -226,175 +219,6 @@ def _told(posterior: MeasuredError) -> Iterator[frozenset[str]]:
     for noise, place in zip(posterior.noises, posterior.counted, strict=True):
         found = () if noise is None or place is None else noise.findings
         yield frozenset(_TOLD_BY[each.code] for each in found if each.code in _TOLD_BY)
-
-
-#: Why one table is taken where two would hold what may be the drift of the test.
-_ONE_TABLE: Final = (
-    "one table and one reversal value: the reversal changes along the travel by about what the"
-    " drift within each run would show with a constant play"
-)
-
-
-@dataclass(frozen=True, slots=True)
-class _Fitted:
-    wanted: WantedCorrection
-    request: TableRequest
-    table: FittedTable
-    chosen: FittedTable | None
-    beside: FittedTable | None
-    capacity: Capacity
-
-
-def fit_all(
-    works: Mapping[str, AxisWork],
-    capacity_of: CapacityOf,
-    job_file: str,
-    each: Each = in_turn,
-    rule: Literal["simple", "guarded"] = "simple",
-) -> dict[str, AxisWork]:
-    """Fit every axis under the limits of the control; ``rule``: how the job decides, for the tests
-    that judge a goal. Raises CapacityError with the faults of all axes.
-    """
-    errors: list[CompwrightError] = []
-    capacities: dict[str, Capacity] = {}
-    wanted = {name: work for name, work in works.items() if not work.refused}
-    for name, work in wanted.items():
-        try:
-            one_curve = work.planned.request.mode == "single"
-            capacities[name] = capacity_of(work.planned.axis, one_curve=one_curve)
-        except CapacityError as error:
-            errors.append(_not_held(error, name, work, job_file))
-    capacities = shared_fairly(
-        capacities,
-        {name: work.planned for name, work in wanted.items() if work.planned.active is not None},
-    )
-    tasks = {
-        name: (work, capacities[name], rule)
-        for name, work in wanted.items()
-        if work.planned.active is not None and name in capacities
-    }
-    fitted = dict(works)
-    for name, found in zip(tasks, each(_fit, list(tasks.values())), strict=True):
-        if isinstance(found, CapacityError):
-            errors.append(_not_held(found, name, works[name], job_file))
-            continue
-        fitted[name] = replace(
-            works[name],
-            capacity=found.capacity,
-            planned=replace(
-                works[name].planned,
-                wanted=found.wanted,
-                request=found.request,
-                fitted=found.table,
-            ),
-            chosen=found.chosen,
-            beside=found.beside,
-        )
-    raise_all(CapacityError, collect(errors))
-    return fitted
-
-
-def _fit(
-    task: tuple[AxisWork, Capacity, Literal["simple", "guarded"]],
-) -> _Fitted | CapacityError:
-    """Return what is wanted of an axis and its tables, or why the control cannot hold one: one
-    table where two would hold what may be the drift of the test, and the job leaves the choice.
-    """
-    work, capacity, rule = task
-    found = _fit_as_asked(work, capacity, rule)
-    if isinstance(found, CapacityError) or not _holds_drift(work, found, rule):
-        return found
-    planned = replace(work.planned, request=replace(work.planned.request, mode="single"))
-    single = _fit_as_asked(replace(work, planned=planned), capacity, rule)
-    if isinstance(single, CapacityError):
-        return single
-    tables = (single.table, single.chosen, single.beside)
-    table, chosen, beside = (one and replace(one, mode_reason=_ONE_TABLE) for one in tables)
-    return replace(single, table=table or single.table, chosen=chosen, beside=beside)
-
-
-def _holds_drift(work: AxisWork, found: _Fitted, rule: Literal["simple", "guarded"]) -> bool:
-    """Return whether two tables that the job did not ask for may hold the drift of its test."""
-    planned = work.planned
-    if planned.request.mode != "auto" or found.table.mode != "bidirectional":
-        return False
-    within = drift_within(work.results[0].test, fresh_like_first(work, rule).draws.noise)
-    return rises_as_drift(rise_of(planned.estimate, work.active), within)
-
-
-def _fit_as_asked(
-    work: AxisWork, capacity: Capacity, rule: Literal["simple", "guarded"]
-) -> _Fitted | CapacityError:
-    """Return what is wanted of an axis and its tables, or why the control cannot hold one. The
-    table for a goal is taken where the tests of the prediction show that it gains, or where it is
-    the usual one.
-    """
-    planned = work.planned
-    if planned.active is None:
-        raise TypeError("nobody said what is in the control")
-    axis, request = planned.axis, planned.request
-    wanted = wanted_correction(
-        planned.estimate, planned.active, axis, reversal_log_odds=work.posterior.reversal_log_odds
-    )
-    try:
-        expected = replace(request, goal="expected")
-        capacity, usual = practical_table(wanted, capacity, expected, axis, _shown(work, rule))
-        beside = None
-        if request.goal != "expected":
-            scenarios = scenarios_of(work.results[0], work.posterior, planned.estimate, axis)
-            judged = replace(wanted, scenarios=scenarios)
-            table = fit_within(judged, capacity, request, axis)
-            if _pays(work, table, usual, rule):
-                chosen = freely_chosen(judged, capacity, request, table, axis)
-                return _Fitted(judged, request, table, chosen, usual, capacity)
-            beside = table
-        chosen = freely_chosen(wanted, capacity, expected, usual, axis)
-    except CapacityError as error:
-        return error
-    return _Fitted(wanted, expected, usual, chosen, beside, capacity)
-
-
-def _shown(work: AxisWork, rule: Literal["simple", "guarded"]) -> Shown:
-    """Return what says what a fresh test like the first one of an axis shows with a table."""
-    drawn: list[FreshTests] = []
-    like = Like(0, fresh_slope(rule, work.planned.tests[0]))
-
-    def shown(table: FittedTable) -> TestPrediction:
-        if not drawn:
-            drawn.append(fresh_like_first(work, rule))
-        change = difference(table.compensation.at, work.active)
-        axis = work.planned.axis
-        return predict(work.results[0], work.posterior, change, axis, like, drawn[0])
-
-    return shown
-
-
-def _pays(
-    work: AxisWork, table: FittedTable, usual: FittedTable, rule: Literal["simple", "guarded"]
-) -> bool:
-    """Return whether the ``table`` for the goal of the job is the ``usual`` one, or the tests of
-    the prediction show that it gains.
-    """
-    goal = work.planned.request.goal
-    if goal == "expected" or alike(table, usual):
-        return True
-    with_it, without = (difference(one.compensation.at, work.active) for one in (table, usual))
-    return gains(goal, with_it, without, fresh_like_first(work, rule))
-
-
-def _not_held(error: CapacityError, name: str, work: AxisWork, file: str) -> CapacityError:
-    """Return why the control does not hold a table of an axis; before it what is doubtful in its
-    tests, because readings that are something else than they say are the usual cause.
-    """
-    doubted = [
-        Fault(message=doubt.message, place=f"axis {name}, test {result.test.name}").in_file(
-            result.test.sources[0].file if result.test.sources else file
-        )
-        for result in work.results
-        for doubt in doubts_of(result.findings)
-    ]
-    held = [fault.within(f"axis {name}").in_file(file) for fault in error.faults]
-    return CapacityError(*doubted, *held)
 
 
 def predict_axis(

@@ -29,7 +29,6 @@ _BITS = {1001: (0,), 1004: (0, 1), 1006: (0, 1, 3), 1013: (0, 1), 1800: (4,), 36
 _ASIDE = frozenset({1001, 1004, 1006, 1013, 1800})
 #: Parameters that count only with an axis number.
 _BY_AXIS = frozenset({1006, 1013, 1851, 1852, 3605, *range(3620, 3628)})
-_LENGTHS = frozenset({3624, 3625})
 #: An increment is a signed byte (fwlib32.h, cnc_rdpitchr), whatever the series.
 BYTE = (-128, 127)
 
