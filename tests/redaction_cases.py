@@ -10,13 +10,13 @@ import re
 import traceback
 from collections.abc import Mapping
 
+from compwright.controls.control_copies import control_copies
 from compwright.formats.definitions import definitions_from
 from compwright.foundations.errors import CompwrightError
 from compwright.foundations.redaction import Cuts, Names
 from compwright.foundations.session import Session
 from compwright.foundations.storage import definition_files
 from compwright.records.correction import ControlFile
-from compwright.workflow.redact.redacted_controls import control_copies
 from compwright.workflow.redact.redacted_measurements import measurement_copy
 from redaction_samples import BALLBAR, CONTROLS, FOREIGN, PLAIN
 

@@ -220,12 +220,6 @@ def test_each_class_has_a_name_of_its_own() -> None:
     assert [name for name, count in names.items() if count > 1] == []
 
 
-#: What still reaches past `controls`.
-PAST_THE_DOOR = {"workflow.redact.redacted_controls", "workflow.redact.redacted_names"} | {
-    "workflow.results.card"
-}
-
-
 def test_controls_is_the_door_to_formats_and_controllers() -> None:
     past = {
         found.by
@@ -233,7 +227,7 @@ def test_controls_is_the_door_to_formats_and_controllers() -> None:
         if (inside(found) or "").partition(".")[0] in ("formats", "controllers")
         and found.room not in ("formats", "controllers", "controls")
     }
-    assert past == PAST_THE_DOOR
+    assert past == set()
 
 
 def test_table_of_edges_is_that_of_the_page() -> None:

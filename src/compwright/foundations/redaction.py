@@ -10,13 +10,17 @@ from __future__ import annotations
 import html
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 from urllib.parse import unquote
 
+from compwright.foundations.errors import Fault, InputError
+
 #: What stands in the place of a remark.
 NEUTRAL: Final = "redacted"
+#: What a whole line that was taken out is called in the count.
+LINE: Final = "line"
 _NEUTRAL: Final = re.compile(rf"{NEUTRAL}(?:_[0-9]+)?", re.IGNORECASE)
 #: Pieces of text that may give somebody away: letters and digits side by side.
 _PIECE: Final = re.compile(r"[^\W_]+")
@@ -135,3 +139,53 @@ def _forms(content: bytes) -> Iterator[str]:
             yield html.unescape(text).casefold()
         if "%" in text:
             yield unquote(text).casefold()
+
+
+def not_the_same(file: str, found: str) -> InputError:
+    """Return the error about a copy that its reader does not understand as it does the original."""
+    return InputError(
+        Fault(
+            message="is not copied: without its texts it would be read otherwise",
+            file=file,
+            expected="the same numbers in the copy; take the names out by hand",
+            found=found,
+        )
+    )
+
+
+def refuse_left_over(
+    file: str,
+    cuts: Cuts,
+    copy: Sequence[bytes],
+    allowed: frozenset[str],
+    *,
+    in_lines: bool = True,
+) -> None:
+    """Raise InputError where a text that was taken out stands in the copy all the same; the text
+    itself is not told, but where ``in_lines`` the lines at which the copy still has it, which are
+    those of the original.
+    """
+    left = left_over((text for _, text in cuts.removed), copy, allowed)
+    if left:
+        lines = [
+            number
+            for number, line in enumerate(copy[0].splitlines() if in_lines else (), start=1)
+            if left_over(left, [line], allowed)
+        ]
+        kinds = sorted({kind for kind, text in cuts.removed if text in left})
+        raise InputError(
+            Fault(
+                message="is not copied: what was taken out in one place stands in another, where"
+                " the reading needs it",
+                file=file,
+                place=_lines(lines),
+                expected="a name that is no keyword and no number of the file; take it out by hand",
+                found=f"{len(left)} texts ({', '.join(kinds)})",
+            )
+        )
+
+
+def _lines(numbers: Sequence[int]) -> str:
+    """Return the lines in which a text is left in words; empty for a workbook, which has none."""
+    told = ", ".join(map(str, numbers[:5])) + (", .." if len(numbers) > 5 else "")
+    return f"line{'s' if len(numbers) > 1 else ''} {told}" if numbers else ""

@@ -21,11 +21,9 @@ from compwright.formats.text.texts import (
     comment_start,
     said_in_comment,
 )
-from compwright.foundations.redaction import Cuts
+from compwright.foundations.redaction import LINE, Cuts
 from compwright.records.correction import ControlFile
 
-#: What a whole line that was taken out is called in the count.
-LINE: Final = "line"
 #: Types of fields that hold texts of somebody's choice.
 _TEXTS: Final = frozenset({"name", "label", "word", "text"})
 _HARMLESS: Final = re.compile(

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
 from typing import Any, Final
 
+from compwright.controls.control_copies import control_copies, texts_in
 from compwright.documents.json_text import to_json
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError
@@ -19,7 +20,6 @@ from compwright.instruments.redaction.measurement import holds_table, is_measure
 from compwright.instruments.workbook import is_workbook
 from compwright.records.correction import ControlFile
 from compwright.workflow.inputs.measurement_files import load_profile
-from compwright.workflow.redact.redacted_controls import control_copies, texts_in
 from compwright.workflow.redact.redacted_measurements import measurement_copy
 from compwright.workflow.redact.redacted_names import names_of_copies
 from compwright.workflow.results.own_files import write_listed

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
-from compwright.foundations.errors import CompwrightError, Fault, InputError
-from compwright.foundations.redaction import Cuts, left_over
+from compwright.foundations.errors import CompwrightError
+from compwright.foundations.redaction import Cuts, not_the_same, refuse_left_over
 from compwright.instruments.circular_reading import is_circular, read_circular
 from compwright.instruments.drift_csv import is_drift, read_drift
 from compwright.instruments.profile import Profile
@@ -46,56 +44,6 @@ def measurement_copy(content: bytes, file: str, cuts: Cuts, profile: Profile | N
         file, cuts, _members(made, file), ALLOWED, in_lines=not is_workbook(made.content)
     )
     return made
-
-
-def not_the_same(file: str, found: str) -> InputError:
-    """Return the error about a copy that its reader does not understand as it does the original."""
-    return InputError(
-        Fault(
-            message="is not copied: without its texts it would be read otherwise",
-            file=file,
-            expected="the same numbers in the copy; take the names out by hand",
-            found=found,
-        )
-    )
-
-
-def refuse_left_over(
-    file: str,
-    cuts: Cuts,
-    copy: Sequence[bytes],
-    allowed: frozenset[str],
-    *,
-    in_lines: bool = True,
-) -> None:
-    """Raise InputError where a text that was taken out stands in the copy all the same; the text
-    itself is not told, but where ``in_lines`` the lines at which the copy still has it, which are
-    those of the original.
-    """
-    left = left_over((text for _, text in cuts.removed), copy, allowed)
-    if left:
-        lines = [
-            number
-            for number, line in enumerate(copy[0].splitlines() if in_lines else (), start=1)
-            if left_over(left, [line], allowed)
-        ]
-        kinds = sorted({kind for kind, text in cuts.removed if text in left})
-        raise InputError(
-            Fault(
-                message="is not copied: what was taken out in one place stands in another, where"
-                " the reading needs it",
-                file=file,
-                place=_lines(lines),
-                expected="a name that is no keyword and no number of the file; take it out by hand",
-                found=f"{len(left)} texts ({', '.join(kinds)})",
-            )
-        )
-
-
-def _lines(numbers: Sequence[int]) -> str:
-    """Return the lines in which a text is left in words; empty for a workbook, which has none."""
-    told = ", ".join(map(str, numbers[:5])) + (", .." if len(numbers) > 5 else "")
-    return f"line{'s' if len(numbers) > 1 else ''} {told}" if numbers else ""
 
 
 def _members(made: Redacted, file: str) -> list[bytes]:

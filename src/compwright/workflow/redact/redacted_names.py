@@ -9,8 +9,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import Final
 
-from compwright.formats.text.redaction import LINE
-from compwright.foundations.redaction import Names, telling
+from compwright.foundations.redaction import LINE, Names, telling
 from compwright.instruments.redaction.measurement import ALLOWED
 
 _DAY: Final = r"(?:19|20)[0-9]{2}(?:0[1-9]|1[0-2])(?:0[1-9]|[12][0-9]|3[01])"

@@ -30,11 +30,10 @@ from compwright.formats.text.redaction import (
 from compwright.formats.text.texts import ReadText, text_reader
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError
-from compwright.foundations.redaction import Cuts
+from compwright.foundations.redaction import Cuts, not_the_same, refuse_left_over
 from compwright.foundations.session import Session
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
-from compwright.workflow.redact.redacted_measurements import not_the_same, refuse_left_over
 
 #: Where an option has no default: the numbers of a copy are those of its original in any unit.
 _ANY_UNIT = 0.001

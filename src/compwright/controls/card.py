@@ -1,0 +1,305 @@
+"""What the card says that only the control knows: rows and numbers of each axis, steps, changed
+entries, the way back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from compwright.controls.acting import applied_of
+from compwright.controls.control import Control
+from compwright.controls.decoded import DecodedState
+from compwright.formats.card import (
+    card_steps_of_all,
+    gantry_words,
+    typed_backlash,
+)
+from compwright.formats.definition.statements import print_form
+from compwright.formats.text.diff import compare_files
+from compwright.foundations.units import outside_factor, outside_unit, shown_unit
+from compwright.planning.axes import AxisWork
+from compwright.planning.quick_check import check_positions, moved_by, quick_check
+from compwright.records.axis import Axis, partner_of
+from compwright.records.correction import AxisCompensation, ControlFile
+from compwright.records.job import Job
+
+
+def axis_documents(
+    job: Job,
+    control: Control,
+    work: AxisWork,
+    loaded: DecodedState | None,
+    old: DecodedState,
+) -> Iterator[dict[str, Any]]:
+    """Yield an axis, and the synchronised one that gets a table of its own."""
+    own = _axis(job, control, work, loaded, old)
+    yield own
+    axis = work.planned.axis
+    if axis.gantry is None or axis.gantry_table is None or loaded is None:
+        return
+    partner = partner_of(axis, axis.gantry)
+    values = _card_values(control, partner, work, loaded)
+    before = old.state.axes.get(partner.address)
+    table = loaded.state.axes.get(partner.address)
+    yield {
+        **own,
+        "name": partner.name,
+        "address": partner.address,
+        "rows": _rows(
+            partner,
+            (before, _backlash(before, old, partner)),
+            (table, _backlash(table, loaded, partner)),
+            typed_backlash(control.definition, partner, values),
+        ),
+        "quick_check": [],
+        "numbering": _numbering(control, partner, loaded),
+        "points_needed": control.format.points_needed(table) if table is not None else None,
+        "fixed_positions": [],
+    }
+
+
+def _axis(
+    job: Job,
+    control: Control,
+    work: AxisWork,
+    loaded: DecodedState | None,
+    old: DecodedState,
+) -> dict[str, Any]:
+    axis, active = work.planned.axis, work.planned.active
+    values = _card_values(control, axis, work, loaded)
+    factor = outside_factor(axis.kind.unit)
+    table = loaded.state.axes[axis.address] if loaded else None
+    new = applied_of(loaded, axis)
+    return {
+        "name": axis.name,
+        "address": axis.address,
+        "unit": outside_unit(axis.kind.unit),
+        "position_unit": axis.kind.unit,
+        "rows": _rows(
+            axis,
+            (active, _backlash(active, old, axis)),
+            (table, _backlash(table, loaded, axis)),
+            typed_backlash(control.definition, axis, values),
+        ),
+        "quick_check": [
+            {
+                "position": entry.position,
+                "direction": entry.direction.value,
+                "adds": entry.adds * factor,
+                "expected": entry.expected * factor,
+                "stop": entry.stop * factor,
+            }
+            for entry in quick_check(work, new)
+        ],
+        "numbering": _numbering(control, axis, loaded),
+        "rapid": axis.motion == "rapid",
+        "points_needed": control.format.points_needed(table) if table is not None else None,
+        "fixed_positions": [
+            {
+                "name": name,
+                "position": places[axis.name],
+                "moves": moved_by(work, new, places[axis.name]) * factor,
+            }
+            for name, places in job.fixed_positions.items()
+            if axis.name in places
+        ],
+    }
+
+
+def _numbering(control: Control, axis: Axis, loaded: DecodedState | None) -> dict[str, Any] | None:
+    """Return which section has which number, as plain data; None where points have none."""
+    if loaded is None:
+        return None
+    facts, table = loaded.state.facts_of(axis.address), loaded.state.axes[axis.address]
+    numbered = control.format.numbered(axis, facts, table)
+    if numbered is None:
+        return None
+    return {
+        "unit": numbered.unit,
+        "reference": numbered.reference,
+        "sections": [
+            {"number": one.number, "from": one.low, "to": one.high} for one in numbered.sections
+        ],
+        "marks": [{"number": number, "name": name} for number, name in numbered.marks],
+        "second": numbered.second,
+        "words": list(numbered.words),
+    }
+
+
+def _backlash(table: AxisCompensation | None, held: DecodedState | None, axis: Axis) -> float:
+    """Return the backlash in addition to a table, mm or deg, also where the control's own
+    parameter is counted in the curve of one direction.
+    """
+    facts = {} if held is None else held.state.facts_of(axis.address).said
+    in_curves = facts.get("backlash_in_curves")
+    own = 0.0 if table is None else table.backlash
+    return own + (in_curves if isinstance(in_curves, float) else 0.0)
+
+
+def _rows(
+    axis: Axis,
+    old: tuple[AxisCompensation | None, float],
+    new: tuple[AxisCompensation | None, float],
+    typed: str,
+) -> list[dict[str, str]]:
+    """Return what changes of a table, each with its unit. ``old``, ``new``: table and backlash;
+    ``typed``: the new backlash as the control's parameter.
+    """
+    unit = axis.kind.unit
+    factor, small = outside_factor(unit), shown_unit(unit)
+
+    def describe(table: AxisCompensation | None, lost: float) -> dict[str, str]:
+        backlash = f"{lost * factor:.2f} {small}"
+        if table is None or table.positions.size == 0:
+            return {"points": "none", "range": "-", "largest": "-", "backlash": backlash}
+        curves = np.concatenate([table.positive, table.negative]) * factor
+        return {
+            "points": str(table.positions.size),
+            "range": f"{table.positions[0]:g} to {table.positions[-1]:g} {unit}",
+            "largest": f"{curves.min():.2f} to {curves.max():.2f} {small}",
+            "backlash": backlash,
+        }
+
+    before, after = describe(*old), describe(*new)
+    titles = {
+        "points": "points of the table",
+        "range": "range of the table",
+        "largest": "corrections from, to",
+        "backlash": "backlash beside the table",
+    }
+    rows = [
+        {"quantity": title, "old": before[key], "new": after[key], "typed": ""}
+        for key, title in titles.items()
+    ]
+    rows[-1]["typed"] = typed
+    return rows
+
+
+def changes_document(
+    control: Control, old: Sequence[ControlFile], entered: Sequence[ControlFile]
+) -> dict[str, Any] | None:
+    """Return what the files that are ``entered`` change in the control's own, as plain data; None
+    where there were none.
+    """
+    if not old or not entered:
+        return None
+    diff = compare_files(control.definition, old, entered)
+    entries = [
+        {"entry": change.entry, "old": change.old, "new": change.new} for change in diff.changes
+    ]
+    return {"entries": entries, "untouched": diff.untouched}
+
+
+def unconfirmed_diameters(control: Control, axes: Sequence[Axis]) -> list[str]:
+    """Return what is not confirmed of the tables of ``axes`` in diameter programming."""
+    return [
+        print_form(control.definition.diameter.card, {"name": axis.name})
+        for axis in axes
+        if axis.programmed == "diameter"
+    ]
+
+
+def step_documents(
+    control: Control, written: Mapping[str, AxisWork], loaded: DecodedState | None
+) -> list[dict[str, Any]]:
+    """Return the steps in the order of the definition; what is the same for all axes stands
+    once.
+    """
+    axes, both = [], []
+    tells = any("{gantry}" in rule.text for rule in control.definition.card)
+    for work in written.values():
+        axis = work.planned.axis
+        values = _card_values(control, axis, work, loaded)
+        axes.append((axis, {**values, **_named_files(control, axis, loaded)}))
+        if axis.gantry is not None and loaded:
+            # the same table or the same change, on numbers and in files of its own
+            partner = partner_of(axis, axis.gantry)
+            values = _card_values(control, partner, work, loaded)
+            own = {"sheet": control.format.partner_sheet(axis.name, axis.gantry)}
+            own["gantry"] = gantry_words(axis)
+            axes.append((partner, {**values, **_named_files(control, partner, loaded), **own}))
+        if axis.gantry is not None and loaded and not tells:
+            both.append(
+                {
+                    "title": f"{axis.name} and {axis.gantry} together",
+                    "text": gantry_words(axis),
+                    "evidence": "inferred",
+                }
+            )
+    steps = [{**step, "heads": (), "rows": ()} for step in both] + [
+        {
+            "title": step.title,
+            "text": step.text,
+            "evidence": step.evidence,
+            "heads": step.heads,
+            "rows": step.rows,
+        }
+        for step in card_steps_of_all(control.definition, axes)
+    ]
+    return _with_all_files(steps, loaded.files if loaded else ())
+
+
+def _with_all_files(
+    steps: list[dict[str, Any]], files: Sequence[ControlFile]
+) -> list[dict[str, Any]]:
+    """Return the steps, those files named in that of loading that no step names."""
+    named = " ".join(f"{step['text']} {step['rows']}" for step in steps)
+    left = [file.name for file in files if file.name not in named]
+    loading = next((step for step in steps if step["title"].startswith(("Load", "Enter"))), None)
+    if left and loading is not None:
+        loading["text"] += f" The files in tables/: {', '.join(left)}."
+    return steps
+
+
+def _card_values(
+    control: Control, axis: Axis, work: AxisWork, loaded: DecodedState | None
+) -> dict[str, str]:
+    """Return the values of the card for the axis of a work, or for the synchronised ``axis`` of its
+    gantry: those of the files as read back.
+    """
+    if loaded is None:
+        return {}
+    leading, tables = work.planned.axis, loaded.state.axes
+    where = check_positions(work, applied_of(loaded, leading))
+    facts = loaded.state.facts_of(axis.address)
+    table = tables.get(axis.address, tables[leading.address])
+    return control.format.card_values(axis, table, facts, where)
+
+
+def _named_files(control: Control, axis: Axis, loaded: DecodedState | None) -> dict[str, str]:
+    """Return the names of the files in the texts of the steps."""
+    return control.format.named_files(axis, loaded.files if loaded else ())
+
+
+def restore_texts(
+    control: Control, files: Sequence[ControlFile], back: Sequence[ControlFile]
+) -> list[str]:
+    """Return how the old state comes back, step by step: the control's own ``files``, or the small
+    ones that bring it ``back``.
+    """
+    if not files:
+        off = (
+            "switch the compensation of these axes off (an empty table, backlash 0), restart and"
+            " reference"
+        )
+        return [f"The job says that nothing was active. To go back: {off}."]
+    names = ", ".join(control.format.loading_order(files))
+    folder = f"rollback/{control.id}/"
+    load = f"load the untouched copies in {folder} ({names}) the same way, restart and reference."
+    if not back:
+        return [f"L{load[1:]}"]
+    small = ", then ".join(control.format.loading_order(back))
+    return [
+        (
+            f"To undo: switch off as in the steps above, load {small} from {folder} (the old values"
+            " of these axes and their switches; what was set by hand goes back by hand), activate,"
+            " restart and reference."
+        ),
+        (
+            "If more than these axes has to go back: switch off the compensation of every axis in"
+            f" them (what is on is protected), {load}"
+        ),
+    ]
