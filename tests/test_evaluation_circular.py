@@ -506,11 +506,18 @@ def test_unknown_standard() -> None:
 
 
 def test_an_arc_below_90_degrees() -> None:
-    with pytest.raises(InputError, match="arc; expected 90° to 360°"):
+    with pytest.raises(InputError, match="arc of the samples; expected at least 90°"):
         evaluate_circle(measured(perfect, arc=(10.0, 89.0)))
     assert value(evaluate_circle(measured(perfect, arc=(10.0, 90.0))), "G_ccw") == pytest.approx(
         0.0, abs=EXACT
     )
+
+
+def test_samples_at_half_steps_of_90_degrees() -> None:
+    """A plain CSV gives the first and the last sample as arc (0.5° to 89.5°)."""
+    run = plain_run("ccw", [0.5 + k for k in range(90)], [3.0] * 90)
+    result = evaluate_circle(circular_test([run], arc=(0.5, 89.0)))
+    assert value(result, "G_ccw") == pytest.approx(0.0, abs=EXACT)
 
 
 def test_a_run_that_stopped_early() -> None:
