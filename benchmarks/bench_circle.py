@@ -1,141 +1,248 @@
-"""Diagnosis of circular tests over random machines: intervals that hold the truth, variance by its
-bound, seconds. Judges nothing.
+"""Circular tests of random machines: are the stated values and errors right? Judges nothing.
 
-``python benchmarks/bench_circle.py [MACHINES]`` (2000 by default). The bound is that of Cramér and
-Rao for white noise, from finite differences of the exact path over every cause, decay length and
-pitch, and over the nuisances that the diagnosis allows for (creep of the ball between the
-directions, lateral play that changes along the axis).
+``python benchmarks/bench_circle.py [COUNT] [--seed S] [--bands N] [--list CAUSE]``. The machines
+are those of `examiner_circles.py`; each is written as plain CSV and read by the function behind
+``compwright evaluate --json``. A cell of the table: per cent of the values within two stated
+standard errors, per cent null, median of the stated error by the Cramér-Rao bound of the machine
+(where that is below the usual size of the cause). ``--bands``: so many machines through
+``run`` without a table; share of fresh tests in the predicted 5 to 95 % of G, F and D.
+``--list``: every value of a cause that is outside.
 """
 
 from __future__ import annotations
 
-import sys
+import argparse
+import json
+import re
+import tempfile
 import time
-from collections.abc import Callable
-from dataclasses import fields, replace
+from collections import Counter, defaultdict
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
+from examiner_circles import POINTS, Circle, circle
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+from compwright.foundations.session import Session
+from compwright.workflow.commands.evaluate import evaluate_files
+from compwright.workflow.commands.run import run_job
+from compwright.workflow.inputs.jobs import read_job_file
 
-from circle_machine import Machine, Setup, distance, measured, random_machine, truth
-from compwright.estimation.circle import diagnose
-
-Array = NDArray[np.float64]
-SHAPES = ("decay", "pitch", "phase")
-
-
-def white(_rng: np.random.Generator) -> Setup:
-    return Setup(noise=0.3)
-
-
-def mixed(rng: np.random.Generator) -> Setup:
-    """White and correlated noise, radii and feeds as they come."""
-    return Setup(
-        noise=0.2 * float(rng.uniform(0.2, 1.0)),
-        wander=0.3 * float(rng.uniform()),
-        length=float(rng.uniform(3.0, 60.0)),
-        radius=float(rng.choice([50.0, 100.0, 150.0, 300.0])),
-        feed=float(rng.choice([500.0, 1000.0, 2000.0])),
-    )
+#: Columns of the table and what they are drawn from; a machine's number goes through them in turn.
+KINDS: Final = (
+    *("360", "360", "360", "360", "360", "360 one way"),
+    *("220", "220", "180", "90", "90 between", "any arc", "arc one way"),
+)
+#: Per cause, in its unit: what a machine commonly has. A bound above it leaves nothing to judge.
+USUAL: Final = {"squareness": 30.0, "scale_error": 25.0, "servo_mismatch": 0.3}
+_OF_AXIS: Final = re.compile(r"_(first|second)(_at_(positive|negative))?")
+_TOGETHER: Final = 12  # circles in a job
 
 
-def bound(machine: Machine, setup: Setup) -> dict[str, float]:
-    """Return the least standard deviation of each cause under white noise, in its own unit; of a
-    cause that the arc does not show a very large one.
+def machine(seed: int, number: int) -> tuple[str, Circle, np.random.Generator]:
+    """Return a machine by its number, the column it belongs to, and what its noise comes from."""
+    rng = np.random.default_rng([seed, number])
+    column = KINDS[number % len(KINDS)]
+    kind = column.removesuffix(" one way")
+    return column, circle(rng, kind, both="one way" not in column), rng
+
+
+def evaluated(test: Circle, rng: np.random.Generator, path: Path) -> dict[str, Any]:
+    """Return the entry of one measurement in the answer of ``evaluate``."""
+    test.write(path, rng)
+    document = evaluate_files(Session(), [path]).document
+    if not document["results"]:
+        return {"diagnosis": None, "errors": document["errors"]}
+    result: dict[str, Any] = document["results"][0]
+    return result
+
+
+def row_of(name: str) -> str:
+    """Return the row of a cause: both axes together, both ends together."""
+    return _OF_AXIS.sub(lambda found: "_at" if found[2] else "", name)
+
+
+def compared(test: Circle, result: dict[str, Any]) -> Iterator[tuple[str, float | None, float]]:
+    """Yield each cause with its error in stated standard errors, None where it is null, and the
+    stated error by its bound.
     """
-    names = [f.name for f in fields(machine) if f.name != "centre"]
-    blocks = []
-    for sense in (1.0, -1.0):
-        steps = (np.arange(setup.samples) + 0.5) * setup.extent / setup.samples
-        theta = np.radians(setup.start + steps)
-        here = distance(machine, setup, theta, sense)
-        columns = []
-        for name in names:
-            step = 1e-3
-            moved = replace(machine, **{name: getattr(machine, name) + step})
-            columns.append((distance(moved, setup, theta, sense) - here) / step)
-        cos, sin, um = np.cos(theta), np.sin(theta), 1e-3
-        columns += [um * cos, um * sin, um * sense * cos, um * sense * sin]
-        columns += [um * sense * np.abs(sin) * cos, um * sense * np.abs(cos) * sin]
-        blocks.append(np.column_stack(columns))
-    rows = np.vstack(blocks) / (1e-3 * setup.noise)
-    unit = np.maximum(np.linalg.norm(rows, axis=0), 1e-12)
-    shown = (rows / unit).T @ (rows / unit) + 1e-13 * np.eye(unit.size)
-    covariance = np.linalg.inv(shown) / np.outer(unit, unit)
-    found = dict(zip(names, np.sqrt(np.diag(covariance)), strict=False))
-    combined = {
-        f"backlash_{axis}": {f"backlash_{axis}_at_{end}": 0.5 for end in ("positive", "negative")}
-        for axis in ("first", "second")
-    }
-    difference = 2e-3 * setup.radius
-    combined["scale_mismatch"] = {
-        "scale_error_first": difference,
-        "scale_error_second": -difference,
-    }
-    for name, parts in combined.items():
-        weights = np.zeros(len(unit))
-        for part, weight in parts.items():
-            weights[names.index(part)] = weight
-        found[name] = float(np.sqrt(weights @ covariance @ weights))
-    return {name: float(value) for name, value in found.items() if not name.startswith(SHAPES)}
+    causes, bound = result["diagnosis"] or {}, test.bound()
+    for name, value_there in test.truth().items():
+        true = value_there
+        if name.endswith(("_ccw", "_cw")) and name.rsplit("_", 1)[1] not in test.senses:
+            continue
+        if name in POINT_SPIKES and len(test.senses) == 1:
+            true = test.truth()[f"{name}_{test.senses[0]}"]
+        entry = causes.get(name)
+        if entry is None:
+            if causes and name not in result["not_applicable"]:
+                continue  # no such key: the diagnosis does not know the cause
+            yield name, None, np.nan
+            continue
+        least = bound.get(name, np.nan)
+        shown = least < USUAL.get(row_of(name), 3.0)
+        ratio = entry["std_error"] / least if shown and entry["std_error"] else np.nan
+        value = entry["value"]
+        outside = None if value is None else (value - true) / max(entry["std_error"], 1e-9)
+        yield name, outside, ratio if value is not None else np.nan
 
 
-def table(count: int, setup_of: Callable[[np.random.Generator], Setup], *, bounded: bool) -> None:
-    """Print a row per cause: share inside its 95 % interval, rms and mean error in standard errors,
-    variance by its bound.
-    """
-    scores: dict[str, list[float]] = {}
-    ratios: dict[str, list[float]] = {}
-    wall, cpu = [], []
-    for index in range(count):
-        rng = np.random.default_rng([2, index])
-        setup = setup_of(rng)
-        machine = random_machine(rng, setup.radius)
-        test = measured(machine, setup, rng)
-        started, used = time.perf_counter(), time.process_time()
-        effects = diagnose(test).effects
-        wall.append(time.perf_counter() - started)
-        cpu.append(time.process_time() - used)
-        known = truth(machine, setup)
-        known |= {
-            name: float(getattr(machine, name))
-            for name in effects
-            if name.startswith(("reversal_spike", "cyclic"))
-        }
-        least = bound(machine, setup) if bounded else {}
-        for name, value in known.items():
-            error = effects[name].value - value
-            scores.setdefault(name, []).append(error / effects[name].std_error)
-            if bounded:
-                ratios.setdefault(name, []).append(error / least[name])
-    spread = 1.96 * np.sqrt(0.95 * 0.05 / count)
-    print(f"{count} machines; 0.95 ± {spread:.3f} is expected of a right interval")
-    print(
-        f"seconds of 2 x 1500 samples, median and 95 %: wall {np.median(wall):.3f}"
-        f" {np.quantile(wall, 0.95):.3f}, processor {np.median(cpu):.3f}"
-        f" {np.quantile(cpu, 0.95):.3f}; wanted below 0.050"
-    )
-    for name, values in scores.items():
-        z = np.array(values)
-        line = (
-            f"  {name:28} inside {np.mean(np.abs(z) < 1.96):.3f}  rms {np.sqrt(np.mean(z**2)):.2f} "
-            f" mean {np.mean(z):+.2f}"
+POINT_SPIKES: Final = frozenset(f"reversal_spike_{point}" for point in POINTS)
+
+
+class Counts:
+    """What is counted over all machines."""
+
+    def __init__(self) -> None:
+        self.cells: dict[tuple[str, str], list[tuple[float | None, float]]] = defaultdict(list)
+        self.known: set[str] = set()  # rows that the diagnosis has
+        self.peaks: dict[str, list[bool]] = defaultdict(list)
+        self.squareness: Counter[str] = Counter()
+        self.seconds: list[float] = []
+
+    def add(self, column: str, test: Circle, result: dict[str, Any]) -> list[str]:
+        """Count one machine; return what is outside, for people."""
+        outside = []
+        causes = result["diagnosis"] or {}
+        self.known |= {row_of(name) for name in causes}
+        for name, error, ratio in compared(test, result):
+            self.cells[row_of(name), column].append((error, ratio))
+            if error is not None and abs(error) > 2.0:
+                value, true = causes[name], test.truth()[name]
+                outside.append(
+                    f"{name} {value['value']:.3f} ± {value['std_error']:.3f}, is {true:.3f}"
+                )
+        self._count_peaks(column, test, causes)
+        self._count_squareness(test, causes.get("squareness") or {"value": None})
+        return outside
+
+    def _count_peaks(self, column: str, test: Circle, causes: dict[str, Any]) -> None:
+        for point, peak in test.peaks().items():
+            found = causes.get(f"reversal_spike_{point}") or causes.get(
+                f"reversal_spike_{point.split('_')[0]}"
+            )
+            if abs(peak) < max(1.0, 5.0 * test.noise) or not found or found["value"] is None:
+                continue
+            self.peaks[column].append(abs(found["value"] - peak) < 0.2 * abs(peak))
+
+    def _count_squareness(self, test: Circle, found: dict[str, Any]) -> None:
+        value, true = found["value"], test.values["squareness"]
+        self.squareness["given"] += value is not None
+        left = 0.0 if value is None else abs(value - true)
+        self.squareness["worse"] += value is not None and left > max(abs(true), 30.0)
+        if test.determinable(test.bound()):
+            self.squareness["determinable"] += 1
+            self.squareness["of these given"] += value is not None
+
+    def table(self) -> str:
+        """Return all counts as text."""
+        columns = list(dict.fromkeys(KINDS))
+        rows = [row for row in dict.fromkeys(row for row, _ in self.cells) if row in self.known]
+        lines = [f"{'':22}" + "".join(f"{column:>16}" for column in columns)]
+        lines.append(f"{'':22}" + "".join(f"{'in null  ×':>16}" for _ in columns))
+        for row in [*rows, "all"]:
+            cells = []
+            for column in columns:
+                found = [
+                    one
+                    for (name, its), each in self.cells.items()
+                    if its == column and name in self.known and row in {name, "all"}
+                    for one in each
+                ]
+                cells.append(f"{_cell(found):>16}")
+            lines.append(f"{row:22}" + "".join(cells))
+        lines.append(
+            f"{'spike by raw peak':22}" + "".join(f"{_share(self.peaks[c]):>16}" for c in columns)
         )
-        if bounded:
-            line += f"  variance / bound {np.mean(np.square(ratios[name])):.2f}"
-        print(line)
+        counts = ", ".join(f"{name} {count}" for name, count in self.squareness.items())
+        lines.append(f"squareness: {counts}")
+        lines.append(
+            f"seconds of an evaluation: median {np.median(self.seconds):.2f}, "
+            f"largest {max(self.seconds):.2f}"
+        )
+        return "\n".join(lines)
+
+
+def _cell(found: list[tuple[float | None, float]]) -> str:
+    given = [abs(error) <= 2.0 for error, _ in found if error is not None]
+    ratios = [ratio for _, ratio in found if np.isfinite(ratio)]
+    if not found:
+        return ""
+    null = 100.0 * (1.0 - len(given) / len(found))
+    by = f"{np.median(ratios):.2g}" if ratios else "-"
+    return f"{_share(given)} {null:4.0f} {by:>4}"
+
+
+def _share(values: list[bool]) -> str:
+    return f"{100.0 * float(np.mean(values)):3.0f}" if values else "  -"
+
+
+def bands(count: int, seed: int, folder: Path) -> str:
+    """Return the share of fresh tests in the predicted band of each parameter, by kind of test."""
+    inside: dict[tuple[str, str], list[bool]] = defaultdict(list)
+    for first in range(0, count, _TOGETHER):
+        made = {}
+        place = folder / str(first)
+        place.mkdir(parents=True)
+        for number in range(first, min(first + _TOGETHER, count)):
+            column, test, rng = machine(seed, number)
+            test.write(place / f"c{number}.csv", rng)
+            made[f"c{number}"] = column, test, rng
+        answer = _run(place, list(made))
+        for name, (column, test, rng) in made.items():
+            predicted = answer["circles"][name]["predicted"]
+            fresh = evaluated(test, rng, place / "fresh.csv")["parameters"]
+            kind = "360" if column.startswith("360") else "arc"
+            for key, band in predicted.items():
+                if key in fresh and fresh[key] is not None:
+                    hit = band["p05"] <= fresh[key] <= band["p95"]
+                    inside[key.split("_")[0] + ("_lsc" if "lsc" in key else ""), kind].append(hit)
+    lines = ["fresh tests in the predicted 5 to 95 %:"]
+    for (key, kind), hits in sorted(inside.items()):
+        lines.append(f"  {key:8}{kind:6}{_share(hits)} of {len(hits)}")
+    return "\n".join(lines)
+
+
+def _run(place: Path, names: list[str]) -> dict[str, Any]:
+    axes = "".join(
+        f"  {axis}: {{travel: [0, 800], address: {i}, before: []}}\n" for i, axis in enumerate("XY")
+    )
+    circles = "".join(f"  - {{file: {name}.csv, name: {name}}}\n" for name in names)
+    job = place / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: linuxcnc}\nstates: {as_found: none}\n"
+        f"axes:\n{axes}circles:\n{circles}",
+        encoding="utf-8",
+    )
+    session = Session()
+    run_job(session, read_job_file(session, job), place, place / "out")
+    answer: dict[str, Any] = json.loads((place / "out/prediction.json").read_text("utf-8"))
+    return answer
 
 
 def main() -> None:
-    """Print the tables for white noise, with the bound, and for white and correlated noise."""
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 2000
-    print("white noise of 0.3 µm")
-    table(count, white, bounded=True)
-    print("white and correlated noise")
-    table(count, mixed, bounded=False)
+    """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("count", type=int, nargs="?", default=300)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--bands", type=int, default=0)
+    parser.add_argument("--list", default="")
+    arguments = parser.parse_args()
+    counts = Counts()
+    with tempfile.TemporaryDirectory() as text:
+        folder = Path(text)
+        for number in range(arguments.count):
+            column, test, rng = machine(arguments.seed, number)
+            started = time.perf_counter()
+            result = evaluated(test, rng, folder / "circle.csv")
+            counts.seconds.append(time.perf_counter() - started)
+            for line in counts.add(column, test, result):
+                if arguments.list and line.startswith(arguments.list):
+                    print(f"{number} {column}: {line}", flush=True)
+        print(counts.table(), flush=True)
+        if arguments.bands:
+            print(bands(arguments.bands, arguments.seed, folder / "jobs"), flush=True)
 
 
 if __name__ == "__main__":

@@ -23,7 +23,6 @@ from examiner_axes import (
     spread_targets,
     write_job,
 )
-from examiner_circles import Circle, circle
 
 TOGETHER = 8  # axes in a job
 FACTORS = (0.8, 1.1, 1.4, 2.0)
@@ -199,32 +198,6 @@ def summary(scenario: str, results: list[dict[str, Any]]) -> str:
     return "\n".join(lines)
 
 
-def circles(count: int, seed: int, folder: Path) -> str:
-    """Evaluate circles of known squareness; return the counts."""
-    folder.mkdir(parents=True, exist_ok=True)
-    made: dict[str, Circle] = {}
-    for number in range(count):
-        name = f"c{number:04}.csv"
-        made[name] = circle(np.random.default_rng([seed, number]), number)
-        made[name].write(folder / name)
-    run("evaluate", folder, "--json", folder.parent / "circles.json", "--force")
-    answer = json.loads((folder.parent / "circles.json").read_text(encoding="utf-8"))
-    given, off, far, clear, told = 0, 0, 0, 0, 0
-    for result in answer["results"]:
-        truth = made[Path(result["sources"][0]["file"]).name]
-        found = (result["diagnosis"] or {}).get("squareness") or {"value": None}
-        known = found["value"] is not None
-        if known:
-            distance = abs(found["value"] - truth.squareness) / found["std_error"]
-            given, off, far = given + 1, off + (distance > 2), far + (distance > 3)
-        if truth.determinable():
-            clear, told = clear + 1, told + known
-    return (
-        f"circles: {len(answer['results'])} read, squareness given {given}, off by more than 2 "
-        f"standard errors {off}, 3: {far}; determinable {clear}, of these given {told}"
-    )
-
-
 def second_summary(results: list[dict[str, Any]]) -> str:
     """Return the counts of second rounds by kind."""
     lines = []
@@ -241,7 +214,7 @@ def second_summary(results: list[dict[str, Any]]) -> str:
 def main() -> None:
     """Run what was asked for."""
     parser = argparse.ArgumentParser(description=__doc__)
-    kinds = [*SCENARIOS, "honest", "stale", "circles"]
+    kinds = [*SCENARIOS, "honest", "stale"]
     parser.add_argument("scenarios", nargs="*", default=kinds, help=", ".join(kinds))
     parser.add_argument("--count", type=int, default=16)
     parser.add_argument("--seed", type=int, default=1)
@@ -250,9 +223,6 @@ def main() -> None:
     arguments = parser.parse_args()
     for scenario in arguments.scenarios:
         count, seed, out = arguments.count, arguments.seed, arguments.out
-        if scenario == "circles":
-            print(circles(count, seed, out / "circles"), flush=True)
-            continue
         makes = (
             second_rounds(count, seed, out, scenario) if scenario in {"honest", "stale"} else None
         )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from pathlib import Path
 from typing import Any
@@ -18,13 +17,11 @@ from examiner_axes import (
     constant,
     fresh,
     jump,
-    run,
     scatter,
     smooth,
     spread_targets,
     together,
 )
-from examiner_circles import Circle, circle
 
 SHIFTS = np.array([0.0, 1.3, -0.7, 2.2, 0.4])
 STEP = 403.0
@@ -88,23 +85,3 @@ def test_the_test_that_made_the_table_makes_no_second_one(
     assert code == 1
     assert now["axes"]["P"]["accept"]["A"]["decision"] == "undecided"
     assert not (tmp_path / "second" / "out" / "tables").exists()
-
-
-def test_squareness_is_given_where_the_circle_shows_it(tmp_path: Path) -> None:
-    """Full circles of both directions give it within 3 standard errors; half circles never."""
-    made: dict[str, Circle] = {}
-    for number in (0, 1, 8, 9, 24, 25):
-        made[f"c{number}.csv"] = circle(np.random.default_rng([7, number]), number)
-    for name, one in made.items():
-        one.write(tmp_path / name)
-    path = tmp_path / "answer.json"
-    run("evaluate", *(tmp_path / name for name in made), "--json", path)
-    answer = json.loads(path.read_text(encoding="utf-8"))
-    assert len(answer["results"]) == len(made)
-    for result in answer["results"]:
-        truth = made[Path(result["sources"][0]["file"]).name]
-        found = result["diagnosis"]["squareness"]
-        if truth.extent < 360:
-            assert found["value"] is None
-        elif truth.determinable():
-            assert abs(found["value"] - truth.squareness) < 3 * found["std_error"]
