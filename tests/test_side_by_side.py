@@ -23,7 +23,7 @@ from compwright.cli import run
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.foundations.processors import keep_free_memory
 from compwright.foundations.session import Session
-from compwright.workflow.commands.run import run_job
+from compwright.workflow.commands.run import planned
 from compwright.workflow.inputs.jobs import read_job_file
 
 SOURCE = Path(__file__).resolve().parents[1] / "src"
@@ -274,7 +274,7 @@ def test_work_on_an_axis_loads_neither_formats_nor_commands(tmp_path: Path) -> N
             named.update(reader.modules)
         return done
 
-    run_job(
+    planned(
         Session(),
         read_job_file(Session(), tmp_path / "job.yaml"),
         tmp_path,

@@ -25,10 +25,10 @@ from compwright.foundations import storage
 from compwright.foundations.errors import StorageError
 from compwright.foundations.session import Session
 from compwright.reporting.panels import style
-from compwright.workflow.commands.decode import decode_files
+from compwright.workflow.commands.decode import decoded_files
 from compwright.workflow.commands.evaluate import evaluate_files, write_evaluation
 from compwright.workflow.commands.new import new_job
-from compwright.workflow.commands.run import run_job
+from compwright.workflow.commands.run import planned, write_planned
 from compwright.workflow.inputs.job_inputs import read_job_inputs
 from compwright.workflow.inputs.jobs import read_job_file
 from dying import Process, running
@@ -125,7 +125,7 @@ def short(task: Task) -> str:
     restored = session.restored
 
     session = Session()
-    decoded = decode_files(session, [folder / "control"], task.format_id, {})
+    decoded = decoded_files(session, [folder / "control"], task.format_id, {})[2]
     below = {"job.yaml": task.job("../control").encode(), "x.csv": task.test.encode()}
     ahead = session.with_pending(folder / "next", below)
     job = read_job_file(ahead, folder / "next" / "job.yaml")
@@ -141,7 +141,8 @@ def whole(task: Task) -> str:
     """Do the whole job."""
     session, folder = Session(), Path(task.folder)
     job = read_job_file(session, folder / "job.yaml")
-    outcome = run_job(session, job, folder, folder / "out")
+    out = folder / "out"
+    outcome = write_planned(session, planned(session, job, folder, out), out)
     return f"{to_json(outcome.prediction)} {session.restored}"
 
 

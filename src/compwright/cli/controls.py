@@ -47,10 +47,12 @@ def decode(
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
     """Say what a control would do with these files."""
-    from compwright.workflow.commands.decode import decode_files
+    from compwright.workflow.commands.decode import decoded_files
     from compwright.workflow.results.answers import decode_summary
 
-    document = decode_files(invocation.session, paths, format_id, pairs(options), axis=axis, at=at)
+    _, _, document = decoded_files(
+        invocation.session, paths, format_id, pairs(options), axis=axis, at=at
+    )
     deliver(invocation.session, document, json_path, lambda: decode_summary(document), force=force)
     return 0
 

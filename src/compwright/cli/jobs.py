@@ -62,7 +62,7 @@ def run_command(
     **words: Any,
 ) -> int:
     """Evaluate, fit, export, predict and report: the whole job."""
-    from compwright.workflow.commands.run import run_job
+    from compwright.workflow.commands.run import planned, write_planned
     from compwright.workflow.inputs.jobs import job_of
     from compwright.workflow.ready import ready_for_axes
     from compwright.workflow.results.answers import run_summary
@@ -79,17 +79,18 @@ def run_command(
         out=out,
     )
     with invocation.crew(len(asked.job.axes), ready_for_axes) as each:
-        outcome = run_job(
+        job = planned(
             invocation.session,
             asked.job,
             asked.folder,
             asked.out,
             stated=asked.stated,
-            force=words["force"],
             accept_worse=words["accept_worse"],
-            json_path=json_file(json_path),
             each=each,
         )
+    outcome = write_planned(
+        invocation.session, job, asked.out, force=words["force"], json_path=json_file(json_path)
+    )
     answer(outcome.prediction, json_path, lambda: run_summary(outcome))
     errors(filter(None, [outcome.no_tables]))
     errors(f"axis {name}: no table is written: {why}" for name, why in outcome.refused.items())

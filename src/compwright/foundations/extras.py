@@ -1,4 +1,4 @@
-"""Libraries of the optional extras ``report`` and ``excel``, imported only where one is needed."""
+"""Libraries of the optional extras, imported only where one is needed."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any, Final
 from compwright.foundations.errors import Fault, UsageError
 
 #: What installs each extra, whether compwright came from a checkout, a wheel or an index.
-_PACKAGES: Final = {"report": "jinja2 matplotlib", "excel": "openpyxl"}
+_PACKAGES: Final = {"report": "jinja2 matplotlib", "excel": "openpyxl", "pandas": "pandas"}
 
 
 def installing(extra: str) -> str:

@@ -81,6 +81,18 @@ def draw_chart(panel: Any, chart: Chart) -> None:
     panel.set_ylim(*up)
 
 
+def draw_on_axes(panel: Any, chart: Chart) -> Any:
+    """Draw a chart into axes of the user's own figure, or of a new one (None); returns the axes.
+
+    Raises UsageError when the report extra is missing.
+    """
+    axes = need("matplotlib.pyplot").subplots()[1] if panel is None else panel
+    draw_chart(axes, chart)
+    if legend_of([chart]):
+        axes.legend(fontsize="small", frameon=False)
+    return axes
+
+
 def _draw_curve(panel: Any, curve: ChartCurve) -> None:
     dashes = () if curve.whole else curve.look.dashes
     panel.plot(

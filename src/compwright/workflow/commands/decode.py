@@ -9,18 +9,18 @@ from typing import Any
 import numpy as np
 
 from compwright.controls.acting import judged_cross
-from compwright.controls.decoded import judged
+from compwright.controls.decoded import DecodedState, judged
 from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.session import Session
 from compwright.jobs.command_line import stated_activity
 from compwright.records.axis import Direction, FloatArray
-from compwright.workflow.inputs.axis_kinds import decode_kinds
+from compwright.workflow.inputs.axis_kinds import Kinds, decode_kinds
 
 MOST_POSITIONS = 1_000_000
 
 
-def decode_files(
+def decoded_files(
     session: Session,
     paths: Sequence[Path],
     format_id: str,
@@ -28,9 +28,9 @@ def decode_files(
     *,
     axis: str | None = None,
     at: str | None = None,
-) -> dict[str, Any]:
-    """Return the decode document of control files: at the nodes of each table, or at the positions
-    of ``at``.
+) -> tuple[DecodedState, Kinds, dict[str, Any]]:
+    """Return what control files do, of which axes the kind is unknown, and the decode document: at
+    the nodes of each table, or at the positions of ``at``.
 
     ``axis`` restricts it to one address; the option ``active`` says whether the tables act, and
     whether all values of a program were carried out. Raises UsageError (options, a bad list) and
@@ -50,7 +50,8 @@ def decode_files(
         )
     assumed = (*control.assumed(decoded.state), *decoded.state.assumed, *kinds.assumed)
     findings = (*control.findings, *kinds.findings, *decoded.state.findings)
-    return decode_document(answer, assumed, findings, judged_cross(decoded, wanted), kinds.unknown)
+    cross = judged_cross(decoded, wanted)
+    return decoded, kinds, decode_document(answer, assumed, findings, cross, kinds.unknown)
 
 
 def positions_of(text: str) -> FloatArray:

@@ -12,7 +12,7 @@ from compwright.foundations.input_sizes import JOB
 from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Crew, alone
 from compwright.jobs.reading import read_job
-from compwright.workflow.commands.run import RunOutcome, run_job
+from compwright.workflow.commands.run import RunOutcome, planned, write_planned
 from compwright.workflow.commands.simulate import load_machine, simulate_files
 from compwright.workflow.commands.verify import VerifyOutcome, verify_job
 from compwright.workflow.ready import ready_for_axes
@@ -47,7 +47,8 @@ def run_demo(
     job = read_job(storage.read_bytes(session, job_file, JOB), str(job_file))
     result = out / "job"
     with crew(len(job.axes), ready_for_axes) as each:
-        run = run_job(session, job, out, result, force=force, each=each)
+        worked = planned(session, job, out, result, each=each)
+    run = write_planned(session, worked, result, force=force)
     tables = result / "tables" / job.format
     after = simulate_files(session, machine, out / "after", seed=2, tables=tables, force=force)
     verification = verify_job(

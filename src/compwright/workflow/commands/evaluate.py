@@ -36,6 +36,7 @@ from compwright.workflow.inputs.evaluated import (
     Noted,
     Why,
     ready,
+    tests_in,
 )
 from compwright.workflow.inputs.measurement_files import (
     FoundMeasurements,
@@ -44,7 +45,9 @@ from compwright.workflow.inputs.measurement_files import (
 )
 
 if TYPE_CHECKING:  # positioning tests, the common case, start without the circular records
+    from compwright.instruments.profile import Profile
     from compwright.records.circular import CircularTest
+    from compwright.records.positioning import PositioningTest
 
 _CIRCULAR = "iso230-4:"
 _DEFAULT_CIRCULAR = "iso230-4:2005"  # of evaluation.circular, which positioning tests do not load
@@ -141,6 +144,26 @@ def evaluate_files(
         many=max(len(files), len(tests)) > _PAGES,
         exit_code=next((code for code, some in gravest if some), 0),
     )
+
+
+def all_tests(
+    session: Session, path: Path, profile: Profile | None
+) -> list[PositioningTest | CircularTest]:
+    """Return the tests of a measurement file, or of all files of a folder. Raises InputError with
+    the faults of all of them.
+    """
+    from compwright.workflow.inputs.circles import pairs_joined
+
+    tests: list[PositioningTest | CircularTest] = []
+    errors: list[CompwrightError] = []
+    for file in measurement_files(session, path).files:
+        try:
+            content = storage.read_bytes(session, file, MEASUREMENT)
+            tests += tests_in(content, shown_path(file), profile)
+        except InputError as error:
+            errors.append(error)
+    raise_all(InputError, collect(errors))
+    return pairs_joined(tests)
 
 
 def _by_reason(noted: Sequence[Noted]) -> Mapping[Why, list[Fault]]:

@@ -20,7 +20,7 @@ from compwright.records.correction import Assumption
 from compwright.records.job import Job
 from compwright.workflow.inputs.handed_over import files_of_job, given_job
 from compwright.workflow.results.recorded import folders_of_copies, known_results, recorded_run
-from compwright.workflow.results.result_files import NO_STATE, PLAN, result_files
+from compwright.workflow.results.result_files import NO_STATE, PLAN, Results, result_files
 from compwright.workflow.results.single_files import refuse_other_kinds
 from compwright.workflow.run.finished import Finished
 from compwright.workflow.run.worked_through import worked_through
@@ -51,34 +51,78 @@ class RunOutcome:
     notes: tuple[str, ...] = ()
 
 
-def run_job(
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlannedJob:
+    """A job worked through, with the files of its results; nothing is on the disk.
+
+    ``folder``: what the job's paths are relative to; ``stated``: what the command line says of a
+    job without a file, which then is among the results.
+    """
+
+    job: Job
+    folder: Path
+    stated: Mapping[str, Any] | None
+    finished: Finished
+    results: Results
+
+    @property
+    def exit_code(self) -> int:
+        """0 where every limit is predicted to be met and nothing is in doubt, else 1; 2 without a
+        state of the control.
+        """
+        return _exit_code(self.finished)
+
+    def finding_documents(self) -> list[dict[str, str]]:
+        """Return what was noticed, in the form of every document."""
+        return finding_documents(self.finished.findings)
+
+
+def planned(
     session: Session,
     job: Job,
     folder: Path,
     out: Path,
     *,
     stated: Mapping[str, Any] | None = None,
-    force: bool = False,
     accept_worse: bool = False,
-    json_path: Path | None = None,
     each: Each = in_turn,
-) -> RunOutcome:
-    """Do a whole job and write its files below ``out`` (and the prediction to ``json_path`` too),
-    all of them or none.
+) -> PlannedJob:
+    """Work a job through; nothing is written.
 
-    ``folder``: what the job's paths are relative to; ``stated``: what the command line said of a
-    job without a file, which then lies among the results; ``each`` works on the axes, in turn or
-    side by side: the bytes are the same. Raises UsageError (2), InputError (3), CapacityError (4)
-    and StorageError (5); nothing is written then. Without a state of the control, evaluation,
-    prediction and report are written but no table (exit 2).
+    ``out``: where its results go; ``each`` works on the axes, in turn or side by side: the bytes
+    are the same. Raises UsageError (2), InputError (3) and CapacityError (4).
     """
     finished = worked_through(session, job, folder, out, accept_worse=accept_worse, each=each)
-    results = result_files(finished, each)
+    return PlannedJob(
+        job=job,
+        folder=folder,
+        stated=stated,
+        finished=finished,
+        results=result_files(finished, each),
+    )
+
+
+def write_planned(
+    session: Session,
+    planned: PlannedJob,
+    out: Path,
+    *,
+    force: bool = False,
+    json_path: Path | None = None,
+) -> RunOutcome:
+    """Write the files of a planned job below ``out`` (and the prediction to ``json_path`` too), all
+    of them or none.
+
+    Raises StorageError (5); nothing is written then. Without a state of the control, evaluation,
+    prediction and report are written but no table (exit 2).
+    """
+    job, stated = planned.job, planned.stated
+    finished, results = planned.finished, planned.results
     earlier = listed_in_record(storage.earlier_bytes(session, out / RECORD))
     draft = {} if stated is None else _assumed_job(stated, finished)
     given = [
         *(given_job(JOB, out / JOB, content) for content in draft.values()),
-        *files_of_job(session, job, folder, finished.measured.control.definition.own),
+        *files_of_job(session, job, planned.folder, finished.measured.control.definition.own),
     ]
     recorded, outdated = recorded_run(session, finished, results, given, out, draft=draft)
     files = {**results.files, **recorded, **draft}
@@ -99,11 +143,11 @@ def run_job(
         known=known_results(session, out),
     )
     return RunOutcome(
-        exit_code=_exit_code(finished),
+        exit_code=planned.exit_code,
         evaluation=results.evaluation,
         prediction=results.prediction,
         assumed=tuple(assumed_documents([*_left_to_assume(stated, finished), *finished.assumed])),
-        findings=tuple(finding_documents(finished.findings)),
+        findings=tuple(planned.finding_documents()),
         files=tuple(paths),
         no_tables=(
             "" if finished.stated else f"{job.file}: {NO_STATE}" if job.file else NO_STATE_OPTION

@@ -22,6 +22,7 @@ from compwright.prediction.acting import IDLE, Acting
 from compwright.prediction.circular import moved_test
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun
+from compwright.records.positioning import PositioningTest
 from compwright.simulation.circular import CircleRecording, Traverse
 from compwright.simulation.circular_files import to_b5r, to_circular_csv
 from compwright.simulation.files import to_csv
@@ -56,17 +57,34 @@ def simulate_files(
     ``tables``: a folder with what the control loads; ``file``: the machine file, for messages.
     Noise comes from ``seed`` alone: the same seed gives the same bytes.
     """
+    measured = simulated(session, machine, seed=seed, tables=tables, file=file)
+    files = dict(_file_of(machine, name, test) for name, test in measured.items())
+    return write_listed(session, out, files, command="simulate", force=force, as_set=True)
+
+
+def simulated(
+    session: Session,
+    machine: VirtualMachine,
+    *,
+    seed: int = 0,
+    tables: Path | None = None,
+    file: str = "",
+) -> dict[str, PositioningTest | CircleRecording]:
+    """Return the test of every axis and the recording of every circle by name, as `simulate_files`
+    writes them. Raises UsageError, InputError for tables that cannot be read.
+    """
     loaded = IDLE if tables is None else _loaded(session, machine, tables, file)
-    files = {}
+    tests: dict[str, PositioningTest | CircleRecording] = {}
     for number, name in enumerate(machine.axes):
         rng = np.random.default_rng([seed, number])
-        test = machine.measure(name, rng=rng, correction=loaded.along.get(name))
-        files[f"{name.lower()}.csv"] = to_csv(test, SIMULATED)
+        tests[name] = machine.measure(name, rng=rng, correction=loaded.along.get(name))
+    between = replace(loaded, along={})
     for number, name in enumerate(machine.circles, start=len(machine.axes)):
-        files[_circle_file(machine, name)] = _measured_circle(
-            machine, name, seed=_seed_of(seed, number), loaded=loaded
+        recording = machine.record_circle(
+            name, seed=_seed_of(seed, number), corrections=loaded.along
         )
-    return write_listed(session, out, files, command="simulate", force=force, as_set=True)
+        tests[name] = _bent(recording, between)
+    return tests
 
 
 def _seed_of(seed: int, number: int) -> int:
@@ -76,20 +94,21 @@ def _seed_of(seed: int, number: int) -> int:
     return int(np.random.SeedSequence([seed, number]).generate_state(1)[0])
 
 
-def _circle_file(machine: VirtualMachine, name: str) -> str:
-    return f"{name.lower()}.{machine.circles[name].format}"
-
-
-def _measured_circle(machine: VirtualMachine, name: str, *, seed: int, loaded: Acting) -> bytes:
-    recording = machine.record_circle(name, seed=seed, corrections=loaded.along)
-    recording = _bent(recording, replace(loaded, along={}))
+def _file_of(
+    machine: VirtualMachine, name: str, test: PositioningTest | CircleRecording
+) -> tuple[str, bytes]:
+    """Return the name and the content of the file of a test."""
+    if isinstance(test, PositioningTest):
+        return f"{name.lower()}.csv", to_csv(test, SIMULATED)
     about = {
         key: text for key, text in (("machine", machine.name), ("serial", machine.serial)) if text
     }
+    form = machine.circles[name].format
     return (
-        to_b5r(recording, about)
-        if machine.circles[name].format == "b5r"
-        else to_circular_csv(recording.test, {**about, **SIMULATED})
+        f"{name.lower()}.{form}",
+        to_b5r(test, about)
+        if form == "b5r"
+        else to_circular_csv(test.test, {**about, **SIMULATED}),
     )
 
 

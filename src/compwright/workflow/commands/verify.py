@@ -122,9 +122,7 @@ def verify_job(
     if update:
         refuse_later_rounds(session, out)
     found, verdict = _verified(session, job, after, plan_file, loaded, profile)
-    document = verification_document(
-        found.plan.format, found.axes, verdict, found.circles, found.findings
-    )
+    document = _document(found, verdict)
     then = (
         next_round(session, found, _compared(session, plan_file, loaded), out, each)
         if update
@@ -152,6 +150,19 @@ def verify_job(
         document=document,
         files=_stored(session, out, files, then, json_path, force=force),
         notes=(*notes, *told, *(then.notes if then is not None else ()), *_left_over(out, then)),
+    )
+
+
+def verification_of(
+    session: Session, job: Job, after: Sequence[str], plan_file: Path, loaded: Sequence[Path]
+) -> dict[str, Any]:
+    """Return the verification document alone, as `verify_job` does; nothing is written."""
+    return _document(*_verified(session, job, after, plan_file, loaded))
+
+
+def _document(found: Verified, verdict: OverallVerdict) -> dict[str, Any]:
+    return verification_document(
+        found.plan.format, found.axes, verdict, found.circles, found.findings
     )
 
 

@@ -87,7 +87,7 @@ class FilesEvaluator:
         if given.faults:
             return FileTests(noted=tuple(Noted("unread", fault) for fault in given.faults))
         try:
-            tests = _read(given, self.asked.profile)
+            tests = tests_in(given.content, given.file, self.asked.profile)
         except Exception as error:  # noqa: BLE001 - the other files are evaluated all the same
             return FileTests(noted=_noted(error, given.file, "unread"))
         parts = [self._of(test) for test in tests]
@@ -142,18 +142,19 @@ def _noted(error: Exception, file: str, why: Why) -> tuple[Noted, ...]:
     return (Noted("own", own_fault(error, file)),)
 
 
-def _read(
-    given: FileToEvaluate, profile: Profile | None
+def tests_in(
+    content: bytes, file: str, profile: Profile | None
 ) -> Sequence[PositioningTest | CircularTest]:
+    """Return the tests in a file's content, of whichever kind. Raises InputError."""
     try:
-        return read_tests(given.content, given.file, profile)
+        return read_tests(content, file, profile)
     except InputError as error:
         refused = InputError(*error.faults)  # without the frames, which hold the lines of the file
     from compwright.workflow.inputs.circles import (
         read_if_circular,
     )  # only now: the way of a positioning test stays short
 
-    test = read_if_circular(given.content, given.file)
+    test = read_if_circular(content, file)
     if test is None:
         raise refused
     return (test,)

@@ -1,0 +1,1 @@
+"""The public library: what ``import compwright`` gives, on the commands' own functions."""

@@ -1,0 +1,239 @@
+"""The functions of the library. Each makes a session of its own: calls in several threads do not
+share anything.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from compwright.documents.evaluation import result_document
+from compwright.evaluation.standards import DEFAULT_STANDARD
+from compwright.evaluation.standards import evaluate as evaluate_positioning
+from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.session import Session
+from compwright.foundations.units import outside_unit
+from compwright.library.results import (
+    Comparison,
+    DecodedFiles,
+    EstimatedError,
+    Evaluation,
+    JobPlan,
+    LoadedJob,
+    Verification,
+)
+from compwright.records.axis import PositionMap
+from compwright.records.circular import CircularTest
+from compwright.records.positioning import PositioningTest, to_machine
+from compwright.workflow.commands.evaluate import all_tests
+from compwright.workflow.inputs.evaluated import tests_in
+from compwright.workflow.inputs.measurement_files import load_profile
+
+if TYPE_CHECKING:
+    PathName = str | Path
+    MeasuredTest = PositioningTest | CircularTest
+
+
+def read(source: PathName | Any, *, profile: PathName | None = None) -> list[MeasuredTest]:
+    """Read the tests of a measurement file, of every file of a folder, or of a pandas table.
+
+    A table has the columns of the plain CSV form and its keys in ``attrs``. Deviations are measured
+    minus target in mm or deg, as in the file: not yet in machine coordinates. ``profile``: the
+    mapping profile of a table of another program. Raises InputError with every fault of every file.
+    """
+    session = Session()
+    mapping = None if profile is None else load_profile(session, Path(profile))
+    if not isinstance(source, str | Path):
+        keys = "".join(f"# {key}: {value}\n" for key, value in source.attrs.items())
+        return list(tests_in(f"{keys}{source.to_csv(index=False)}".encode(), "table", mapping))
+    return all_tests(session, Path(source), mapping)
+
+
+def evaluate(
+    test: MeasuredTest | PathName,
+    standard: str | None = None,
+    *,
+    spread: Literal["std", "range"] = "std",
+) -> Evaluation:
+    """Evaluate a test, or the one test of a file, to a standard.
+
+    ``standard``: an id such as ``iso230-2:2014`` (the default of positioning tests),
+    ``gost27843``, ``vdi3441`` or ``iso230-4:2005`` (of circular tests). Parameters are in um or
+    arcsec. Raises InputError for a test that cannot be evaluated, UsageError for an unknown
+    standard, one of the other kind of test, and a file with several tests.
+    """
+    if not isinstance(test, PositioningTest | CircularTest):
+        tests = read(test)
+        if len(tests) > 1:
+            message = "the file holds more than one test; take one: evaluate(read(path)[0])"
+            raise UsageError(Fault(message=message, file=str(test), found=str(len(tests))))
+        test = tests[0]
+    if isinstance(test, CircularTest):
+        from compwright.documents.circular import circular_document
+        from compwright.evaluation.circular import (
+            DEFAULT_CIRCULAR_STANDARD,
+            circular_standard_by_id,
+        )
+        from compwright.planning.diagnosed import diagnosed_circle
+
+        edition = circular_standard_by_id(standard or DEFAULT_CIRCULAR_STANDARD).id
+        return Evaluation(circular_document(diagnosed_circle(test, edition)))
+    result = evaluate_positioning(test, standard or DEFAULT_STANDARD, spread=spread)
+    return Evaluation(result_document(result))
+
+
+def estimate(
+    tests: PositioningTest | Sequence[PositioningTest],
+    *,
+    travel: tuple[float, float] | None = None,
+    screw_pitch: Sequence[float] = (),
+    sense: Literal[1, -1] = 1,
+    offset: float = 0.0,
+) -> EstimatedError:
+    """Estimate the error of an axis (measured minus target) with its uncertainty from its tests.
+
+    ``travel``: mm or deg, machine coordinates; default: from the first to the last target.
+    ``screw_pitch``: known periods of the error, mm or deg. Tests in the instrument's coordinates
+    are mapped: machine = sense * instrument + offset; ``sense`` -1 also swaps the approaches and
+    the sign. The compensation that was active during the tests is part of the error. Raises
+    UsageError without a test, for tests of several axes and an empty travel, InputError for
+    readings at fewer than two targets.
+    """
+    from compwright.estimation.axis import estimate_axis
+    from compwright.estimation.noise import noise_of
+    from compwright.estimation.observed import ObservedTest
+
+    given = [tests] if isinstance(tests, PositioningTest) else list(tests)
+    axes = sorted({test.axis for test in given})
+    if len(axes) > 1:
+        message = "the tests are of several axes; give those of one axis"
+        raise UsageError(Fault(message=message, found=", ".join(axes)))
+    mapped = [to_machine(test, PositionMap(sense, offset)) for test in given]
+    span = travel
+    if span is None and mapped:
+        ends = [target for test in mapped for target in (test.targets[0], test.targets[-1])]
+        span = (float(min(ends)), float(max(ends)))
+    posterior = estimate_axis(
+        [ObservedTest(test=test, noise=noise_of(test)) for test in mapped],
+        travel=span or (0.0, 0.0),
+        periods=tuple(screw_pitch),
+    )
+    unit = outside_unit(posterior.kind.unit)
+    return EstimatedError(axes[0], unit, posterior.measured, posterior)
+
+
+def load_job(path: PathName) -> LoadedJob:
+    """Read and check a job file. Raises UsageError with every fault of it, InputError where it
+    cannot be read.
+    """
+    from compwright.workflow.inputs.jobs import default_folder, read_job_file
+
+    session, file = Session(), Path(path)
+    return LoadedJob(file, default_folder(session, file), read_job_file(session, file))
+
+
+def plan(job: LoadedJob | PathName, *, accept_worse: bool = False) -> JobPlan:
+    """Work a job through: evaluate, fit the tables, write them into the control's form, read them
+    back with a second reader, predict the next test. Nothing is written to the disk.
+
+    ``accept_worse``: make a table even where it would not improve the axis. Raises UsageError,
+    InputError and CapacityError.
+    """
+    from compwright.workflow.commands.run import planned
+
+    session = Session()
+    loaded = job if isinstance(job, LoadedJob) else load_job(job)
+    done = planned(
+        session, loaded.record, loaded.path.parent, loaded.out, accept_worse=accept_worse
+    )
+    return JobPlan(done.results.prediction, loaded, done.exit_code, done)
+
+
+def verify(
+    job: LoadedJob | PathName,
+    after: PathName | Sequence[PathName],
+    *,
+    plan: PathName | None = None,
+    loaded: PathName | Sequence[PathName] = (),
+) -> Verification:
+    """Judge the tests after loading against the plan. Nothing is written.
+
+    ``after``: measurement files, each a path or ``"TEST=FILE"``; ``plan``: the folder of a run or
+    its ``plan.json``, default: that of the job; ``loaded``: what was read back from the control.
+    Raises UsageError and InputError, also where the plan is that of another job.
+    """
+    from compwright.workflow.commands.verify import plan_path, verification_of
+
+    session = Session()
+    given = job if isinstance(job, LoadedJob) else load_job(job)
+    file = plan_path(session, None if plan is None else Path(plan), given.out)
+    return Verification(
+        verification_of(
+            session, given.record, list(map(str, _several(after))), file, _paths(loaded)
+        )
+    )
+
+
+def decode(
+    files: PathName | Sequence[PathName],
+    format: str,  # noqa: A002 - the word of the command line and of the job file
+    *,
+    options: Mapping[str, object] | None = None,
+    axis: str | None = None,
+) -> DecodedFiles:
+    """Read what a control does with its files, by a reader that shares no code with the writer.
+
+    ``format``: an id of ``compwright formats list`` or the path of a definition; ``options``: as
+    ``controller.options`` of a job; ``axis``: only this address. Raises UsageError and InputError.
+    """
+    from compwright.workflow.commands.decode import decoded_files
+
+    session = Session()
+    state, kinds, document = decoded_files(
+        session, _paths(files), format, dict(options or {}), axis=axis
+    )
+    return DecodedFiles(document, state, kinds.unknown)
+
+
+def compare(plan: PathName, loaded: PathName | Sequence[PathName]) -> Comparison:
+    """Compare the control's files, read back after loading, with a plan.
+
+    ``plan``: the folder of a run or its ``plan.json``. Raises UsageError for a plan without tables,
+    InputError for files that cannot be read.
+    """
+    from compwright.workflow.commands.compare import compare_plan
+    from compwright.workflow.commands.verify import plan_path
+
+    session = Session()
+    file = plan_path(session, Path(plan), Path(plan))
+    return Comparison(compare_plan(session, file, _paths(loaded)).document)
+
+
+def simulate(
+    machine: PathName, *, tables: PathName | None = None, seed: int = 0
+) -> list[MeasuredTest]:
+    """Measure every axis and circle of a virtual machine; the same ``seed`` gives the same tests.
+
+    ``machine``: a machine file; ``tables``: a folder with what its control loads. Raises UsageError
+    with every fault of the machine file, InputError for files that cannot be read.
+    """
+    from compwright.workflow.commands.simulate import load_machine, simulated
+
+    session = Session()
+    virtual = load_machine(session, Path(machine))
+    folder = None if tables is None else Path(tables)
+    measured = simulated(session, virtual, seed=seed, tables=folder, file=str(machine))
+    return [
+        replace(test if isinstance(test, PositioningTest) else test.test, name=name)
+        for name, test in measured.items()
+    ]
+
+
+def _several(paths: PathName | Sequence[PathName]) -> list[Any]:
+    return list(paths) if isinstance(paths, list | tuple) else [paths]
+
+
+def _paths(paths: PathName | Sequence[PathName]) -> list[Path]:
+    return [Path(path) for path in _several(paths)]

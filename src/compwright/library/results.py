@@ -1,0 +1,382 @@
+"""Results of the library: frozen, with values and units in ``repr``, ``to_dict`` and ``plot``.
+
+Each holds the document that the command line writes as JSON, so that both say the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from copy import deepcopy
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.extras import need
+from compwright.foundations.session import Session
+from compwright.foundations.units import outside_factor, outside_unit
+from compwright.records.axis import Direction, FloatArray
+
+if TYPE_CHECKING:  # for names alone: the library starts without the estimation and the formats
+    from numpy.typing import ArrayLike
+
+    from compwright.controls.decoded import DecodedState
+    from compwright.estimation.axis import AxisPosterior
+    from compwright.records.job import Job
+    from compwright.workflow.commands.run import PlannedJob
+
+#: Approach direction: the sign of the motion that arrives at the position.
+Approach = Literal["+", "-"]
+
+#: Parameters that a ``repr`` shows, as far as the test has them.
+_SHOWN = ("A", "E", "R", "B", "M", "P", "Pa", "G_ccw", "G_cw", "G_bidirectional")
+
+
+def _micro(unit: str) -> str:
+    return "µm" if unit == "um" else unit
+
+
+def _listed(values: Mapping[str, float | None], unit: str) -> str:
+    known = {name: values[name] for name in _SHOWN if values.get(name) is not None}
+    return ", ".join(f"{name} {value:.2f} {_micro(unit)}" for name, value in known.items())
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class DocumentResult:
+    """A result with its JSON document (units in the document's own keys)."""
+
+    _document: Mapping[str, Any]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the JSON document that the command line writes, as plain data of your own."""
+        return deepcopy(dict(self._document))
+
+    @property
+    def findings(self) -> list[dict[str, Any]]:
+        """What was noticed: ``code``, ``severity`` (info, warning, error) and ``message``."""
+        return deepcopy(list(self._document.get("findings", [])))
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Evaluation(DocumentResult):
+    """One test evaluated to its standard. ``evaluation["A"]`` is a parameter in `unit`."""
+
+    def __repr__(self) -> str:
+        """Return the test, its standard and its parameters with unit."""
+        about = f"{self.name!r}, {self._document['standard']}"
+        return f"Evaluation({about}: {_listed(self.parameters, self.unit)})"
+
+    def __getitem__(self, name: str) -> float | None:
+        """Return a parameter in `unit`; None where the standard does not define it for this test.
+
+        Raises KeyError for a name that is no parameter of this kind of test.
+        """
+        return self.parameters[name]
+
+    @property
+    def name(self) -> str:
+        """Name of the test."""
+        return str(self._document["name"])
+
+    @property
+    def unit(self) -> str:
+        """Unit of the parameters: um or arcsec."""
+        return str(self._document["unit"])
+
+    @property
+    def parameters(self) -> dict[str, float | None]:
+        """Parameters by the standard's name, in `unit`."""
+        return dict(self._document["parameters"])
+
+    @property
+    def diagnosis(self) -> dict[str, Any]:
+        """Causes of a circular test (value, std_error, unit); empty for a positioning test."""
+        return deepcopy(dict(self._document.get("diagnosis") or {}))
+
+    def to_frame(self) -> Any:
+        """Return the targets of a positioning test as a pandas table, one row per target.
+
+        Positions in mm or deg, deviations in `unit`. Raises UsageError for a circular test, and
+        where pandas is not installed.
+        """
+        targets = self._document.get("targets")
+        if targets is None:
+            raise UsageError(Fault(message="a circular test has no targets; use to_dict()"))
+        pandas = need("pandas", "pandas", "tables of a script")
+        return pandas.DataFrame([dict(target) for target in targets])
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw the means by direction over the position into matplotlib axes; returns the axes.
+
+        Raises UsageError without matplotlib, and for a circular test.
+        """
+        from compwright.reporting.charts import result_chart, title_of
+        from compwright.reporting.panels import draw_on_axes
+
+        if self._document["kind"] != "positioning":
+            message = "a circular test is drawn by: compwright evaluate FILE --plot circle.svg"
+            raise UsageError(Fault(message=message))
+        chart = result_chart(self._document)
+        chart.title = title_of(self._document)
+        return draw_on_axes(ax, chart)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class EstimatedError:
+    """The error of an axis (measured minus target) with its uncertainty at any position.
+
+    ``unit``: um or arcsec; positions in mm or deg, machine coordinates. The error is known up to a
+    constant: the instrument's datum.
+    """
+
+    axis: str
+    unit: str
+    measured: tuple[float, float]
+    _posterior: AxisPosterior
+
+    def __repr__(self) -> str:
+        """Return the axis, the measured range and the largest error with unit."""
+        where = np.linspace(*self.measured, 201)
+        largest = max(np.ptp(self.mean(where, "+")), np.ptp(self.mean(where, "-")))
+        low, high = self.measured
+        return (
+            f"EstimatedError(axis {self.axis}, {low:g} to {high:g}:"
+            f" range {largest:.2f} {_micro(self.unit)})"
+        )
+
+    def mean(self, positions: ArrayLike, approach: Approach) -> FloatArray:
+        """Return the expected error at ``positions`` (k,), in `unit`."""
+        return self._at(positions, approach)[0]
+
+    def std(self, positions: ArrayLike, approach: Approach) -> FloatArray:
+        """Return its standard uncertainty at ``positions`` (k,), in `unit`."""
+        return self._at(positions, approach)[1]
+
+    @property
+    def periods(self) -> list[dict[str, Any]]:
+        """Periodic errors: ``period`` (mm or deg), ``probability`` and ``source`` (job, found)."""
+        return [
+            {"period": one.period, "probability": one.probability, "source": one.source}
+            for one in self._posterior.periods
+        ]
+
+    def to_dict(self, points: int = 201) -> dict[str, Any]:
+        """Return mean and standard uncertainty by direction at ``points`` evenly spaced positions,
+        in `unit`.
+        """
+        where = np.linspace(*self.measured, points)
+        curves = {
+            f"{what}_{name}": getattr(self, what)(where, approach).tolist()
+            for what in ("mean", "std")
+            for name, approach in (("positive", "+"), ("negative", "-"))
+        }
+        return {"axis": self.axis, "unit": self.unit, "positions": where.tolist(), **curves}
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw the error with ± 2 standard uncertainties into matplotlib axes; returns the axes.
+
+        Raises UsageError without matplotlib.
+        """
+        from compwright.reporting.charts import estimate_chart
+        from compwright.reporting.panels import draw_on_axes
+
+        return draw_on_axes(ax, estimate_chart(self.to_dict(), {"unit": self.unit}))
+
+    def _at(self, positions: ArrayLike, approach: Approach) -> tuple[FloatArray, FloatArray]:
+        where = np.atleast_1d(np.asarray(positions, dtype=np.float64))
+        unique, back = np.unique(where, return_inverse=True)
+        summary = self._posterior.summary(unique)
+        factor = outside_factor(summary.kind.unit)
+        mean, std = (
+            (summary.mean_positive, summary.std_positive)
+            if Direction(approach) is Direction.POSITIVE
+            else (summary.mean_negative, summary.std_negative)
+        )
+        return mean[back] * factor, std[back] * factor
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class LoadedJob:
+    """A job file that was read and checked, and where its results go by default."""
+
+    path: Path
+    out: Path
+    record: Job
+
+    def __repr__(self) -> str:
+        """Return the file, the control and the axes."""
+        return f"LoadedJob({str(self.path)!r}, {self.control}: axes {', '.join(self.axes)})"
+
+    @property
+    def control(self) -> str:
+        """Id of the control's format."""
+        return self.record.format
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """Names of the axes."""
+        return tuple(self.record.axes)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class JobPlan(DocumentResult):
+    """Tables and prediction of a job; nothing is on the disk before `write`.
+
+    ``exit_code``: that of ``compwright run`` for the same job: 0 where every limit is predicted to
+    be met and nothing is in doubt, 1 where not, 2 where no table is made because the state of the
+    control is not given.
+    """
+
+    job: LoadedJob
+    exit_code: int
+    _planned: PlannedJob = field(repr=False)
+
+    def __repr__(self) -> str:
+        """Return each axis with A before and predicted, with unit."""
+        return f"JobPlan({self.job.control}: {'; '.join(self._lines())})"
+
+    def _lines(self) -> Iterator[str]:
+        for name, axis in self.prediction.items():
+            before = axis["before"].get("A")
+            unit = _micro(axis["table"]["unit"]) if axis.get("table") else ""
+            predicted = axis["predicted"].get("A")
+            if before is None or predicted is None:
+                yield name
+                continue
+            yield (
+                f"{name} A {before:.2f} -> {predicted['median']:.2f}"
+                f" ({predicted['p05']:.2f} to {predicted['p95']:.2f}) {unit}"
+            ).rstrip()
+
+    @property
+    def prediction(self) -> dict[str, Any]:
+        """By axis: ``before``, ``predicted``, ``table``, ``accept`` as in ``prediction.json``."""
+        return deepcopy(dict(self._document["axes"]))
+
+    @property
+    def evaluation(self) -> dict[str, Any]:
+        """The document of the tests before, as in ``evaluation.json``."""
+        return deepcopy(dict(self._planned.results.evaluation))
+
+    @property
+    def findings(self) -> list[dict[str, Any]]:
+        """What was noticed: ``code``, ``severity`` and ``message``."""
+        return self._planned.finding_documents()
+
+    @property
+    def tables(self) -> dict[str, bytes]:
+        """What the control loads: file name -> bytes; empty where no table is made."""
+        folder = f"tables/{self.job.control}/"
+        return {
+            name.removeprefix(folder): content
+            for name, content in self._planned.results.files.items()
+            if name.startswith(folder)
+        }
+
+    def write(self, folder: str | Path | None = None, *, force: bool = False) -> list[Path]:
+        """Write everything that ``compwright run`` writes, all or nothing; returns the paths.
+
+        ``folder``: default: that of the job. ``force``: replace an earlier result. Raises
+        StorageError where files exist or cannot be written.
+        """
+        from compwright.workflow.commands.run import write_planned
+
+        out = self.job.out if folder is None else Path(folder)
+        session = Session()
+        return list(write_planned(session, self._planned, out, force=force).files)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Verification(DocumentResult):
+    """What the tests after loading show: ``verdict`` good, bad or undecided."""
+
+    def __repr__(self) -> str:
+        """Return the verdict and, by axis, whether the table is active."""
+        axes = ", ".join(
+            f"{name} {axis['loading']['verdict']}" for name, axis in self._document["axes"].items()
+        )
+        return f"Verification({self.verdict}: {axes})"
+
+    @property
+    def verdict(self) -> str:
+        """Good, bad or undecided."""
+        return str(self._document["verdict"])
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Comparison(DocumentResult):
+    """The control's files compared with a plan."""
+
+    def __repr__(self) -> str:
+        """Return the verdict and, by axis, what differs."""
+        axes = ", ".join(
+            f"{name} {axis['verdict']}" for name, axis in self._document["axes"].items()
+        )
+        return f"Comparison({self.verdict}: {axes})"
+
+    @property
+    def verdict(self) -> str:
+        """``same`` or ``different``."""
+        return str(self._document["verdict"])
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class DecodedFiles(DocumentResult):
+    """What a control does with its files: ``decoded["X"]`` is the correction of an axis."""
+
+    _state: DecodedState
+    _unknown: Sequence[str]
+
+    def __repr__(self) -> str:
+        """Return each axis with the range of its correction and unit."""
+        parts = []
+        for address, axis in self._document["axes"].items():
+            values = [*axis["correction_positive"], *axis["correction_negative"], 0.0]
+            parts.append(
+                f"{address} {min(values):+.2f} to {max(values):+.2f} {_micro(axis['unit'] or '')}"
+            )
+        return f"DecodedFiles({', '.join(parts).rstrip()})"
+
+    def __getitem__(self, address: str) -> AxisCorrection:
+        """Return the correction of the axis that the control calls ``address``. Raises KeyError."""
+        axis = self._state.state.axes[address]
+        unit = None if address in self._unknown else outside_unit(axis.kind.unit)
+        return AxisCorrection(address, unit, outside_factor(axis.kind.unit), self._state)
+
+    def __iter__(self) -> Iterator[str]:
+        """Iterate over the addresses of the axes."""
+        return iter(self._document["axes"])
+
+    def __len__(self) -> int:
+        """Return the number of axes."""
+        return len(self._document["axes"])
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class AxisCorrection:
+    """What the control adds to the command of one axis, a function of position and approach.
+
+    ``unit``: um or arcsec; None where the files do not tell whether the axis is linear or rotary
+    (then thousandths of the unit of its positions).
+    """
+
+    address: str
+    unit: str | None
+    _factor: float
+    _state: DecodedState
+
+    def __repr__(self) -> str:
+        """Return the axis and its unit."""
+        return f"AxisCorrection({self.address}, {_micro(self.unit or 'unit unknown')})"
+
+    def __call__(self, positions: ArrayLike, approach: Approach) -> FloatArray:
+        """Return the correction at ``positions`` (k,), mm or deg, arriving in ``approach``."""
+        from compwright.controls.decoded import judged
+
+        where = np.atleast_1d(np.asarray(positions, dtype=np.float64))
+        correction: FloatArray = (
+            judged(self._state, self.address, where, Direction(approach)) * self._factor
+        )
+        return correction
