@@ -26,7 +26,7 @@ from examiner_circles import POINTS, Circle, circle
 
 from compwright.foundations.session import Session
 from compwright.workflow.commands.evaluate import evaluate_files
-from compwright.workflow.commands.run import run_job
+from compwright.workflow.commands.run import planned, write_planned
 from compwright.workflow.inputs.jobs import read_job_file
 
 #: Columns of the table and what they are drawn from; a machine's number goes through them in turn.
@@ -216,7 +216,8 @@ def _run(place: Path, names: list[str]) -> dict[str, Any]:
         encoding="utf-8",
     )
     session = Session()
-    run_job(session, read_job_file(session, job), place, place / "out")
+    out = place / "out"
+    write_planned(session, planned(session, read_job_file(session, job), place, out), out)
     answer: dict[str, Any] = json.loads((place / "out/prediction.json").read_text("utf-8"))
     return answer
 
