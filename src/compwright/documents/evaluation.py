@@ -4,9 +4,10 @@ in mm or deg.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
-from typing import Any
+from dataclasses import asdict, replace
+from typing import Any, Final
 
 import numpy as np
 
@@ -15,12 +16,14 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import FloatArray
 from compwright.records.positioning import PositioningTest
-from compwright.records.result import ExpandedUncertainty, PositioningResult
+from compwright.records.result import ExpandedUncertainty, Extreme, PositioningResult
 
 SCHEMA = "compwright/evaluation/1"
 #: Digits after the decimal point of deviations in µm or arcsec: takes away the noise of binary
 #: numbers, keeps every real digit.
 _DIGITS = 9
+#: Coverage factor of expanded uncertainties.
+COVERAGE: Final = 2.0
 
 
 def evaluation_document(
@@ -45,7 +48,9 @@ def result_document(result: PositioningResult) -> dict[str, Any]:
     Beyond the contract: ``name``, ``coverage`` (k), ``spread`` (std or range), ``header`` (what the
     file says about the test) and in each target the readings ``deviations_positive`` and
     ``deviations_negative`` in the order of the runs, null where missing; where they were reduced to
-    20 °C, ``expansion_removed``: what was taken from each.
+    20 °C, ``expansion_removed``: what was taken from each, and ``thermal``: by which coefficients
+    (µm/(m K)), temperatures (°C) and fixed point (mm). ``extremes``: of A, E and M the highest and
+    the lowest value. ``budget``: the contributors behind ``uncertainty``.
     """
     test = result.test
     factor = outside_factor(test.kind.unit)
@@ -65,7 +70,13 @@ def result_document(result: PositioningResult) -> dict[str, Any]:
         "n_runs": {"positive": _traverses(test.positive), "negative": _traverses(test.negative)},
         "parameters": {name: _outside(value, factor) for name, value in result.parameters.items()},
         "at": dict(result.at),
+        "extremes": {
+            name: [_extreme(entry, factor) for entry in ends]
+            for name, ends in result.extremes.items()
+        },
         "uncertainty": _uncertainty(result.uncertainty, factor),
+        "budget": _budget(result),
+        "thermal": None if test.thermal is None else asdict(test.thermal),
         "targets": _targets(result, factor),
         "not_applicable": dict(result.not_applicable),
         "header": dict(test.header),
@@ -105,6 +116,38 @@ def _uncertainty(
     return {
         name: {"U": _outside(entry.U, factor), "coverage": entry.coverage}
         for name, entry in stated.items()
+    }
+
+
+def _extreme(extreme: Extreme, factor: float) -> dict[str, Any]:
+    return {
+        "value": _outside(extreme.value, factor),
+        "position": extreme.position,
+        "direction": None if extreme.direction is None else extreme.direction.value,
+    }
+
+
+def _budget(result: PositioningResult) -> dict[str, Any] | None:
+    """Return the contributors, their standard uncertainties (µm or arcsec), and the sum over the
+    measured length of what one reading at its far end has.
+    """
+    if not result.budget:
+        return None
+    combined = math.hypot(*(one.standard for one in result.budget))
+    return {
+        "length": float(result.test.targets[-1] - result.test.targets[0]),
+        "contributions": [
+            {
+                **asdict(one),
+                "divisor": round(one.divisor, _DIGITS),
+                "sensitivity": round(one.sensitivity, _DIGITS),
+                "standard": round(one.standard, _DIGITS),
+            }
+            for one in result.budget
+        ],
+        "standard": round(combined, _DIGITS),
+        "U": round(COVERAGE * combined, _DIGITS),
+        "coverage": COVERAGE,
     }
 
 

@@ -32,13 +32,13 @@ from compwright.evaluation.statistics import (
     vdi_parameters,
     vdi_positional_scatter,
 )
-from compwright.evaluation.uncertainty import expanded_uncertainties
+from compwright.evaluation.uncertainty import contributions, expanded_uncertainties
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.job import Thermal, UncertaintyBudget
 from compwright.records.positioning import PositioningTest
-from compwright.records.result import PositioningResult, TargetColumns
+from compwright.records.result import Extreme, PositioningResult, TargetColumns
 
 Spread = Literal["std", "range"]
 Entry = TypeVar("Entry")
@@ -217,7 +217,13 @@ def evaluate(
         parameters=given,
         targets=columns,
         at=_located(test, columns, given),
+        extremes=_extremes(test, columns, given, chosen.coverage),
         uncertainty=uncertainty,
+        budget=(
+            contributions(test, budget, thermal)
+            if budget is not None and uncertainty is not None
+            else ()
+        ),
         not_applicable=reasons,
         findings=tuple(findings),
         spread=spread,
@@ -354,6 +360,44 @@ def _located(
         for name, column in sources.items()
         if given.get(name) is not None
     }
+
+
+def _extremes(
+    test: PositioningTest,
+    columns: TargetColumns,
+    given: Mapping[str, float | None],
+    coverage: float,
+) -> dict[str, tuple[Extreme, Extreme]]:
+    """Return the highest and the lowest value behind each of A, E and M that is given (the first
+    target on a tie).
+    """
+    means = dict(zip(_BOTH, (columns.mean_positive, columns.mean_negative), strict=True))
+    spread = dict(zip(_BOTH, (columns.s_positive, columns.s_negative), strict=True))
+    sides: dict[str, list[tuple[Direction | None, FloatArray, FloatArray]]] = {
+        "A": [
+            (way, means[way] + coverage * spread[way], means[way] - coverage * spread[way])
+            for way in _BOTH
+        ],
+        "E": [(way, means[way], means[way]) for way in _BOTH],
+        "M": [(None, columns.mean, columns.mean)],
+    }
+    return {
+        name: (
+            _extreme(test, [(way, high) for way, high, _ in bounds], 1.0),
+            _extreme(test, [(way, low) for way, _, low in bounds], -1.0),
+        )
+        for name, bounds in sides.items()
+        if given.get(name) is not None
+    }
+
+
+def _extreme(
+    test: PositioningTest, bounds: Sequence[tuple[Direction | None, FloatArray]], sense: float
+) -> Extreme:
+    """Return the highest of several curves over the targets, with ``sense`` -1 the lowest."""
+    places = [(int(np.nanargmax(sense * values)), way, values) for way, values in bounds]
+    index, way, values = max(places, key=lambda one: float(sense * one[2][one[0]]))
+    return Extreme(float(values[index]), float(test.targets[index]), way)
 
 
 def _target_findings(

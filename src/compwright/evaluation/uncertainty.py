@@ -13,18 +13,18 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from statistics import NormalDist
-from typing import Final
+from typing import Final, Literal
 
 import numpy as np
 
 from compwright.evaluation.environment import without_environment
 from compwright.evaluation.statistics import mean_deviation, parameters, standard_deviation
 from compwright.foundations.findings import Finding
-from compwright.foundations.units import outside_factor
+from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.job import Thermal, UncertaintyBudget
 from compwright.records.positioning import SAME_READING, PositioningTest
-from compwright.records.result import ExpandedUncertainty
+from compwright.records.result import Contribution, ExpandedUncertainty
 
 COVERAGE: Final = 2.0
 #: Expanded uncertainty (k = 2) of a contributor known by its range a: 2 a / sqrt(12).
@@ -41,31 +41,91 @@ _DIGITS: Final = 12
 _STEEL: Final = 11.5
 
 
-def length_uncertainty(
+def contributions(
     test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None
-) -> float:
-    """Return the expanded uncertainty (µm) over the measured length of all that is one draw per
-    test times position.
+) -> tuple[Contribution, ...]:
+    """Return the contributors (µm, rotary axes: arcsec), those of one draw per test times position
+    over the measured length.
 
     L is the distance of the extreme targets in m: instrument U + per_m L, misalignment R²/(2L) as a
     range (0.289 R²/L expanded, to either side as of any range, though the beam only ever reads too
     short: where nothing else counts, 58 % of the range lie within), temperature alpha L U(theta)
     and coefficient abs(T - 20) L U(alpha), for the machine and, where it expands, the instrument.
-    Rotary axes have no length terms: only the instrument's U (arcsec).
+    Rotary axes have no length terms: instrument, set-up and environmental variation in arcsec.
     """
+    unit = outside_unit(test.kind.unit)
+    ends = (_normal("setup", budget.setup, unit, 1.0, "test"), _variation(budget.E_VE, unit))
     if test.kind is AxisKind.ROTARY:
-        return budget.device
+        return (_normal("device", budget.device, unit, 1.0), *ends)
     length = float(test.targets[-1] - test.targets[0]) / 1000.0
-    alpha = thermal.alpha_m if thermal else _STEEL
-    terms = [budget.device + budget.device_per_m * length, alpha * length * budget.U_theta]
-    if length > 0.0:
-        terms.append(FROM_RANGE * budget.misalignment_mm**2 / (2.0 * length))
-    if thermal:
-        terms.append(abs(thermal.T_m - 20.0) * length * budget.U_alpha)
-        if thermal.alpha_d != 0.0:
-            terms.append(thermal.alpha_d * length * budget.U_theta)
-            terms.append(abs(thermal.T_d - 20.0) * length * budget.U_alpha)
-    return math.hypot(*terms)
+    device = _normal(
+        "device",
+        budget.device + budget.device_per_m * length,
+        unit,
+        1.0,
+        note=f"{budget.device:g} µm + {budget.device_per_m:g} µm/m × {length:g} m",
+    )
+    expands = [
+        ("machine", thermal.alpha_m if thermal else _STEEL, thermal.T_m if thermal else 20.0)
+    ]
+    if thermal and thermal.alpha_d != 0.0:
+        expands.append(("instrument", thermal.alpha_d, thermal.T_d))
+    steel = "" if thermal else f"{_STEEL} µm/(m K), steel, is assumed"
+    unknown = "" if thermal else "the temperature is unknown: not counted"
+    return (
+        device,
+        *([_misalignment(budget.misalignment_mm, length)] if length > 0.0 else []),
+        *(
+            _normal(f"U_theta_{part}", budget.U_theta, "K", alpha * length, note=steel)
+            for part, alpha, _ in expands
+        ),
+        *(
+            _normal(
+                f"U_alpha_{part}", budget.U_alpha, "um/(m K)", abs(T - 20.0) * length, note=unknown
+            )
+            for part, _, T in expands
+        ),
+        *ends,
+    )
+
+
+def _normal(
+    source: str,
+    given: float,
+    unit: str,
+    sensitivity: float,
+    per: Literal["length", "test"] = "length",
+    note: str = "",
+) -> Contribution:
+    return Contribution(
+        source=source, given=given, unit=unit, distribution="normal", divisor=COVERAGE,
+        sensitivity=sensitivity, per=per, note=note,
+    )  # fmt: skip
+
+
+def _misalignment(offset: float, length: float) -> Contribution:
+    """Return what ``offset`` (mm) of the beam over ``length`` (m) adds: the range R²/(2L) in µm."""
+    return Contribution(
+        source="misalignment_mm", given=offset, unit="mm", distribution="rectangular",
+        divisor=1.0 / _SIGMA, sensitivity=offset / (2.0 * length), per="length",
+    )  # fmt: skip
+
+
+def _variation(given: float, unit: str) -> Contribution:
+    return Contribution(
+        source="E_VE", given=given, unit=unit, distribution="rectangular", divisor=1.0 / _SIGMA,
+        sensitivity=1.0, per="reading",
+    )  # fmt: skip
+
+
+def length_uncertainty(
+    test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None
+) -> float:
+    """Return the expanded uncertainty (µm; rotary axes: arcsec) over the measured length of all
+    that is one draw per test times position.
+    """
+    every = contributions(test, budget, thermal)
+    return COVERAGE * math.hypot(*(one.standard for one in every if one.per == "length"))
 
 
 def slope_between_tests(

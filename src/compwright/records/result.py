@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Literal
 
 from compwright.foundations.findings import Finding
-from compwright.records.axis import FloatArray
+from compwright.records.axis import Direction, FloatArray
 from compwright.records.positioning import PositioningTest
 
 
@@ -16,6 +17,43 @@ class ExpandedUncertainty:
 
     U: float
     coverage: float = 2.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Contribution:
+    """One contributor to the measurement uncertainty, in µm (rotary axes: arcsec).
+
+    ``source``: key of the job's ``uncertainty``, followed by ``_machine`` or ``_instrument`` where
+    it counts for both. ``given`` in ``unit``, divided by ``divisor`` (2 of an expanded uncertainty
+    of a normal distribution, √12 of the range of a rectangular one), times ``sensitivity``, is the
+    standard uncertainty ``standard``. ``per``: one draw per ``length`` (times position), ``test``
+    or ``reading``. ``note``: what the value is made of, or why it does not count.
+    """
+
+    source: str
+    given: float
+    unit: str
+    distribution: Literal["normal", "rectangular"]
+    divisor: float
+    sensitivity: float
+    per: Literal["length", "test", "reading"]
+    note: str = ""
+
+    @property
+    def standard(self) -> float:
+        """The standard uncertainty, µm or arcsec."""
+        return self.given / self.divisor * self.sensitivity
+
+
+@dataclass(frozen=True, slots=True)
+class Extreme:
+    """A value (mm or deg) that decides a range, the target at which it lies, and the approach
+    direction; None: the mean of both.
+    """
+
+    value: float
+    position: float
+    direction: Direction | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,7 +83,8 @@ class PositioningResult:
 
     ``at`` gives the target position at which a parameter takes its extreme; ``not_applicable`` the
     reason of each None. ``coverage`` is the factor k of the standard (3 or 2); ``spread`` says how
-    s was formed: ``std`` or ``range``.
+    s was formed: ``std`` or ``range``. ``extremes``: of A, E and M the highest and the lowest value
+    (A: mean ± k s), whose difference it is. ``budget``: the contributors behind ``uncertainty``.
     """
 
     test: PositioningTest
@@ -54,7 +93,9 @@ class PositioningResult:
     parameters: Mapping[str, float | None]
     targets: TargetColumns
     at: Mapping[str, float] = field(default_factory=dict)
+    extremes: Mapping[str, tuple[Extreme, Extreme]] = field(default_factory=dict)
     uncertainty: Mapping[str, ExpandedUncertainty] | None = None
+    budget: tuple[Contribution, ...] = ()
     not_applicable: Mapping[str, str] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
     spread: str = "std"

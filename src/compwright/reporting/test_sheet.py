@@ -1,0 +1,91 @@
+"""The test sheet of a report: each item that the standards ask for, what is stated of it, and the
+clause; and what the file says in addition. Computes nothing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any, Final
+
+from compwright.reporting.numbers import plain
+from compwright.reporting.report_items import BASIS, READ_EDITION, ReportItem, items_of
+
+Document = Mapping[str, Any]
+
+#: Printed for an item that neither the file nor the job states.
+NOT_STATED: Final = "not stated"
+
+_NUMBER: Final = re.compile(r"[+-]?\d+(?:[.,]\d+)?(?:[eE][+-]?\d+)?")
+_ENDS: Final = (("", ""), ("_start", " at the start"), ("_end", " at the end"))
+
+
+def sheet_rows(result: Document, stated: Mapping[str, str]) -> list[dict[str, str]]:
+    """Return the items of a result as rows ``label``, ``value`` and ``clause``.
+
+    ``stated``: what the job says, by the key of the item. Several statements stand one after the
+    other; none is "not stated".
+    """
+    header = _by_key(result.get("header") or {})
+    edition = READ_EDITION.get(str(result.get("standard")), "")
+    rows = []
+    for item in items_of(str(result.get("kind", "positioning"))):
+        texts = [
+            *_from_header(item, header),
+            *([stated[item.key]] if stated.get(item.key) else []),
+            *([item.given(result)] if item.given is not None else []),
+        ]
+        value = "; ".join(dict.fromkeys(text for text in texts if text))
+        rows.append(
+            {
+                "label": item.label,
+                "value": value or NOT_STATED,
+                "clause": item.clauses.get(edition, ""),
+            }
+        )
+    return rows
+
+
+def further_statements(result: Document) -> list[tuple[str, str]]:
+    """Return what the header of the file says in addition to the items, key and text."""
+    used = {
+        f"{key}{end}"
+        for item in items_of(str(result.get("kind", "positioning")))
+        for key in item.headers
+        for end, _ in _ENDS
+    }
+    return [
+        (str(key), plain(text))
+        for key, text in (result.get("header") or {}).items()
+        if _plain_key(str(key)) not in used
+    ]
+
+
+def basis(standard: object) -> str:
+    """Return on which text the items of a standard rest; empty for an unknown standard."""
+    return BASIS.get(str(standard), "")
+
+
+def _from_header(item: ReportItem, header: Mapping[str, list[str]]) -> list[str]:
+    return [
+        f"{_with_unit(text, unit)}{words}"
+        for key, unit in item.headers.items()
+        for end, words in _ENDS
+        for text in header.get(f"{key}{end}", ())
+    ]
+
+
+def _with_unit(text: str, unit: str) -> str:
+    return f"{text}{unit}" if _NUMBER.fullmatch(text) else text
+
+
+def _by_key(header: Mapping[str, Any]) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for key, text in header.items():
+        lines = [line.strip() for line in plain(text).splitlines() if line.strip()]
+        found.setdefault(_plain_key(str(key)), []).extend(lines)
+    return found
+
+
+def _plain_key(written: str) -> str:
+    return re.sub(r"[ -]+", "_", written.strip()).lower()
