@@ -376,7 +376,7 @@ def test_single_readings_stand_under_their_run_and_direction() -> None:
         for head, rows in tables(run_report(view))
         if head == ["Position deg", "+1 arcsec", "+2 arcsec"]
     )
-    assert rotary[1] == ["45", "2.00", MISSING]
+    assert rotary[1] == ["45", "2.0", MISSING]
 
 
 @words_only

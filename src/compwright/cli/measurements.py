@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -60,6 +61,7 @@ _STANDARDS = (
     metavar="PATH",
     help="Write all parameters, a row per test, to a file: .csv or .xlsx.",
 )
+@click.option("--report", type=PATH, metavar="PATH", help="Write the test report: .html.")
 @json_option
 @force_option
 @exiting
@@ -74,6 +76,7 @@ def evaluate(
     plot: Path | None,
     targets: bool,  # noqa: FBT001 - a flag of the command line
     table: Path | None,
+    report: Path | None,
     json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
@@ -93,7 +96,7 @@ def evaluate(
             standards,
             spread,
             profile=profile,
-            whole=json_path is not None or plot is not None or targets,
+            whole=any((json_path, plot, report)) or targets,
             crew=invocation.crew,
             watch=watch,
         )
@@ -103,6 +106,8 @@ def evaluate(
         json_path=json_file(json_path),
         plot_path=plot,
         table_path=table,
+        report_path=report,
+        command=_repeated(paths, standards, spread, profile, report),
         force=force,
     )
     answer(
@@ -125,6 +130,21 @@ def evaluate(
     if outcome.exit_code == OWN_FAULT:
         ask_for_report()
     return outcome.exit_code
+
+
+def _repeated(
+    paths: Sequence[Path],
+    standards: Sequence[str],
+    spread: str,
+    profile: Path | None,
+    report: Path | None,
+) -> str:
+    """Return the command that repeats a report."""
+    words = ["compwright", "evaluate", *map(str, paths)]
+    words += [word for standard in standards for word in ("--standard", standard)]
+    words += ["--spread", spread] if spread != "std" else []
+    words += ["--profile", str(profile)] if profile is not None else []
+    return shlex.join([*words, "--report", str(report)])
 
 
 def _tell_notes(names: Sequence[str], what: str) -> None:

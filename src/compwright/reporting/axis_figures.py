@@ -16,11 +16,13 @@ from compwright.reporting.charts import (
     parameter_line,
     prediction_line,
     result_chart,
+    reversal_chart,
     table_chart,
     title_of,
 )
 
 _HEIGHT: Final = 209.0  # points
+_LOW: Final = 118.0
 _BESIDE_EACH_OTHER: Final = 234.0
 
 
@@ -29,6 +31,11 @@ def result_figure(result: Document, description: str) -> str:
     chart = result_chart(result)
     chart.title, chart.right = title_of(result), parameter_line(result)
     return chart_svg([chart], _HEIGHT, description)
+
+
+def reversal_figure(result: Document, description: str) -> str:
+    """Return the reversal B_i over the targets."""
+    return chart_svg([reversal_chart(result)], _LOW, description)
 
 
 def before_after_figure(

@@ -31,6 +31,7 @@ _DIGIT: Final = 4.9
 _EDGE: Final = 9.0
 _GAP: Final = 17.0
 _BELOW: Final = 70.0
+_NO_LEGEND: Final = 30.0
 _HEAD: Final = 18.0  # above them a line of words
 _LINE: Final = 12.0  # and another one
 _TITLE: Final = 8.5  # sizes of letters
@@ -44,6 +45,7 @@ _STEPS: Final = (1.0, 2.0, 2.5, 5.0)
 _STEPS_OF_A_TURN: Final = (1.0, 1.5, 3.0, 4.5, 6.0, 9.0)  # 30, 45 and 90 rather than 50 and 100
 _HANDLE: Final = 22.0  # what stands before a name in the legend
 _FREE: Final = 12.0  # behind it
+_RING: Final = 3.6  # radius of a mark
 _SOFT: Final = "#555555"
 #: Points of a line beyond which it is thinned: two to each point of the picture.
 _MOST_POINTS: Final = 1000
@@ -71,7 +73,7 @@ def chart_svg(charts: Sequence[Chart], height: float, description: str) -> str:
     """
     across, up = covered(charts)
     head = _HEAD + (_LINE if any(chart.note for chart in charts) else 0.0)
-    bottom = height - _BELOW
+    bottom = height - (_BELOW if legend_of(charts) else _NO_LEGEND)
     rows, decimals = _ticks(*up, int((bottom - head) / _ROW), _STEPS)
     numbers = [_written(value, decimals) for value in rows]
     left = _BESIDE + _DIGIT * max(map(len, numbers), default=0)
@@ -152,6 +154,31 @@ def _content(chart: Chart, x: _Scale, y: _Scale) -> Iterator[str]:
     yield _path(f"M{x.first:.2f},{zero:.2f}H{x.last:.2f}", "#777777", 0.8)
     for curve in chart.curves:
         yield _drawn(curve, x, y)
+    yield from _rings(chart, x, y)
+
+
+def _rings(chart: Chart, x: _Scale, y: _Scale) -> Iterator[str]:
+    """Yield a ring about each marked point, and their names; of one place in one word."""
+    places: dict[tuple[float, float], list[str]] = {}
+    for mark in chart.marks:
+        (across,), (up,) = x.at([mark.x]), y.at([mark.y])
+        near = (
+            place
+            for place in places
+            if abs(place[0] - across) < _RING and abs(place[1] - up) < _SMALL
+        )
+        places.setdefault(next(near, (across, up)), []).append(mark.text)
+        r = _RING
+        ring = f"M{across - r:.2f},{up:.2f}a{r:g},{r:g} 0 1 0 {2 * r:g},0"
+        yield _path(f"{ring}a{r:g},{r:g} 0 1 0 {-2 * r:g},0", INK, 0.9)
+    middle = (x.first + x.last) / 2
+    for (across, up), names in places.items():
+        side, anchor = (-1, "end") if across > middle else (1, "start")
+        word = ", ".join(dict.fromkeys(names))
+        yield _word(
+            across + side * (_RING + 2.0), up - 2.0, word, anchor=anchor,
+            size=_TEXT, more=' font-weight="bold"',
+        )  # fmt: skip
 
 
 def _filled(band: Band, x: _Scale, y: _Scale) -> Iterator[str]:

@@ -45,6 +45,8 @@ LOOKS: Final = (
     CurveLook("positive", "+", "^", (), "#0b4a82"),
     CurveLook("negative", "−", "v", (4.0, 1.6), "#c2590c"),
 )
+#: What belongs to both approach directions.
+NEUTRAL: Final = CurveLook("both", "±", "^", (), INK)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,6 +80,15 @@ class Band:
     label: str = ""
 
 
+@dataclass(frozen=True, slots=True)
+class ChartMark:
+    """A ring about a point, named by ``text``."""
+
+    x: float
+    y: float
+    text: str
+
+
 @dataclass(slots=True, kw_only=True)
 class Chart:
     """One panel: its ``title``, words at the ``right`` of it or in a line below (``note``), names
@@ -92,6 +103,7 @@ class Chart:
     degrees: bool = False
     bands: list[Band] = field(default_factory=list)
     curves: list[ChartCurve] = field(default_factory=list)
+    marks: list[ChartMark] = field(default_factory=list)
 
     def named(self) -> Iterator[Band | ChartCurve]:
         """Yield what stands in the legend."""
@@ -140,7 +152,28 @@ def result_chart(result: Document) -> Chart:
             )
         label = f"mean ({look.sign})"
         chart.curves.append(_means(positions, means, look, label, face=look.colour))
+    chart.marks = [
+        ChartMark(_number(end.get("position")), _number(end.get("value")), symbol(name))
+        for name, ends in (result.get("extremes") or {}).items()
+        for end in ends
+    ]
     chart.name_axes(result.get("unit"))
+    return chart
+
+
+def reversal_chart(result: Document) -> Chart:
+    """Return the reversal B_i of one positioning result over the targets, its extreme marked."""
+    targets = result.get("targets", [])
+    positions = [_number(target.get("position")) for target in targets]
+    values = [_number(target.get("reversal")) for target in targets]
+    chart = Chart(
+        curves=[ChartCurve(x=positions, y=values, look=NEUTRAL, width=1.2, size=4.2, face=INK)]
+    )
+    at = (result.get("at") or {}).get("B")
+    chart.marks = [
+        ChartMark(x, y, symbol("B")) for x, y in zip(positions, values, strict=True) if x == at
+    ]
+    chart.name_axes(result.get("unit"), "Reversal B")
     return chart
 
 

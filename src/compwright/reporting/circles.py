@@ -46,15 +46,7 @@ def circle_blocks(
             {
                 "name": plain(name),
                 "anchor": f"circle-{index}",
-                "figure": (
-                    None
-                    if shown is None
-                    else inline_figure(
-                        polar_figure(shown),
-                        prefix=f"circle{index}",
-                        description=f"circular test {name}",
-                    )
-                ),
+                "figure": (None if shown is None else circle_figure(shown, f"circle{index}", name)),
                 "table": _table(circle, result),
                 "findings": sections.findings(
                     circle.get("findings") or (result or {}).get("findings")
@@ -62,6 +54,11 @@ def circle_blocks(
             }
         )
     return blocks
+
+
+def circle_figure(result: Document, prefix: str, name: str) -> Any:
+    """Return the picture of a circular result as markup; ``prefix`` makes its ids its own."""
+    return inline_figure(polar_figure(result), prefix=prefix, description=f"circular test {name}")
 
 
 def _by_name(evaluation: Document | None) -> dict[str, Document]:

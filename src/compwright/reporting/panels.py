@@ -68,6 +68,11 @@ def draw_chart(panel: Any, chart: Chart) -> None:
         )  # fmt: skip
     for curve in chart.curves:
         _draw_curve(panel, curve)
+    for mark in chart.marks:
+        panel.plot([mark.x], [mark.y], "o", color=INK, fillstyle="none", markersize=6.0)
+        panel.annotate(
+            mark.text, (mark.x, mark.y), (4.0, 3.0), textcoords="offset points", fontweight="bold"
+        )
     panel.set_title(chart.title, fontweight="bold")
     panel.set_title(chart.right, loc="right", fontsize=8.0)
     panel.set_xlabel(chart.x_label)

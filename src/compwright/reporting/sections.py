@@ -45,6 +45,7 @@ _LOADING_WORDS: Final = {
     "measurement": "? fault of measurement",
 }
 _BAR_WIDTH: Final = 200.0
+_COLUMNS: Final = 10  # traverses that fit across a page
 
 
 def decision_mark(decision: object) -> Mark:
@@ -374,37 +375,49 @@ def _statistics(result: Document, unit: str, where: str) -> TextTable:
     }
 
 
-def _readings(
-    result: Document, unit: str, where: str, *, reduced: bool = False
-) -> TextTable | None:
-    """Return the readings as they were measured, or ``reduced`` to 20 °C; None without any."""
+def _readings(result: Document, unit: str, where: str, *, reduced: bool = False) -> list[TextTable]:
+    """Return the readings with every digit, as they were measured or ``reduced`` to 20 °C, in
+    tables of at most `_COLUMNS` traverses; empty without any.
+    """
     targets = result.get("targets", [])
     if reduced and not any("expansion_removed" in target for target in targets):
-        return None
-    widths = {
-        key: max((len(target.get(f"deviations_{key}") or []) for target in targets), default=0)
-        for key in ("positive", "negative")
-    }
-    if not any(widths.values()):
-        return None
+        return []
+    columns: list[tuple[str, list[float | None]]] = []
+    for key, sign in (("positive", "+"), ("negative", "−")):
+        width = max((len(target.get(f"deviations_{key}") or []) for target in targets), default=0)
+        columns += [
+            (
+                f"{sign}{run + 1}",
+                [_reading(target, key, run, reduced=reduced) for target in targets],
+            )
+            for run in range(width)
+        ]
+    most = decimals_of((value for _, column in columns for value in column), most=9)
+    runs = [(name, [number(value, most) for value in column]) for name, column in columns]
     digits = decimals_of(target.get("position") for target in targets)
-    rows = []
-    for target in targets:
-        row = [number(target.get("position"), digits)]
-        for key, width in widths.items():
-            more = 0.0 if reduced else float(target.get("expansion_removed") or 0.0)
-            readings = [
-                None if value is None else value + more
-                for value in target.get(f"deviations_{key}") or []
-            ]
-            row.extend(number(value) for value in readings + [None] * (width - len(readings)))
-        rows.append(row)
-    runs = [
-        (f"{sign}{run}", unit)
-        for key, sign in (("positive", "+"), ("negative", "−"))
-        for run in range(1, widths[key] + 1)
+    positions = [number(target.get("position"), digits) for target in targets]
+    count = -(-len(runs) // _COLUMNS)
+    each = -(-len(runs) // count) if count else 1
+    return [
+        {
+            "heads": heads(
+                ("Position", where), *((name, unit) for name, _ in runs[first : first + each])
+            ),
+            "rows": [
+                [position, *(column[row] for _, column in runs[first : first + each])]
+                for row, position in enumerate(positions)
+            ],
+        }
+        for first in range(0, len(runs), each)
     ]
-    return {"heads": heads(("Position", where), *runs), "rows": rows}
+
+
+def _reading(target: Document, key: str, run: int, *, reduced: bool) -> float | None:
+    readings = target.get(f"deviations_{key}") or []
+    value = readings[run] if run < len(readings) else None
+    if value is None or reduced:
+        return value
+    return round(float(value) + float(target.get("expansion_removed") or 0.0), 9)
 
 
 def sources(*evaluations: Document | None) -> list[dict[str, str]]:

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import Any, Final
 
 from compwright.reporting.numbers import plain
-from compwright.reporting.report_items import BASIS, READ_EDITION, ReportItem, items_of
+from compwright.reporting.report_items import READ_EDITION, ReportItem, items_of
 
 Document = Mapping[str, Any]
 
@@ -18,10 +18,12 @@ NOT_STATED: Final = "not stated"
 
 _NUMBER: Final = re.compile(r"[+-]?\d+(?:[.,]\d+)?(?:[eE][+-]?\d+)?")
 _ENDS: Final = (("", ""), ("_start", " at the start"), ("_end", " at the end"))
+#: Keys of the header that the evaluation repeats as its own.
+_IN_RESULT: Final = {"axis", "cycle", "plane", "nominal_radius_mm", "feed_mm_min", "unit"}
 
 
 def sheet_rows(result: Document, stated: Mapping[str, str]) -> list[dict[str, str]]:
-    """Return the items of a result as rows ``label``, ``value`` and ``clause``.
+    """Return the items of a result as rows ``key``, ``label``, ``value`` and ``clause``.
 
     ``stated``: what the job says, by the key of the item. Several statements stand one after the
     other; none is "not stated".
@@ -38,6 +40,7 @@ def sheet_rows(result: Document, stated: Mapping[str, str]) -> list[dict[str, st
         value = "; ".join(dict.fromkeys(text for text in texts if text))
         rows.append(
             {
+                "key": item.key,
                 "label": item.label,
                 "value": value or NOT_STATED,
                 "clause": item.clauses.get(edition, ""),
@@ -53,17 +56,12 @@ def further_statements(result: Document) -> list[tuple[str, str]]:
         for item in items_of(str(result.get("kind", "positioning")))
         for key in item.headers
         for end, _ in _ENDS
-    }
+    } | _IN_RESULT
     return [
         (str(key), plain(text))
         for key, text in (result.get("header") or {}).items()
         if _plain_key(str(key)) not in used
     ]
-
-
-def basis(standard: object) -> str:
-    """Return on which text the items of a standard rest; empty for an unknown standard."""
-    return BASIS.get(str(standard), "")
 
 
 def _from_header(item: ReportItem, header: Mapping[str, list[str]]) -> list[str]:

@@ -10,6 +10,7 @@ from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
+from compwright import __version__
 from compwright.documents.evaluation import evaluation_document, findings_document
 from compwright.documents.json_text import to_json
 from compwright.evaluation.standards import DEFAULT_STANDARD, standard_by_id
@@ -205,19 +206,22 @@ def write_evaluation(
     json_path: Path | None = None,
     plot_path: Path | None = None,
     table_path: Path | None = None,
+    report_path: Path | None = None,
+    command: str = "",
     force: bool = False,
 ) -> list[Path]:
-    """Write the JSON document, the plot (svg, png or pdf by its ending) and the table (csv or
-    xlsx), all or none; returns the paths written.
+    """Write the JSON document, the plot (svg, png or pdf by its ending), the table (csv or xlsx)
+    and the report (html; ``command`` repeats it), all or none; returns the paths written.
 
     Raises StorageError when a file exists (unless ``force``) or cannot be written, UsageError for
-    another ending of the plot or the table, one file for two of them, or when there is nothing to
-    plot or more than fits in a picture.
+    another ending of the plot, the table or the report, one file for two of them, or when there is
+    nothing to plot or more than fits in a picture.
     """
     files: dict[Path, bytes] = {}
     makers: tuple[tuple[str, Path | None, Callable[[Path], bytes]], ...] = (
         ("--plot", plot_path, lambda path: _plot(document, path)),
         ("--table", table_path, lambda path: _table(document, path)),
+        ("--report", report_path, lambda path: _report(document, path, command)),
         ("--json", json_path, lambda path: encoded(to_json(document))),  # noqa: ARG005
     )
     named: dict[Path, str] = {}
@@ -266,6 +270,26 @@ def _table(document: Mapping[str, Any], path: Path) -> bytes:
     from compwright.reporting.evaluation_table import table_bytes
 
     return table_bytes(document, path.suffix)
+
+
+def _report(document: Mapping[str, Any], path: Path, command: str) -> bytes:
+    from compwright.reporting.evaluation_report import evaluation_report
+
+    if path.suffix.lower() != ".html":
+        raise UsageError(
+            Fault(
+                message="unknown format of a report",
+                expected="a name that ends in .html",
+                found=path.suffix or path.name,
+            )
+        )
+    if not document["results"]:
+        raise UsageError(
+            Fault(message="nothing to report", expected="a test that could be evaluated")
+        )
+    return evaluation_report(
+        {"evaluation": document, "report": {}, "command": command, "version": __version__}
+    )
 
 
 def _standards(names: Sequence[str], spread: str) -> tuple[str, str]:

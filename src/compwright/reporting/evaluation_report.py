@@ -1,0 +1,114 @@
+"""The report of ``evaluate``: one self-contained HTML page of tests without a job, made of the
+evaluation document. Computes nothing.
+
+Its view holds ``evaluation`` (the document), ``report`` (see `paper.head`), ``command`` (what
+repeats the report) and ``version``.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+from compwright.foundations.findings import DOUBTS
+from compwright.reporting import paper, sections
+from compwright.reporting.circle_report import circle_page
+from compwright.reporting.numbers import number, plain, standard_text, symbol, unit_text
+from compwright.reporting.page import render_page
+from compwright.reporting.page_parts import anchor
+from compwright.reporting.sections import Document
+
+_POSITIONING: Final = (("A", "E", "M", "R", "B"), ("P", "Pa", "Ps_max", "U_max"))
+_CIRCULAR: Final = ("G_ccw", "G_cw", "G_bidirectional", "H", "D")
+
+
+def evaluation_report(view: Document) -> bytes:
+    """Return the report: results and statement first, a page per test, raw readings, provenance.
+
+    Raises UsageError when the report extra is missing.
+    """
+    evaluation = view["evaluation"]
+    results = list(evaluation.get("results") or ())
+    title = "Test report" if len(results) == 1 else f"Test report of {len(results)} tests"
+    positioning = [one for one in results if one.get("kind", "positioning") == "positioning"]
+    return render_page(
+        "evaluation.html",
+        {
+            "page_title": title,
+            "title": title,
+            "head": paper.head(view.get("report") or {}, results),
+            "doubts": sections.doubts(
+                item
+                for result in results
+                for item in result.get("findings") or ()
+                if item.get("code") in DOUBTS and item.get("severity") != "info"
+            ),
+            "unread": sections.findings(sections.unreadable(evaluation)),
+            "summaries": [_summary(one, index) for index, one in enumerate(results, 1)],
+            "statement": paper.NO_LIMITS,
+            "accreditation": paper.ACCREDITATION,
+            "pages": [_page(one, index) for index, one in enumerate(results, 1)],
+            "readings": [sections.result_block(one) for one in positioning],
+            "sources": sections.sources(evaluation),
+            "command": plain(view.get("command") or ""),
+            "version": plain(view.get("version", "")),
+        },
+    )
+
+
+def _name(result: Document) -> str:
+    what = (
+        f"Circle {plain(result.get('plane'))}"
+        if result.get("kind") == "circular"
+        else f"Axis {plain(result.get('axis'))}"
+    )
+    name = plain(result.get("name") or "")
+    return f"{what}, {name}" if name else what
+
+
+def _summary(result: Document, index: int) -> dict[str, Any]:
+    values, uncertainty = result.get("parameters") or {}, result.get("uncertainty") or {}
+    groups = (_CIRCULAR,) if result.get("kind") == "circular" else _POSITIONING
+    keys = next((keys for keys in groups if any(key in values for key in keys)), groups[0])
+    return {
+        "name": _name(result),
+        "anchor": anchor(index),
+        "standard": standard_text(result.get("standard", "")),
+        "unit": unit_text(result.get("unit")),
+        "values": [
+            {
+                "symbol": symbol(key),
+                "value": number(values[key]),
+                "U": f" ± {number(uncertainty[key]['U'])}" if key in uncertainty else "",
+            }
+            for key in keys
+            if values.get(key) is not None
+        ],
+    }
+
+
+def _page(result: Document, index: int) -> dict[str, Any]:
+    shared = {
+        "name": _name(result),
+        "anchor": anchor(index),
+        "findings": sections.findings(result.get("findings")),
+    }
+    if result.get("kind") == "circular":
+        return {**shared, "circle": circle_page(result, index), "measured": None}
+    return {
+        **shared,
+        "circle": None,
+        "measured": paper.measured_block(result, {}),
+        "parameters": parameters_alone(result),
+    }
+
+
+def parameters_alone(result: Document) -> dict[str, Any]:
+    """Return the table of parameters of one test, with U where it is stated."""
+    column = {
+        "title": "Value",
+        "values": result.get("parameters"),
+        "uncertainty": result.get("uncertainty"),
+    }
+    return sections.parameter_block(
+        result.get("unit"), result.get("standard", ""), result.get("not_applicable"), [column]
+    )

@@ -1,0 +1,271 @@
+"""A report on paper: every item of the standards, the extremes behind the parameters, the budget of
+the uncertainty; each number that of the JSON.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as ET
+
+import numpy as np
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.documents.evaluation import result_document
+from compwright.evaluation.standards import STANDARDS, evaluate
+from compwright.evaluation.uncertainty import contributions, length_uncertainty
+from compwright.instruments.reading import read_tests
+from compwright.records.axis import AxisKind
+from compwright.records.job import Thermal, UncertaintyBudget
+from compwright.records.positioning import PositioningTest
+from compwright.reporting.evaluation_report import evaluation_report
+from compwright.reporting.paper import css_string, head
+from compwright.reporting.report_items import BASIS, ITEMS, READ_EDITION, items_of
+from compwright.reporting.test_sheet import NOT_STATED, further_statements, sheet_rows
+from places import PROJECT, STANDARD_TABLES, needs_shared
+from reporting_samples import made_up
+
+KINDS = ("positioning", "circular")
+#: Header keys that other programs write; those of our own are in the documentation.
+FOREIGN = re.compile(
+    "by|location|datum|messdatum|uhrzeit|date_.*|serial_no|ballbar_.*|calibrat(or|ed)_.*|run_.*"
+    "|air_temp|air_press|air_humidity|temperatur|temperature|machine_temperature|feed_?rate|dwell"
+    "|alpha_m|software.*|programmed_.*|centre"
+)
+
+
+def table_after(page: bytes, heading: str) -> list[list[str]]:
+    """The rows of the first table behind a heading."""
+    found = False
+    for element in ET.fromstring(page.decode()).iter():  # noqa: S314  our own page
+        text = " ".join("".join(element.itertext()).split())
+        found = found or (element.tag in {"h2", "h3", "summary"} and text.startswith(heading))
+        if found and element.tag == "table":
+            return [
+                [" ".join("".join(cell.itertext()).split()) for cell in row]
+                for row in element.findall("tbody/tr")
+            ]
+    raise AssertionError(heading)
+
+
+def page_of(results: list[dict[str, Any]]) -> bytes:
+    evaluation = {"schema": "compwright/evaluation/1", "results": results, "errors": []}
+    return evaluation_report({"evaluation": evaluation, "command": "compwright evaluate x.csv"})
+
+
+def number_in(cell: str) -> float:
+    return float(cell.replace("−", "-"))
+
+
+# --- items
+# --------------------------------------------------------------------------------------------------
+
+
+def test_a_file_with_every_item_shows_every_item() -> None:
+    keys = dict.fromkeys(key for item in items_of("positioning") for key in item.headers)
+    result = {
+        **made_up(),
+        "header": {key: f"<{key}> stated" for key in keys},
+        "budget": {"contributions": [], "standard": 0.0, "U": 0.0, "coverage": 2, "length": 0.0},
+    }
+    rows = dict(row[:2] for row in table_after(page_of([result]), "Conditions of the test"))
+    assert len(rows) == len(items_of("positioning"))
+    for item in items_of("positioning"):
+        assert rows[item.label] != NOT_STATED
+        for key in item.headers:
+            assert f"<{key}> stated" in rows[item.label], item.label
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_file_without_any_item_says_not_stated_for_each(kind: str) -> None:
+    rows = {row["label"]: row["value"] for row in sheet_rows({"kind": kind, "header": {}}, {})}
+    known = {"Standard and edition", "Estimator of s, smoothing"}
+    assert {label for label, value in rows.items() if value != NOT_STATED} <= known
+    assert set(rows) == {item.label for item in items_of(kind)}
+    assert rows["Software compensation of the control: on or off"] == NOT_STATED
+
+
+def test_the_job_states_what_the_file_does_not() -> None:
+    rows = {
+        row["key"]: row["value"]
+        for row in sheet_rows({"header": {"travel": "0 to 800"}}, {"travel": "0 to 850 mm (job)"})
+    }
+    assert rows["travel"] == "0 to 800; 0 to 850 mm (job)"
+
+
+def test_numbers_get_their_unit_and_start_and_end_are_told_apart() -> None:
+    header = {"T_m_start": "21.4", "t m end": "21,9", "Air-Pressure": "1013 mbar", "dwell_s": "4"}
+    rows = {row["key"]: row["value"] for row in sheet_rows({"header": header}, {})}
+    assert rows["temperatures"] == "21.4 °C at the start; 21,9 °C at the end"
+    assert rows["air_pressure"] == "1013 mbar"
+    assert rows["dwell"] == "4 s"
+
+
+def test_what_is_no_item_is_printed_too() -> None:
+    result = {**made_up(), "header": {"axis": "X", "date": "today", "door": "open"}}
+    assert further_statements(result) == [("door", "open")]
+    assert ["In the file: door", "open", ""] in table_after(page_of([result]), "Conditions")
+
+
+def test_every_standard_has_its_list_and_every_clause_an_edition_that_was_read() -> None:
+    circular = {"iso230-4:1996", "iso230-4:2005"}
+    assert set(BASIS) == set(READ_EDITION) == {*STANDARDS, *circular}
+    assert {edition for item in ITEMS for edition in item.clauses} <= set(READ_EDITION.values())
+
+
+@pytest.mark.parametrize(
+    ("edition", "count"),
+    # Counted by hand in the texts. GOST, 8.1: instrument's position, date, machine (name, type,
+    # travels), equipment (type, serial number), scale, axis (name, line, other axes), feed, dwell,
+    # targets, warm-up, air (temperature, pressure, humidity), compensation, shower, approaches.
+    # ISO 230-4, 6: date, machine, instrument, 4.4 a) to i), g) being three. 1988: what "test sheet"
+    # is said of.
+    [("iso230-2:1988", 6), ("gost27843:2006", 21), ("iso230-4:1996", 14)],
+)
+def test_the_items_of_an_edition_are_as_many_as_its_text_has(edition: str, count: int) -> None:
+    assert sum(edition in item.clauses for item in ITEMS) == count
+
+
+def test_the_keys_are_in_the_documentation() -> None:
+    text = (PROJECT / "docs" / "measurement-files.md").read_text(encoding="utf-8").lower()
+    keys = {key for item in ITEMS for key in item.headers if not FOREIGN.fullmatch(key)}
+    assert not {key for key in keys if f"`{key}`" not in text}
+
+
+# --- numbers
+# --------------------------------------------------------------------------------------------------
+
+
+def table_2() -> PositioningTest:
+    path = STANDARD_TABLES / "iso-230-2-1997-table-2.csv"
+    return read_tests(path.read_bytes(), path.name)[0]
+
+
+@needs_shared
+def test_extremes_are_those_that_the_standard_prints() -> None:
+    """ISO 230-2:1997, table 2: A = 4.0 - (-5.5), E = 3.4 - (-4.3), M = 1.5 - (-2.5)."""
+    document = result_document(evaluate(table_2(), "iso230-2:1997"))
+    printed: dict[str, list[tuple[float, str | None]]] = {
+        "A": [(4.0, "-"), (-5.5, "+")],
+        "E": [(3.4, "-"), (-4.3, "+")],
+        "M": [(1.5, None), (-2.5, None)],
+    }
+    for name, ends in printed.items():
+        for (value, direction), end in zip(ends, document["extremes"][name], strict=True):
+            assert end["value"] == pytest.approx(value, abs=0.1)  # as far as the print is rounded
+            assert end["direction"] == direction
+    for name, (high, low) in document["extremes"].items():
+        assert high["value"] - low["value"] == pytest.approx(document["parameters"][name])
+    rows = table_after(page_of([document]), "Extremes")
+    every = [end for pair in document["extremes"].values() for end in pair]
+    for row, one in zip(rows, every, strict=True):
+        assert number_in(row[3]) == one["position"]
+        assert number_in(row[4]) == pytest.approx(one["value"], abs=0.005)
+
+
+@needs_shared
+def test_raw_readings_have_every_digit_of_the_file() -> None:
+    document = result_document(evaluate(table_2(), "iso230-2:1997"))
+    document["targets"][3]["deviations_positive"][1] = -1.234567891
+    rows = table_after(page_of([document]), "Single readings")
+    for row, target in zip(rows, document["targets"], strict=True):
+        every = [*target["deviations_positive"], *target["deviations_negative"]]
+        assert [number_in(cell) for cell in row[1:]] == every
+        assert number_in(row[0]) == target["position"]
+
+
+def axis(length: float = 800.0, kind: AxisKind = AxisKind.LINEAR) -> PositioningTest:
+    noise = np.random.default_rng(3).normal(0.0, 2e-4, (2, 9, 5))
+    return PositioningTest(
+        name="x", axis="X", kind=kind, targets=np.linspace(0.0, length, 9),
+        positive=noise[0], negative=noise[1], runs_positive=(1, 2, 3, 4, 5), runs_negative=(1, 2, 3, 4, 5),
+    )  # fmt: skip
+
+
+def test_the_budget_is_the_one_that_was_used() -> None:
+    """By hand, over 0.8 m at 23 °C: (0.5 + 0.4 · 0.8)/2; 2²/(2 · 0.8)/√12; 11.5 · 0.8 · 0.5/2;
+    3 · 0.8 · 1/2; 0.6/2; 1/√12 µm.
+    """
+    budget = UncertaintyBudget(
+        device=0.5, device_per_m=0.4, misalignment_mm=2.0, U_theta=0.5, U_alpha=1.0, setup=0.6, E_VE=1.0
+    )  # fmt: skip
+    thermal = Thermal(alpha_m=11.5, T_m=23.0)
+    by_hand = {
+        "device": 0.41, "misalignment_mm": 2.5 / math.sqrt(12.0), "U_theta_machine": 2.3,
+        "U_alpha_machine": 1.2, "setup": 0.3, "E_VE": 1.0 / math.sqrt(12.0),
+    }  # fmt: skip
+    document = result_document(evaluate(axis(), budget=budget, thermal=thermal))
+    table = document["budget"]
+    found = {one["source"]: one["standard"] for one in table["contributions"]}
+    assert found == pytest.approx(by_hand)
+    assert table["standard"] == pytest.approx(math.hypot(*by_hand.values()))
+    assert table["U"] == pytest.approx(2 * table["standard"])
+    for one in table["contributions"]:
+        product = one["given"] / one["divisor"] * one["sensitivity"]
+        assert product == pytest.approx(one["standard"], abs=1e-8)
+    length = [one.standard for one in contributions(axis(), budget, thermal) if one.per == "length"]
+    assert length_uncertainty(axis(), budget, thermal) == pytest.approx(2 * math.hypot(*length))
+    rows = table_after(page_of([document]), "Budget of the measurement uncertainty")
+    shown = [number_in(row[4]) for row in rows]
+    assert shown == pytest.approx([*by_hand.values(), table["standard"], table["U"]], abs=5e-4)
+
+
+def test_a_rotary_budget_has_no_length_terms() -> None:
+    document = result_document(
+        evaluate(axis(90.0, AxisKind.ROTARY), budget=UncertaintyBudget(device=0.4, setup=0.3))
+    )
+    units = {one["source"]: one["unit"] for one in document["budget"]["contributions"]}
+    assert units == {"device": "arcsec", "setup": "arcsec", "E_VE": "arcsec"}
+
+
+def test_without_contributors_there_is_no_budget() -> None:
+    document = result_document(evaluate(axis()))
+    assert document["budget"] is None
+    assert b"Budget of the measurement" not in page_of([document])
+
+
+# --- the command
+# --------------------------------------------------------------------------------------------------
+
+
+@needs_shared
+def test_evaluate_writes_a_report_with_the_numbers_of_the_json(tmp_path: Path) -> None:
+    source = STANDARD_TABLES / "iso-230-2-1997-table-2.csv"
+    page, answer = tmp_path / "out.html", tmp_path / "out.json"
+    options = ["--standard", "iso230-2:1997", "--report", str(page), "--json", str(answer)]
+    assert compwright(["evaluate", str(source), *options]) == 0
+    (result,) = json.loads(answer.read_bytes())["results"]
+    rows = table_after(page.read_bytes(), "Parameters")
+    shown = {row[0].replace("mean B", "B_mean"): number_in(row[2]) for row in rows}
+    names = {
+        "A": "A",
+        "E": "E",
+        "M": "M",
+        "R": "R",
+        "B": "B",
+        "B_mean": "B_mean",
+        "A+": "A_positive",
+    }
+    for label, name in names.items():
+        assert shown[label] == pytest.approx(result["parameters"][name], abs=0.005 + 1e-9)
+    text = page.read_text(encoding="utf-8")
+    assert result["sources"][0]["sha256"] in text
+    assert "--standard iso230-2:1997" in text
+
+
+@needs_shared
+@pytest.mark.parametrize("name", ["out.txt", "out"])
+def test_another_ending_is_refused_by_name(tmp_path: Path, name: str) -> None:
+    source = STANDARD_TABLES / "iso-230-2-1997-table-2.csv"
+    assert compwright(["evaluate", str(source), "--report", str(tmp_path / name)]) == 2
+    assert not (tmp_path / name).exists()
+
+
+def test_a_number_of_a_report_cannot_end_the_style_sheet() -> None:
+    hostile = '"} </style><script>alert(1)</script>\\\n'
+    assert not set(css_string(hostile)[1:-1]) & set('"<>{}\n;')
+    assert head({"number": hostile}, [])["footer"].startswith('"Report \\22 \\7d  ')
