@@ -24,9 +24,9 @@ from compwright.reporting.test_sheet import NOT_STATED, further_statements, shee
 
 #: Printed on every report: what compwright cannot know of the firm that signs.
 ACCREDITATION: Final = (
-    "This is a test report, not a calibration certificate of an accredited laboratory"
-    " (ISO/IEC 17025). The traceability of the values rests on the calibration certificates of the"
-    " measuring instruments that are named."
+    "This is a test report, not a calibration certificate of an accredited laboratory. The"
+    " traceability of the values rests on the calibration certificates of the measuring instruments"
+    " that are named."
 )
 NO_LIMITS: Final = "No limit was given. This report states values; it does not state conformity."
 #: Letters of the report number that fit in a footer.
