@@ -6,9 +6,9 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from compwright.formats.definition.schema import Definition, Statement
 from compwright.formats.definition.statements import Occurrence, print_form
@@ -49,9 +49,11 @@ class FileDiff:
 
 @dataclass(frozen=True, slots=True)
 class DiffEntry:
-    """One value of a statement: as the control writes it up to the value, its axis, its text."""
+    """One value of a statement: its axis, its text. ``label`` returns what the control writes up to
+    the value: of a whole backup few are asked for.
+    """
 
-    label: str
+    label: Callable[[], str]
     address: str | None
     text: str
 
@@ -75,12 +77,12 @@ def compare_files(
         was = before.get(key)
         if was is None or not same_value(was.text, entry.text):
             changes.append(
-                EntryChange(entry.label, entry.address, was.text if was else None, entry.text)
+                EntryChange(entry.label(), entry.address, was.text if was else None, entry.text)
             )
     replaced = {file.name for file in new}
     for key, entry in before.items():
         if key not in after and key[0] in replaced:
-            changes.append(EntryChange(entry.label, entry.address, entry.text, None))
+            changes.append(EntryChange(entry.label(), entry.address, entry.text, None))
     return FileDiff(tuple(changes), _untouched(old, new))
 
 
@@ -123,7 +125,9 @@ def _sheet_entries(file: ControlFile) -> Iterator[_Told]:
         label = f"{row.point} at {row.position}" if row.position else row.point
         yield (
             (file.name, row.point),
-            DiffEntry(f"{file.name}: {label}", sheet.axis if sheet else None, row.value),
+            DiffEntry(
+                partial(str, f"{file.name}: {label}"), sheet.axis if sheet else None, row.value
+            ),
         )
 
 
@@ -146,17 +150,14 @@ def _values(definition: Definition, occurrence: Occurrence, row: int) -> Iterato
             continue
         yield (
             (scope, statement.name, *identity, field),
-            DiffEntry(
-                _label(statement, occurrence, field)
-                or f"{occurrence.file}: {statement.name} {row}",
-                address,
-                token.text,
-            ),
+            DiffEntry(partial(_label, statement, occurrence, field, row), address, token.text),
         )
 
 
-def _label(statement: Statement, occurrence: Occurrence, field: str) -> str:
-    """Return the line up to its value; of a bit its number too."""
+def _label(statement: Statement, occurrence: Occurrence, field: str, row: int) -> str:
+    """Return the line up to its value, of a bit its number too; its file and the row where it
+    starts with the value.
+    """
     values = {name: token.text for name, token in occurrence.tokens.items()}
     marked = {**values, **{name: "\0" for name in statement.fields if name not in _IDENTITY}}
     text = print_form(
@@ -167,4 +168,6 @@ def _label(statement: Statement, occurrence: Occurrence, field: str) -> str:
     if kind == "bit":
         return f"{label} bit {field[1:]}"
     several = sum(name not in _IDENTITY and name != "key" for name in statement.fields) > 1
-    return f"{label or statement.name} {field}" if several else label
+    if several:
+        return f"{label or statement.name} {field}"
+    return label or f"{occurrence.file}: {statement.name} {row}"

@@ -106,7 +106,7 @@ def by_statements(definition: Definition, files: Sequence[ControlFile]) -> dict[
         meaning = ", ".join(bound).replace("_", " ")
         acts = not bound or not SILENT_QUANTITIES.issuperset(bound)
         found["|".join(key)] = Entered(
-            entry.label, key[1], entry.text, key[0], 0, entry.address or "", acts, meaning
+            entry.label(), key[1], entry.text, key[0], 0, entry.address or "", acts, meaning
         )
     for text in texts:
         if not is_entry_sheet(text):

@@ -320,15 +320,14 @@ class _KindReader:
     def _occurrence(
         self, line: TextLine, matcher: Matcher, place: int, matches: tuple[re.Match[str], ...]
     ) -> Iterator[Occurrence]:
+        kinds = matcher.statement.fields
+
         def token(name: str) -> Token:
             match = next(found for found in matches if name in found.re.groupindex)
-            return Token(match[name], line.start + match.start(name), line.start + match.end(name))
+            text = plain_number(kinds.get(name, "text"), match[name])
+            return Token(text, line.start + match.start(name), line.start + match.end(name))
 
-        tokens = {
-            name: replace(found, text=plain_number(kind, found.text))
-            for name, kind in matcher.statement.fields.items()
-            for found in (token(name),)
-        }
+        tokens = {name: token(name) for name in kinds}
         within = matcher.section.fullmatch(self.section) if matcher.section is not None else None
         if within is not None:
             for name in within.re.groupindex:
