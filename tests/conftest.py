@@ -93,6 +93,7 @@ def sampled(request: pytest.FixtureRequest) -> Iterator[None]:
                 patch.setattr(module, "_DRAWS", 12)
             for name in ("_DRAWS", "_FEWEST_DRAWS"):
                 patch.setattr(fresh, name, 240)
+            patch.setattr(fresh, "_SETS", 6)
             patch.setattr(circles, "DRAWS", 20)
             patch.setattr(worth, "_SIZES", 2)
             patch.setattr(likelihood, "_DRAWS", 4)
