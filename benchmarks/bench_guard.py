@@ -20,15 +20,9 @@ from compwright.evaluation.standards import evaluate
 from compwright.planning.axes import AxisWork, predict_axis, start_axis
 from compwright.prediction.acting import Correction, nothing
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
+from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.correction import ControlState
-from compwright.records.job import (
-    Acceptance,
-    AxisJob,
-    Job,
-    TestRequest,
-    Thermal,
-    UncertaintyBudget,
-)
+from compwright.records.job import Acceptance, AxisJob, Job, TestRequest
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
 from compwright.records.prediction import AxisPrediction

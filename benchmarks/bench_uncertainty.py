@@ -18,7 +18,7 @@ import numpy as np
 
 from compwright.evaluation.standards import evaluate
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.job import Thermal, UncertaintyBudget
+from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
 

@@ -23,8 +23,9 @@ from compwright.planning.axes import predict_axis, start_axis
 from compwright.planning.declared import fresh_slope, slope_after, with_slopes
 from compwright.prediction.acting import nothing
 from compwright.records.axis import AxisKind
+from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.correction import ControlState
-from compwright.records.job import Job, Thermal, UncertaintyBudget
+from compwright.records.job import Job
 from compwright.records.plan import Plan, PlannedTest
 from compwright.records.prediction import AxisPrediction
 from compwright.workflow.inputs.after_tests import after_tests

@@ -14,7 +14,7 @@ from compwright.evaluation.standards import STANDARDS, evaluate
 from compwright.foundations.errors import Fault
 from compwright.foundations.provenance import source_of
 from compwright.records.axis import AxisKind
-from compwright.records.job import UncertaintyBudget
+from compwright.records.conditions import UncertaintyBudget
 from evaluation_samples import UM, axis_test, printed_table
 from places import SHARED, STANDARD_TABLES, needs_shared
 

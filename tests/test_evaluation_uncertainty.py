@@ -18,7 +18,7 @@ from compwright.evaluation.statistics import mean_deviation, parameters, standar
 from compwright.evaluation.uncertainty import length_uncertainty
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.job import Thermal, UncertaintyBudget
+from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.positioning import PositioningTest
 from evaluation_samples import UM, axis_test, noisy
 

@@ -14,8 +14,9 @@ import pytest
 from compwright.foundations.errors import UsageError
 from compwright.jobs.reading import read_job
 from compwright.records.axis import AxisKind, Direction, Encoder, PositionMap
+from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.fitted import TableRequest
-from compwright.records.job import NONE_STATE, Job, Thermal, UncertaintyBudget
+from compwright.records.job import NONE_STATE, Job
 from places import PROJECT, SHARED, needs_shared
 
 SMALLEST = """

@@ -14,8 +14,9 @@ from compwright.planning.circles import CircleWork
 from compwright.planning.stated import Stated
 from compwright.prediction.acting import IDLE, Acting
 from compwright.records.axis import AxisKind
+from compwright.records.conditions import UncertaintyBudget
 from compwright.records.correction import AxisCompensation
-from compwright.records.job import ApplyRequest, UncertaintyBudget
+from compwright.records.job import ApplyRequest
 from planning_samples import (
     MINUS,
     PPM,

@@ -20,7 +20,8 @@ from compwright.planning.outlook import predict_same_targets
 from compwright.planning.wanted import MeasuredError
 from compwright.prediction.acting import Correction, nothing
 from compwright.records.axis import AxisKind
-from compwright.records.job import Job, Thermal, UncertaintyBudget
+from compwright.records.conditions import Thermal, UncertaintyBudget
+from compwright.records.job import Job
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
 from compwright.records.prediction import Quantiles

@@ -18,7 +18,8 @@ from compwright.planning.limits import (
     measured_decisions,
 )
 from compwright.records.axis import AxisKind
-from compwright.records.job import Acceptance, AxisJob, TestRequest, UncertaintyBudget
+from compwright.records.conditions import UncertaintyBudget
+from compwright.records.job import Acceptance, AxisJob, TestRequest
 from compwright.records.prediction import AcceptDecision, Quantiles, TestPrediction
 from compwright.records.result import ExpandedUncertainty, PositioningResult
 from planning_samples import UM, KnownAxis, axis_of, job_of, work_of

@@ -20,7 +20,7 @@ from compwright.evaluation.standards import STANDARDS, evaluate
 from compwright.evaluation.uncertainty import contributions, length_uncertainty
 from compwright.instruments.reading import read_tests
 from compwright.records.axis import AxisKind
-from compwright.records.job import Thermal, UncertaintyBudget
+from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.positioning import PositioningTest
 from compwright.reporting.evaluation_report import evaluation_report
 from compwright.reporting.paper import css_string, head

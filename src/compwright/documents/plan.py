@@ -16,12 +16,12 @@ from compwright.documents.json_text import read_json
 from compwright.documents.plan_reading import plan_of
 from compwright.foundations.errors import Fault, InputError
 from compwright.records.axis import Axis, AxisKind, FloatArray
+from compwright.records.conditions import UncertaintyBudget
 from compwright.records.correction import (
     AxisCompensation,
 )
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable
-from compwright.records.job import UncertaintyBudget
 from compwright.records.plan import (
     Acted,
     Plan,

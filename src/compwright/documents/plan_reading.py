@@ -19,10 +19,11 @@ from compwright.foundations.record_schemas import RecordForm, RecordSchemas, map
 from compwright.foundations.validation import checked, refuse
 from compwright.records.axis import Axis, Encoder, FloatArray
 from compwright.records.circular import CircularTest
+from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.correction import ControlFile
 from compwright.records.estimate import AxisPeriod, ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
-from compwright.records.job import Acceptance, Thermal, UncertaintyBudget
+from compwright.records.job import Acceptance
 from compwright.records.plan import Plan, PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest
 

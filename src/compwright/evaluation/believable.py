@@ -97,14 +97,11 @@ def chance_of_zero(test: PositioningTest) -> float:
     Scatter: the median of s over the targets that show one, so that the zeros themselves do not
     count.
     """
-    values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
-    steps = np.diff(np.unique(values[np.isfinite(values)]))
-    steps = steps[steps > _ROUNDING]
     s = np.concatenate([standard_deviation(test.deviations(direction)) for direction in _BOTH])
     s = s[np.isfinite(s) & (s > _ROUNDING)]
-    if not steps.size or not s.size:
+    if not test.step or not s.size:
         return 1.0
-    return min(float(steps.min()) / (float(np.median(s)) * math.sqrt(2.0 * math.pi)), 1.0)
+    return min(test.step / (float(np.median(s)) * math.sqrt(2.0 * math.pi)), 1.0)
 
 
 def kept(

@@ -14,7 +14,7 @@ from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind
-from compwright.records.job import Thermal
+from compwright.records.conditions import Thermal
 from compwright.records.positioning import PositioningTest
 
 _CODE: Final = "CW-T024"

@@ -63,7 +63,7 @@ def robust_scale(residuals: list[FloatArray], test: PositioningTest) -> float:
     found = np.concatenate(estimates) if estimates else np.empty(0)
     if not found.size:
         return 0.0
-    return max(float(np.mean(found)), _resolution(test))
+    return max(float(np.mean(found)), test.step)
 
 
 def _unbiased_medians(residual: FloatArray) -> FloatArray:
@@ -72,11 +72,3 @@ def _unbiased_medians(residual: FloatArray) -> FloatArray:
     enough = number >= 3
     factors = np.array([_MAD_FACTORS.get(int(n), n / (n - 0.8)) for n in number[enough]])
     return 1.4826 * factors * row_medians(np.abs(residual[enough])).ravel()
-
-
-def _resolution(test: PositioningTest) -> float:
-    """Return the smallest step between two different readings; 0 where all are equal."""
-    values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
-    steps = np.diff(np.unique(values[np.isfinite(values)]))
-    steps = steps[steps > 1e-12]  # below a picometre: rounding of binary numbers
-    return float(steps.min()) if steps.size else 0.0

@@ -36,7 +36,7 @@ from compwright.evaluation.uncertainty import contributions, expanded_uncertaint
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Direction, FloatArray
-from compwright.records.job import Thermal, UncertaintyBudget
+from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import Extreme, PositioningResult, TargetColumns
 

@@ -13,7 +13,7 @@ from dataclasses import replace
 from typing import Final
 
 from compwright.foundations.errors import Fault, InputError, raise_all
-from compwright.records.job import PLAUSIBLE_TEMPERATURES, Thermal
+from compwright.records.conditions import PLAUSIBLE_TEMPERATURES, Thermal
 from compwright.records.positioning import PositioningTest
 
 _NUMBER: Final = re.compile(r"([+-]?\d+(?:[.,]\d+)?)\s*(?:°\s?C|C|deg ?C)?")

@@ -12,7 +12,6 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
-from statistics import NormalDist
 from typing import Final, Literal
 
 import numpy as np
@@ -22,7 +21,7 @@ from compwright.evaluation.statistics import mean_deviation, parameters, standar
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import AxisKind, Direction, FloatArray
-from compwright.records.job import Thermal, UncertaintyBudget
+from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.result import Contribution, ExpandedUncertainty
 
@@ -309,6 +308,8 @@ def _normal_scores(count: int) -> FloatArray:
     """Return the means of equally likely slices of the normal law, so that one contributor alone
     comes out as it is (McKay, Beckman and Conover, Technometrics 21 (1979) 239).
     """
+    from statistics import NormalDist  # slow to import, and most tests come without a budget
+
     law = NormalDist()
     return np.array([law.inv_cdf((i + 0.5) / count) for i in range(count)])
 

@@ -170,8 +170,8 @@ def _note_one_sided(
 
 
 def _check_size(readings: Readings, faults: FaultList) -> None:
-    targets = np.unique(readings.targets).size
-    traverses = np.unique(2 * readings.runs + readings.positive).size
+    targets = len(set(readings.targets.tolist()))
+    traverses = len(set((2 * readings.runs + readings.positive).tolist()))
     if targets * traverses > MOST_CELLS:
         faults.add(
             "the readings do not form a table of targets and runs",

@@ -56,8 +56,8 @@ def _short(groups: IntArray, words: str) -> str:
 
 def _promises(readings: Readings, header: Mapping[str, str]) -> list[str]:
     found = {
-        "targets": (_TARGETS, np.unique(readings.targets).size),
-        "runs": (_RUNS, np.unique(readings.runs).size),
+        "targets": (_TARGETS, len(set(readings.targets.tolist()))),
+        "runs": (_RUNS, len(set(readings.runs.tolist()))),
     }
     told = []
     for what, (keys, count) in found.items():

@@ -16,7 +16,7 @@ from compwright.jobs.plain_data import (
     repeated_files,
     unknown_state,
 )
-from compwright.records.job import LEAST_EXPANSION, MOST_EXPANSION, PLAUSIBLE_TEMPERATURES
+from compwright.records.conditions import LEAST_EXPANSION, MOST_EXPANSION, PLAUSIBLE_TEMPERATURES
 
 ISO_PARAMETERS = (
     *("A", "A_positive", "A_negative", "E", "E_positive", "E_negative", "M"),

@@ -31,6 +31,7 @@ from compwright.jobs.schema import (
     known_keys,
 )
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, PositionMap
+from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.drift import DriftRequest
 from compwright.records.fitted import TableRequest
 from compwright.records.job import (
@@ -44,8 +45,6 @@ from compwright.records.job import (
     CrossRequest,
     Job,
     TestRequest,
-    Thermal,
-    UncertaintyBudget,
     other_axis,
 )
 

@@ -12,7 +12,8 @@ from dataclasses import replace
 from typing import Literal
 
 from compwright.evaluation.uncertainty import slope_between_tests
-from compwright.records.job import Job, UncertaintyBudget
+from compwright.records.conditions import UncertaintyBudget
+from compwright.records.job import Job
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
 

@@ -11,6 +11,7 @@ from typing import Literal
 from compwright.foundations.provenance import Source
 from compwright.records.axis import Axis, AxisKind, FloatArray, Motion
 from compwright.records.circular import CircularTest
+from compwright.records.conditions import UncertaintyBudget
 from compwright.records.correction import (
     Assumption,
     AxisCompensation,
@@ -19,7 +20,7 @@ from compwright.records.correction import (
 )
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
-from compwright.records.job import Acceptance, UncertaintyBudget
+from compwright.records.job import Acceptance
 from compwright.records.positioning import PositioningTest
 
 #: What the control did at the targets of a test in + and in -, (m,) each, mm or deg.

@@ -12,7 +12,7 @@ from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
 from compwright.records.axis import AxisKind, Direction, FloatArray, PositionMap
-from compwright.records.job import Thermal
+from compwright.records.conditions import Thermal
 
 Cycle = Literal["standard", "step"]
 
@@ -66,7 +66,7 @@ class PositioningTest:
     def step(self) -> float:
         """The smallest step between two different readings, mm or deg; 0 where all are the same."""
         values = np.concatenate([self.positive.ravel(), self.negative.ravel()])
-        steps = np.diff(np.unique(values[np.isfinite(values)]))
+        steps = np.diff(np.sort(values[np.isfinite(values)]))
         steps = steps[steps > SAME_READING]
         return float(steps.min()) if steps.size else 0.0
 

@@ -19,7 +19,8 @@ from compwright.evaluation.repeats import NamedTest, same_measurement
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import share_a_file
 from compwright.records.circular import CircularTest
-from compwright.records.job import Job, UncertaintyBudget
+from compwright.records.conditions import UncertaintyBudget
+from compwright.records.job import Job
 from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult

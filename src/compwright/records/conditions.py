@@ -1,0 +1,58 @@
+"""The conditions of a measurement as the job gives them: temperatures with their coefficients, and
+the contributors to the uncertainty.
+
+Apart from the job, because evaluating a file needs these records and nothing else of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+#: °C in which a machine is measured; 68 is a hall in °F, 293 one in K.
+PLAUSIBLE_TEMPERATURES = (-20.0, 60.0)
+#: µm/(m K): below the least is a coefficient in 1/K, above the most no metal. Zerodur has 0.05,
+#: Invar 1.2, glass 8, steel 11.5, aluminium 23.8, zinc 30.
+LEAST_EXPANSION, MOST_EXPANSION = 0.01, 40.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Thermal:
+    """Nominal differential expansion: coefficients in µm/(m K), temperatures in °C, ``x_fix`` in mm
+    (machine coordinates).
+
+    Temperatures are the mean of start and end of the test; ``rise_m`` and ``rise_d`` are end less
+    start, K.
+    """
+
+    alpha_m: float
+    T_m: float
+    alpha_d: float = 0.0
+    T_d: float = 20.0
+    rise_m: float = 0.0
+    rise_d: float = 0.0
+    x_fix: float = 0.0
+    refer_to: Literal["scale", "workpiece"] = "scale"
+
+    @property
+    def slope(self) -> float:
+        """Differential expansion, mm per mm from ``x_fix``."""
+        return 1e-6 * (self.alpha_m * (self.T_m - 20.0) - self.alpha_d * (self.T_d - 20.0))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class UncertaintyBudget:
+    """Contributors of ISO 230-2:2006 annex A as expanded uncertainties (k = 2): µm (rotary:
+    arcsec), µm/m, K, µm/(m K).
+
+    Two are ranges as in the annex: ``misalignment_mm``, the lateral range of the beam over the
+    measured length, and ``E_VE``, the drift of a stand-still test as long as the run.
+    """
+
+    device: float = 0.0
+    device_per_m: float = 0.0
+    misalignment_mm: float = 0.0
+    U_theta: float = 0.0
+    U_alpha: float = 0.0
+    setup: float = 0.0
+    E_VE: float = 0.0
