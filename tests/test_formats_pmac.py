@@ -231,6 +231,7 @@ def test_a_table_between_motors_in_counts_of_both() -> None:
         ("I51=1", "I51=1\nOPEN PLC 3\nI51=0\nCLOSE", "a program sets I51"),
         ("I51=1", "I51=1\nOPEN PLC 3 CLEAR\nI185..187=0\nCLOSE", "a program sets I185..187"),
         ("I51=1", 'I51=1\nOPEN PLC 3\nCMD"#1DELETE COMP"\nCLOSE', "a program sets DELETE COMP"),
+        ("I51=1", "I51=1\nOPEN PLC 3\nIF(P1=1) I(P2)=3\nCLOSE", r"a program sets I\(P2\)"),
         ("I51=1", "P1=3I51=0", "no command"),
         ("I51=1", "M162->D:$2BI51=0", "no command"),
         ("I51=1", "I51=1\nOPEN PROG 3\nX1", "does not end"),

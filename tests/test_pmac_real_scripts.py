@@ -185,6 +185,8 @@ TABLE = "#1 DEFINE COMP 2,60000000\n16 0\n"
         ),
         (f'{TABLE}I51=1\nOPEN PLC 3\nCMD"#1DELETE COMP"\nCLOSE\n', 3),
         (f"{TABLE}I51=1\nOPEN PLC 3\nI(P5)=0\nCLOSE\n", 3),
+        (f"{TABLE}I51=1\nOPEN PLC 3\nIF(P1=1) I(P5)=0\nCLOSE\n", 3),
+        (f"{TABLE}I51=1\nOPEN PLC 3\nIF(I(P5)=0) P5=1\nCLOSE\n", 0),
         (f"{TABLE}I51=1\nOPEN PLC 3 CLEAR\nIF (I51=0)\nP1=1\nENDIF\nCLOSE\nENABLE PLC 3\n", 0),
         (f"{TABLE}I51=1\nIF (P1=1)\n", 3),
         (f"{TABLE}I51=1\n#else\n", 3),
@@ -202,9 +204,8 @@ def test_what_may_not_have_been_sent_is_asked_for_or_refused(text: str, code: in
     assert fault.place.startswith("line ")
     given = files(text)
     options = {"counts_per_unit": COUNTS}
-    if 'CMD"' not in text:
-        with pytest.raises(InputError):
-            virtual_control("pmac", given, options=options)
+    with pytest.raises(InputError):
+        virtual_control("pmac", given, options=options)
     if code == 2:
         # the answer counts everything as sent, in the order of the lines
         assert "1" in read(text, active=True).axes
@@ -220,6 +221,18 @@ def test_both_lines_of_two_branches_are_named() -> None:
         read(text)
     assert refused.value.faults[0].place == "line 5"
     assert "line 2" in refused.value.faults[0].message
+
+
+def test_all_sent_is_refused_where_one_branch_excludes_the_other() -> None:
+    """Another entry in the other branch: the table or the backlash was sent, not both."""
+    text = f"#ifdef A\n{TABLE}#else\nI186=16\n#endif\nI51=1\nI185=32\n"
+    with pytest.raises(InputError) as refused:
+        read(text, active=True)
+    assert refused.value.faults[0].place == "line 5"
+    assert "line 2" in refused.value.faults[0].message
+    options = {"counts_per_unit": COUNTS}
+    with pytest.raises(InputError, match="line 5: .* than line 2"):
+        virtual_control("pmac", files(text), options=options, carried_out=True, active=True)
 
 
 def test_blocks_of_other_motors_stop_nothing() -> None:

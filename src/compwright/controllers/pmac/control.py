@@ -138,12 +138,18 @@ def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
 
 
 def _not_sent(card: Card, request: Request) -> list[Fault]:
-    """Return what may not have been sent to the card, of motors under work; nothing where all of it
-    was.
+    """Return what may not have been sent to the card, of motors under work; where all of it was,
+    what cannot have been sent together.
     """
+    if request.carried_out:
+        return [
+            place.fault(f"{why}: not all of it was sent")
+            for motor, place, why in card.not_both
+            if not motor or request.asks_for(str(motor))
+        ]
     return [
         place.fault("is in a conditional block: say with `active` whether it was sent")
-        for motor, place in ([] if request.carried_out else card.left_out)
+        for motor, place in card.left_out
         if not motor or request.asks_for(str(motor))
     ]
 

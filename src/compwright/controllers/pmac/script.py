@@ -97,13 +97,15 @@ class VariableSetting:
 @dataclass(slots=True)
 class Card:
     """What stands in the card when all scripts have run. ``later``: assignments that programs make
-    when they run; ``left_out``: what may not have been sent, by motor (0: all of them).
+    when they run; ``left_out``: what may not have been sent, by motor (0: all of them);
+    ``not_both``: what was certainly not sent together with something else, and why.
     """
 
     tables: dict[tuple[str, int], CardTable] = field(default_factory=dict)
     variables: dict[int, VariableSetting] = field(default_factory=dict)
     later: dict[int, ScriptPlace] = field(default_factory=dict)
     left_out: list[tuple[int, ScriptPlace]] = field(default_factory=list)
+    not_both: list[tuple[int, ScriptPlace, str]] = field(default_factory=list)
     buffers: set[str] = field(default_factory=set)
     notes: list[str] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
@@ -221,13 +223,18 @@ class _Script:
         branch of a block: the card did not get both.
         """
         here = list(self.sending.blocks)
-        for blocks, earlier in self.done.setdefault((what, motor), []):
+        before = [(key, one) for key, each in self.done.items() for one in each] if here else []
+        for key, (blocks, earlier) in before:
             for (begun, branch), (other, its) in zip(here, blocks, strict=False):
-                if begun == other and branch != its:
+                if begun != other or branch == its:
+                    continue
+                if key == (what, motor):
                     message = f"in another branch than the same in line {earlier.line}"
                     self.card.faults.append(place.fault(f"{what}: {message}"))
                     return False
-        self.done[what, motor].append((here, place))
+                message = f"{what} stands in another branch than line {earlier.line}"
+                self.card.not_both.append((motor, place, message))
+        self.done.setdefault((what, motor), []).append((here, place))
         if here:
             self.card.left_out.append((motor, place))
         return True
@@ -366,7 +373,8 @@ class _Script:
         for match in re.finditer(r"(?<![A-Z0-9])I(\d{1,4})\s*=(?!=)", program):
             if acts(int(match.group(1))):
                 self.card.later[int(match.group(1))] = place
-        if re.match(r"\s*I\([^=]*\)\s*=(?!=)", program):
+        tables = re.search(r"(?<![A-Z])(?:DEL(?:ETE)?|DEF(?:INE)?)\s*(?:BL)?COMP\b", program)
+        if tables or re.match(r"\s*I\([^=]*\)\s*=(?!=)", program):
             self.card.later[ENABLE] = place
         if closed:
             self.inside = None

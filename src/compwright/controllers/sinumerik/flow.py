@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from compwright.controllers.sinumerik.reach import Doubt, Line
+from compwright.controllers.sinumerik.reach import Doubt, Line, ends_here
 
 #: Words with which a statement begins that leaves the order of the blocks alone.
 _QUIET = frozenset({"CHANDATA", "METRIC", "INCH", "NEWCONF", "STOPRE", "MSG", "DEF", "EXTERN"})
@@ -52,7 +52,12 @@ _NAMES_ONLY = frozenset({"PROC", "EXTERN", "DEFINE"})
 _TARGET = re.compile(r"(?P<name>[A-Z_]\w+)\s*:(?!=)", re.IGNORECASE)
 _WORDS = re.compile(r"\$?[A-Z_]\w*|[\d.]+\w*|<<|<>|[<>=]=|'\w*'?|\"\"|\S", re.IGNORECASE)
 _SUM = re.compile(r"\s+'[0-9A-F]{4}\s*$", re.IGNORECASE)
-_OVER = re.compile(r"M0*2|M17|M30|RET")
+#: A block that leads back to the program that calls this one.
+_BACK = re.compile(r"(?:[N:]\d+\s*)?(?:M17|RET)", re.IGNORECASE)
+#: A name as a whole statement, with or without arguments: a call, if no word of the language.
+_CALL = re.compile(
+    r"(?:_N_)?([A-Z_]{2}\w*?|L\d+)(?:[._](?:SPF|MPF|CYC))?\s*(?:\([^()]*\))?", re.IGNORECASE
+)
 #: A variable. A letter, alone or with a number, is an address (a motion, M functions), except R.
 _VARIABLE = re.compile(r"\$\w+|R\d*|(?![A-Z]\d*$)[A-Z_]\w+")
 #: What joins two values in an expression; two values side by side are two statements.
@@ -84,6 +89,15 @@ class ProgramBlock:
     title: str = ""
     trail: list[Line] = field(default_factory=list)
 
+    @property
+    def returns(self) -> bool:
+        """Whether nothing in it but a call keeps a run from coming back to the calling program."""
+        ends = [self.end] if self.end is not None else []
+        doubts = [one for one in self.doubts if not one.call]
+        return not doubts and all(
+            one.call or _BACK.fullmatch(one.text) for one in (*self.late, *ends)
+        )
+
     @classmethod
     def named(cls, name: str, line: int, *, behind: bool = False) -> ProgramBlock:
         """Return the program that a header or a file's name begins; ``behind``: others stand
@@ -97,11 +111,6 @@ class ProgramBlock:
             caller=Doubt(line, word[:60]) if called else None,
             title="" if title is None else title[1].upper(),
         )
-
-    @property
-    def unsure(self) -> Doubt | None:
-        """The first reason why its assignments may not have been carried out."""
-        return self.caller or next(iter(self.doubts), None)
 
     def assigned(self, code: str, line: int) -> None:
         """Take down that an assignment stands in a line: what stood before it counts."""
@@ -119,11 +128,13 @@ class ProgramBlock:
         opening = _NUMBER.match(code)
         skipped = opening is not None and opening["skipped"] is not None
         names = _names(opening["number"] if opening is not None else None)
-        bare = _SUM.sub("", code[opening.end() if opening else 0 :]).strip()
+        start = opening.end() if opening else 0
+        bare = _SUM.sub("", code[start:]).strip()
         target = _TARGET.match(bare)
         if target is not None and target["name"].upper() not in _QUIET:
             self.branch += 1
             bare = bare[target.end() :].strip()
+            start += target.end()
             names |= _names(target["name"])
         lengths = _LENGTHS.search(bare)
         if lengths is not None:
@@ -133,23 +144,31 @@ class ProgramBlock:
                 self.trail.append(Line(line, names, ()))
             return
         words = [word.upper() for word in _WORDS.findall(bare)]
-        own = Doubt(line, code.strip()[:60]) if skipped or words[0] in _CONDITIONS else None
-        before = next(filter(None, (self.unsure, *self.late, self.end, own)), None)
-        named = _MENTIONED.findall(whole.split(";", maxsplit=1)[0].upper())
+        conditional = skipped or words[0] in _CONDITIONS
+        named = _MENTIONED.findall(whole[start:].split(";", maxsplit=1)[0].upper())
         called = [] if words[0] in _NAMES_ONLY else named[: None if _names_programs(words) else 1]
         self.trail.append(
-            Line(line, names, tuple(words), skipped, mentions=frozenset(called), before=before)
+            Line(
+                line,
+                names,
+                tuple(words),
+                skipped,
+                mentions=frozenset(called),
+                conditional=conditional,
+            )
         )
         if words[0] == "PROC" and not self.branches:
             self.caller = self.caller or Doubt(line, code.strip()[:60])
             return
-        ends = any(map(_OVER.fullmatch, words))
-        if ends and not (self.branch or skipped or words[0] in _CONDITIONS):
+        ends = ends_here(words)
+        if ends and not (self.branch or conditional):
             self.end = self.end or Doubt(line, code.strip()[:60])
             return
         if ends or words[0] in _FORKS:
             self.branch += 1
-        self.late.append(Doubt(line, code.strip()[:60]))
+        alone = None if ends or skipped or words[0] in _FORKS else _CALL.fullmatch(bare)
+        name = "" if alone is None else alone[1].upper()
+        self.late.append(Doubt(line, code.strip()[:60], name))
 
     def _quiet(self, bare: str) -> bool:
         if _DWELL.fullmatch(bare):

@@ -9,13 +9,12 @@ from dataclasses import replace
 
 from compwright.controllers.request import Request
 from compwright.controllers.sinumerik.axes import MachineAxisNames
+from compwright.controllers.sinumerik.calls import PlacedBlock, ProgramCalls
 from compwright.controllers.sinumerik.flow import ProgramBlock
-from compwright.controllers.sinumerik.reach import Doubt, conflicts, inevitable
+from compwright.controllers.sinumerik.reach import Doubt, conflicts, unclear_jumps
 from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 
-#: Variables of which a value other than 0 acts on an axis.
-_ACTING = frozenset({"AA_ENC_COMP", "AN_CEC", "MA_BACKLASH"})
 _EXPORT = "the control's own export of the data in place of the program"
 
 
@@ -23,106 +22,126 @@ def check_programs(
     contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request, *, inch: bool
 ) -> None:
     """Raise InputError for programs that assign one variable in two branches, cannot carry out all
-    of their assignments, or count lengths in another unit than the control (``inch``); UsageError
-    where the answer is missing whether they were. Programs of other axes alone stop nothing.
+    of their assignments, jump to a label that is not the only one, or count lengths in another unit
+    than the control (``inch``); UsageError where the answer is missing whether all was carried out.
+    Programs of other axes alone stop nothing.
     """
-    faults: list[Fault] = []
     questions: list[Fault] = []
-    doubted = _doubted_calls(contents)
-    for content in contents:
-        entries = {one.line: names.renamed(one) for one in content.assignments}
-        for block in content.blocks:
-            given = [entry for line, entry in entries.items() if line in block.branches]
-            concerned = not given or any(
-                not entry.axis or request.asks_for(entry.axis) for entry in given
-            )
-            calls = any(line.mentions & doubted.keys() for line in block.trail)
-            if not ((block.branches and concerned) or calls):
-                continue
-            faults += _other_lengths(content.name, block, inch=inch)
-            first = block.unsure
-            unsure = doubted.get(block.title) if first is None else (content.name, first)
-            if request.carried_out:
-                faults += list(_in_two_branches(block, given)) or _not_all(content, block, doubted)
-            elif unsure is not None and block.branches:
-                questions.append(_unsure(*unsure))
+    calls = ProgramCalls.among(contents)
+    renamed = {
+        (one.file, one.line): names.renamed(one)
+        for content in contents
+        for one in content.assignments
+    }
+    faults = list(_out_of_order(calls, renamed, request))
+    for placed in calls.blocks:
+        content, block = placed.content, placed.block
+        given = [renamed[content.name, one.line] for one in placed.assignments]
+        concerned = not given or any(
+            not entry.axis or request.asks_for(entry.axis) for entry in given
+        )
+        if not ((block.branches and concerned) or calls.calls_of(block) or calls.is_called(block)):
+            continue
+        faults += _other_lengths(content.name, block, inch=inch)
+        faults += _unclear(calls, placed)
+        doubts = [(content.name, one) for one in calls.doubts(block)]
+        reason = calls.not_started(placed) or next(iter(doubts), None)
+        if request.carried_out:
+            faults += list(_in_two_branches(block, given)) or _not_all(placed, calls)
+        elif reason is not None and block.branches:
+            questions.append(_unsure(*reason, calls))
     raise_all(InputError, faults)
     raise_all(UsageError, questions)
 
 
 def without_programs(contents: Sequence[ProgramContent]) -> list[ProgramContent]:
     """Return the contents without the assignments of programs that may not have been carried out,
-    where it is known that none of them was. Raises InputError for what every run carries out.
+    where it is known that none of them was. Raises InputError where every run of a program carries
+    some of them out, and for jumps to a label that is not the only one.
     """
     faults: list[Fault] = []
     found = []
-    doubted = _doubted_calls(contents)
+    calls = ProgramCalls.among(contents)
+    unsure = []
+    for placed in calls.blocks:
+        started = calls.not_started(placed) is None
+        if not started or calls.doubts(placed.block):
+            unsure.append(placed.block)
+        if calls.in_doubt(placed.block):
+            faults += _unclear(calls, placed)
+            lines = calls.loads(placed) if started else []
+            faults += [_always(placed.content.name, lines)] if lines else []
     for content in contents:
-        unsure = [one for one in content.blocks if one.unsure or one.title in doubted]
-        lines = {line for block in unsure for line in block.branches}
-        for block in unsure:
-            if block.caller is None and block.title not in doubted:
-                faults += _always(content, block)
-        kept = [one for one in content.assignments if one.line not in lines]
-        blocks = [block for block in content.blocks if block not in unsure]
+        gone = [block for block in content.blocks if any(block is one for one in unsure)]
+        given = {line for block in gone for line in block.branches}
+        kept = [one for one in content.assignments if one.line not in given]
+        blocks = [block for block in content.blocks if not any(block is one for one in gone)]
         found.append(replace(content, assignments=kept, blocks=blocks))
     raise_all(InputError, faults)
     return found
 
 
-def _always(content: ProgramContent, block: ProgramBlock) -> Iterator[Fault]:
-    lines = inevitable(block.trail)
-    for one in content.assignments:
-        if one.line in lines and one.name in _ACTING and one.value != 0.0:
-            yield one.fault(
-                f"{one.variable} is assigned in every run of the program, whatever it meets",
-                expected=f"{_EXPORT}; active: no is for programs of which nothing was carried out",
-            )
-            return
+def _always(file: str, lines: Sequence[int]) -> Fault:
+    more = ", ".join(str(line) for line in lines[1:])
+    return Fault(
+        message=(
+            "every run of the program assigns compensation other than 0 here"
+            f"{f' or in line {more}' if more else ''}, whatever it meets"
+        ),
+        file=file,
+        place=f"line {lines[0]}",
+        expected=f"{_EXPORT}; active: no is for programs of which nothing was carried out",
+    )
 
 
-def _doubted_calls(contents: Sequence[ProgramContent]) -> dict[str, tuple[str, Doubt]]:
-    """Return by the name of a program the file and the line that may keep every call of it in these
-    files from being carried out.
-    """
-    sure: set[str] = set()
-    found: dict[str, tuple[str, Doubt]] = {}
-    titles = {one.title for content in contents for one in content.blocks if one.title}
-    while True:
-        before = set(found)
-        for content in contents:
-            for block in content.blocks:
-                for line in block.trail:
-                    for name in line.mentions & titles:
-                        doubt = (content.name, line.before) if line.before else None
-                        doubt = doubt or found.get(block.title)
-                        if doubt is None:
-                            sure.add(name)
-                        else:
-                            found.setdefault(name, doubt)
-        found = {name: doubt for name, doubt in found.items() if name not in sure}
-        if set(found) == before:
-            return found
-        sure = set()
+def _unclear(calls: ProgramCalls, placed: PlacedBlock) -> Iterator[Fault]:
+    for line in unclear_jumps(placed.block.trail) if calls.in_doubt(placed.block) else ():
+        yield Fault(
+            message="the program holds more than one label to which this line may lead",
+            file=placed.content.name,
+            place=f"line {line}",
+            expected=_EXPORT,
+        )
 
 
-def _not_all(
-    content: ProgramContent, block: ProgramBlock, doubted: Mapping[str, object]
+def _out_of_order(
+    calls: ProgramCalls,
+    renamed: Mapping[tuple[str, int], VariableAssignment],
+    request: Request,
 ) -> Iterator[Fault]:
+    """Yield the faults of variables that end with another value in the order of the calls than in
+    that of the lines.
+    """
+    by_line: dict[str, VariableAssignment] = {}
+    by_call: dict[str, VariableAssignment] = {}
+    for placed in calls.blocks:
+        by_line |= {one.variable.upper(): one for one in placed.assignments}
+        by_call |= {} if calls.is_called(placed.block) else calls.lasts(placed)
+    for variable, last in by_call.items():
+        other, axis = by_line[variable], renamed[last.file, last.line].axis
+        if (other.value, other.names) != (last.value, last.names) and (
+            not axis or request.asks_for(axis)
+        ):
+            yield last.fault(
+                f"{last.variable} is assigned in {other.file}, line {other.line} too, and one of"
+                " these programs calls the other: the last one in the files is not the last one"
+                " that the control carries out",
+                expected=_EXPORT,
+            )
+
+
+def _not_all(placed: PlacedBlock, calls: ProgramCalls) -> Iterator[Fault]:
     """Yield the fault of assignments, or calls, of which one run cannot carry out all."""
-    if not block.doubts and not any(line.mentions & doubted.keys() for line in block.trail):
+    block = placed.block
+    if not (calls.doubts(block) or calls.calls_of(block)):
         return
-    trail = [
-        replace(line, given=True) if line.mentions & doubted.keys() else line
-        for line in block.trail
-    ]
-    pair = conflicts(trail)
+    pair = conflicts(calls.trail(block))
     if pair is not None:
         line, other = pair
         why = f"every run that comes to line {other} leaves it out" if other else "no run does"
         yield Fault(
             message=f"not all of the program was carried out: of this line, {why}",
-            file=content.name,
+            file=placed.content.name,
             place=f"line {line}",
             expected=f"{_EXPORT}, or active: no where nothing of it was carried out",
         )
@@ -156,7 +175,9 @@ def _in_two_branches(block: ProgramBlock, given: Sequence[VariableAssignment]) -
         seen[entry.variable.upper()] = entry
 
 
-def _unsure(file: str, first: Doubt) -> Fault:
+def _unsure(file: str, first: Doubt, calls: ProgramCalls) -> Fault:
+    unknown = bool(first.call) and not calls.has(first.call)
+    program = f"the file of {first.call} too, where it is a program, or " if unknown else ""
     return Fault(
         message=(
             "this line may keep assignments of the program from being carried out, or says that"
@@ -165,8 +186,8 @@ def _unsure(file: str, first: Doubt) -> Fault:
         file=file,
         place=f"line {first.line}",
         expected=(
-            f"{_EXPORT}, or active: yes where all of them were carried out, active: no where none"
-            " was"
+            f"{program}{_EXPORT}, or active: yes where all of them were carried out, active: no"
+            " where none was"
         ),
         found=first.text,
     )

@@ -7,22 +7,26 @@ condition may turn out either way; a line that is not understood may end the pro
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
 class Doubt:
-    """A statement that may change what is carried out."""
+    """A statement that may change what is carried out; ``call``: the program that it calls, if such
+    a program exists and nothing else stands there.
+    """
 
     line: int
     text: str
+    call: str = ""
 
 
 _JUMPS = frozenset({"GOTO", "GOTOF", "GOTOB", "GOTOC", "GOTOS"})
 _OPENS = {"IF": "ENDIF", "WHILE": "ENDWHILE", "FOR": "ENDFOR", "LOOP": "ENDLOOP"} | {
     "REPEAT": "UNTIL"
 }
+_OVER = re.compile(r"M0*2|M17|M30|RET")
 _NAME = re.compile(r"N\d+|(?!R\d+$)[A-Z_]\w+")
 
 
@@ -30,8 +34,8 @@ _NAME = re.compile(r"N\d+|(?!R\d+$)[A-Z_]\w+")
 class Line:
     """One line: its ``number``, the ``names`` to which a jump may lead, and its ``words`` in
     capitals, none where it does not matter for the order of lines. ``skipped``: with block skip on.
-    ``given``: an assignment, or a call of a program of the files. ``mentions``: the names in it;
-    ``before``: what stands before it that may keep it from being carried out.
+    ``given``: an assignment, or a call of a program of the files. ``mentions``: the programs that
+    it may call; ``conditional``: not in every case.
     """
 
     number: int
@@ -40,7 +44,7 @@ class Line:
     skipped: bool = False
     given: bool = False
     mentions: frozenset[str] = frozenset()
-    before: Doubt | None = None
+    conditional: bool = False
 
 
 def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
@@ -78,16 +82,65 @@ def conflicts(lines: Sequence[Line]) -> tuple[int, int] | None:
     return None
 
 
-def inevitable(lines: Sequence[Line]) -> set[int]:
-    """Return the numbers of assignments that every run carries out."""
+def inevitable(lines: Sequence[Line], among: Collection[int]) -> list[int]:
+    """Return numbers ``among`` those of given lines of which every run of the program carries out
+    at least one: a single one if possible. None if a run may get by without them, or only if it
+    never ends.
+    """
     short, groups = _shortened(lines)
-    follow = _next(short)
-    found: set[int] = set()
-    for place, line in enumerate(short):
-        without = [0 if i == place else bits for i, bits in enumerate(follow)]
-        if line.given and (place == 0 or not _behind(without)[0] >> len(short) & 1):
-            found |= groups[place]
+    follow, end = _next(short), 1 << len(short)
+    hit = [min(group & set(among), default=0) for group in groups]
+
+    def reached(closed: set[int]) -> int:
+        ways = [0 if place in closed else bits for place, bits in enumerate(follow)]
+        return _behind(ways)[0] | 1
+
+    every = {place for place, line in enumerate(short) if line.given and hit[place]}
+    open_places = reached(every)
+    if open_places & end or not every:
+        return []
+    first = [place for place in sorted(every) if open_places >> place & 1]
+    alone = next((place for place in first if not reached({place}) & end), None)
+    return [hit[place] for place in (first if alone is None else [alone])]
+
+
+def unclear_jumps(lines: Sequence[Line]) -> list[int]:
+    """Return the numbers of jumps and repetitions that fit more than one label of the program."""
+    names = _labels(lines)
+    found = []
+    for place, line in enumerate(lines):
+        words = line.words
+        labels = [
+            _sought(word, words[i + 1], place, names)
+            for i, word in enumerate(words[:-1])
+            if word in _JUMPS
+        ]
+        if words[:1] in (("REPEAT",), ("REPEATB",)) and len(words) > 1:
+            labels.append(names.get(words[1], []))
+        if any(len(each) > 1 for each in labels):
+            found.append(line.number)
     return found
+
+
+def _labels(lines: Sequence[Line]) -> dict[str, list[int]]:
+    found: dict[str, list[int]] = {}
+    for place, line in enumerate(lines):
+        for name in line.names:
+            found.setdefault(name, []).append(place)
+    return found
+
+
+def _sought(jump: str, name: str, place: int, names: Mapping[str, Sequence[int]]) -> list[int]:
+    """Return the labels that a jump in a place comes to first: GOTOB goes back from its own line,
+    GOTOF on from the next one; GOTO and GOTOC go on, and where they find none, it is any before.
+    """
+    back = [one for one in names.get(name, ()) if one <= place]
+    on = [one for one in names.get(name, ()) if one > place]
+    if jump == "GOTOB":
+        return [max(back)] if back else []
+    if on:
+        return [min(on)]
+    return [] if jump == "GOTOF" else back
 
 
 def _behind(follow: Sequence[int]) -> list[int]:
@@ -112,7 +165,7 @@ def _next(lines: Sequence[Line]) -> list[int]:
     """Return for every line the lines that may be carried out next, as bits; the bit behind the
     last line is the end.
     """
-    names = {name: place for place, line in reversed(list(enumerate(lines))) for name in line.names}
+    names = _labels(lines)
     ways = [1 << place + 1 for place in range(len(lines))]
     opened: list[tuple[str, int, int]] = []  # the word that closes, the place, that of an ELSE
     for place, line in enumerate(lines):
@@ -149,31 +202,43 @@ def _closed(word: str, place: int, start: int, other: int, ways: list[int]) -> i
     return 1 << start if word == "ENDLOOP" else 1 << start + 1 | after
 
 
-def _own_ways(line: Line, place: int, end: int, names: dict[str, int]) -> int:
+def _own_ways(line: Line, place: int, end: int, names: Mapping[str, Sequence[int]]) -> int:
     words, after = line.words, 1 << place + 1
     jumps = [i for i, word in enumerate(words) if word in _JUMPS]
     if jumps:
         bits = 0
         for i in jumps:
-            bits |= _target(words[i], words[i + 1 : i + 3], after, end, names)
+            bits |= _target(words[i], words[i + 1 : i + 3], place, end, names)
         return bits if jumps[0] == 0 or "DEFAULT" in words else bits | after
     if words[0] in ("REPEAT", "REPEATB") and len(words) > 1 and words[1] in names:
-        return after | 1 << end | 1 << names[words[1]]
-    over = any(re.fullmatch(r"M0*2|M17|M30|RET", word) for word in words)
+        return after | 1 << end | sum(1 << one for one in names[words[1]])
     conditional = words[0] in ("WHEN", "WHENEVER", "EVERY", "FROM", "ID", "IDS", "DO")
-    return 1 << end if over and not conditional else after | 1 << end
+    return 1 << end if ends_here(words) and not conditional else after | 1 << end
 
 
-def _target(jump: str, words: Sequence[str], after: int, end: int, names: dict[str, int]) -> int:
+def ends_here(words: Sequence[str]) -> bool:
+    """Return whether one of the words ends the program: M2, M17, M30, RET. An M word with an equals
+    sign behind it is of another spindle.
+    """
+    behind = (*words[1:], "")
+    return any(
+        _OVER.fullmatch(word) is not None and follows != "="
+        for word, follows in zip(words, behind, strict=True)
+    )
+
+
+def _target(
+    jump: str, words: Sequence[str], place: int, end: int, names: Mapping[str, Sequence[int]]
+) -> int:
+    after = 1 << place + 1
     if jump == "GOTOS":
         return 1
     name = words[0] if words else ""
-    if name in names:
-        return 1 << names[name]
+    found = _sought(jump, name, place, names)
     worked_out = _NAME.fullmatch(name) is None or tuple(words[1:2]) in (("[",), ("(",), ("<<",))
     if worked_out:
-        bits = after | 1 << end
-        for place in names.values():
-            bits |= 1 << place
-        return bits
+        found = [one for each in names.values() for one in each]
+        return after | 1 << end | sum(1 << one for one in set(found))
+    if found:
+        return sum(1 << one for one in found)
     return after if jump == "GOTOC" else 1 << end

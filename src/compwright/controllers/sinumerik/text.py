@@ -112,7 +112,7 @@ _HEADER = re.compile(r"%_N_", re.IGNORECASE)
 #: what was so in the control for which they were written.
 _SAID_BESIDE = re.compile(r"; (?:by hand|as it is): (?=\$)")
 _PATH = re.compile(r"\$PATH\s*=", re.IGNORECASE)
-_END = re.compile(r"(?:N\d+\s*)?M(?:17|30|0?2)(?!\d)", re.IGNORECASE)
+_END = re.compile(r"(?:N\d+\s*)?M(?:17|30|0?2)(?!\s*[\d=])", re.IGNORECASE)
 _ASSIGNMENT = re.compile(
     r"""\s*(?:N\d+\s*)?                                  # block number
         \$(?P<name>[A-Za-z]\w*)

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.entry_keys import NAMES, Key, quantities_of
-from compwright.formats.families.pairs.program_ways import ProgramWays, Step, ways_through
+from compwright.formats.families.pairs.program_ways import END, ProgramWays, Step, ways_through
 from compwright.formats.text.texts import KEPT_TEXTS, ReadText, text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -43,8 +43,13 @@ _CALLED_NAME = re.compile(
 _CALLING = re.compile(r"CALL|SETINT|EXEC|\bINIT\b|\bDO\b", re.IGNORECASE)
 _STRING = re.compile(r'"[^"]*"')
 _CHECKSUM = re.compile(r"\s+'[0-9A-F]{4}\s*$", re.IGNORECASE)
-#: The end of a program or subprogram, alone or with other words of its line.
-_END = re.compile(r"(?:\bM\s*=?\s*(?:17|30|0*2)(?!\s*[-+*/.\d])|\bRET\b)", re.IGNORECASE)
+#: A call by the name alone, as a whole statement.
+_PLAIN_CALL = re.compile(
+    r"(?:_N_)?(?P<name>[A-Z_]{2}\w*?|L\d+)(?:[._](?:SPF|MPF|CYC))?\s*(?:\([^()]*\))?", re.IGNORECASE
+)
+#: The end of a subprogram behind which the calling program goes on with its next line. M2 and M30
+#: may end both.
+_RETURN = re.compile(r"M17|RET", re.IGNORECASE)
 #: What stands before words that are carried out on a condition only.
 _CONDITIONAL = re.compile(r"/|(?:IF|CASE|WHEN|WHENEVER|EVERY|FROM|IDS?|DO)\b", re.IGNORECASE)
 #: What a program may hold before and between values, and they are carried out all the same.
@@ -100,7 +105,7 @@ _EXPRESSION = re.compile(
 #: First words between which not every program way passes.
 _DIVIDING = re.compile(
     r"(?:/\d?\s*)?(?:IF|ELSE|ENDIF|CASE|GOTO[BFCS]?|LOOP|ENDLOOP|FOR|ENDFOR|WHILE|ENDWHILE|REPEATB?|UNTIL"
-    r"|RET|M\s*=?\s*(?:17|30|0*2))(?![A-Z_0-9])",
+    r")(?![A-Z_0-9])",
     re.IGNORECASE,
 )
 #: What to give in place of a program.
@@ -111,21 +116,25 @@ _UNIT = re.compile(r"(?<![A-Z_$])G(?:(?P<inch>70|700)|71|710)(?!\d)", re.IGNOREC
 
 @dataclass(frozen=True, slots=True)
 class FlowLine:
-    """A line that can change what is carried out, as it stands."""
+    """A line that can change what is carried out, as it stands; ``missing``: the program that it
+    calls, where that is none of the files.
+    """
 
     line: int
     text: str
+    missing: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A line that calls the program ``name``; ``doubt``: what may keep it from being carried
-    out.
+    """A line that calls the program ``name``, at once or on a condition (``conditional``);
+    ``doubt``: what in its own program may keep it from being carried out.
     """
 
     name: str
     at: FlowLine
     doubt: FlowLine | None
+    conditional: bool
 
 
 @dataclass(slots=True)
@@ -133,35 +142,39 @@ class ProgramFlow:
     """What one program does with its ``values``.
 
     ``called``: what says that it acts only where a program calls or starts it; ``flow``: what may
-    leave values out, before the last one; ``dividing``: lines that divide it into branches;
-    ``ended``: where it ends for certain; ``units``: a line that sets the unit of lengths, by line,
-    and the unit; ``behind``: values behind the end; ``lines``: number and code of its lines
-    as far as they matter for the ways through it, and whether a value or a call stands there;
-    ``calls``: of programs of the files.
+    leave values out, before the last one; ``late``: the like behind it; ``dividing``: lines that
+    divide it into branches; ``ended``: where it ends for certain; ``units``: a line that sets the
+    unit of lengths, by line, and the unit; ``behind``: values behind the end; ``lines``: number and
+    code of its lines as far as they matter for the ways through it, whether a value stands there,
+    and the programs that it calls; ``calls``: of programs of the files; ``followed``: programs
+    behind a call of which it goes on.
     """
 
     name: str = ""
     called: FlowLine | None = None
     values: list[Occurrence] = field(default_factory=list)
     flow: list[FlowLine] = field(default_factory=list)
+    late: list[FlowLine] = field(default_factory=list)
     dividing: list[int] = field(default_factory=list)
     units: dict[int, str] = field(default_factory=dict)
     ended: FlowLine | None = None
     behind: list[Occurrence] = field(default_factory=list)
-    lines: list[tuple[int, str, bool]] = field(default_factory=list)
+    lines: list[tuple[int, str, bool, tuple[str, ...]]] = field(default_factory=list)
     calls: list[Call] = field(default_factory=list)
+    followed: frozenset[str] = frozenset()
 
-    @property
-    def ways(self) -> ProgramWays:
-        """The ways through it."""
+    def ways(self, loaders: frozenset[str]) -> ProgramWays:
+        """Return the ways through it to its values and to the calls of ``loaders``."""
         return ways_through(
-            _step(number, code, marked=marked) for number, code, marked in self.lines
+            _step(number, code, self.followed, marked=value or not loaders.isdisjoint(calls))
+            for number, code, value, calls in self.lines
         )
 
     @property
-    def doubts(self) -> list[FlowLine]:
-        """What can keep its values from being carried out."""
-        return [*filter(None, [self.called]), *self.flow] if self.values else []
+    def returns(self) -> bool:
+        """Whether every run of it comes to its end, and there back to the program that calls it."""
+        ends = [*self.late, *filter(None, [self.ended])]
+        return not self.flow and all(_RETURN.fullmatch(_bare(one.text)) for one in ends)
 
     @property
     def span(self) -> str:
@@ -194,22 +207,27 @@ class Scanned:
     @property
     def leaves_out(self) -> bool:
         """Whether something in the file can keep a value from being carried out."""
-        return any(program.doubts for program in self.programs)
+        return any(one.values and (one.called or one.flow) for one in self.programs)
 
 
 @lru_cache(maxsize=KEPT_TEXTS)
 def scanned(
-    definition: Definition, file: ControlFile, called: frozenset[str] = frozenset()
+    definition: Definition,
+    file: ControlFile,
+    known: frozenset[str] = frozenset(),
+    returning: frozenset[str] = frozenset(),
 ) -> Scanned:
-    """Return what the programs of a file do with its values, as far as it can be read, and which of
-    those ``called`` they call.
+    """Return what the programs of a file do, as far as it can be read.
+
+    ``known``: names of programs of which the calls are wanted; ``returning``: those of them of
+    which a call changes nothing in what is carried out behind it.
     """
     text = text_reader(definition).read(file, [])
-    if text is None or not (text.occurrences or called):
+    if text is None:
         return Scanned((), ())
     lines = {one.line for one in text.occurrences}
     codes = dict(_codes(definition, file, lines))
-    programs = _programs(definition, codes, text, called)
+    programs = _programs(definition, codes, text, known, returning)
     return Scanned(programs, _computed(definition, codes, text))
 
 
@@ -220,7 +238,11 @@ def program_name(text: str) -> str:
 
 
 def _programs(
-    definition: Definition, codes: Mapping[int, str], text: ReadText, called: frozenset[str]
+    definition: Definition,
+    codes: Mapping[int, str],
+    text: ReadText,
+    known: frozenset[str],
+    returning: frozenset[str],
 ) -> tuple[ProgramFlow, ...]:
     aside = {"unit_word", *NAMES}
     values = {
@@ -231,40 +253,55 @@ def _programs(
     by_name = FlowLine(1, text.file) if _SUBPROGRAM.search(text.file) else None
     found = [ProgramFlow(program_name(text.file), by_name)]
     begun = False
-    waiting: list[FlowLine] = []  # behind the last value of the program so far
-    last = max(values, default=0)
     for place, (number, code) in enumerate(codes.items(), start=1):
         begun = begun or place < number  # plain lines of an export are left out
         if _HEADER.match(code):
             own = (begun or _SUBPROGRAM.search(code)) and not _DATA.match(code)
             name = "" if _DATA.match(code) else program_name(code)
             found.append(ProgramFlow(name, FlowLine(number, code.strip()[:60]) if own else None))
-            waiting, begun = [], True
+            begun = True
             continue
         program = found[-1]
         begun = begun or bool(code.strip())
-        calls = _calls(code, called) if called and number not in values else ()
+        if not code.strip():
+            continue
+        calls = () if number in values else _calls(code, known)
         if number in values and program.ended is not None:
             program.behind.append(values[number])
         elif number in values:
-            program.flow += waiting
-            waiting = []
+            program.flow += program.late
+            program.late.clear()
             program.values.append(values[number])
-        elif code.strip() and (number <= last or called):
-            doubts = program.called, *program.flow, *waiting, program.ended
-            doubt = next(filter(None, doubts), None)
-            program.calls += (
-                Call(name, FlowLine(number, code.strip()[:60]), doubt) for name in calls
-            )
-            if program.ended is None:
-                _note(code, number, program, waiting)
-        if code.strip():
-            program.lines.append((number, code, number in values or bool(calls)))
-    return tuple(one for one in found if one.values or one.behind or one.calls)
+        else:
+            program.calls += _noted_calls(code, number, calls, program)
+            if program.ended is None and _plain_call(code) not in returning:
+                _note(code, number, program, known)
+        program.lines.append((number, code, number in values, calls))
+    for program in found:
+        program.followed = returning
+    return tuple(found if found[0].lines or len(found) == 1 else found[1:])
 
 
-def _calls(code: str, called: frozenset[str]) -> tuple[str, ...]:
-    """Return the programs that a line calls, of those ``called``."""
+def _noted_calls(
+    code: str, number: int, names: Iterable[str], program: ProgramFlow
+) -> Iterator[Call]:
+    line = FlowLine(number, code.strip()[:60])
+    conditional = _CONDITIONAL.match(_bare(code)) is not None
+    doubts = *program.flow, *program.late, program.ended, line if conditional else None
+    for name in names:
+        yield Call(name, line, next(filter(None, doubts), None), conditional)
+
+
+def _plain_call(code: str) -> str:
+    """Return the program that a line may call as its whole statement; empty for any other line."""
+    bare = _bare(code)
+    label = _LABEL.match(bare)
+    found = _PLAIN_CALL.fullmatch(bare[0 if label is None else label.end() :])
+    return "" if found is None else found["name"].upper()
+
+
+def _calls(code: str, known: frozenset[str]) -> tuple[str, ...]:
+    """Return the programs that a line calls, of those ``known``."""
     bare = _SKIPPED.sub("", _bare(code), count=1) if _bare(code)[:1] == "/" else _bare(code)
     label = _LABEL.match(bare)
     bare = bare[0 if label is None else label.end() :]
@@ -274,25 +311,26 @@ def _calls(code: str, called: frozenset[str]) -> tuple[str, ...]:
     return tuple(
         found[1].upper()
         for found in _CALLED_NAME.finditer(bare)
-        if found[1].upper() in called and (anywhere or found.start() == 0)
+        if found[1].upper() in known and (anywhere or found.start() == 0)
     )
 
 
-def _step(number: int, code: str, *, marked: bool) -> Step:
+def _step(number: int, code: str, followed: Collection[str], *, marked: bool) -> Step:
     named = _BLOCK_NUMBER.match(code)
-    name = "" if named is None else named["number"] or ""
+    names = [named["number"]] if named is not None and named["number"] else []
     bare = _bare(code)
     skipped = _SKIPPED.match(bare)
     bare = bare[0 if skipped is None else skipped.end() :]
     label = _LABEL.match(bare)
     if label is not None:
-        name, bare = label["name"], bare[label.end() :]
-    plain = marked and "$" in bare
+        bare = bare[label.end() :]
+        names.append(label["name"])
+    plain = (marked and "$" in bare) or _plain_call(bare) in followed
     does = "" if plain or not bare or harmless(bare) else _STRING.sub('""', bare)
-    return Step(number, name, does, marked, skipped is not None)
+    return Step(number, tuple(names), does, marked, skipped is not None)
 
 
-def _note(code: str, number: int, program: ProgramFlow, waiting: list[FlowLine]) -> None:
+def _note(code: str, number: int, program: ProgramFlow, known: Collection[str]) -> None:
     """Take down what a line without a value does."""
     bare = _bare(code)
     label = _LABEL.match(bare)
@@ -308,13 +346,15 @@ def _note(code: str, number: int, program: ProgramFlow, waiting: list[FlowLine])
         program.units[number] = "inch" if unit["inch"] else "mm"
     if not bare or harmless(bare):
         return
-    line, ends = FlowLine(number, code.strip()[:60]), _END.search(masked) is not None
+    line, ends = FlowLine(number, code.strip()[:60]), END.search(masked) is not None
     if ends and not program.dividing and not _CONDITIONAL.match(masked):
         program.ended = line
         return
     if ends or _DIVIDING.match(masked):
         program.dividing.append(number)
-    waiting.append(line)
+    elif (name := _plain_call(code)) not in known:
+        line = replace(line, missing=name)
+    program.late.append(line)
 
 
 def _bare(code: str) -> str:

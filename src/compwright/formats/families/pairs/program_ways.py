@@ -6,12 +6,14 @@ Conditions may go either way, an unknown statement may end the program. Nothing 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 _GO = re.compile(r"\bGOTO(?P<way>[BFCS]?)\b\s*(?P<target>\$?\w+(?:\s*[\[(<])?)?", re.IGNORECASE)
 _FIRST = re.compile(r"[A-Z]+", re.IGNORECASE)
-_END = re.compile(r"(?:\bM\s*=?\s*(?:17|30|0*2)(?!\s*[-+*/.\d])|\bRET\b)", re.IGNORECASE)
+#: The end of a program or subprogram, alone or with other words of its line. M2=3 is none: an M
+#: function of spindle 2.
+END = re.compile(r"(?:\bM\s*=?\s*(?:17|30|0*2)(?!\s*[-+*/.\d=])|\bRET\b)", re.IGNORECASE)
 _DEFAULT = re.compile(r"\bDEFAULT\b", re.IGNORECASE)
 _REPEATED = re.compile(r"REPEATB?\s+(?P<target>\w+)", re.IGNORECASE)
 _CLOSING = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDFOR": "FOR", "ENDLOOP": "LOOP"} | {
@@ -21,14 +23,14 @@ _CLOSING = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDFOR": "FOR", "ENDLOOP": "LOO
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A line of a program. ``name``: its label or block number; ``code``: what it does, strings
+    """A line of a program. ``names``: its label and block number; ``code``: what it does, strings
     emptied, empty where that leaves the order of the lines alone; ``marked``: it is one of those
     that are asked about (a value, a call); ``skipped``: on the control's block skip; ``until``: the
     last of the lines that it is followed by in any case.
     """
 
     line: int
-    name: str = ""
+    names: tuple[str, ...] = ()
     code: str = ""
     marked: bool = False
     skipped: bool = False
@@ -37,16 +39,20 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class ProgramWays:
-    """Steps of one program with the steps that may follow each; behind the last one is the end."""
+    """Steps of one program with the steps that may follow each; behind the last one is the end.
+
+    ``unclear``: lines of jumps of which more than one label of that name may be the destination.
+    """
 
     steps: Sequence[Step]
     next: Sequence[frozenset[int]] = field(repr=False)
+    unclear: tuple[int, ...] = ()
 
     def unreached(self) -> Iterator[tuple[int, int]]:
         """Yield the lines of marked steps that no run comes to, each with the line that leads past
         it.
         """
-        reached = self._from(0)
+        reached = self._reached()
         for place, step in enumerate(self.steps):
             if step.marked and place not in reached:
                 yield step.line, self._passing(place)
@@ -54,25 +60,38 @@ class ProgramWays:
     def exclusive(self) -> tuple[int, int] | None:
         """Return the lines of two marked steps that no run comes to both; None without such."""
         marked = [place for place, step in enumerate(self.steps) if step.marked]
-        after = {place: self._from(place) for place in marked}
+        after = {place: self._reached(place) for place in marked}
         for i, one in enumerate(marked):
             for other in marked[i + 1 :]:
                 if other not in after[one] and one not in after[other]:
                     return self.steps[one].line, self.steps[other].line
         return None
 
-    def certain(self) -> Iterator[int]:
-        """Yield the lines of marked steps that every run comes to."""
+    def unavoidable(self, lines: Collection[int]) -> list[int]:
+        """Return where every run that comes to the end carries out at least one of ``lines`` of
+        marked steps: one that all of them carry out, else those that may be the first of a run.
+        Empty where a run can leave all of them out.
+        """
+        among: dict[int, int] = {}
         for place, step in enumerate(self.steps):
-            if step.marked and len(self.steps) not in self._from(0, without=place):
-                yield from range(step.line, max(step.line, step.until) + 1)
+            for line in range(step.line, max(step.line, step.until) + 1) if step.marked else ():
+                if line in lines:
+                    among.setdefault(place, line)
+        end, past = len(self.steps), self._reached(without=among)
+        if end in past:
+            return []
+        first = [place for place in among if place == 0 or any(place in self.next[i] for i in past)]
+        for place in first:
+            if end not in self._reached(without={place}):
+                return [among[place]]
+        return [among[place] for place in first]
 
-    def _from(self, start: int, without: int = -1) -> set[int]:
+    def _reached(self, start: int = 0, without: Collection[int] = ()) -> set[int]:
         seen: set[int] = set()
         waiting = [start]
         while waiting:
             place = waiting.pop()
-            if place in seen or place == without:
+            if place in seen or place in without:
                 continue
             seen.add(place)
             if place < len(self.steps):
@@ -88,13 +107,18 @@ class ProgramWays:
 def ways_through(steps: Iterable[Step]) -> ProgramWays:
     """Return the ways through a program."""
     kept = _merged(list(steps))
-    places = {step.name.upper(): i for i, step in reversed(list(enumerate(kept))) if step.name}
+    places: dict[str, list[int]] = {}
+    for place, step in enumerate(kept):
+        for name in step.names:
+            places.setdefault(name.upper(), []).append(place)
     blocks = _blocks(kept)
-    follow = []
+    follow, unclear = [], []
     for place, step in enumerate(kept):
         found = _following(kept, place, places, blocks) if step.code else {place + 1}
         follow.append(frozenset(found | ({place + 1} if step.skipped else set())))
-    return ProgramWays(tuple(kept), tuple(follow))
+        if any(len(each) > 1 for each in _destinations(step.code, place, places)):
+            unclear.append(step.line)
+    return ProgramWays(tuple(kept), tuple(follow), tuple(unclear))
 
 
 def _merged(steps: list[Step]) -> list[Step]:
@@ -105,14 +129,17 @@ def _merged(steps: list[Step]) -> list[Step]:
     targets = set(re.findall(r"\bN\d+", text))
     kept: list[Step] = []
     for step in steps:
-        idle = re.fullmatch(r"N\d+", step.name.upper()) and step.name.upper() not in targets
-        one = replace(step, name="") if idle else step
-        plain = one.marked and not (one.name or one.code or one.skipped)
+        one = replace(step, names=tuple(name for name in step.names if _is_used(name, targets)))
+        plain = one.marked and not (one.names or one.code or one.skipped)
         if plain and kept and kept[-1].marked and not (kept[-1].code or kept[-1].skipped):
             kept[-1] = replace(kept[-1], until=one.line)
         else:
             kept.append(one)
     return kept
+
+
+def _is_used(name: str, targets: Collection[str]) -> bool:
+    return not re.fullmatch(r"N\d+", name.upper()) or name.upper() in targets
 
 
 def _word(step: Step) -> str:
@@ -152,7 +179,7 @@ def _blocks(steps: Sequence[Step]) -> _Blocks:
 
 
 def _following(
-    steps: Sequence[Step], place: int, places: Mapping[str, int], blocks: _Blocks
+    steps: Sequence[Step], place: int, places: Mapping[str, Sequence[int]], blocks: _Blocks
 ) -> set[int]:
     """Return the places to which a run may go on from a line that is no plain one."""
     step, word, after, end = steps[place], _word(steps[place]), place + 1, len(steps)
@@ -175,10 +202,8 @@ def _following(
     if word in ("ENDIF", "LOOP", "REPEAT"):
         return {after}
     if word == "AGAIN":
-        repeated = _REPEATED.match(step.code)
-        target = None if repeated is None else places.get(repeated["target"].upper())
-        return {after, end} | (set() if target is None else {target})
-    if _END.search(step.code):
+        return {after, end}.union(*_destinations(step.code, place, places))
+    if END.search(step.code):
         return {end} if _first_word_ends(step.code) else {after, end}
     return {after, end}
 
@@ -187,14 +212,41 @@ def _first_word_ends(code: str) -> bool:
     return re.match(r"(?:/|WHEN|WHENEVER|EVERY|FROM|IDS?|DO)\b", code, re.IGNORECASE) is None
 
 
-def _targets(go: re.Match[str], place: int, places: Mapping[str, int], end: int) -> set[int]:
-    """Return where a jump leads: every label where only the running program knows it."""
+def _destinations(
+    code: str, place: int, places: Mapping[str, Sequence[int]]
+) -> Iterator[Sequence[int]]:
+    """Yield for each jump and repetition of a line the places of labels that it may mean."""
+    for go in _GO.finditer(code):
+        yield _meant(go, place, places)
+    repeated = _REPEATED.match(code)
+    if repeated is not None:
+        yield places.get(repeated["target"].upper(), ())
+
+
+def _meant(go: re.Match[str], place: int, places: Mapping[str, Sequence[int]]) -> Sequence[int]:
+    """Return the labels that a jump may mean. GOTOF searches from its line to the end of the
+    program, GOTOB from its line to the start, GOTO and GOTOC to the end and then elsewhere.
+    """
+    labels = places.get((go["target"] or "").upper(), ())
+    ahead = [one for one in labels if one > place]
+    behind = [one for one in labels if one <= place]
+    way = go["way"].upper()
+    if way == "B":
+        return behind[-1:]
+    return ahead[:1] if ahead or way == "F" else behind
+
+
+def _targets(
+    go: re.Match[str], place: int, places: Mapping[str, Sequence[int]], end: int
+) -> set[int]:
+    """Return where a jump leads: every label where only the running program knows it; the end where
+    the control stops with an alarm, because there is no such label in that direction.
+    """
     if go["way"].upper() == "S":
         return {0}
-    name = (go["target"] or "").upper()
-    if name in places:
-        return {places[name]}
-    plain = re.fullmatch(r"(?!R\d+$)[A-Z_]\w+|N\d+", name) is not None
+    if found := _meant(go, place, places):
+        return set(found)
+    plain = re.fullmatch(r"(?!R\d+$)[A-Z_]\w+|N\d+", (go["target"] or "").upper()) is not None
     if not plain:
-        return {*places.values(), place + 1, end}
+        return {*(one for each in places.values() for one in each), place + 1, end}
     return {end} if go["way"].upper() != "C" else {place + 1}

@@ -2,101 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.entry_keys import Key, entry_key, quantities_of, value_of
-from compwright.formats.families.pairs.program_flow import (
-    EXPORTED,
-    Call,
-    FlowLine,
-    ProgramFlow,
-    Scanned,
-    scanned,
-)
+from compwright.formats.families.pairs.program_calls import CallEnds, Found, programs_of
+from compwright.formats.families.pairs.program_flow import EXPORTED, ProgramFlow
 from compwright.formats.text.gathering import Gathered
 from compwright.formats.text.notes import Notes
+from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.correction import ControlFile
 
 #: Quantities of which a value other than 0 acts on an axis.
 _ACTING = frozenset({"value", "backlash", "cross_value"})
-
-
-@dataclass(frozen=True, slots=True)
-class DoubtedCall:
-    """A call in ``file`` that ``doubt`` may keep from being carried out."""
-
-    file: str
-    call: Call
-    doubt: FlowLine
-
-
-@dataclass(frozen=True, slots=True)
-class Found:
-    """A program of ``file``. ``computed``: faults of values that only the running program knows;
-    ``call``: where every call of it in another program may not be carried out, one of them.
-    """
-
-    file: str
-    program: ProgramFlow
-    computed: tuple[Fault, ...] = ()
-    call: DoubtedCall | None = None
-
-    @property
-    def doubted(self) -> bool:
-        """Whether some of its values may not have been carried out."""
-        return bool(self.program.doubts) or (self.call is not None and bool(self.program.values))
-
-
-def programs_of(definition: Definition, files: Sequence[ControlFile]) -> tuple[Found, ...]:
-    """Return the programs among ``files`` that hold values, or call those that do."""
-    names: frozenset[str] = frozenset()
-    while True:
-        read = [(file.name, _scanned(definition, file, names)) for file in files]
-        new = frozenset(
-            program.name
-            for _, one in read
-            for program in one.programs
-            if program.name and program.called is None
-        )
-        if new <= names:
-            break
-        names |= new
-    calls = _doubted_calls([(file, program) for file, one in read for program in one.programs])
-    found = []
-    for file, one in read:
-        for i, program in enumerate(one.programs or ((ProgramFlow(),) if one.computed else ())):
-            found.append(Found(file, program, () if i else one.computed, calls.get(program.name)))
-    return tuple(found)
-
-
-def _scanned(definition: Definition, file: ControlFile, names: frozenset[str]) -> Scanned:
-    """Return what a file does, with its calls of those ``names`` that it mentions."""
-    content = file.content.upper() if names else b""
-    return scanned(definition, file, frozenset(one for one in names if one.encode() in content))
-
-
-def _doubted_calls(programs: Sequence[tuple[str, ProgramFlow]]) -> dict[str, DoubtedCall]:
-    """Return by program what keeps every call of it uncertain; a doubt about a program counts for
-    its calls too.
-    """
-    found: dict[str, DoubtedCall] = {}
-    while True:
-        sites: dict[str, list[DoubtedCall | None]] = {}
-        for file, program in programs:
-            above = found.get(program.name)
-            for call in program.calls:
-                own = None if call.doubt is None else DoubtedCall(file, call, call.doubt)
-                sites.setdefault(call.name, []).append(own or above)
-        new = {name: each[0] for name, each in sites.items() if each[0] and all(each)}
-        if new.keys() == found.keys():
-            return new
-        found = new
 
 
 def not_carried_out(
@@ -110,13 +32,12 @@ def not_carried_out(
     """
     kept: list[ControlFile] = []
     findings: list[Finding] = []
-    faults: list[Fault] = []
     programs = programs_of(definition, files)
+    faults = list(_carried_out_anyhow(definition, programs))
     for file in files:
         own = [one for one in programs if one.file == file.name and one.program.values]
         doubted = [one for one in own if one.doubted]
-        for one in doubted:
-            faults += _carried_out_anyhow(definition, one)
+        faults += [fault for one in doubted for fault in _unclear(one)]
         if not doubted:
             kept.append(file)
         elif len(doubted) < len(own):
@@ -128,7 +49,14 @@ def not_carried_out(
             )
             findings.append(Finding("CW-S073", "warning", message))
     raise_all(InputError, faults)
+    if findings and not any(_is_data(definition, file) for file in kept):
+        kept = []  # programs that call others, and nothing else
     return tuple(kept), tuple(findings)
+
+
+def _is_data(definition: Definition, file: ControlFile) -> bool:
+    text = text_reader(definition).read(file, [])
+    return text is None or bool(text.occurrences)
 
 
 def _two_kinds(found: Found) -> Fault:
@@ -143,22 +71,58 @@ def _two_kinds(found: Found) -> Fault:
     )
 
 
-def _carried_out_anyhow(definition: Definition, found: Found) -> Iterator[Fault]:
-    """Yield the fault of a value other than 0 that every run of a doubted program carries out."""
-    program = found.program
-    if program.called is not None or found.call is not None:
-        return
-    certain = set(program.ways.certain())
-    for value in program.values:
-        acts = _ACTING.intersection(quantities_of(definition, value.statement))
-        if value.line in certain and acts and value_of(value).strip("+-0."):
+def _carried_out_anyhow(definition: Definition, programs: Sequence[Found]) -> Iterator[Fault]:
+    """Yield the faults of programs of which no run leaves out all values other than 0, its own and
+    those of the programs that it calls.
+    """
+    acting = {
+        place: {one.line for one in found.program.values if _is_acting(definition, one)}
+        for place, found in enumerate(programs)
+    }
+    lines: dict[int, list[int]] = {}
+    loading = set[str]()
+    while True:
+        for place, found in enumerate(programs):
+            calls = {
+                call.at.line
+                for call in found.program.calls
+                if call.name in loading and not call.conditional
+            }
+            if acting[place] or calls:
+                lines[place] = found.ways.unavoidable(acting[place] | calls)
+        new = {programs[place].program.name for place, some in lines.items() if some}
+        if new == loading:
+            break
+        loading = new
+    for place, found in enumerate(programs):
+        if lines.get(place) and found.start is None and found.forks:
+            first, *more = lines[place]
+            others = f" or line {', '.join(map(str, more))}" if more else ""
             yield Fault(
-                message="active: no, but every run of the program carries out this value",
+                message=(
+                    f"active: no, but every run of the program carries out this line{others}, which"
+                    " sets compensation other than 0"
+                ),
                 file=found.file,
-                place=f"line {value.line}",
+                place=f"line {first}",
                 expected=f"{EXPORTED}; or active: yes where all of its values were carried out",
             )
-            return
+
+
+def _is_acting(definition: Definition, value: Occurrence) -> bool:
+    acts = _ACTING.intersection(quantities_of(definition, value.statement))
+    return bool(acts) and value_of(value).strip("+-0.") != ""
+
+
+def _unclear(found: Found) -> Iterator[Fault]:
+    """Yield the faults of jumps to a label that there is more than once."""
+    for line in found.ways.unclear if found.forks else ():
+        yield Fault(
+            message="the label of this line stands in the program more than once where it may lead",
+            file=found.file,
+            place=f"line {line}",
+            expected=EXPORTED,
+        )
 
 
 def check_programs(
@@ -179,10 +143,14 @@ def check_programs(
         axis = one.tokens.get("axis")
         return axis is None or not wanted or gathered.axis(axis.text) in wanted
 
-    for found in programs_of(gathered.definition, files):
+    programs = programs_of(gathered.definition, files)
+    for fault in _called_late(gathered, programs, concerns):
+        notes.once(fault)
+    for found in programs:
         program, faults = found.program, list(found.computed)
-        if program.calls or any(map(concerns, (*program.values, *program.behind))):
-            faults += _never(found.file, program, unit)
+        own = any(map(concerns, (*program.values, *program.behind)))
+        if program.calls or own or found.called:
+            faults += [*_never(found, unit), *_unclear(found)]
             if activity.carried_out and found.doubted:
                 fact = f"{found.file}: the values of the program in {program.span}"
                 notes.assume(fact, "all carried out", "the job's answer (active)")
@@ -199,7 +167,7 @@ def _left_out(found: Found) -> Iterator[Fault]:
     program = found.program
     if not (program.flow or program.calls):
         return
-    ways = program.ways
+    ways = found.ways
     for line, past in ways.unreached():
         yield Fault(
             message=(
@@ -244,8 +212,41 @@ def _twice(gathered: Gathered, file: str, program: ProgramFlow) -> Iterator[Faul
         )
 
 
-def _never(file: str, program: ProgramFlow, unit: str) -> Iterator[Fault]:
-    """Yield the faults of what a program does to its values in any case."""
+def _called_late(
+    gathered: Gathered, programs: Sequence[Found], concerns: Callable[[Occurrence], bool]
+) -> Iterator[Fault]:
+    """Yield the faults of entries to which the calls of programs give another value than the order
+    of the lines in the files does.
+    """
+    if not any(one.program.calls for one in programs):
+        return
+
+    by_name = {one.program.name: one for one in programs if one.program.name}
+    ends = CallEnds(gathered, by_name)
+    in_order: dict[Key, tuple[str, Occurrence]] = {}
+    written: dict[Key, tuple[str, Occurrence]] = {}
+    for one in programs:
+        written.update((ends.key(value), (one.file, value)) for value in one.program.values)
+        in_order.update({} if one.called else ends.of(one))
+    for which, (file, value) in in_order.items():
+        other_file, other = written[which]
+        if concerns(value) and value_of(value).upper() != value_of(other).upper():
+            yield Fault(
+                message=(
+                    f"the same entry is assigned here and in {other_file}, line {other.line}: which"
+                    " of the two counts depends on the calls of programs"
+                ),
+                file=file,
+                place=f"line {value.line}",
+                expected=EXPORTED,
+            )
+
+
+def _never(found: Found, unit: str) -> Iterator[Fault]:
+    """Yield the faults of what a program does to its values, or to those of the program that calls
+    it, in any case.
+    """
+    file, program = found.file, found.program
     if program.behind and program.ended is not None:
         yield Fault(
             message=(
@@ -259,7 +260,7 @@ def _never(file: str, program: ProgramFlow, unit: str) -> Iterator[Fault]:
         )
     last = program.values[-1].line if program.values else 0
     for line, said in program.units.items():
-        if line < last and said != unit:
+        if (line < last or found.called) and said != unit:
             yield Fault(
                 message=f"the program counts lengths in {said} from here on, the control in {unit}",
                 file=file,
@@ -270,21 +271,24 @@ def _never(file: str, program: ProgramFlow, unit: str) -> Iterator[Fault]:
 
 def _question(found: Found) -> Fault:
     """Return what has to be asked of a program: whether all of its values were carried out."""
-    file, program, lines = found.file, found.program, found.program.span
-    doubts = program.doubts
+    program, start, lines = found.program, found.start, found.program.span
+    file, doubts = found.file, program.flow
     message = f"this line decides about those in {lines}"
-    if program.called is not None:
+    if start is not None and start.call is not None:
+        message = f"this line decides about line {start.call.line}, the call of {found.file}"
+        file, doubts = start.file, [start.line]
+    elif start is not None:
         message = f"those in {lines} act only where a program calls or starts this one"
-    elif not doubts and found.call is not None:
-        message = f"this line decides about the call of {file} in line {found.call.call.at.line}"
-        file, doubts = found.call.file, [found.call.doubt]
+        file, doubts = start.file, [start.line, *doubts]
     more = f" ({len(doubts) - 1} more such lines)" if len(doubts) > 1 else ""
+    missing = list(dict.fromkeys(one.missing for one in doubts if one.missing))
+    files = f"{', '.join(missing)} among the files, where that is a program; " if missing else ""
     return Fault(
         message=f"the values of a program may not all have been carried out: {message}{more}",
         file=file,
         place=f"line {doubts[0].line}",
         expected=(
-            f"{EXPORTED}; or, where every value of the program was carried out, states:"
+            f"{files}{EXPORTED}; or, where every value of the program was carried out, states:"
             " {as_found: {files: [...], active: yes}} (without a job: --option active=yes);"
             " active: no where none was"
         ),

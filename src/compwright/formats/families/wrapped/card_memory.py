@@ -89,8 +89,9 @@ class Script:
     ``tables``: by kind and motor; ``settings``: all assignments to one of our quantities, by
     quantity and motor (0: all motors), the last one counts; ``programs``: those in programs.
     ``commands``: every definition, deletion and setting in the order of the files; ``conditional``:
-    those (by motor) within a block of the sending program that may be left out. ``shared``: values
-    of assignments to more than one variable.
+    those (by motor) within a block of the sending program that may be left out; ``apart``: those of
+    them that stand in another branch of a block than an earlier one. ``shared``: values of
+    assignments to more than one variable.
     """
 
     files: tuple[ControlFile, ...]
@@ -99,6 +100,7 @@ class Script:
     programs: dict[tuple[str, int], Word] = field(default_factory=dict)
     commands: list[tuple[str, int, Word]] = field(default_factory=list)
     conditional: list[tuple[int, Word, ConditionalBlock]] = field(default_factory=list)
+    apart: list[tuple[int, Word, Word]] = field(default_factory=list)
     shared: set[Word] = field(default_factory=set)
     faults: list[Fault] = field(default_factory=list)
 

@@ -149,14 +149,22 @@ class _WrappedStateReader:
         """Ask whether what stands in conditional blocks was sent, where it is of a motor that is
         asked for.
         """
-        ours = [
-            (word, block)
-            for motor, word, block in self.script.conditional
-            if not self.wanted or not motor or str(motor) in self.wanted
-        ]
+
+        def concerns(motor: int) -> bool:
+            return not self.wanted or not motor or str(motor) in self.wanted
+
+        ours = [(word, block) for motor, word, block in self.script.conditional if concerns(motor)]
         if not ours:
             return
         if self.activity.carried_out:
+            for motor, word, earlier in self.script.apart:
+                if concerns(motor):
+                    message = (
+                        "active: yes, but this stands in another branch of a conditional block than"
+                        f" line {earlier.line}: not both are sent"
+                    )
+                    expected = "the script as it was sent, without conditional blocks"
+                    self.notes.faults.append(word.fault(message, expected=expected))
             for word, _ in ours:
                 fact = f"{word.file}, line {word.line}: in a conditional block"
                 self.notes.assume(fact, "sent to the card", "the job's answer (active)")

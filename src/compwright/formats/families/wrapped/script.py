@@ -75,7 +75,7 @@ _TABLE = re.compile(r"(?:DEF(?:INE)?|DEL(?:ETE)?)[ \t]*(?:BL)?COMP(?![A-Z])", re
 _MOST_DIGITS = 16
 _MOST = 10 ** (_MOST_DIGITS - 1)
 #: An assignment to a variable whose number the program works out.
-_COMPUTED = re.compile(r"^[ \t]*I\([^=\r\n]*\)[ \t]*=(?!=)", re.IGNORECASE | re.MULTILINE)
+_COMPUTED = re.compile(r"(?<![A-Z0-9(])I[ \t]*\([^=\r\n]*\)[ \t]*=(?!=)", re.IGNORECASE)
 
 
 def read_script(definition: Definition, files: Sequence[ControlFile]) -> Script:
@@ -163,8 +163,14 @@ class _ScriptReader:
         stands in another branch of one: not both are sent.
         """
         here = self.conditions.here
-        for other, earlier, there in self.carried:
-            if other == key and in_two_branches(here, there):
+        apart = [
+            (other, earlier)
+            for other, earlier, there in self.carried
+            if in_two_branches(here, there)
+        ]
+        self.script.apart += [(key[1], word, earlier) for _, earlier in apart[:1]]
+        for other, earlier in apart:
+            if other == key:
                 self._fault(
                     word,
                     f"the same is said in another branch of a conditional block, in line"

@@ -1,0 +1,198 @@
+"""Calls among a SINUMERIK's programs: which programs come back, which of them start in any case,
+and in which order their assignments are carried out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, field
+
+from compwright.controllers.sinumerik.flow import ProgramBlock
+from compwright.controllers.sinumerik.reach import Doubt, Line, inevitable
+from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment
+
+#: Variables of which a value other than 0 acts on an axis.
+_ACTING = frozenset({"AA_ENC_COMP", "AN_CEC", "MA_BACKLASH"})
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedBlock:
+    """A program in the file that holds it."""
+
+    content: ProgramContent
+    block: ProgramBlock
+
+    @property
+    def assignments(self) -> list[VariableAssignment]:
+        """Its assignments, in the order of the lines."""
+        lines = self.block.branches
+        return [one for one in self.content.assignments if one.line in lines]
+
+
+@dataclass(slots=True)
+class ProgramCalls:
+    """The programs of several files with their calls of each other."""
+
+    blocks: list[PlacedBlock]
+    _titles: dict[str, list[PlacedBlock]] = field(default_factory=dict)
+    _sites: dict[str, list[tuple[PlacedBlock, Line]]] = field(default_factory=dict)
+    _loaders: set[str] = field(default_factory=set)
+    _started: set[int] = field(default_factory=set)
+    _back: dict[str, bool] = field(default_factory=dict)
+    _loads: dict[int, list[int]] = field(default_factory=dict)
+    _lasts: dict[int, dict[str, VariableAssignment]] = field(default_factory=dict)
+
+    @classmethod
+    def among(cls, contents: Sequence[ProgramContent]) -> ProgramCalls:
+        """Return the calls among the programs of files."""
+        found = cls([PlacedBlock(content, one) for content in contents for one in content.blocks])
+        for placed in found.blocks:
+            if placed.block.title:
+                found._titles.setdefault(placed.block.title, []).append(placed)
+        for placed in found.blocks:
+            for line in placed.block.trail:
+                for name in sorted(line.mentions & found._titles.keys()):
+                    found._sites.setdefault(name, []).append((placed, line))
+        found._spread()
+        return found
+
+    def _spread(self) -> None:
+        """Find the programs that assign something or call such, back from those that do, and those
+        that start in any case, on from those that need no call.
+        """
+        waiting = [one for one in self.blocks if one.block.branches]
+        while waiting:
+            title = waiting.pop().block.title
+            if title and title not in self._loaders:
+                self._loaders.add(title)
+                waiting += [by for by, _ in self._sites.get(title, [])]
+        waiting = [
+            one
+            for one in self.blocks
+            if one.block.caller is None and one.block.title not in self._sites
+        ]
+        while waiting:
+            placed = waiting.pop()
+            if id(placed.block) in self._started:
+                continue
+            self._started.add(id(placed.block))
+            for line in placed.block.trail:
+                for name in line.mentions & self._titles.keys():
+                    if len(self._titles[name]) == 1 and self._before(placed.block, line) is None:
+                        waiting += self._titles[name]
+
+    def doubts(self, block: ProgramBlock) -> list[Doubt]:
+        """Return what in a program may keep its assignments from being carried out."""
+        return [one for one in block.doubts if not self._comes_back(one.call)]
+
+    def has(self, name: str) -> bool:
+        """Return whether a program of that name is among the files."""
+        return name in self._titles
+
+    def calls_of(self, block: ProgramBlock) -> list[Line]:
+        """Return the lines that call programs that assign something, or call such."""
+        return [line for line in block.trail if line.mentions & self._loaders]
+
+    def is_called(self, block: ProgramBlock) -> bool:
+        """Return whether another program calls this one."""
+        return block.title in self._sites
+
+    def trail(self, block: ProgramBlock) -> list[Line]:
+        """Return the lines of a program, those calls plain behind which it goes on."""
+        back = {one.line for one in (*block.doubts, *block.late) if self._comes_back(one.call)}
+        called = {line.number for line in self.calls_of(block)}
+        return [
+            Line(
+                line.number,
+                line.names,
+                () if line.number in back else line.words,
+                line.skipped,
+                line.given or line.number in called,
+                line.mentions,
+                line.conditional,
+            )
+            for line in block.trail
+        ]
+
+    def not_started(self, placed: PlacedBlock) -> tuple[str, Doubt] | None:
+        """Return the file and the line that may keep a whole program from being carried out; None
+        where it is carried out.
+        """
+        behind: list[int] = []
+        while id(placed.block) not in self._started:
+            if placed.block.caller is not None:
+                return placed.content.name, placed.block.caller
+            behind.append(id(placed.block))
+            by, line = self._sites[placed.block.title][0]
+            reason = self._before(by.block, line)
+            if reason is not None or {id(by.block)} & {*behind, *self._started}:
+                own = Doubt(line.number, " ".join(line.words))
+                return by.content.name, reason or own
+            placed = by
+        return None
+
+    def in_doubt(self, block: ProgramBlock) -> bool:
+        """Return whether something before an assignment or a call may leave that out."""
+        return bool(self.doubts(block)) or any(
+            self._before(block, line) for line in self.calls_of(block)
+        )
+
+    def loads(self, placed: PlacedBlock, above: Collection[str] = ()) -> list[int]:
+        """Return lines of a program of which every run carries out one, which assign compensation
+        other than 0 or call a program that does; empty where a run may do without.
+        """
+        if id(placed.block) not in self._loads:
+            lines = {
+                one.line for one in placed.assignments if one.name in _ACTING and one.value != 0.0
+            }
+            title = placed.block.title
+            for line in [] if title in above else self.calls_of(placed.block):
+                programs = [one for name in line.mentions for one in self._titles.get(name, [])]
+                if not line.conditional and any(
+                    self.loads(one, (*above, title)) for one in programs
+                ):
+                    lines.add(line.number)
+            self._loads[id(placed.block)] = inevitable(self.trail(placed.block), lines)
+        return self._loads[id(placed.block)]
+
+    def lasts(self, placed: PlacedBlock) -> dict[str, VariableAssignment]:
+        """Return the last assignment of each variable when a program and what it calls are carried
+        out line by line.
+        """
+        key = id(placed.block)
+        if key not in self._lasts:
+            self._lasts[key] = {}
+            found: dict[str, VariableAssignment] = {}
+            given = {one.line: one for one in placed.assignments}
+            for line in placed.block.trail:
+                if line.number in given:
+                    found[given[line.number].variable.upper()] = given[line.number]
+                for name in sorted(line.mentions & self._titles.keys()):
+                    for one in self._titles[name]:
+                        found |= self.lasts(one)
+            self._lasts[key] = found
+        return self._lasts[key]
+
+    def _before(self, block: ProgramBlock, line: Line) -> Doubt | None:
+        ends = [block.end] if block.end is not None else []
+        for one in (*block.doubts, *block.late, *ends):
+            if one.line < line.number and not self._comes_back(one.call):
+                return one
+        return Doubt(line.number, " ".join(line.words)) if line.conditional else None
+
+    def _comes_back(self, name: str) -> bool:
+        """Return whether a run goes on behind the call of a program in any case."""
+        if name not in self._back:
+            self._back[name] = False  # one that calls itself
+            placed = self._titles.get(name, [])
+            self._back[name] = len(placed) == 1 and all(
+                one.block.returns and all(map(self._comes_back, _called(one.block)))
+                for one in placed
+            )
+        return self._back[name]
+
+
+def _called(block: ProgramBlock) -> Iterator[str]:
+    for one in (*block.doubts, *block.late):
+        if one.call:
+            yield one.call

@@ -1,0 +1,179 @@
+"""Calls among the programs of a control's files: which of them are followed, which programs may
+never be called, and which assignment is the last one in the order of the calls.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.statements import Occurrence
+from compwright.formats.families.entry_keys import Key, entry_key
+from compwright.formats.families.pairs.program_flow import (
+    Call,
+    FlowLine,
+    ProgramFlow,
+    Scanned,
+    scanned,
+)
+from compwright.formats.families.pairs.program_ways import ProgramWays
+from compwright.formats.text.gathering import Gathered
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+
+@dataclass(frozen=True, slots=True)
+class StartDoubt:
+    """A line of ``file`` that may keep a whole program from being carried out; ``call``: the line
+    that calls the program, where the doubt is about that line.
+    """
+
+    file: str
+    line: FlowLine
+    call: FlowLine | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A program of ``file``. ``computed``: faults of values that only the running program knows;
+    ``start``: what may keep all of it from being carried out; ``called``: another one calls it;
+    ``loaders``: the programs of the files that hold values, or call such.
+    """
+
+    file: str
+    program: ProgramFlow
+    computed: tuple[Fault, ...] = ()
+    start: StartDoubt | None = None
+    called: bool = False
+    loaders: frozenset[str] = frozenset()
+
+    @property
+    def ways(self) -> ProgramWays:
+        """The ways through it."""
+        return self.program.ways(self.loaders)
+
+    @property
+    def doubted(self) -> bool:
+        """Whether some of its values may not have been carried out."""
+        return bool(self.program.values) and (self.start is not None or bool(self.program.flow))
+
+    @property
+    def forks(self) -> bool:
+        """Whether something stands before one of its values or calls that may leave it out."""
+        return bool(self.program.flow) or any(call.doubt for call in self.program.calls)
+
+
+def programs_of(definition: Definition, files: Sequence[ControlFile]) -> tuple[Found, ...]:
+    """Return the programs of ``files``; calls among them are followed."""
+    names, returning = frozenset[str](), frozenset[str]()
+    while True:
+        read = [(file.name, _scanned(definition, file, names, returning)) for file in files]
+        found = [(file, program) for file, one in read for program in one.programs]
+        count = Counter(program.name for _, program in found if program.name)
+        back = frozenset(one.name for _, one in found if one.returns and count[one.name] == 1)
+        if (frozenset(count), back if names else returning) == (names, returning):
+            break
+        names, returning = frozenset(count), back if names else returning
+    starts = _start_doubts(found, count)
+    called = {call.name for _, program in found for call in program.calls}
+    loaders = _loaders([program for _, program in found])
+    seen = set[str]()
+    result = []
+    for place, (file, program) in enumerate(found):
+        computed = next(one.computed for name, one in read if name == file)
+        own = () if file in seen else computed
+        seen.add(file)
+        is_called = program.name in called
+        result.append(Found(file, program, own, starts.get(place), is_called, loaders))
+    return tuple(result)
+
+
+def _scanned(
+    definition: Definition, file: ControlFile, names: frozenset[str], returning: frozenset[str]
+) -> Scanned:
+    """Return what a file does, with its calls of those ``names`` that it mentions."""
+    content = file.content.upper() if names else b""
+    known = frozenset(one for one in names if one.encode() in content)
+    return scanned(definition, file, known, known & returning)
+
+
+def _loaders(programs: Sequence[ProgramFlow]) -> frozenset[str]:
+    found = frozenset[str]()
+    while True:
+        new = frozenset(
+            one.name
+            for one in programs
+            if one.name and (one.values or any(call.name in found for call in one.calls))
+        )
+        if new == found:
+            return found
+        found = new
+
+
+def _start_doubts(
+    programs: Sequence[tuple[str, ProgramFlow]], count: Mapping[str, int]
+) -> dict[int, StartDoubt]:
+    """Return by program what may keep it from being carried out at all: it is called nowhere and
+    has to be, or every call of it is doubtful.
+    """
+    sites: dict[str, list[tuple[int, Call]]] = {}
+    for place, (_, program) in enumerate(programs):
+        for call in program.calls:
+            sites.setdefault(call.name, []).append((place, call))
+    sure: set[int] = set()
+    while True:
+        before = len(sure)
+        for place, (_, program) in enumerate(programs):
+            own = sites.get(program.name, [])
+            by_call = any(by in sure and call.doubt is None for by, call in own)
+            if (by_call and count[program.name] == 1) or not (own or program.called):
+                sure.add(place)
+        if len(sure) == before:
+            break
+
+    def doubt(place: int, behind: frozenset[int]) -> StartDoubt:
+        file, program = programs[place]
+        if program.called is not None:
+            return StartDoubt(file, program.called)
+        by, call = sites[program.name][0]
+        if call.doubt is not None or by in sure or by in behind:
+            return StartDoubt(programs[by][0], call.doubt or call.at, call.at)
+        above = doubt(by, behind | {place})
+        return replace(above, call=above.call or call.at)
+
+    return {i: doubt(i, frozenset({i})) for i in range(len(programs)) if i not in sure}
+
+
+@dataclass(slots=True)
+class CallEnds:
+    """The last assignment of each entry in a run of a program that carries out all of its lines and
+    calls, with its file.
+    """
+
+    gathered: Gathered
+    by_name: Mapping[str, Found]
+    known: dict[str, dict[Key, tuple[str, Occurrence]]] = field(default_factory=dict)
+
+    def key(self, value: Occurrence) -> Key:
+        """Return the entry that a value assigns."""
+        return entry_key(self.gathered.definition, value, self.gathered.names)
+
+    def of(self, found: Found) -> dict[Key, tuple[str, Occurrence]]:
+        """Return it for a program."""
+        program, ends = found.program, dict[Key, tuple[str, Occurrence]]()
+        self.known[program.name] = {}  # a call of itself
+        lines: list[tuple[int, Occurrence | Call]] = [
+            *((value.line, value) for value in program.values),
+            *((call.at.line, call) for call in program.calls),
+        ]
+        for _, one in sorted(lines, key=lambda entry: entry[0]):
+            if isinstance(one, Occurrence):
+                ends[self.key(one)] = found.file, one
+            elif one.name in self.known:
+                ends |= self.known[one.name]
+            elif one.name in self.by_name:
+                ends |= self.of(self.by_name[one.name])
+        self.known[program.name] = ends
+        return ends

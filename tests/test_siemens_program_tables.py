@@ -1,0 +1,305 @@
+"""SINUMERIK: programs and what is expected of a reader, each by both readers.
+
+From the programming manual (Job Planning): GOTOF searches its label towards the end of the program,
+GOTOB towards the start, GOTO and GOTOC first towards the end and then elsewhere; GOTOC goes on with
+the next block where there is none, the others stop with an alarm. ``M2=3`` is M3 of spindle 2; the
+end words are M2, M17, M30 and RET. A subprogram is called by its name and comes back with M17 or
+RET.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import pytest
+
+from compwright.controllers.virtual import virtual_control
+from compwright.formats.control_format import control_format
+from compwright.formats.families.activity import Activity
+from compwright.foundations.errors import InputError, UsageError
+from compwright.records.correction import ControlFile
+from format_samples import SIEMENS, axis_of
+
+pytestmark = pytest.mark.brief
+
+GRID = (
+    "$AA_ENC_COMP_STEP[0,AX1]=100\n$AA_ENC_COMP_MIN[0,AX1]=0\n$AA_ENC_COMP_MAX[0,AX1]=100\n"
+    "$AA_ENC_COMP_IS_MODULO[0,AX1]=0\n$AA_ENC_COMP[0,0,AX1]=0\n"
+)
+ONE, TWO, NONE = (f"$AA_ENC_COMP[0,1,AX1]={value}\n" for value in ("0.004", "0.009", "-0.0"))
+PLAY = "$MA_BACKLASH[0,AX1]=0.002\n"
+ON, OFF = "$MA_ENC_COMP_ENABLE[0,AX1]=1\n", "$MA_ENC_COMP_ENABLE[0,AX1]=0\n"
+
+READ = ""
+
+
+def by_writer(files: list[ControlFile], active: bool | None) -> None:
+    """The reader of the room that writes."""
+    control = control_format(SIEMENS, {})
+    if active is False:
+        files = list(control.carried_out(files)[0])
+    if files:
+        activity = Activity(said=active, asking=True, carried_out=active is True)
+        control.read(files, [axis_of("AX1")], activity=activity)
+
+
+def by_judge(files: list[ControlFile], active: bool | None) -> None:
+    """The judge's reader."""
+    virtual_control(
+        "siemens-840d-sl", files, active=active, carried_out=active is True, asked=("AX1",)
+    )
+
+
+def answer(files: Mapping[str, str], active: bool | None, *, judge: bool) -> list[str]:
+    """What is asked (?) or refused (!), with file and line; empty for what is read."""
+    given = [ControlFile(name, text.encode()) for name, text in files.items()]
+    try:
+        (by_judge if judge else by_writer)(given, active)
+    except UsageError as asked:
+        return [f"? {fault.file} {fault.place}: {fault.expected}" for fault in asked.faults]
+    except InputError as refused:
+        return [f"! {fault.file} {fault.place}: {fault.message}" for fault in refused.faults]
+    return []
+
+
+def check(files: Mapping[str, str], active: bool | None, expected: str, *, judge: bool) -> None:
+    found = answer(files, active, judge=judge)
+    if expected == READ:
+        assert not found
+    else:
+        assert any(one.startswith(f"{expected}:") for one in found), found
+
+
+#: Programs of which the job says that no value was carried out, and the first line of a fault.
+NOTHING = {
+    "either side of a branch": (f"IF R1==1\n{ONE}ELSE\n{TWO}ENDIF\n{GRID}", "! A.MPF line 2"),
+    "either side of a jump": (
+        f"IF R1==1 GOTOF BB\n{ONE}GOTOF CC\nBB:\n{TWO}CC:\n{GRID}",
+        "! A.MPF line 2",
+    ),
+    "every way of a case": (
+        f"CASE R1 OF 1 GOTOF AA DEFAULT GOTOF BB\nAA:\n{ONE}GOTOF CC\nBB:\n{PLAY}CC:\n{GRID}",
+        "! A.MPF line 3",
+    ),
+    "nested branches": (
+        f"IF R1==1\nIF R2==1\n{ONE}ELSE\n{TWO}ENDIF\nELSE\n{PLAY}ENDIF\n{GRID}",
+        "! A.MPF line 3",
+    ),
+    "one way of a case without": (
+        f"CASE R1 OF 1 GOTOF AA DEFAULT GOTOF CC\nAA:\n{ONE}CC:\n{GRID}",
+        READ,
+    ),
+    "zero on one side": (f"IF R1==1\n{ONE}ELSE\n{NONE}ENDIF\n{GRID}", READ),
+    "a loop that may be left out": (f"WHILE R1<3\n{ONE}R1=R1+1\nENDWHILE\n{GRID}", READ),
+    "a loop that is carried out once": (
+        f"IF R9==1\nR8=1\nENDIF\nREPEAT\n{ONE}R1=R1+1\nUNTIL R1>3\n{GRID}",
+        "! A.MPF line 5",
+    ),
+    "a jump past the value to the second label": (
+        f"IF R1==1 GOTOB EE\nGOTOF EE\n{ONE}EE:\n{GRID}",
+        READ,
+    ),
+    "a jump back to a value": (
+        f"GOTOF EE\nAA:\n{ONE}{GRID}M17\nEE:\nR1=1\nGOTOB AA\n",
+        "! A.MPF line 3",
+    ),
+    "no label behind": (f"AA:\nIF R1==1 GOTOF AA\n{ONE}{GRID}", READ),
+    "GOTOC without a label": (f"IF R1==1\nR2=1\nENDIF\nGOTOC AA\n{ONE}{GRID}", "! A.MPF line 5"),
+    "before an endless loop": (f"LOOP\nR1=R1+1\nENDLOOP\n{ONE}{GRID}", READ),
+}
+
+
+@pytest.mark.parametrize("judge", [False, True], ids=["writer", "judge"])
+@pytest.mark.parametrize("case", NOTHING)
+def test_nothing_carried_out_is_believed_where_it_can_be(case: str, *, judge: bool) -> None:
+    text, expected = NOTHING[case]
+    check({"A.MPF": text + "M17\n"}, False, expected, judge=judge)
+
+
+@pytest.mark.parametrize("judge", [False, True], ids=["writer", "judge"])
+def test_every_line_of_a_choice_is_named(*, judge: bool) -> None:
+    text = f"IF R1==1\n{ONE}ELSE\n{TWO}ENDIF\n{GRID}M17\n"
+    (fault,) = answer({"A.MPF": text}, False, judge=judge)
+    assert "line 2: " in fault
+    assert "line 4" in fault
+
+
+#: Programs of which every value was carried out: labels that there are twice, and the answer.
+LABELS = {
+    "GOTOF takes the next one": (f"AA:\nGOTOF AA\nR1=1\nAA:\n{ONE}AA:\n{GRID}", READ),
+    "GOTOF leads past the value": (f"AA:\nR1=1\nGOTOF AA\n{ONE}AA:\n{GRID}", "! A.MPF line 4"),
+    "GOTOB goes back over two": (f"AA:\nR1=1\nAA:\n{ONE}IF R1<3 GOTOB AA\n{GRID}", READ),
+    "GOTOB goes back to the nearest": (
+        f"GOTOF CC\nAA:\n{ONE}AA:\nR1=1\nGOTOF EE\nCC:\nGOTOB AA\nEE:\n{GRID}",
+        "! A.MPF line 3",
+    ),
+    "GOTOB into its own line": (f"{OFF}AA: IF R1<3 GOTOB AA\n{ONE}{GRID}", READ),
+    "GOTO takes the next one first": (f"AA:\nR1=1\nGOTO AA\n{ONE}AA:\n{GRID}", "! A.MPF line 4"),
+    "GOTO back to one of two": (
+        f"IF R1==1 GOTOF CC\nAA:\nR1=1\nAA:\n{ONE}CC:\nIF R2==1 GOTO AA\n{GRID}",
+        "! A.MPF line 7",
+    ),
+    "GOTOC back to one of two": (
+        f"IF R1==1 GOTOF CC\nAA:\nR1=1\nAA:\n{ONE}CC:\nIF R2==1 GOTOC AA\n{GRID}",
+        "! A.MPF line 7",
+    ),
+    "GOTOB to a block number": (f"N10 R1=1\n{ONE}N20 IF R1<3 GOTOB N10\n{GRID}", READ),
+    "a block number and a label in one line": (
+        f"IF R1==1 GOTOF N10\nR2=1\nN10 AA: R3=1\n{ONE}IF R1<3 GOTOB AA\n{GRID}",
+        READ,
+    ),
+    "a repetition of one of two": (
+        f"AA:\nR1=1\nBB:\nAA:\nR2=1\nBB:\nREPEAT AA BB P=2\n{ONE}{GRID}",
+        "! A.MPF line 7",
+    ),
+    "GOTOF finds nothing behind it": (f"AA:\nR1=1\nGOTOF AA\n{ONE}{GRID}", "! A.MPF line 4"),
+    "GOTOC finds nothing and goes on": (f"GOTOC AA\n{ONE}{GRID}", READ),
+}
+
+
+@pytest.mark.parametrize("judge", [False, True], ids=["writer", "judge"])
+@pytest.mark.parametrize("case", LABELS)
+def test_a_jump_leads_where_the_control_searches(case: str, *, judge: bool) -> None:
+    text, expected = LABELS[case]
+    check({"A.MPF": f"{text}{ON}M17\n"}, True, expected, judge=judge)
+
+
+#: What is an end, and what only begins like one: values stand behind it, nothing is answered.
+ENDS = {
+    "M2": "! A.MPF line 4",
+    "M30": "! A.MPF line 4",
+    "N5 M17": "! A.MPF line 4",
+    "RET": "! A.MPF line 4",
+    "M2=3": "? A.MPF line 3",
+    "M30=4": "? A.MPF line 3",
+    "N5 M17 = 3": "? A.MPF line 3",
+    "M2 =R1": "? A.MPF line 3",
+}
+
+
+@pytest.mark.parametrize("judge", [False, True], ids=["writer", "judge"])
+@pytest.mark.parametrize("end", ENDS)
+def test_an_m_function_of_a_spindle_is_no_end(end: str, *, judge: bool) -> None:
+    files = {"A.MPF": f"{OFF}{PLAY}{end}\n{ONE}{GRID}{ON}M17\n"}
+    check(files, None, ENDS[end], judge=judge)
+    if ENDS[end].startswith("?"):
+        check(files, True, READ, judge=judge)
+
+
+MAIN = "%_N_MAIN_MPF\n"
+SUB = "%_N_KOMP_SPF\n"
+#: Files, the answer of the job, and what is expected.
+CALLS: dict[str, tuple[dict[str, str], bool | None, str]] = {
+    "a subprogram that is given": (
+        {"MAIN.MPF": f"{OFF}KOMP\n{ON}M30\n", "KOMP.SPF": f"PROC KOMP SAVE\n{ONE}{GRID}M17\n"},
+        None,
+        READ,
+    ),
+    "with its ending": (
+        {"MAIN.MPF": f"{OFF}N20 KOMP.SPF\n{ON}M30\n", "KOMP.SPF": f"{ONE}{GRID}RET\n"},
+        None,
+        READ,
+    ),
+    "by its number, behind a label": (
+        {"MAIN.MPF": f"{OFF}AA: L100\n{ON}M30\n", "L100.SPF": f"{ONE}{GRID}M17\n"},
+        None,
+        READ,
+    ),
+    "of one file with its header": (
+        {"A.TXT": f"{MAIN}{OFF}KOMP\n{ON}M30\n{SUB}{ONE}{GRID}M17\n"},
+        None,
+        READ,
+    ),
+    "through another one": (
+        {
+            "MAIN.MPF": f"LADEN\n{ON}M30\n",
+            "LADEN.SPF": "KOMP\nM17\n",
+            "KOMP.SPF": f"{ONE}{GRID}M17\n",
+        },
+        None,
+        READ,
+    ),
+    "one that sets nothing": (
+        {"MAIN.MPF": f"VORBEREITEN\n{ONE}{GRID}{ON}M30\n", "VORBEREITEN.SPF": "R1=1\nM17\n"},
+        None,
+        READ,
+    ),
+    "one that may not come back": (
+        {
+            "MAIN.MPF": f"PRUEFEN\n{ONE}{GRID}{ON}M30\n",
+            "PRUEFEN.SPF": "IF R1==1\nM30\nENDIF\nM17\n",
+        },
+        None,
+        "? MAIN.MPF line 1",
+    ),
+    "one that ends with M30": (
+        {"MAIN.MPF": f"PRUEFEN\n{ONE}{GRID}{ON}M30\n", "PRUEFEN.SPF": "R1=1\nM30\n"},
+        None,
+        "? MAIN.MPF line 1",
+    ),
+    "one that calls itself": (
+        {"MAIN.MPF": f"PRUEFEN\n{ONE}{GRID}{ON}M30\n", "PRUEFEN.SPF": "PRUEFEN\nM17\n"},
+        None,
+        "? MAIN.MPF line 1",
+    ),
+    "two of one name": (
+        {
+            "MAIN.MPF": f"{OFF}KOMP\n{ON}M30\n",
+            "KOMP.SPF": f"{ONE}{GRID}M17\n",
+            "KOMP.MPF": "R1=1\nM17\n",
+        },
+        None,
+        "? KOMP.SPF line 1",
+    ),
+    "on a condition": (
+        {"MAIN.MPF": f"IF R1==1\nKOMP\nENDIF\n{ON}M30\n", "KOMP.SPF": f"{ONE}{GRID}M17\n"},
+        None,
+        "? KOMP.SPF line 1",
+    ),
+    "behind a jump past it": (
+        {"MAIN.MPF": f"GOTOF EE\nKOMP\nEE:\n{ON}M30\n", "KOMP.SPF": f"{ONE}{GRID}M17\n"},
+        True,
+        "! MAIN.MPF line 2",
+    ),
+    "one of two in any case, nothing carried out": (
+        {
+            "MAIN.MPF": "IF R1==1\nKOMP\nELSE\nL200\nENDIF\nM30\n",
+            "KOMP.INI": f"{ONE}{GRID}{ON}M17\n",
+            "L200.INI": f"{PLAY}M17\n",
+        },
+        False,
+        "! MAIN.MPF line 2",
+    ),
+    "one of one or none, nothing carried out": (
+        {"MAIN.MPF": "IF R1==1\nKOMP\nENDIF\nM30\n", "KOMP.INI": f"{ONE}{GRID}{ON}M17\n"},
+        False,
+        READ,
+    ),
+    "switched off by the subprogram before the main program switches on": (
+        {"A.TXT": f"{MAIN}{ONE}{GRID}KOMP\n{ON}M30\n{SUB}{OFF}M17\n"},
+        None,
+        "! A.TXT line 9",
+    ),
+    "inches of the subprogram": (
+        {"MAIN.MPF": f"EINHEIT\n{ONE}{GRID}{ON}M30\n", "EINHEIT.SPF": "G700\nM17\n"},
+        True,
+        "! EINHEIT.SPF line 1",
+    ),
+}
+
+
+@pytest.mark.parametrize("judge", [False, True], ids=["writer", "judge"])
+@pytest.mark.parametrize("case", CALLS)
+def test_calls_of_subprograms_are_followed(case: str, *, judge: bool) -> None:
+    files, active, expected = CALLS[case]
+    check(files, active, expected, judge=judge)
+
+
+@pytest.mark.parametrize("judge", [False, True], ids=["writer", "judge"])
+@pytest.mark.parametrize("call", ["VORBEREITEN", "N10 VORBEREITEN.SPF", 'AA: VORBEREITEN(1,"X")'])
+def test_a_subprogram_that_is_not_given_is_asked_for_by_name(call: str, *, judge: bool) -> None:
+    files = {"MAIN.MPF": f"R1=1\n{call}\n{ONE}{GRID}{ON}M30\n", "OTHER.SPF": "R2=1\nM17\n"}
+    (asked,) = answer(files, None, judge=judge)
+    assert asked.startswith("? MAIN.MPF line 2:")
+    assert "VORBEREITEN" in asked
+    check(files, True, READ, judge=judge)
