@@ -303,3 +303,22 @@ def test_the_slave_of_an_itnc_is_asked_for() -> None:
         read_mp(1, "X")
     assert set(read_mp(1, "X", "Y").axes) == {"X", "Y"}
     read_mp(0, "X")
+
+
+def test_a_slave_of_an_itnc_without_a_name_goes_by_its_number() -> None:
+    """MP850.3: axis 4. By the letters X to C it would be A, which turns and can follow no X."""
+    rows = "MP710.0 : 0.002\nMP710.3 : 0.004\nMP850.0 : 0\nMP850.3 : 1\n"
+
+    def read_mp(address: str, gantry: str | None = None) -> ControlState:
+        return others("heidenhain-itnc530", {"MP.TXT": rows}, address, gantry)
+
+    with pytest.raises(UsageError, match='gantry: "AX4"'):
+        read_mp("X")
+    state = read_mp("X", "AX4")
+    assert {one: axis.backlash for one, axis in state.axes.items()} == {"X": 0.002, "AX4": 0.004}
+    assert set(read_mp("X", "A").axes) == {"X", "A"}  # the job names it so
+    texts = {"MP.TXT": rows}
+    turning = Axis(name="A", kind=AxisKind.ROTARY, travel=(0.0, 360.0), address="A")
+    files = [ControlFile(name, text.encode()) for name, text in texts.items()]
+    with pytest.raises(InputError, match="axis A follows axis X"):
+        decode(open_control(Session(), "heidenhain-itnc530", {}), files, [turning])

@@ -41,9 +41,13 @@ def asked(capsys: pytest.CaptureFixture[str]) -> set[str]:
             ["--format", "fanuc-30i", "--travel", "0:400", "--state", "none"],
             {"address", "detection_unit", "first_point"},
         ),
-        (["--format", "fanuc-30i"], {"address", "detection_unit", "first_point", "travel"}),
+        # without a state there is no table, and no number of its first point
+        (["--format", "fanuc-30i"], {"address", "detection_unit", "travel"}),
         (
-            ["--format", "fanuc-15i", "--travel", "0:400", "--option", "reference=100"],
+            [
+                *("--format", "fanuc-15i", "--travel", "0:400", "--state", "none"),
+                *("--option", "reference=100"),
+            ],
             {"address", "detection_unit", "first_point", "points_from"},
         ),
         (

@@ -11,6 +11,7 @@ import pytest
 import yaml
 
 from compwright.cli import run as compwright
+from compwright.controllers.virtual import virtual_control
 from compwright.controls.control import decode, open_control
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import InputError
@@ -519,3 +520,32 @@ def test_an_ini_of_an_older_release_is_named_with_what_helps() -> None:
     text = b"[TRAJ]\nLINEAR_UNITS = mm\n[AXIS_0]\nTYPE = LINEAR\nBACKLASH = 0.020\n"
     with pytest.raises(InputError, match="update_ini"):
         decode(open_control(Session(), "linuxcnc", {}), [ControlFile("hector.ini", text)])
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("setp axis.x.eoffset-enable 1", "eoffset-enable"),
+        ("setp axis.x.eoffset-enable=TRUE", "eoffset-enable"),
+        ("net torch:offset => axis.x.eoffset-counts", "eoffset-counts"),
+        ("net on axis.x.eoffset-enable motion.on", "eoffset-enable"),
+        ("linksp torch axis.x.eoffset-counts", "eoffset-counts"),
+        ("setp ini.0.backlash 0.012", "ini.0.backlash"),
+        ("setp axis.x.eoffset-enable 0", ""),
+        ("# setp axis.x.eoffset-enable 1", ""),
+        ("setp axis.z.eoffset-enable 1", ""),
+        ("setp ini.1.backlash 0.012", ""),
+    ],
+)
+def test_the_judge_reads_what_hal_adds_to_an_axis(line: str, says: str) -> None:
+    """motion(9): the offset is added to the position of the axis while it is enabled."""
+    ini = "[KINS]\nKINEMATICS = trivkins coordinates=XYZ\n[JOINT_0]\nBACKLASH = 0.002\n"
+    for files in (
+        [ControlFile("m.ini", ini.encode()), ControlFile("a.hal", f"\n{line}\n".encode())],
+        [ControlFile("m.ini", f"{ini}[HAL]\nHALCMD = {line}\n".encode())],
+    ):
+        if not says or line.startswith("#"):
+            virtual_control("linuxcnc", files, asked=("0",))
+            continue
+        with pytest.raises(InputError, match=says):
+            virtual_control("linuxcnc", files, asked=("0",))

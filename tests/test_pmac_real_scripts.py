@@ -231,7 +231,7 @@ def test_all_sent_is_refused_where_one_branch_excludes_the_other() -> None:
     assert refused.value.faults[0].place == "line 5"
     assert "line 2" in refused.value.faults[0].message
     options = {"counts_per_unit": COUNTS}
-    with pytest.raises(InputError, match="line 5: .* than line 2"):
+    with pytest.raises(InputError, match=r"line 5: .* than line 2"):
         virtual_control("pmac", files(text), options=options, carried_out=True, active=True)
 
 

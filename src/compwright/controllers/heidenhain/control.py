@@ -14,13 +14,15 @@ Stated from the manuals, apart from the definitions that write the files:
   the direction of motion; that zero state is not confirmed.
 - The column BACKLASH of an NCK table holds the values of the axis' own column for travel towards -;
   a table has at most 256 points (MANUALplus 620 p. 715).
-- The control counts its axes as told (``axis_number``), else X, Y, Z, A, B, C from 1.
+- The control counts its axes as told (``axis_number``; AX4 is axis 4), else X, Y, Z, A, B, C from
+  1.
 - Unconfirmed and so an option or an assumption: the sign of the table values, what acts outside a
   table.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -130,7 +132,8 @@ def nck_control(files: Sequence[ControlFile], request: Request) -> HeidenhainCon
 def _control(
     files: Sequence[ControlFile], request: Request, generation: Generation
 ) -> HeidenhainControl:
-    told = {
+    told = {int(one[2:]): one for one in request.asked if re.fullmatch(r"AX[1-9][0-9]?", one)}
+    told |= {
         number: generation.address(axis)
         for axis, number in request.axis_number.items()
         if number > 0

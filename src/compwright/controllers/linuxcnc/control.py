@@ -23,6 +23,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from compwright.controllers.linuxcnc.hal import run_time_pins
 from compwright.controllers.linuxcnc.ini import IniFile, IniValue, bare_name, read_inis
 from compwright.controllers.linuxcnc.kinematics import MIXING, joint_number, letters_of_joints
 from compwright.controllers.linuxcnc.table import CompTable, leading_number, load_table
@@ -160,6 +161,7 @@ def linuxcnc_control(files: Sequence[ControlFile], request: Request) -> LinuxCnc
     raise_all(InputError, [fault for ini in inis for fault in ini.faults])
     loader = _JointLoader(inis, tables, request)
     joints = loader.joints()
+    loader.faults += run_time_pins(files, loader.works_on_axis, loader.works_on_joint)
     raise_all(InputError, loader.faults)
     return LinuxCncControl(joints=joints, assumed=tuple(loader.assumed), notes=tuple(loader.notes))
 
@@ -197,6 +199,21 @@ class _JointLoader:
                 )
             )
         return {str(number): joint for number, joint in sorted(found.items()) if joint is not None}
+
+    def works_on_axis(self, letter: str) -> bool:
+        """Return whether a joint of this axis is asked for; any may be where no INI says which."""
+        numbers = [
+            number
+            for ini in self.inis
+            for number, one in enumerate(letters_of_joints(ini))
+            if one == letter
+        ]
+        return not self.inis or any(self.works_on_joint(str(number)) for number in numbers)
+
+    def works_on_joint(self, number: str) -> bool:
+        """Return whether a joint is asked for; it may be where its number is a variable."""
+        asked = {joint_number(one) for one in self.request.asked}
+        return not asked or not number.isdigit() or number in asked
 
     def _kinematics(self) -> None:
         """A table belongs to a joint: where kinematics mix joints into axes, none of them is the

@@ -158,17 +158,12 @@ def _other_leader(address: str, axis: Axis, couplings: Sequence[Coupling]) -> It
 
 
 @dataclass(frozen=True, slots=True)
-class CouplingStatement:
-    """A match of a pattern in a file, with its place."""
+class CouplingParameter:
+    """A parameter that may couple axes: its ``words`` with its value, and where it stands."""
 
-    match: re.Match[str]
+    words: str
     file: str
     line: int
-
-    @property
-    def words(self) -> str:
-        """The statement as it stands there, blanks joined."""
-        return " ".join(self.match[0].split())
 
     def coupling(
         self,
@@ -179,7 +174,7 @@ class CouplingStatement:
         unlike: str = "",
         drive: bool = False,
     ) -> Coupling:
-        """Return what the statement couples."""
+        """Return what it couples."""
         return Coupling(
             leads=leads,
             follows=follows,
@@ -192,6 +187,13 @@ class CouplingStatement:
         )
 
 
+@dataclass(frozen=True, slots=True)
+class CouplingStatement(CouplingParameter):
+    """A parameter that a pattern finds in a text, with the match; blanks in its words joined."""
+
+    match: re.Match[str]
+
+
 def statements_in(
     files: Iterable[ControlFile], pattern: re.Pattern[str], remark: re.Pattern[str]
 ) -> Iterator[CouplingStatement]:
@@ -202,4 +204,4 @@ def statements_in(
         for match in pattern.finditer(text):
             line += text.count("\n", place, match.start())
             place = match.start()
-            yield CouplingStatement(match, file.name, line)
+            yield CouplingStatement(" ".join(match[0].split()), file.name, line, match)

@@ -5,7 +5,7 @@ number of the axis that axis x + 1 follows (iTNC 530 HSCI technical manual, July
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from compwright.formats.families.columns.sources import AxisNumbers
 from compwright.formats.families.coupled_axes import (
@@ -24,14 +24,14 @@ _REMARK = re.compile(r";[^\r\n]*")
 
 
 def couplings_of(
-    files: Sequence[ControlFile], numbers: AxisNumbers, asked: Sequence[str]
+    files: Sequence[ControlFile], numbers: AxisNumbers, asked: Sequence[str], known: Collection[str]
 ) -> Iterator[Coupling]:
     """Yield which axes follow another one; ``numbers``: how the control counts its axes; ``asked``:
-    those under work.
+    those under work; ``known``: those that the job names.
     """
     last = {found.match[1]: found for found in statements_in(files, _LINE, _REMARK)}
     for index, found in last.items():
-        follows, master = numbers.address(int(index) + 1), whole_number(found.match[2])
+        follows, master = numbers.follower(int(index) + 1, known), whole_number(found.match[2])
         if master is None or master < 0:
             others = tuple(one for one in asked if one != follows)
             yield found.coupling(others, follows, unlike=UNREAD)

@@ -65,7 +65,8 @@ def read_columns(
     sources = find_sources(control.definition, files, axes, notes.faults)
     raise_all(InputError, notes.faults)
     notes.findings.extend(sources.findings)
-    couplings = tuple(couplings_of(files, sources.numbers, asked))
+    named = {*asked, *(axis.gantry for axis in axes if axis.gantry is not None)}
+    couplings = tuple(couplings_of(files, sources.numbers, asked, named))
     check_couplings(couplings, known, notes)
     mentioned = sources.mentioned()
     for axis in axes:

@@ -5,7 +5,7 @@ active, parameters, by axis.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 
@@ -21,12 +21,16 @@ from compwright.records.axis import Axis
 LETTERS = "XYZABC"
 #: Quantities that are parameters of an axis, in the order in which they are entered.
 PARAMETERS = ("backlash", "slope", "enabled")
+#: An axis that goes by its number.
+_BY_NUMBER = re.compile(r"AX([1-9][0-9]?)$")
 _COLUMN = re.compile(r"([0-9]{1,3})=F\(\)", re.IGNORECASE)
 _ASSIGNED_COLUMN = re.compile(r"([0-9]{1,3})(?:=F\(\))?", re.IGNORECASE)
 
 
 class AxisNumbers:
-    """How the control counts its axes, from 1. A job's ``axis_number`` goes over the letters."""
+    """How the control counts its axes, from 1. A job's ``axis_number`` goes over the letters, and
+    so does a synchronised axis that the job names by its number (AX4).
+    """
 
     def __init__(self, definition: Definition, axes: Sequence[Axis]) -> None:
         said = {
@@ -34,6 +38,9 @@ class AxisNumbers:
             for axis in axes
             if axis.axis_number is not None
         }
+        gantries = (axis.gantry for axis in axes if axis.gantry is not None)
+        said |= {int(found[1]): found[0] for one in gantries if (found := _BY_NUMBER.match(one))}
+        self.stated = frozenset(said)
         letters = {
             place: letter
             for place, letter in enumerate(LETTERS, start=1)
@@ -44,6 +51,14 @@ class AxisNumbers:
     def address(self, number: int) -> str:
         """Return the address of an axis; its number where nobody says which axis that is."""
         return self.by_number.get(number, str(number))
+
+    def follower(self, number: int, known: Collection[str]) -> str:
+        """Return the name of an axis that follows another one: AX and its number where nobody says
+        which axis it is, and its letter is that of a rotary axis which the job does not know.
+        """
+        letter = self.address(number)
+        assumed = self.by_number.get(number) == letter and number not in self.stated
+        return f"AX{number}" if assumed and letter in "ABC" and letter not in known else letter
 
     def number(self, address: str) -> int | None:
         """Return the number of an axis, from 1; None where nobody says it."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from compwright.formats.families.coupled_axes import Coupling
+from compwright.formats.families.coupled_axes import Coupling, CouplingParameter
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.parameters import (
     AxisParameters,
@@ -62,7 +62,7 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
             unlike = f"synchronous control moves both axes against each other ({mirror.label})"
         if not leads:
             leads, unlike = _others(addresses, value), _NOBODY
-        yield _coupling(value, leads, str(value.index), switched=True, unlike=unlike)
+        yield _parameter(value).coupling(leads, str(value.index), switched=True, unlike=unlike)
 
 
 def _others(addresses: Sequence[str], value: ParameterValue) -> tuple[str, ...]:
@@ -103,9 +103,9 @@ def _tandem(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupli
         number = servo.get(index, 0)
         partner = by_servo.get(number + 1 if number % 2 else number - 1)
         if partner is None:
-            yield _coupling(value, _others(addresses, value), str(index), unlike=_NOBODY)
+            yield _parameter(value).coupling(_others(addresses, value), str(index), unlike=_NOBODY)
         elif number % 2 == 0:
-            yield _coupling(value, (str(partner),), str(index))
+            yield _parameter(value).coupling((str(partner),), str(index))
 
 
 def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
@@ -120,9 +120,11 @@ def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
             leads, follows = (_named(parameters, one, addresses) for one in (master, slave))
             if addresses and not (leads and follows):
                 first, *others = addresses
-                yield _coupling(slave, tuple(others), first, switched=True, unlike=_NOBODY)
+                yield _parameter(slave).coupling(
+                    tuple(others), first, switched=True, unlike=_NOBODY
+                )
             for each in follows:
-                yield _coupling(slave, leads, each, switched=True, unlike=unlike)
+                yield _parameter(slave).coupling(leads, each, switched=True, unlike=unlike)
 
 
 def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
@@ -139,7 +141,7 @@ def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupl
             linear = (own for own in all_axes if not own.bit(known.KIND, 0))
             concerned = [own.address for own in linear if own.get(known.ANGULAR) is value]
         for each in dict.fromkeys(concerned):
-            yield _coupling(value, (), each, unlike=unlike)
+            yield _parameter(value).coupling((), each, unlike=unlike)
 
 
 def _named(
@@ -149,20 +151,5 @@ def _named(
     return tuple(each for each in addresses if AxisParameters(parameters, each).named_by(value))
 
 
-def _coupling(
-    value: ParameterValue,
-    leads: tuple[str, ...],
-    follows: str,
-    *,
-    switched: bool = False,
-    unlike: str = "",
-) -> Coupling:
-    return Coupling(
-        leads=leads,
-        follows=follows,
-        parameter=value.label,
-        file=value.file,
-        place=f"line {value.line}",
-        switched=switched,
-        unlike=unlike,
-    )
+def _parameter(value: ParameterValue) -> CouplingParameter:
+    return CouplingParameter(value.label, value.file, value.line)

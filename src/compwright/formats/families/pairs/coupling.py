@@ -60,20 +60,19 @@ def _masters(
         number = whole_number(found.match["value"])
         if key not in _NUMBERS or number == 0:
             continue
-        named = f"{_NUMBERS[key]}, {found.words}"
+        named = replace(found, words=f"{_NUMBERS[key]}, {found.words}")
         if number is None:
             others = tuple(one for one in asked if one != follows)
-            yield replace(found.coupling(others, follows, unlike=UNREAD), parameter=named)
+            yield named.coupling(others, follows, unlike=UNREAD)
             continue
         master = address(f"AX{number}")
         if key == "CC_MASTER_AXIS":
-            yield replace(found.coupling((master,), follows, switched=True), parameter=named)
+            yield named.coupling((master,), follows, switched=True)
             continue
         always = said.get((follows, "MS_COUPLING_ALWAYS_ACTIVE"))
         on = always is not None and whole_number(always.match["value"]) != 0
         unlike = f"its drive follows axis {master}, without a position of its own"
-        slave = found.coupling((master,), follows, switched=not on, unlike=unlike, drive=True)
-        yield replace(slave, parameter=named)
+        yield named.coupling((master,), follows, switched=not on, unlike=unlike, drive=True)
 
 
 def _transformed(files: Sequence[ControlFile], asked: Sequence[str]) -> Iterator[Coupling]:

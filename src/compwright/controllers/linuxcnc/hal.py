@@ -1,0 +1,58 @@
+"""LinuxCNC: what HAL files add to an axis beside its table, and to a joint's backlash.
+
+Words of halcmd(1): ``setp PIN VALUE``, ``net SIGNAL PIN ..``, ``linkps``, ``linksp``, ``linkpp``;
+an INI holds such lines as ``HALCMD = ..``. Pins of motion(9): ``axis.L.eoffset-counts`` times
+``axis.L.eoffset-scale`` is added to the position of axis L while ``axis.L.eoffset-enable`` is on;
+``ini.N.backlash`` (milltask(1)) takes the place of BACKLASH while the control runs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+_LINKS = frozenset({"net", "linkps", "linksp", "linkpp"})
+_OFF = frozenset({"0", "0.0", "false"})
+
+
+def run_time_pins(
+    files: Sequence[ControlFile], concerns: Callable[[str], bool], joint: Callable[[str], bool]
+) -> Iterator[Fault]:
+    """Yield the lines that set or link a pin which corrects an axis beside its table.
+
+    ``concerns``: whether an axis, by its letter in capitals, is worked on; ``joint``: a joint by
+    its number.
+    """
+    for file in files:
+        lines = file.content.decode("latin-1").replace("\r", "\n").split("\n")
+        for number, line in enumerate(lines, start=1):
+            for pin in _pins(line):
+                owner, whose, key = (*pin.split("."), "", "")[:3]
+                offset = owner == "axis" and key in ("eoffset-enable", "eoffset-counts")
+                if offset and concerns(whose.upper()):
+                    message = f"the HAL pin {pin} adds an external offset to the axis"
+                elif owner == "ini" and key == "backlash" and joint(whose):
+                    message = f"the HAL pin {pin} takes the place of BACKLASH"
+                else:
+                    continue
+                yield Fault(
+                    message=message,
+                    file=file.name,
+                    place=f"line {number}",
+                    expected="this pin left alone in every test, and in the HAL file",
+                    found=line.strip(),
+                )
+
+
+def _pins(line: str) -> list[str]:
+    """Return the pins that a line sets to something, or links."""
+    words = line.partition("#")[0].replace("=", " = ").split()
+    if words[:2] and words[0].upper() == "HALCMD" and words[1:2] == ["="]:
+        words = words[2:]
+    command, *rest = words or [""]
+    if command.lower() == "setp":
+        off = rest[0].lower().endswith("eoffset-enable") if rest else False
+        return [] if off and rest[1:2] and rest[1].lower() in _OFF else rest[:1]
+    return rest if command.lower() in _LINKS else []
