@@ -5,7 +5,15 @@ BIN := $(VENV)/bin
 # Small matrices: threads of the linear algebra only get in each other's way.
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: demo test lint real-linuxcnc bench clean
+# Onto a stick: make wheelhouse FOR=windows PY=3.12 (also linux, macos), into wheelhouse/.
+FOR ?= windows
+PY ?= 3.12
+EXTRAS ?= all
+TAGS_windows := win_amd64
+TAGS_macos := $(foreach v,11 12 13 14,macosx_$(v)_0_arm64)
+TAGS_linux := manylinux2014_x86_64 $(foreach v,17 24 27 28,manylinux_2_$(v)_x86_64)
+
+.PHONY: demo test lint real-linuxcnc bench wheelhouse picture clean
 
 $(VENV)/.report: pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit("Python 3.11 or newer is needed, this is " + sys.version.split()[0] if sys.version_info < (3, 11) else 0)'
@@ -20,8 +28,8 @@ $(VENV)/.test: pyproject.toml $(VENV)/.report
 demo: $(VENV)/.report  ## the whole loop on a virtual machine, into demo/
 	$(BIN)/compwright demo --out demo --force
 
-test: $(VENV)/.test  ## all tests; the last line says what was skipped and why
-	$(BIN)/python -m pytest -n auto --dist worksteal -p no:cacheprovider
+test: $(VENV)/.test  ## all tests, or with ROOM=fitting those of a room; the last line says what was skipped and why
+	$(BIN)/python -m pytest -n auto --dist worksteal -p no:cacheprovider $(if $(ROOM),tests/$(ROOM))
 
 lint: $(VENV)/.test
 	$(BIN)/ruff check .
@@ -34,5 +42,17 @@ real-linuxcnc: $(VENV)/.test  ## only the tests on the real controller
 bench: $(VENV)/.test
 	for file in benchmarks/bench_*.py; do $(BIN)/python $$file || exit 1; done
 
+wheelhouse: $(VENV)/.report  ## compwright and all it needs, to be installed without a network
+	$(if $(TAGS_$(FOR)),,$(error FOR=$(FOR) is unknown: use windows, macos or linux))
+	$(BIN)/python -m pip wheel --quiet --no-deps --wheel-dir wheelhouse/$(FOR) .
+	$(BIN)/python -m pip download --quiet --dest wheelhouse/$(FOR) --only-binary=:all: --python-version $(PY) \
+		$(addprefix --platform ,$(TAGS_$(FOR))) --find-links wheelhouse/$(FOR) 'compwright[$(EXTRAS)]'
+	@du -sh wheelhouse/$(FOR)
+	@echo 'There: python -m pip install --no-index --find-links wheelhouse/$(FOR) "compwright[$(EXTRAS)]"'
+
+picture: demo  ## the README's picture of the demo's report; needs chromium
+	chromium --headless --no-sandbox --hide-scrollbars --window-size=1100,1250 \
+		--screenshot=docs/report.png file://$(CURDIR)/demo/job/report.html
+
 clean:
-	rm -rf $(VENV) demo build dist
+	rm -rf $(VENV) demo build dist wheelhouse
