@@ -22,7 +22,7 @@ from inspect import unwrap
 import pytest
 from hypothesis import settings
 
-from compwright.estimation import axis, jumps, likelihood, model, noise, peaks
+from compwright.estimation import axis, likelihood, model, noise, peaks, step_evidence
 from compwright.foundations.processors import look_for_garbage_seldom
 from compwright.planning import circles, fresh, misread, wanted, worth
 from compwright.verification import likelihood as after_tests
@@ -100,9 +100,9 @@ def sampled(request: pytest.FixtureRequest) -> Iterator[None]:
             # One climb to the posterior's peak, and a coarser search for jumps.
             patch.setattr(peaks, "_ITERATIONS", 8)
             patch.setattr(model, "_starts", lambda cells, prior: _starts(cells, prior)[:1])
-            patch.setattr(jumps, "_LENGTHS", jumps._LENGTHS[::3])
+            patch.setattr(step_evidence, "_LENGTHS", step_evidence._LENGTHS[::3])
             for name in ("_SIZES", "_LOCAL"):
-                patch.setattr(jumps, name, 3)
+                patch.setattr(step_evidence, name, 3)
         if brief or request.node.get_closest_marker("remembered"):
             for room, name, function in _BRIEF if brief else _WHOLE:
                 patch.setattr(room, name, function)

@@ -87,6 +87,42 @@ def test_two_jumps_are_named_each_with_its_sign() -> None:
     assert found == [(200.0, 40.0), (600.0, -60.0)]
 
 
+@pytest.mark.parametrize("count", [11, 16, 21])
+@pytest.mark.parametrize("back", [-50.0, 50.0, -30.0])
+def test_two_jumps_do_not_hide_each_other(count: int, back: float) -> None:
+    """A flat axis, 50 µm up and then ``back``: one jump alone explains it as badly as none."""
+    targets = np.linspace(0.0, LENGTH, count)
+    first, second = count // 4, 2 * count // 3
+    values = 50.0 * (np.arange(count) > first) + back * (np.arange(count) > second)
+    values = values + np.random.default_rng(count).normal(0.0, 0.2, count)
+    found = jumps_of(targets, values * UM, np.full(count, 0.2 * UM))
+    assert [jump.low for jump in found] == [targets[first], targets[second]]
+    assert [jump.size / UM for jump in found] == pytest.approx([50.0, back], abs=1.0)
+    assert all(jump.named for jump in found)
+
+
+def test_jumps_of_a_long_axis_are_found_where_they_are() -> None:
+    """More targets than are looked at together, and jumps near the ends and close together."""
+    count = 45
+    targets = dithered(count, 8)
+    truth = {2: 20.0, 22: -40.0, 25: 40.0, 41: 8.0}
+    values = smooth(0.5)(targets) + np.random.default_rng(8).normal(0.0, 0.2, count)
+    for gap, size in truth.items():
+        values = values + size * (np.arange(count) > gap)
+    found = [one for one in jumps_of(targets, values * UM, np.full(count, 0.2 * UM)) if one.named]
+    assert [jump.low for jump in found] == [targets[gap] for gap in truth]
+    assert [jump.size / UM for jump in found] == pytest.approx(list(truth.values()), abs=1.0)
+
+
+def test_two_outliers_next_to_each_other_may_be_two_jumps() -> None:
+    """Nothing tells them apart: neither is sure."""
+    targets = np.linspace(0.0, LENGTH, 15)
+    values = 50.0 * np.isin(np.arange(15), (6, 7)) + np.random.default_rng(3).normal(0.0, 0.2, 15)
+    found = jumps_of(targets, values * UM, np.full(15, 0.2 * UM))
+    assert [jump.low for jump in found] == [targets[5], targets[7]]
+    assert all(0.2 < jump.odds < 5.0 for jump in found)
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_smooth_errors_kinks_bumps_and_waves_are_no_jump(seed: int) -> None:
     rng = np.random.default_rng(seed)
