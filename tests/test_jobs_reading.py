@@ -16,7 +16,7 @@ from compwright.jobs.reading import read_job
 from compwright.records.axis import AxisKind, Direction, Encoder, PositionMap
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.fitted import TableRequest
-from compwright.records.job import NONE_STATE, Job
+from compwright.records.job import NONE_STATE, Job, ReportHead
 from places import PROJECT, SHARED, needs_shared
 
 SMALLEST = """
@@ -52,11 +52,11 @@ def axis_faults(keys: str) -> list[str]:
 def test_smallest_job_has_every_default_of_the_contract() -> None:
     read = job(SMALLEST)
     axis = read.axes["X"].axis
-    assert (read.file, read.format, read.standard, read.language) == (
+    assert (read.file, read.format, read.standard, read.report) == (
         "job.yaml",
         "linuxcnc",
         "iso230-2:2014",
-        "en",
+        ReportHead(),
     )
     assert (axis.kind, axis.travel, axis.address) == (AxisKind.LINEAR, (0.0, 500.0), "X")
     assert (axis.reference, axis.reference_return, axis.encoder) == (
@@ -198,11 +198,6 @@ def test_example_of_the_contract_is_read() -> None:
     # Limits that nothing decides must not end with exit 0: an error does not.
     pending = [(one.severity, one.message) for one in read.findings if one.code == "CW-J001"]
     assert [(severity, words.split(": ")[1].split(". ")[0]) for severity, words in pending] == [
-        ("warning", "report.number"),
-        ("warning", "report.customer"),
-        ("warning", "report.operator"),
-        ("warning", "report.place"),
-        ("warning", "report.logo"),
         ("warning", "environment"),
         ("error", "circles[0].accept"),
     ]
@@ -227,7 +222,7 @@ def test_keys_without_work_behind_them_are_said() -> None:
     assert {finding.code for finding in read.findings} == {"CW-J001"}
     assert [
         finding.message.removeprefix("read, but not used yet: ") for finding in read.findings
-    ] == ["report.language: fr"]
+    ] == ["report.language: fr: reports are in English"]
 
 
 @pytest.mark.parametrize(

@@ -4,9 +4,14 @@ the uncertainty; each number that of the JSON.
 
 from __future__ import annotations
 
+import base64
 import json
 import math
 import re
+import struct
+import textwrap
+import zlib
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as ET
@@ -18,17 +23,31 @@ from compwright.cli import run as compwright
 from compwright.documents.evaluation import result_document
 from compwright.evaluation.standards import STANDARDS, evaluate
 from compwright.evaluation.uncertainty import contributions, length_uncertainty
+from compwright.foundations.errors import InputError
+from compwright.foundations.session import Session
 from compwright.instruments.reading import read_tests
+from compwright.jobs.reading import read_job
 from compwright.records.axis import AxisKind
 from compwright.records.conditions import Thermal, UncertaintyBudget
+from compwright.records.job import Job, Logo, ReportHead
 from compwright.records.positioning import PositioningTest
 from compwright.reporting.evaluation_report import evaluation_report
-from compwright.reporting.paper import css_string, head
+from compwright.reporting.paper import conformity, css_string, head
 from compwright.reporting.report_items import BASIS, ITEMS, READ_EDITION, items_of
+from compwright.reporting.run_report import run_report
 from compwright.reporting.test_sheet import NOT_STATED, further_statements, sheet_rows
+from compwright.reporting.verify_report import verify_report
+from compwright.workflow.inputs.logo import read_logo
+from compwright.workflow.results.stated import report_document, stated_of_axes
 from places import PROJECT, STANDARD_TABLES, needs_shared
-from reporting_samples import made_up
+from reporting_samples import made_up, run_view, verify_view
 
+SMALL = """
+compwright: 1
+controller: {format: linuxcnc}
+axes:
+  X: {travel: [0, 500], before: [x.csv]}
+"""
 KINDS = ("positioning", "circular")
 #: Header keys that other programs write; those of our own are in the documentation.
 FOREIGN = re.compile(
@@ -55,6 +74,10 @@ def table_after(page: bytes, heading: str) -> list[list[str]]:
 def page_of(results: list[dict[str, Any]]) -> bytes:
     evaluation = {"schema": "compwright/evaluation/1", "results": results, "errors": []}
     return evaluation_report({"evaluation": evaluation, "command": "compwright evaluate x.csv"})
+
+
+def job(text: str) -> Job:
+    return read_job(textwrap.dedent(text).encode(), "job.yaml")
 
 
 def number_in(cell: str) -> float:
@@ -269,3 +292,129 @@ def test_a_number_of_a_report_cannot_end_the_style_sheet() -> None:
     hostile = '"} </style><script>alert(1)</script>\\\n'
     assert not set(css_string(hostile)[1:-1]) & set('"<>{}\n;')
     assert head({"number": hostile}, [])["footer"].startswith('"Report \\22 \\7d  ')
+
+
+# --- the reports of run and verify
+# --------------------------------------------------------------------------------------------------
+
+
+def headings(page: bytes) -> list[str]:
+    root = ET.fromstring(page.decode())  # noqa: S314  our own page
+    return ["".join(one.itertext()).strip() for one in root.iter("h2")]
+
+
+def test_the_parts_of_a_report_stand_in_their_order() -> None:
+    found = headings(run_report(run_view()))
+    order = [
+        "Before and predicted",
+        "Axis X",
+        "Axis C",
+        "Assumed facts",
+        "Annex A",
+        "Annex B",
+        "Annex C",
+    ]
+    places = [next(i for i, text in enumerate(found) if text.startswith(part)) for part in order]
+    assert places == sorted(places)
+    assert places[0] == 1  # behind the verdict
+    found = headings(verify_report(verify_view()))
+    order = ["Before, predicted and after", "Axis X", "Annex A", "Annex B"]
+    places = [next(i for i, text in enumerate(found) if text.startswith(part)) for part in order]
+    assert places == sorted(places)
+    assert places[0] == 1
+
+
+def test_head_and_stated_items_are_those_of_the_job() -> None:
+    given = job("""
+        compwright: 1
+        machine: {name: VMC 850, serial: "4711", type: vertical spindle}
+        controller: {format: linuxcnc}
+        states: {as_found: none, loaded: {files: [a.comp], active: no}, stored: [b.comp]}
+        axes:
+          X:
+            travel: [0, 500]
+            before: [{files: x.csv, name: x}, {files: y.csv, name: y, measured_in: loaded}, {files: z.csv, name: z, measured_in: stored}]
+        report: {number: "2026-117", customer: "<Meier>", operator: N N, place: hall 3}
+        """)
+    stated = stated_of_axes(given)["X"]
+    assert stated["x"]["travel"] == "0 to 500 mm (job)"
+    assert stated["x"]["machine"] == "VMC 850, 4711 (job)"
+    assert stated["x"]["machine_type"] == "vertical spindle (job)"
+    assert stated["x"]["compensation"].startswith("off: nothing was active")
+    assert stated["y"]["compensation"].startswith("off; the control held a.comp")
+    assert stated["z"]["compensation"].startswith("on, as stored in b.comp")
+    view = {
+        **run_view(),
+        "report": report_document(given),
+        "stated": {"axes": {"X": {"x_before": stated["x"]}}},
+    }
+    page = run_report(view).decode()
+    assert "2026-117" in page
+    assert "&lt;Meier&gt;" in page
+    rows = dict(row[:2] for row in table_after(page.encode(), "Conditions of the test"))
+    assert rows["Travel of the axis"] == "0 to 500 mm (job)"
+    assert rows["Operator"] == "N N (job)"
+
+
+def test_without_states_nothing_is_said_of_compensation() -> None:
+    assert stated_of_axes(job(SMALL))["X"]["x"]["compensation"] == ""
+
+
+@pytest.mark.parametrize(
+    ("decisions", "proven", "words"),
+    [
+        ([], True, "does not state conformity"),
+        (["accept", "accept"], True, "conforms to every limit"),
+        (["accept"], False, "not stated"),
+        (["accept", "undecided"], True, "not stated"),
+        (["accept", "reject", "undecided"], True, "does not conform"),
+    ],
+)
+def test_conformity_is_stated_only_where_every_limit_is_met(
+    decisions: list[str], proven: bool, words: str
+) -> None:
+    assert words in conformity(decisions, proven=proven)
+
+
+# --- the logo
+# --------------------------------------------------------------------------------------------------
+
+
+def png() -> bytes:
+    def chunk(kind: bytes, data: bytes) -> bytes:
+        check = zlib.crc32(kind + data)
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", check)
+
+    head = struct.pack(">IIBBBBB", 1, 1, 8, 0, 0, 0, 0)
+    parts = chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(b"\0\0")) + chunk(b"IEND", b"")
+    return b"\x89PNG\r\n\x1a\n" + parts
+
+
+SVG = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"></svg>'
+
+
+@pytest.mark.parametrize(
+    ("content", "kind"),
+    [(png(), "image/png"), (SVG, "image/svg+xml"), (b"\xff\xd8\xff\xe0 \xff\xd9", "image/jpeg")],
+)
+def test_a_logo_is_embedded(tmp_path: Path, content: bytes, kind: str) -> None:
+    (tmp_path / "logo").write_bytes(content)
+    assert read_logo(Session(), "logo", tmp_path) == Logo(kind, content)
+    head_of = report_document(replace(job(SMALL), report=ReportHead(image=Logo(kind, content))))
+    page = run_report({**run_view(), "report": head_of}).decode()
+    (shown,) = re.findall(r'src="data:([^;]*);base64,([^"]*)"', page)
+    assert (shown[0], base64.b64decode(shown[1])) == (kind, content)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"", b"GIF89a", png()[:-5], png().replace(b"IDAT", b"IDAX"), SVG[:-3], b"<html></html>",
+        b'<!DOCTYPE svg [<!ENTITY a "b">]><svg/>', b"\xff\xd8\xff\xe0 cut", png() + b"\0" * 500_000,
+    ],
+)  # fmt: skip
+def test_a_faulty_logo_is_refused_by_name(tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "logo.png").write_bytes(content)
+    with pytest.raises(InputError) as caught:
+        read_logo(Session(), "logo.png", tmp_path)
+    assert "logo.png" in str(caught.value)

@@ -76,9 +76,9 @@ def test_the_report_shows_them() -> None:
     view = run_view()
     view["prediction"]["axes"]["X"].update(periods=FOUND, period_search=SEARCH)
     page = run_report(view).decode()
-    part = page[page.index("Periods of the error") :].partition("<h3>")[0]
+    part = page[page.index("periods of the error") :].partition("<h3>")[0]
     text = " ".join(re.sub("<[^>]*>", " ", part).split())
     assert "10 97 % found in the readings" in text
     assert "cannot tell apart: 50, 12.5 mm" in text
     assert "<polyline" in part
-    assert page.count("Periods of the error") == 1
+    assert page.count("periods of the error") == 1

@@ -54,6 +54,8 @@ MOST_YAML_LEVELS: Final = 50
 #: Plan, record, prediction: they carry files of controls and every target.
 JSON: Final = InputKind("a JSON file of compwright", 128_000_000)
 PLAN: Final = InputKind("a plan", JSON.most_bytes, "plan.json in the results of compwright run")
+#: Embedded in every report.
+LOGO: Final = InputKind("a logo", 500_000, "a .png, .jpg or .svg file of the size it is printed in")
 #: What is copied or compared as it is.
 ANY: Final = InputKind("a file", 128_000_000)
 

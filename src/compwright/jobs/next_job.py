@@ -37,8 +37,9 @@ class NextAxis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NextRound:
-    """What the next round says otherwise. ``paths``: where copies of profiles and stand-still tests
-    lie, by the path in the last job; ``squareness``: the planes that are looked at again.
+    """What the next round says otherwise. ``paths``: where copies of profiles, stand-still tests
+    and the logo lie, by the path in the last job; ``squareness``: the planes that are looked at
+    again.
     """
 
     format: str
@@ -137,6 +138,9 @@ def next_job(data: Mapping[str, Any], then: NextRound) -> dict[str, Any]:
         job["acknowledged"] = dict(_acknowledged(job["acknowledged"], job["axes"]))
     if "uncertainty" in job:
         job["uncertainty"] = _uncertainty(job["uncertainty"], then.paths)
+    if "logo" in job.get("report", {}):
+        logo = job["report"]["logo"]
+        job["report"] = {**job["report"], "logo": then.paths.get(logo, logo)}
     if then.circles:
         job["circles"] = [dict(circle) for circle in then.circles]
         job |= _applied(data.get("apply", {}), then)

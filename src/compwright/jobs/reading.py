@@ -44,6 +44,7 @@ from compwright.records.job import (
     CircleRequest,
     CrossRequest,
     Job,
+    ReportHead,
     TestRequest,
     other_axis,
 )
@@ -167,7 +168,7 @@ def job_of(section: JobSection, file: str) -> Job:
         decision_rule=section.decision_rule,
         proven=tuple(proof.model_dump() for proof in section.proven),
         standard=section.standard,
-        language=section.report.language,
+        report=ReportHead(**section.report.model_dump(exclude={"language"})),
         circles=tuple(_circle(circle) for circle in section.circles),
         cross=tuple(_cross(entry) for entry in section.cross),
         apply=(
@@ -341,10 +342,9 @@ def _pending_findings(section: JobSection) -> list[Finding]:
     """Say of every key on which nothing acts yet that it was read and does nothing; a limit that
     nothing decides is an error.
     """
-    keys = {
-        f"report.{name}": value
-        for name, value in section.report.model_dump(exclude_defaults=True).items()
-    }
+    keys: dict[str, object] = {}
+    if section.report.language != "en":
+        keys["report.language"] = f"{section.report.language}: reports are in English"
     if section.environment is not None:
         keys["environment"] = section.environment
     limits = [

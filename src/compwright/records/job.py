@@ -116,6 +116,28 @@ class Acknowledged:
     by: Acknowledgement
 
 
+@dataclass(frozen=True, slots=True)
+class Logo:
+    """A picture: its media type and its bytes."""
+
+    type: str
+    content: bytes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ReportHead:
+    """What stands at the head of reports, as far as the job gives it; ``logo``: its file, ``image``
+    what was read from it.
+    """
+
+    number: str | None = None
+    customer: str | None = None
+    operator: str | None = None
+    place: str | None = None
+    logo: str | None = None
+    image: Logo | None = None
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisJob:
     """What is asked for one axis. ``before`` may be empty where circles or cross measurements are
@@ -159,7 +181,7 @@ class Job:
     decision_rule: Literal["simple", "guarded"] = "simple"
     proven: tuple[Mapping[str, str], ...] = ()
     standard: str = "iso230-2:2014"
-    language: Literal["en", "de", "fr", "ru"] = "en"
+    report: ReportHead = ReportHead()
     circles: tuple[CircleRequest, ...] = ()
     cross: tuple[CrossRequest, ...] = ()
     apply: ApplyRequest = ApplyRequest()

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 InputRole = Literal[
-    "job", "definition", "test", "profile", "circle", "drift", "state", "after", "loaded"
+    "job", "definition", "test", "profile", "circle", "drift", "logo", "state", "after", "loaded"
 ]
 
 

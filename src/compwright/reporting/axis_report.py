@@ -7,11 +7,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, Final
 
-from compwright.reporting import sections
+from compwright.reporting import paper, sections
 from compwright.reporting.axis_figures import (
     before_after_figure,
     estimate_figure,
-    result_figure,
     table_figure,
 )
 from compwright.reporting.limiting import limits_block
@@ -42,16 +41,17 @@ def _run_axis(
         }
     ]
     result = sections.result_of(view.get("evaluation"), name, tests[0].get("name"))
+    stated = view.get("stated") or {}
     table = predicted.get("table")
     return {
         "name": name,
         "anchor": anchor(index),
         "facts": _axis_facts(axis, predicted),
-        "figure": _before_figure(name, result, axis, predicted),
-        "caption": (
-            "Before and, on the same scale, what a test at the same targets is expected to show."
-            if axis.get("predicted_targets") and result
-            else ""
+        "both": _before_figure(name, result, axis, predicted),
+        "measured": (
+            paper.measured_block(result, stated.get(str(tests[0].get("name"))) or {})
+            if result
+            else None
         ),
         "parameters": (
             _run_parameters(tests[0], result, unit) if result or tests[0].get("before") else None
@@ -92,11 +92,9 @@ def _axis_facts(axis: Document, predicted: Document) -> list[tuple[str, str]]:
 def _before_figure(
     name: str, result: Document | None, axis: Document, predicted: Document
 ) -> str | None:
-    if result is None:
-        return None
     expected = axis.get("predicted_targets")
-    if not expected:
-        return result_figure(result, f"deviations of axis {name}")
+    if result is None or not expected:
+        return None
     with_numbers = {**expected, "parameters": predicted.get("predicted")}
     return before_after_figure(
         result, with_numbers, f"deviations of axis {name} before and predicted"
@@ -126,7 +124,13 @@ def _other_test(test: Document, axis: str, unit: object, view: Document) -> dict
     result = sections.result_of(view.get("evaluation"), axis, test.get("name"))
     return {
         "name": plain(test.get("name")),
-        "figure": result_figure(result, f"deviations of axis {axis}") if result else None,
+        "measured": (
+            paper.measured_block(
+                result, (view.get("stated") or {}).get(str(test.get("name"))) or {}
+            )
+            if result
+            else None
+        ),
         "parameters": _run_parameters(test, result, unit),
     }
 

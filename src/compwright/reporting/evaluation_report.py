@@ -14,7 +14,7 @@ from compwright.reporting import paper, sections
 from compwright.reporting.circle_report import circle_page
 from compwright.reporting.numbers import number, plain, standard_text, symbol, unit_text
 from compwright.reporting.page import render_page
-from compwright.reporting.page_parts import anchor
+from compwright.reporting.page_parts import anchor, paper_content
 from compwright.reporting.sections import Document
 
 _POSITIONING: Final = (("A", "E", "M", "R", "B"), ("P", "Pa", "Ps_max", "U_max"))
@@ -35,7 +35,7 @@ def evaluation_report(view: Document) -> bytes:
         {
             "page_title": title,
             "title": title,
-            "head": paper.head(view.get("report") or {}, results),
+            **paper_content(view, results),
             "doubts": sections.doubts(
                 item
                 for result in results
@@ -45,11 +45,9 @@ def evaluation_report(view: Document) -> bytes:
             "unread": sections.findings(sections.unreadable(evaluation)),
             "summaries": [_summary(one, index) for index, one in enumerate(results, 1)],
             "statement": paper.NO_LIMITS,
-            "accreditation": paper.ACCREDITATION,
             "pages": [_page(one, index) for index, one in enumerate(results, 1)],
             "readings": [sections.result_block(one) for one in positioning],
             "sources": sections.sources(evaluation),
-            "command": plain(view.get("command") or ""),
             "version": plain(view.get("version", "")),
         },
     )

@@ -13,7 +13,12 @@ MISSING: Final = "—"
 
 #: How limits were decided, by the rule of the job.
 SIMPLE: Final = (
-    "Accepted when the 95 % value lies within the limit, rejected when the 5 % value lies beyond it"
+    "Accepted when the 95 % value lies within the limit, rejected when the 5 % value lies beyond"
+    " it; the measurement uncertainty is not counted: no guard bands (ISO 14253-1)"
+)
+SIMPLE_AFTER: Final = (
+    "Accepted when the measured value lies within the limit, rejected when it lies beyond it; the"
+    " measurement uncertainty is not counted: no guard bands (ISO 14253-1)"
 )
 GUARDED: Final = (
     "Guarded decision (ISO 14253-1): accepted when the 95 % value plus U lies within the limit,"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from compwright.reporting import sections
+from compwright.reporting import paper, sections
 from compwright.reporting.numbers import number, plain
 from compwright.reporting.sections import Document
 
@@ -35,6 +35,17 @@ def common(view: Document, evaluations: Sequence[tuple[str, Document | None]]) -
         ],
         "sources": sections.sources(*(evaluation for _, evaluation in evaluations)),
         "version": plain(view.get("version", "")),
+    }
+
+
+def paper_content(view: Document, results: Sequence[Document]) -> dict[str, Any]:
+    """Return what makes the page a report: its head, the wording for a firm without accreditation,
+    and the command that repeats it. ``results``: the tests that it is about.
+    """
+    return {
+        "head": paper.head(view.get("report") or {}, results),
+        "accreditation": paper.ACCREDITATION,
+        "command": plain(view.get("command") or ""),
     }
 
 

@@ -64,6 +64,20 @@ def head(report: Document, evaluations: Sequence[Document]) -> dict[str, Any]:
     }
 
 
+def conformity(decisions: Sequence[str], *, proven: bool) -> str:
+    """Return the statement of conformity of a machine by the ``decisions`` on its limits.
+
+    ``proven``: nothing but the limits is open.
+    """
+    if not decisions:
+        return NO_LIMITS
+    if "reject" in decisions:
+        return "The machine does not conform to every limit of the table above."
+    if "undecided" in decisions or not proven:
+        return "Conformity is not stated: at least one decision, or what it rests on, is open."
+    return "The machine conforms to every limit of the table above."
+
+
 def _of_every_test(key: str, results: Sequence[Document]) -> str:
     """Return what the tests state of an item; where they differ much, where it is found."""
     values = dict.fromkeys(

@@ -2,10 +2,11 @@
 
 Its view holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``evaluation``
 and ``prediction`` (the documents), ``axes``, ``assumed``, ``findings``, ``files`` (relative names),
-``no_tables`` (None or why) and ``version``. Each of ``axes`` (by name) holds ``address``, ``kind``,
-``unit``, ``estimate``, ``wanted``, ``mode``, ``mode_reason``, ``certificate``, ``state``,
-``predicted_targets`` and ``findings``. Deviations are in µm or arcsec as ``unit`` says, positions
-in mm or deg.
+``no_tables`` (None or why), ``version``, ``stated`` (what the job says of its tests: ``axes`` by
+name and test, ``circles`` by name), and what `page_parts.paper_content` shows. Each of ``axes`` (by
+name) holds ``address``, ``kind``, ``unit``, ``estimate``, ``wanted``, ``mode``, ``mode_reason``,
+``certificate``, ``state``, ``predicted_targets`` and ``findings``. Deviations are in µm or arcsec
+as ``unit`` says, positions in mm or deg.
 """
 
 from __future__ import annotations
@@ -15,12 +16,11 @@ from typing import Any
 
 from compwright.foundations.findings import DOUBTS
 from compwright.foundations.side_by_side import Each, in_turn
-from compwright.reporting import sections
+from compwright.reporting import paper, sections
 from compwright.reporting.axis_report import axis_block
 from compwright.reporting.card import changes_content
 from compwright.reporting.circles import circle_blocks
 from compwright.reporting.numbers import (
-    SIMPLE,
     number,
     plain,
     position_unit,
@@ -29,7 +29,7 @@ from compwright.reporting.numbers import (
     unit_text,
 )
 from compwright.reporting.page import render_page
-from compwright.reporting.page_parts import anchor, common, remaining, with_unit
+from compwright.reporting.page_parts import anchor, common, paper_content, remaining, with_unit
 from compwright.reporting.sections import Document, TextTable
 
 
@@ -51,6 +51,7 @@ def run_report(view: Document, each: Each = in_turn) -> bytes:
         "run.html",
         {
             **common(view, [("", view.get("evaluation"))]),
+            **paper_content(view, (view.get("evaluation") or {}).get("results") or ()),
             "doubts": sections.doubts(prediction.get("doubts")),
             "acknowledged": sections.acknowledged(prediction.get("acknowledged")),
             "done": _what_was_done(view, axes),
@@ -143,12 +144,12 @@ def _run_verdict(view: Document, axes: Document, predicted: Document) -> dict[st
 def _rule(predicted: Document) -> str:
     """Return by which rule the limits were decided, with the guard bands of every axis."""
     limits = {name: axis.get("accept") or {} for name, axis in predicted.items()}
-    guarded = [
+    lines = [
         line
         for name, accept in limits.items()
         for line in sections.rule_lines(accept, unit_text(predicted[name].get("unit", "um")))
     ]
-    return " ".join(guarded) or f"{SIMPLE}."
+    return " ".join(dict.fromkeys(lines)) or paper.NO_LIMITS
 
 
 def _run_rows(
@@ -198,7 +199,11 @@ def _decided_test(name: str, predicted: Document, view: Document) -> tuple[Docum
 def _of_axis(name: str, view: Document) -> Document:
     """Return what the part of one axis needs of the view: the results of its own tests."""
     results = (view.get("evaluation") or {}).get("results", [])
-    return {"evaluation": {"results": [one for one in results if str(one.get("axis")) == name]}}
+    stated = ((view.get("stated") or {}).get("axes") or {}).get(name) or {}
+    return {
+        "evaluation": {"results": [one for one in results if str(one.get("axis")) == name]},
+        "stated": stated,
+    }
 
 
 def _cross(entry: Document) -> TextTable:

@@ -16,6 +16,8 @@ from compwright.reporting.numbers import (
     GUARDED_AFTER,
     MISSING,
     PARAMETERS,
+    SIMPLE,
+    SIMPLE_AFTER,
     decimals_of,
     number,
     plain,
@@ -116,8 +118,8 @@ def acknowledged(items: Iterable[Document] | None) -> list[str]:
 
 
 def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> list[str]:
-    """Return by which rule the limits were decided where it is not the simple comparison, with the
-    guard bands: of a prediction, or of the test ``after`` loading.
+    """Return by which rule the limits were decided, with the guard bands where it has some: of a
+    prediction, or of the test ``after`` loading. Empty without limits.
     """
     guarded = {
         symbol(name): entry.get("U")
@@ -129,7 +131,9 @@ def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> 
         for letter, U in guarded.items()
     ]
     rule = GUARDED_AFTER if after else GUARDED
-    return [f"{rule}: {', '.join(bands)}."] if bands else []
+    if bands:
+        return [f"{rule}: {', '.join(bands)}."]
+    return [f"{SIMPLE_AFTER if after else SIMPLE}."] if accept else []
 
 
 def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:

@@ -8,13 +8,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from compwright.reporting import sections
-from compwright.reporting.axis_figures import before_after_figure, result_figure
+from compwright.reporting import paper, sections
+from compwright.reporting.axis_figures import before_after_figure
 from compwright.reporting.circles import circle_blocks
 from compwright.reporting.numbers import number, plain, symbol, unit_text
 from compwright.reporting.page import render_page
-from compwright.reporting.page_parts import anchor, common, remaining
+from compwright.reporting.page_parts import anchor, common, paper_content, remaining
 from compwright.reporting.sections import Document, TextTable
+
+#: Of the conditions of a test after loading.
+AFTER_LOADING = "on, as loaded after the run of this job; what the test shows of it: see Loading"
 
 
 def verify_report(view: Document) -> bytes:
@@ -40,6 +43,16 @@ def verify_report(view: Document) -> bytes:
         "verify.html",
         {
             **common(view, list(zip(("before", "after"), evaluations, strict=True))),
+            **paper_content(view, (view.get("evaluation_after") or {}).get("results") or ()),
+            "statement": paper.conformity(
+                [
+                    str(entry.get("decision"))
+                    for axis in axes.values()
+                    for entry in (axis.get("accept") or {}).values()
+                ],
+                proven=tone == "good",
+            ),
+            "rules": list(dict.fromkeys(line for block in blocks for line in block["rule"])),
             "doubts": sections.doubts(verification.get("doubts")),
             "acknowledged": sections.acknowledged(verification.get("acknowledged")),
             "verdict": {"tone": tone, "text": text, "rows": rows},
@@ -144,7 +157,10 @@ def _verify_axis(index: int, name: str, axis: Document, view: Document) -> dict[
         "name": name,
         "anchor": anchor(index),
         "loading": _loading(axis.get("loading") or {}),
-        "figure": _after_figure(name, before, after, extra, axis),
+        "both": _after_figure(name, before, after, extra, axis),
+        "measured": paper.measured_block(measured, _stated(name, measured, view))
+        if measured
+        else None,
         "parameters": sections.parameter_block(
             unit, measured.get("standard", ""), measured.get("not_applicable"), columns
         ),
@@ -156,6 +172,13 @@ def _verify_axis(index: int, name: str, axis: Document, view: Document) -> dict[
     }
 
 
+def _stated(name: str, after: Document, view: Document) -> Document:
+    """Return what the job states of the conditions of the test after loading."""
+    of_axis = ((view.get("stated") or {}).get("axes") or {}).get(name) or {}
+    first: Document = of_axis.get(str(after.get("name"))) or next(iter(of_axis.values()), {})
+    return {**first, "compensation": AFTER_LOADING} if first else {}
+
+
 def _after_figure(
     name: str,
     before: Document | None,
@@ -164,7 +187,7 @@ def _after_figure(
     axis: Document,
 ) -> str | None:
     if before is None:
-        return result_figure(after, f"deviations of axis {name} after loading") if after else None
+        return None
     expected = extra.get("predicted_targets")
     with_numbers = {**expected, "parameters": axis.get("predicted")} if expected else None
     return before_after_figure(

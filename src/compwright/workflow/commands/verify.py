@@ -131,7 +131,7 @@ def verify_job(
     if then is not None:
         document = {**document, "next": then.document}
     evaluated = _evaluated(found.axes, found.circles)
-    files, notes = _files(found.job, found.control, document, *evaluated)
+    files, notes = _files(found.job, found.control, document, *evaluated, after)
     before, after_loading = evaluated
     proof, told = proven_files(found, document, (out, plan_file.parent), loaded)
     files |= proof
@@ -350,6 +350,7 @@ def _files(
     document: Mapping[str, Any],
     before: Mapping[str, Any],
     after: Mapping[str, Any],
+    specs: Sequence[str],
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     files = {VERIFICATION: to_json(document).encode()}
     try:
@@ -359,6 +360,7 @@ def _files(
             job,
             control,
             document["axes"],
+            specs,
             verification=document,
             evaluation_before=before,
             evaluation_after=after,

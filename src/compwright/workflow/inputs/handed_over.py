@@ -65,6 +65,12 @@ def files_of_job(session: Session, job: Job, folder: Path, definition: Texts) ->
         found.append(
             _given(session, "drift", "", drift.file, storage.named_from(folder, drift.file))
         )
+    if job.report.logo is not None:
+        found.append(
+            _given(
+                session, "logo", "", job.report.logo, storage.named_from(folder, job.report.logo)
+            )
+        )
     for state, texts in job.states.items():
         found += [
             file for text in texts for file in files_at(session, "state", state, text, folder)

@@ -33,6 +33,7 @@ from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import Job
 from compwright.records.options import KIND, REFERENCE, REFERENCE_RETURN
 from compwright.records.plan import Texts
+from compwright.workflow.inputs.logo import read_logo
 
 _YAML = {".yaml", ".yml"}
 PLAN = "plan.json"
@@ -41,16 +42,30 @@ _ANY_TRAVEL = "0:1"
 
 
 def read_job_file(session: Session, path: Path, plan: Path | None = None) -> Job:
-    """Read a job file, with the stand-still tests that its uncertainty names. ``plan``: that of an
+    """Read a job file, with the stand-still tests and the logo that it names. ``plan``: that of an
     earlier run, whose definition of one's own counts.
 
     Raises InputError when one of them cannot be read, UsageError with every fault of the job.
     """
     carried = () if plan is None else carried_definition(storage.earlier_bytes(session, plan))
     further = partial(wrong_control, session, folder=path.parent, carried=carried)
-    return _with_drifts(
-        session, read_job(storage.read_bytes(session, path, JOB), str(path), further), path.parent
-    )
+    job = read_job(storage.read_bytes(session, path, JOB), str(path), further)
+    errors: list[CompwrightError] = []
+    for read in (_with_drifts, _with_logo):
+        try:
+            job = read(session, job, path.parent)
+        except InputError as error:
+            errors.append(error)
+    raise_all(InputError, collect(errors))
+    return job
+
+
+def _with_logo(session: Session, job: Job, folder: Path) -> Job:
+    """Return the job with the picture that it names."""
+    if job.report.logo is None:
+        return job
+    image = read_logo(session, job.report.logo, folder)
+    return replace(job, report=replace(job.report, image=image))
 
 
 def _with_drifts(session: Session, job: Job, folder: Path) -> Job:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from compwright import __version__
@@ -18,7 +20,14 @@ from compwright.records.axis import Direction
 from compwright.records.circular import CircularResult
 from compwright.records.job import Job
 from compwright.records.result import PositioningResult
+from compwright.workflow.results.stated import (
+    report_document,
+    stated_of_axes,
+    stated_of_circles,
+)
 from compwright.workflow.run.predicted import after_loading
+
+JOB = "job.yaml"
 
 
 def evaluations(
@@ -58,7 +67,19 @@ def run_view(
         "format": {"id": control.id, "title": control.definition.title},
         "axes": {name: {**axis_view(work, loaded), "state": state} for name, work in works.items()},
         "version": __version__,
+        **_paper(job, ["run"]),
         **documents,
+    }
+
+
+def _paper(job: Job, command: Sequence[str], options: Sequence[str] = ()) -> dict[str, Any]:
+    """Return what makes the pages a report on paper. ``command`` and ``options``: what repeats it,
+    before and behind the job.
+    """
+    return {
+        "report": report_document(job),
+        "stated": {"axes": stated_of_axes(job), "circles": stated_of_circles(job)},
+        "command": shlex.join(["compwright", *command, Path(job.file).name or JOB, *options]),
     }
 
 
@@ -129,10 +150,14 @@ def expected_targets(work: AxisWork, loaded: DecodedState | None) -> dict[str, A
 
 
 def verify_view(
-    job: Job, control: Control, axes: Mapping[str, Mapping[str, Any]], **documents: Any
+    job: Job,
+    control: Control,
+    axes: Mapping[str, Mapping[str, Any]],
+    after: Sequence[str],
+    **documents: Any,
 ) -> dict[str, Any]:
     """Return the view that the report of a verification is rendered from; ``axes`` are those of the
-    verification document.
+    verification document, ``after`` the tests as they were given.
     """
     return {
         "title": f"Verification of {', '.join(axes)}",
@@ -143,5 +168,6 @@ def verify_view(
             for name, axis in axes.items()
         },
         "version": __version__,
+        **_paper(job, ["verify"], [word for spec in after for word in ("--after", spec)]),
         **documents,
     }

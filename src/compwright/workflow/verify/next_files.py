@@ -279,9 +279,13 @@ def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies)
 def _beside_tests(
     session: Session, data: Mapping[str, Any], folder: Path, copies: _Copies
 ) -> dict[str, str]:
-    """Return where profiles and stand-still tests are copied to, by their paths in the job."""
+    """Return where profiles, stand-still tests and the logo are copied to, by their paths in the
+    job.
+    """
     tests = [test for axis in data["axes"].values() for test in test_sections(axis)]
     named = [test["profile"] for test in tests if "profile" in test]
+    logo = data.get("report", {}).get("logo")
+    named += [logo] if isinstance(logo, str) else []
     of_job = data.get("uncertainty", {})
     for section in (of_job, of_job.get("rotary", {})):
         variation = section.get("E_VE")

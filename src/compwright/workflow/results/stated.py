@@ -1,0 +1,89 @@
+"""What a job states of its tests for the test sheet of a report, by the keys of
+`reporting.report_items`.
+"""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Mapping
+from typing import Any
+
+from compwright.records.axis import Axis
+from compwright.records.job import NONE_STATE, Job
+
+
+def report_document(job: Job) -> dict[str, Any]:
+    """Return the head of the report as plain data; the logo as text."""
+    head = job.report
+    logo = None
+    if head.image is not None:
+        logo = {
+            "type": head.image.type,
+            "base64": base64.b64encode(head.image.content).decode("ascii"),
+        }
+    return {
+        "number": head.number,
+        "customer": head.customer,
+        "operator": head.operator,
+        "place": head.place,
+        "logo": logo,
+    }
+
+
+def stated_of_axes(job: Job) -> dict[str, dict[str, Mapping[str, str]]]:
+    """Return by axis and test what the job states of each positioning test."""
+    return {
+        name: {
+            request.name: {
+                **_of_job(job),
+                "travel": _travel(entry.axis),
+                "compensation": compensation_text(job, request.measured_in),
+            }
+            for request in entry.before
+        }
+        for name, entry in job.axes.items()
+    }
+
+
+def stated_of_circles(job: Job) -> dict[str, Mapping[str, str]]:
+    """Return by its name what the job states of each circular test."""
+    return {
+        request.name: {
+            **_of_job(job),
+            "compensation": compensation_text(job, request.measured_in),
+        }
+        for request in job.circles
+    }
+
+
+def compensation_text(job: Job, state: str) -> str:
+    """Return whether compensation was on or off in a state of the control, as the job states it;
+    empty where the job does not.
+    """
+    files = job.states.get(state)
+    if files is None:
+        return ""
+    if files == NONE_STATE:
+        return f"off: nothing was active in the control (job, states.{state})"
+    active = job.active.get(state)
+    where = f"{', '.join(files)} (job, states.{state})"
+    if active is False:
+        return f"off; the control held {where}"
+    return f"on, as {'active' if active else 'stored'} in {where}"
+
+
+def _of_job(job: Job) -> dict[str, str]:
+    machine = job.machine
+    named = [machine.get("name"), machine.get("serial")]
+    stated = {
+        "machine": ", ".join(text for text in named if text),
+        "machine_type": machine.get("type") or "",
+        "operator": job.report.operator or "",
+        "place": job.report.place or "",
+    }
+    return {key: f"{text} (job)" for key, text in stated.items() if text}
+
+
+def _travel(axis: Axis) -> str:
+    low, high = axis.travel
+    return f"{low:g} to {high:g} {axis.kind.unit} (job)"
