@@ -26,10 +26,10 @@ from circular_samples import (
     run_of,
     table,
 )
-from compwright.evaluation.circular import CIRCULAR_NAMES, CIRCULAR_STANDARDS, evaluate_circle
+from compwright.evaluation.circular import CIRCULAR_STANDARDS, evaluate_circle
 from compwright.foundations.errors import InputError, UsageError
 from compwright.foundations.provenance import source_of
-from compwright.records.circular import CircularResult, CircularRun, Sense
+from compwright.records.circular import CIRCULAR_NAMES, CircularResult, CircularRun, Sense
 from places import REAL, SHARED, needs_shared
 
 BALLBAR = REAL / "ballbar"

@@ -13,10 +13,10 @@ import pytest
 from circular_samples import UM, circular_test, measured, perfect, radial, run_of
 from compwright.documents.circular import circular_document
 from compwright.documents.json_text import to_json
-from compwright.evaluation.circular import CIRCULAR_NAMES, evaluate_circle
+from compwright.evaluation.circular import evaluate_circle
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import source_of
-from compwright.records.circular import CircularEffect, CircularResult, Diagnosis
+from compwright.records.circular import CIRCULAR_NAMES, CircularEffect, CircularResult, Diagnosis
 from places import SHARED, needs_shared
 
 KEYS = {

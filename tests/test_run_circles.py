@@ -29,7 +29,7 @@ from compwright.planning.circles import start_circle
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.circular import CircularRun, CircularTest
 from compwright.records.correction import ControlFile
-from compwright.records.job import CircleRequest
+from compwright.records.job import Acceptance, CircleRequest
 from compwright.simulation.circular import CircleAxis, CircleErrors, CirclePlan, record_circle
 from compwright.simulation.circular_files import to_circular_csv
 from loop import Floats, Machine, csv_of
@@ -606,6 +606,30 @@ def test_a_circle_does_not_count_in_the_verdict_when_nothing_of_it_was_applied(
     files = after_files(folder, Bent(), folder / "job" / "tables" / SIEMENS)
     assert verify(path, *files) == 0
     assert document(folder / "job" / "verification.json")["circles"]["xy-150"]["squareness"] is None
+
+
+def test_limits_of_a_circle_count_in_the_verdict(folder: Path) -> None:
+    limited = "centre: [400, -250], accept: {G_bidirectional: 8}"
+    path = job(folder, circle=limited)
+    assert compwright(["run", str(path)]) == 0
+    assert read_plan((folder / "job" / "plan.json").read_bytes(), "").circles["xy-150"].accept == (
+        Acceptance(limits={"G_bidirectional": 8.0})
+    )
+    files = after_files(folder, Bent(), folder / "job" / "tables" / SIEMENS)
+    assert verify(path, *files) == 0
+    answer = document(folder / "job" / "verification.json")
+    accept = answer["circles"]["xy-150"]["accept"]["G_bidirectional"]
+    after = answer["circles"]["xy-150"]["after"]["G_bidirectional"]
+    assert (accept["decision"], accept["limit"], accept["value"]) == ("accept", 8.0, after)
+    assert "limits are met" in answer["headline"]
+
+    job(folder, circle=limited.replace("8", "0.1"))  # tightened after the run
+    assert verify(path, *files) == 1
+    answer = document(folder / "job" / "verification.json")
+    accept = answer["circles"]["xy-150"]["accept"]["G_bidirectional"]
+    assert (accept["decision"], answer["verdict"]) == ("reject", "bad")
+    assert "CW-V022" in {one["code"] for one in answer["findings"]}
+    assert "circles" in answer["headline"]
 
 
 def test_verify_refuses_a_circle_of_another_plane(

@@ -12,9 +12,10 @@ import pytest
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
 from compwright.records.axis import AxisKind
+from compwright.records.conditions import CircularBudget
 from compwright.records.correction import CrossCompensation
 from compwright.records.fitted import FittedTable
-from compwright.records.job import Acceptance, Job
+from compwright.records.job import Acceptance, CircleRequest, Job
 from compwright.records.plan import Plan, PlannedAxis, PlannedCross
 from compwright.records.positioning import PositioningTest
 from compwright.verification.proof import (
@@ -186,6 +187,24 @@ def test_the_circle_from_before_is_no_circle_after() -> None:
     (finding,) = old_circles(planned, {"xy": same})
     assert finding.code == "CW-V025"
     assert list(old_circles(planned, {"xy": replace(same, sources=(Source("n", "bb"),))})) == []
+
+
+def test_a_circle_with_limits_has_to_be_measured_again_by_the_limits_of_the_run() -> None:
+    limits, budget = Acceptance(limits={"G_ccw": 5.0}), CircularBudget(U=0.7)
+    of = plan({}, circles={"xy": replace(circle_of({}).planned, accept=limits, budget=budget)})
+    request = CircleRequest(files=("xy.csv",), name="xy", accept=limits)
+    job = replace(job_of(), circles=(request,), uncertainty_circular=budget)
+    (message,) = missing(job, of, {})
+    assert "circle xy has limits and was not measured after loading" in message
+    assert list(changed_limits(job, of)) == []
+
+    looser = replace(request, accept=Acceptance(limits={"G_ccw": 9.0}))
+    (limit,) = changed_limits(replace(job, circles=(looser,)), of)
+    assert "the limits of circle xy were G_ccw 5, now they are G_ccw 9" in limit.message
+    (declared,) = changed_limits(replace(job, uncertainty_circular=CircularBudget(U=3.0)), of)
+    assert "circular tests was U 0.7, now it is U 3" in declared.message
+    of = plan({}, circles={"xy": replace(circle_of({}).planned, budget=budget)})
+    assert missing(job, of, {}) == []
 
 
 def test_what_was_edited_after_the_run_is_said() -> None:

@@ -9,6 +9,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from compwright.documents.evaluation import uncertainty_document
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
@@ -52,6 +53,7 @@ def circular_document(result: CircularResult) -> dict[str, Any]:
         "arc": {"start": float(test.arc[0]), "extent": float(test.arc[1])},
         "calibrated": test.calibrated,
         "parameters": {name: _micrometres(value) for name, value in result.parameters.items()},
+        "uncertainty": uncertainty_document(result.uncertainty, MICROMETRES_PER_MILLIMETRE),
         "centre": {name: _point(result.centres.get(name)) for name in (*_SENSES, "common")},
         "mean_radius_deviation": {
             name: _micrometres(result.mean_radius_deviation.get(name)) for name in _SENSES

@@ -74,7 +74,7 @@ def result_document(result: PositioningResult) -> dict[str, Any]:
             name: [_extreme(entry, factor) for entry in ends]
             for name, ends in result.extremes.items()
         },
-        "uncertainty": _uncertainty(result.uncertainty, factor),
+        "uncertainty": uncertainty_document(result.uncertainty, factor),
         "budget": _budget(result),
         "thermal": None if test.thermal is None else asdict(test.thermal),
         "targets": _targets(result, factor),
@@ -108,9 +108,10 @@ def _traverses(deviations: FloatArray) -> int:
     return int(np.isfinite(deviations).any(axis=0).sum())
 
 
-def _uncertainty(
+def uncertainty_document(
     stated: Mapping[str, ExpandedUncertainty] | None, factor: float
 ) -> dict[str, Any] | None:
+    """Return U and its coverage factor by parameter; ``factor``: to the unit of the entry."""
     if stated is None:
         return None
     return {

@@ -135,6 +135,8 @@ def _circle_out(circle: PlannedCircle) -> dict[str, Any]:
     return {
         "measured_in": circle.measured_in,
         "centre": list(circle.centre),
+        **({} if circle.accept is None else {"accept": asdict(circle.accept)}),
+        **({} if circle.budget is None else {"uncertainty": asdict(circle.budget)}),
         "test": {
             "name": test.name,
             "plane": test.plane,

@@ -24,7 +24,7 @@ from compwright.records.correction import ControlFile
 from compwright.records.estimate import AxisPeriod, ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import Acceptance
-from compwright.records.plan import Plan, PlannedAxis, PlannedTest
+from compwright.records.plan import Plan, PlannedAxis, PlannedCircle, PlannedTest
 from compwright.records.positioning import PositioningTest
 
 
@@ -135,6 +135,9 @@ FORMS: Final[Mapping[type, RecordForm]] = {
         keys={"content": "base64"}, constant={"folder": "", "leader": b"", "trailer": b""}
     ),
     CircularTest: RecordForm(constant={"vendor": {}}),
+    PlannedCircle: RecordForm(
+        keys={"budget": "uncertainty"}, absent=frozenset({"accept", "budget"})
+    ),
     ErrorEstimate: RecordForm(constant={"periods": ()}),
     WantedCorrection: RecordForm(absent=frozenset({"scenarios"})),
     FittedTable: RecordForm(constant={"keeps_grid": False}),

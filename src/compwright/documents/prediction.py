@@ -17,6 +17,7 @@ from compwright.records.estimate import PeriodEvidence
 from compwright.records.job import Acknowledged
 from compwright.records.limits import Limiting, Worth
 from compwright.records.prediction import (
+    AcceptDecision,
     AxisPrediction,
     CirclePrediction,
     Quantiles,
@@ -98,7 +99,11 @@ def circle_outside(circle: CirclePrediction) -> dict[str, Any]:
     """Return one circular test, before and predicted: parameters in µm, causes in their own units,
     by their contract names.
     """
-    return {"before": circle_values(circle.before), "predicted": circle_quantiles(circle)}
+    return {
+        "before": circle_values(circle.before),
+        "predicted": circle_quantiles(circle),
+        "accept": _accept(circle.accept),
+    }
 
 
 def circle_values(result: CircularResult) -> dict[str, float | None]:
@@ -244,18 +249,22 @@ def _axis(axis: AxisPrediction, judged: Judged) -> dict[str, Any]:
         "limits": [] if axis.limits is None else _causes(axis.limits, factor, unit),
         "limited": None if axis.limits is None else _limited(axis.limits, factor),
         "points_worth": [_worth(one, factor) for one in axis.worth],
-        "accept": {
-            name: {
-                "limit": entry.limit,
-                "decision": entry.decision,
-                **({"test": entry.test} if entry.test is not None else {}),
-                **({"U": entry.U, "rule": entry.rule} if entry.rule == "guarded" else {}),
-            }
-            for name, entry in axis.accept.items()
-        },
+        "accept": _accept(axis.accept),
         "periods": [asdict(period) for period in axis.periods],
         "period_search": None if axis.evidence is None else _evidence(axis.evidence),
         "findings": findings_outside(axis.findings),
+    }
+
+
+def _accept(accept: Mapping[str, AcceptDecision]) -> dict[str, Any]:
+    return {
+        name: {
+            "limit": entry.limit,
+            "decision": entry.decision,
+            **({"test": entry.test} if entry.test is not None else {}),
+            **({"U": entry.U, "rule": entry.rule} if entry.rule == "guarded" else {}),
+        }
+        for name, entry in accept.items()
     }
 
 

@@ -63,6 +63,7 @@ def run_record(
         ],
         "decisions": {
             "axes": {name: _decided(axis) for name, axis in prediction["axes"].items()},
+            **_of_circles(prediction["circles"]),
         },
         "doubts": list(prediction["doubts"]),
         "verification": None,
@@ -115,6 +116,16 @@ def _decided(axis: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
+def _of_circles(circles: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the decisions about circles that have limits; nothing without any."""
+    limited = {
+        name: {"accept": dict(circle["accept"])}
+        for name, circle in circles.items()
+        if circle["accept"]
+    }
+    return {"circles": limited} if limited else {}
+
+
 def verified_record(
     record: Mapping[str, Any],
     inputs: Sequence[RecordedInput],
@@ -154,6 +165,7 @@ def verified_record(
             "read_back": any(entry.role == "loaded" for entry in inputs),
             "axes": axes,
             "squareness": circles,
+            **_of_circles(verification["circles"]),
             "doubts": list(verification["doubts"]),
         },
     }

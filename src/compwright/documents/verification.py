@@ -84,12 +84,16 @@ class SquarenessCheck:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedCircle:
     """What ``verify`` found on one circular test; ``squareness`` only where that of its plane was
-    corrected from circles.
+    corrected from circles; ``accept`` and ``acknowledged`` as of an axis; ``findings``: what its
+    limits lack.
     """
 
     prediction: CirclePrediction
     after: CircularResult
     squareness: SquarenessCheck | None = None
+    accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
+    acknowledged: tuple[Acknowledged, ...] = ()
+    findings: tuple[Finding, ...] = ()
 
 
 def verification_document(
@@ -100,37 +104,40 @@ def verification_document(
     findings: Iterable[Finding] = (),
 ) -> dict[str, Any]:
     """Return the verification of a run; ``findings``: those of no single axis."""
-    general = tuple(findings)
-    of_axes = [
-        replace(finding, message=f"Axis {name}: {finding.message}")
-        for name, axis in axes.items()
-        for finding in axis.findings
+    general, tests = tuple(findings), circles or {}
+    every: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *tests.values()]
+    of_tests = [
+        replace(finding, message=f"{kind} {name}: {finding.message}")
+        for kind, its in (("Axis", axes), ("Circle", tests))
+        for name, one in its.items()
+        for finding in one.findings
     ]
     return {
         "schema": SCHEMA,
         "format": format_id,
-        "doubts": finding_documents(doubts_of([*general, *of_axes])),
-        "acknowledged": acknowledged_outside(
-            each for axis in axes.values() for each in axis.acknowledged
-        ),
+        "doubts": finding_documents(doubts_of([*general, *of_tests])),
+        "acknowledged": acknowledged_outside(each for one in every for each in one.acknowledged),
         "axes": {name: _axis(axis) for name, axis in axes.items()},
-        "circles": {name: _circle(circle) for name, circle in (circles or {}).items()},
+        "circles": {name: _circle(circle) for name, circle in tests.items()},
         "findings": finding_documents(general),
         "verdict": verdict,
-        "headline": _headline(axes, verdict),
+        "headline": _headline(axes, tests, verdict),
     }
 
 
 def _headline(
-    axes: Mapping[str, VerifiedAxis], verdict: Literal["good", "bad", "undecided"]
+    axes: Mapping[str, VerifiedAxis],
+    circles: Mapping[str, VerifiedCircle],
+    verdict: Literal["good", "bad", "undecided"],
 ) -> str:
     """Return the verdict in words; of limits only where there are any."""
     if verdict == "bad":
-        return "Bad: see the axes below"
+        limits = (entry.decision for one in circles.values() for entry in one.accept.values())
+        return f"Bad: see the {'circles' if 'reject' in limits else 'axes'} below"
     if verdict == "undecided":
         return "Undecided: the tests do not tell"
     without = [name for name, axis in axes.items() if not axis.accept]
-    if len(without) == len(axes):
+    if len(without) == len(axes) and not any(circle.accept for circle in circles.values()):
         return f"Table{'s' * (len(axes) > 1)} active. No limits given."
     none = f" (no limits given for {', '.join(without)})" if without else ""
     return f"Good: the tables act and the limits are met{none}"
@@ -160,17 +167,21 @@ def _axis(axis: VerifiedAxis) -> dict[str, Any]:
             for name, band in predicted.items()
         },
         "loading": dict(axis.loading),
-        "accept": {
-            name: {
-                "limit": entry.limit,
-                "value": entry.value,
-                "U": entry.U,
-                "decision": entry.decision,
-                **({"rule": entry.rule} if entry.rule == "guarded" else {}),
-            }
-            for name, entry in axis.accept.items()
-        },
+        "accept": _accept(axis.accept),
         "findings": finding_documents(axis.findings),
+    }
+
+
+def _accept(accept: Mapping[str, AcceptDecision]) -> dict[str, Any]:
+    return {
+        name: {
+            "limit": entry.limit,
+            "value": entry.value,
+            "U": entry.U,
+            "decision": entry.decision,
+            **({"rule": entry.rule} if entry.rule == "guarded" else {}),
+        }
+        for name, entry in accept.items()
     }
 
 
@@ -198,8 +209,12 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
                 "decision": check.decision,
             }
         ),
+        "accept": _accept(
+            {name: replace(entry, value=after[name]) for name, entry in circle.accept.items()}
+        ),
         "findings": finding_documents(
             (
+                *circle.findings,
                 *circle.after.findings,
                 *(circle.after.diagnosis.findings if circle.after.diagnosis else ()),
             )

@@ -22,27 +22,19 @@ from compwright.evaluation.standards import by_id
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
-from compwright.records.circular import CircularResult, CircularRun, CircularTest, Sense
+from compwright.records.circular import (
+    CIRCULAR_NAMES,
+    CircularResult,
+    CircularRun,
+    CircularTest,
+    Sense,
+)
 
 DEFAULT_CIRCULAR_STANDARD: Final = "iso230-4:2005"
 #: The shortest arc of a circular test, deg (ISO 230-4:1996, 3.1).
 SHORTEST_ARC: Final = 90.0
 
 _SENSES: Final[tuple[Sense, ...]] = get_args(Sense)
-#: Parameters by their contract names, in its order.
-CIRCULAR_NAMES: Final = (
-    *("G_ccw", "G_cw", "G_bidirectional", "G_ccw_lsc", "G_cw_lsc", "G_bidirectional_lsc", "H", "D"),
-    *(
-        "F_max_ccw",
-        "F_min_ccw",
-        "F_max_cw",
-        "F_min_cw",
-        "F_max_ccw_lsc",
-        "F_min_ccw_lsc",
-        "F_max_cw_lsc",
-        "F_min_cw_lsc",
-    ),
-)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

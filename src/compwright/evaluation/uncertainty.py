@@ -64,6 +64,20 @@ def contributions(
         1.0,
         note=f"{budget.device:g} µm + {budget.device_per_m:g} µm/m × {length:g} m",
     )
+    return (
+        device,
+        *([_misalignment(budget.misalignment_mm, length)] if length > 0.0 else []),
+        *thermal_contributions(length, budget.U_theta, budget.U_alpha, thermal),
+        *ends,
+    )
+
+
+def thermal_contributions(
+    length: float, U_theta: float, U_alpha: float, thermal: Thermal | None
+) -> tuple[Contribution, ...]:
+    """Return what temperature (``U_theta``, K) and coefficient of expansion (``U_alpha``, µm/(m K))
+    of the machine and, where it expands, the instrument add to a ``length`` (m) at 20 °C.
+    """
     expands = [
         ("machine", thermal.alpha_m if thermal else _STEEL, thermal.T_m if thermal else 20.0)
     ]
@@ -72,19 +86,14 @@ def contributions(
     steel = "" if thermal else f"{_STEEL} µm/(m K), steel, is assumed"
     unknown = "" if thermal else "the temperature is unknown: not counted"
     return (
-        device,
-        *([_misalignment(budget.misalignment_mm, length)] if length > 0.0 else []),
         *(
-            _normal(f"U_theta_{part}", budget.U_theta, "K", alpha * length, note=steel)
+            _normal(f"U_theta_{part}", U_theta, "K", alpha * length, note=steel)
             for part, alpha, _ in expands
         ),
         *(
-            _normal(
-                f"U_alpha_{part}", budget.U_alpha, "um/(m K)", abs(T - 20.0) * length, note=unknown
-            )
+            _normal(f"U_alpha_{part}", U_alpha, "um/(m K)", abs(T - 20.0) * length, note=unknown)
             for part, _, T in expands
         ),
-        *ends,
     )
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from compwright.foundations.key_faults import KeyFault, KeyPath, shown
+from compwright.foundations.key_faults import KeyFault, KeyPath, shown, suggestion
 from compwright.foundations.units import TO_INSIDE
 from compwright.jobs.plain_data import (
     default_name,
@@ -16,11 +16,14 @@ from compwright.jobs.plain_data import (
     number_of,
     unknown_state,
 )
+from compwright.records.circular import CIRCULAR_NAMES
 from compwright.records.job import other_axis
 
 
 def circles(circles: Any, states: Sequence[str]) -> Iterator[KeyFault]:
-    """Find circles without files or with the name of another."""
+    """Find circles without files, with the name of another, or with limits on what a circular test
+    does not have.
+    """
     seen: set[str] = set()
     for index, entry in enumerate(list_of(circles)):
         circle, path = mapping_of(entry), ("circles", index)
@@ -34,6 +37,10 @@ def circles(circles: Any, states: Sequence[str]) -> Iterator[KeyFault]:
             yield KeyFault(path, "has the name of another circle", "a name of its own", shown(name))
         seen.add(str(name))
         yield from unknown_state(circle, path, states)
+        for key in mapping_of(circle.get("accept")):
+            if key not in CIRCULAR_NAMES:
+                message = "is no parameter of a circular test"
+                yield KeyFault((*path, "accept", key), message, suggestion(key, CIRCULAR_NAMES))
 
 
 def cross_measurements(cross: Any, axes: Any, states: Sequence[str]) -> Iterator[KeyFault]:

@@ -31,7 +31,7 @@ from compwright.jobs.schema import (
     known_keys,
 )
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, PositionMap
-from compwright.records.conditions import Thermal, UncertaintyBudget
+from compwright.records.conditions import CircularBudget, Thermal, UncertaintyBudget
 from compwright.records.drift import DriftRequest
 from compwright.records.fitted import TableRequest
 from compwright.records.job import (
@@ -163,6 +163,7 @@ def job_of(section: JobSection, file: str) -> Job:
         fixed_positions=section.fixed_positions,
         uncertainty=_budget(section),
         uncertainty_rotary=_rotary_budget(section),
+        uncertainty_circular=_circular_budget(section),
         drifts=_drifts(section),
         thermal=_thermal(section.thermal),
         decision_rule=section.decision_rule,
@@ -276,6 +277,7 @@ def _circle(section: CircleSection) -> CircleRequest:
         name=section.name or default_name(files[0]),
         measured_in=section.measured_in,
         centre=tuple(section.centre) if section.centre is not None else None,
+        accept=_acceptance(section.accept),
     )
 
 
@@ -302,7 +304,7 @@ def _budget(section: JobSection) -> UncertaintyBudget | None:
     given = section.uncertainty
     if given is None:
         return None
-    contributors = given.model_dump(exclude={"device", "E_VE", "rotary"})
+    contributors = given.model_dump(exclude={"device", "E_VE", "rotary", "circular"})
     return UncertaintyBudget(
         device=given.device.U,
         device_per_m=given.device.per_m,
@@ -316,6 +318,16 @@ def _rotary_budget(section: JobSection) -> UncertaintyBudget | None:
     if rotary is None:
         return None
     return UncertaintyBudget(device=rotary.U, setup=rotary.setup, E_VE=_range(rotary.E_VE))
+
+
+def _circular_budget(section: JobSection) -> CircularBudget | None:
+    """Return the contributors of circular tests; the temperature is that of the machine."""
+    given = section.uncertainty
+    if given is None or given.circular is None:
+        return None
+    return CircularBudget(
+        U_theta=given.U_theta, U_alpha=given.U_alpha, **given.circular.model_dump()
+    )
 
 
 def _range(variation: float | DriftSection) -> float:
@@ -339,31 +351,15 @@ def _drifts(section: JobSection) -> dict[AxisKind, DriftRequest]:
 
 
 def _pending_findings(section: JobSection) -> list[Finding]:
-    """Say of every key on which nothing acts yet that it was read and does nothing; a limit that
-    nothing decides is an error.
-    """
+    """Return a finding for every key that is read and has no effect yet."""
     keys: dict[str, object] = {}
     if section.report.language != "en":
         keys["report.language"] = f"{section.report.language}: reports are in English"
     if section.environment is not None:
         keys["environment"] = section.environment
-    limits = [
-        f"circles[{index}].accept"
-        for index, circle in enumerate(section.circles)
-        if circle.accept is not None
-    ]
-    pending = "read, but not used yet"
     return [
-        *(Finding("CW-J001", "warning", f"{pending}: {key}: {keys[key]}") for key in keys),
-        *(
-            Finding(
-                "CW-J001",
-                "error",
-                f"{pending}: {place}. Compare the circle's values with these limits yourself, and"
-                " take them out of the job",
-            )
-            for place in limits
-        ),
+        Finding("CW-J001", "warning", f"read, but not used yet: {key}: {value}")
+        for key, value in keys.items()
     ]
 
 

@@ -306,8 +306,21 @@ class RotaryUncertaintySection(JobMapping):
     E_VE: Variation = 0.0
 
 
+class CircularUncertaintySection(JobMapping):
+    """The contributors of circular tests, µm: certificate of the instrument, calibration of the
+    bar's length, set-up, range of the reading of a machine at rest.
+    """
+
+    U: NotNegative = 0.0
+    length: NotNegative = 0.0
+    setup: NotNegative = 0.0
+    E_VE: NotNegative = 0.0
+
+
 class UncertaintySection(JobMapping):
-    """Contributors of ISO 230-2:2006 annex A: mm, K, µm/(m K), µm, µm."""
+    """Contributors of ISO 230-2:2006 annex A: mm, K, µm/(m K), µm, µm; of rotary axes and circular
+    tests apart.
+    """
 
     device: DeviceSection = DeviceSection()
     misalignment_mm: NotNegative = 0.0
@@ -316,6 +329,7 @@ class UncertaintySection(JobMapping):
     setup: NotNegative = 0.0
     E_VE: Variation = 0.0
     rotary: RotaryUncertaintySection | None = None
+    circular: CircularUncertaintySection | None = None
 
 
 class ProvenSection(JobMapping):

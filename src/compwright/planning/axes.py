@@ -19,6 +19,7 @@ from compwright.planning.limits import (
     accepted_index,
     check_limits,
     lacking_guard,
+    unguarded,
 )
 from compwright.planning.misread import misread_tests, with_known_backlash
 from compwright.planning.motions import with_backlash, with_motion
@@ -242,10 +243,7 @@ def predict_axis(
     accept, undecided = decided(
         work.entry, work.planned, work.results, work.posterior, change, rule, tests, first
     )
-    lacking = [
-        name for name, entry in accept.items() if entry.rule == "guarded" and entry.U is None
-    ]
-    guard = lacking_guard(axis, work.results[0].standard, lacking)
+    guard = lacking_guard(axis, work.results[0].standard, unguarded(accept))
     return AxisPrediction(
         tests=tests,
         table=table,

@@ -11,13 +11,23 @@ from typing import Final
 
 import numpy as np
 
-from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
+from compwright.evaluation.circular_uncertainty import circular_uncertainties
+from compwright.foundations.errors import (
+    CompwrightError,
+    Fault,
+    InputError,
+    UsageError,
+    collect,
+    raise_all,
+)
 from compwright.foundations.findings import Finding
 from compwright.planning.diagnosed import diagnosed_circle
+from compwright.planning.limits import limit_faults
 from compwright.prediction.acting import Acting
 from compwright.prediction.circular import moved_test, predict_circle
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.circular import CircularEffect, CircularResult, CircularTest
+from compwright.records.conditions import CircularBudget, Thermal
 from compwright.records.job import CircleRequest, Job
 from compwright.records.plan import PlannedCircle
 from compwright.records.prediction import CirclePrediction
@@ -63,37 +73,62 @@ def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[str]:
 
 
 def start_circle(
-    request: CircleRequest, test: CircularTest, axes: Mapping[str, Axis]
+    request: CircleRequest,
+    test: CircularTest,
+    axes: Mapping[str, Axis],
+    budget: CircularBudget | None = None,
+    thermal: Thermal | None = None,
 ) -> CircleWork:
-    """Evaluate and diagnose one circular test. Raises InputError where it cannot be evaluated or
-    its centre does not fit.
+    """Evaluate and diagnose one circular test, with what the job declares of its uncertainty.
+    Raises InputError where it cannot be evaluated or its centre does not fit.
     """
     test = in_job_names(test, axes)
     given = request.centre if request.centre is not None else test.centre
     centre, said = _centre(test, given, axes)
     findings = () if said else (_middle_assumed(test, centre),)
     result = diagnosed_circle(replace(test, centre=given), CIRCULAR_STANDARD)
-    return CircleWork(
-        result,
-        PlannedCircle(test=result.test, measured_in=request.measured_in, centre=centre),
-        findings,
+    planned = PlannedCircle(
+        test=result.test,
+        measured_in=request.measured_in,
+        centre=centre,
+        accept=request.accept,
+        budget=budget,
     )
+    return CircleWork(with_uncertainty(result, budget, thermal), planned, findings)
+
+
+def with_uncertainty(
+    result: CircularResult, budget: CircularBudget | None, thermal: Thermal | None
+) -> CircularResult:
+    """Return the result with U of each parameter that it has, where the job declares any."""
+    if budget is None:
+        return result
+    names = [name for name, value in result.parameters.items() if value is not None]
+    stated = circular_uncertainties(result.test, names, budget, thermal)
+    return replace(result, uncertainty=stated)
 
 
 def start_circles(
     job: Job, tests: Sequence[CircularTest], axes: Mapping[str, Axis]
 ) -> tuple[CircleWork, ...]:
     """Evaluate and diagnose the circular tests of a job. Raises InputError with the faults of all
-    of them.
+    of them, UsageError for limits on parameters that a test does not have.
     """
     errors: list[CompwrightError] = []
     works = []
     for request, test in zip(job.circles, tests, strict=True):
         try:
-            works.append(start_circle(request, test, axes))
+            budget = job.uncertainty_circular
+            works.append(start_circle(request, test, axes, budget, job.thermal))
         except InputError as error:
             errors.append(error)
     raise_all(InputError, collect(errors))
+    limited = [
+        limit_faults(job, request.accept, work.result, f"circles[{index}]")
+        for index, (request, work) in enumerate(zip(job.circles, works, strict=True))
+        if request.accept is not None
+    ]
+    raise_all(UsageError, [fault for faults in limited for fault in faults])
     return tuple(works)
 
 

@@ -14,10 +14,13 @@ from compwright.records.prediction import AcceptDecision
 
 @dataclass(frozen=True, slots=True)
 class Noticed:
-    """A finding with the axes of the job that it concerns; None: all."""
+    """A finding with the axes of the job that it concerns; None: all. ``circle``: the circular test
+    that it is about.
+    """
 
     finding: Finding
     axes: frozenset[str] | None = None
+    circle: str | None = None
 
     def concerns(self, axis: str) -> bool:
         """Whether it is about an axis."""
@@ -35,6 +38,12 @@ class Doubts:
     def about(self, axis: str) -> bool:
         """Whether a doubt about an axis is open."""
         return any(one.concerns(axis) for one in self.open)
+
+    def about_circle(self, name: str, axes: Iterable[str]) -> bool:
+        """Whether a doubt about a circular test, or about one of the axes that move in it, is
+        open.
+        """
+        return any(one.circle == name for one in self.open) or any(map(self.about, axes))
 
 
 def doubts_among(
@@ -64,5 +73,5 @@ def doubts_among(
 
 
 def undecided(accept: Mapping[str, AcceptDecision]) -> dict[str, AcceptDecision]:
-    """Return the decisions about an axis of which a doubt is open."""
+    """Return the decisions about an axis or a circle of which a doubt is open."""
     return {name: replace(entry, decision="undecided") for name, entry in accept.items()}

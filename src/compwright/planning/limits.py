@@ -8,12 +8,19 @@ from typing import Literal
 from compwright.evaluation.decision import decide
 from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.foundations.findings import Finding
-from compwright.foundations.units import outside_factor
+from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, outside_factor
 from compwright.prediction.positioning import decide_prediction
 from compwright.records.axis import Axis, AxisKind
+from compwright.records.circular import CircularResult
 from compwright.records.job import Acceptance, AxisJob, Job
-from compwright.records.prediction import AcceptDecision, Quantiles, TestPrediction
-from compwright.records.result import PositioningResult
+from compwright.records.prediction import (
+    AcceptDecision,
+    CirclePrediction,
+    Decision,
+    Quantiles,
+    TestPrediction,
+)
+from compwright.records.result import ExpandedUncertainty, PositioningResult
 
 
 def accept_decisions(
@@ -33,19 +40,49 @@ def accept_decisions(
     if accept is None:
         return {}
     prediction = predictions[accepted_index(accept, tuple(item.name for item in predictions))]
-    factor = outside_factor(entry.axis.kind.unit)
+    return _predicted(
+        accept,
+        prediction.predicted,
+        prediction.uncertainty,
+        rule,
+        outside_factor(entry.axis.kind.unit),
+        at_new_targets or prediction.predicted_new_targets,
+    )
+
+
+def circle_decisions(
+    accept: Acceptance | None, circle: CirclePrediction, rule: Literal["simple", "guarded"]
+) -> Mapping[str, AcceptDecision]:
+    """Return the decision about each tolerance of a circle from the predicted values (limits in
+    µm), as `accept_decisions` does; its U is that of the measured circle, whose size the tables
+    hardly change.
+    """
+    if accept is None:
+        return {}
+    return _predicted(
+        accept, circle.predicted, circle.before.uncertainty, rule, MICROMETRES_PER_MILLIMETRE
+    )
+
+
+def _predicted(
+    accept: Acceptance,
+    predicted: Mapping[str, Quantiles],
+    uncertainty: Mapping[str, ExpandedUncertainty] | None,
+    rule: Literal["simple", "guarded"],
+    factor: float,
+    elsewhere: Mapping[str, Quantiles] | None = None,
+) -> dict[str, AcceptDecision]:
+    """Return the decisions from predicted values; ``factor``: to the unit of the limits;
+    ``elsewhere``: at new targets.
+    """
     decisions = {}
     for name, limit in accept.limits.items():
-        quantiles = magnitude(prediction.predicted[name])
-        stated = (prediction.uncertainty or {}).get(name) if rule == "guarded" else None
-        lacking = rule == "guarded" and stated is None
-        decision = (
-            "undecided"
-            if lacking
-            else decide_prediction(quantiles, limit / factor, 0.0 if stated is None else stated.U)
-        )
-        new = (at_new_targets or prediction.predicted_new_targets).get(name)
+        stated = (uncertainty or {}).get(name) if rule == "guarded" else None
         guard = 0.0 if stated is None else stated.U
+        decision: Decision = "undecided"
+        if rule == "simple" or stated is not None:
+            decision = decide_prediction(magnitude(predicted[name]), limit / factor, guard)
+        new = (elsewhere or {}).get(name)
         if decision == "accept" and new and magnitude(new).p95 + guard > limit / factor:
             decision = "undecided"
         U = None if stated is None else stated.U * factor
@@ -76,8 +113,37 @@ def measured_decisions(
     if names[accepted_index(entry.accept, names)] != result.test.name:
         return {}
     factor = outside_factor(entry.axis.kind.unit)
+    return _measured(entry.accept, result, rule, factor, believed=believed, proven=proven)
+
+
+def measured_circle_decisions(
+    accept: Acceptance | None,
+    result: CircularResult,
+    rule: Literal["simple", "guarded"],
+    *,
+    believed: bool,
+    proven: bool,
+) -> dict[str, AcceptDecision]:
+    """Return the decision about each tolerance of a circle from its test after loading (limits in
+    µm), as `measured_decisions` does.
+    """
+    if accept is None:
+        return {}
+    factor = MICROMETRES_PER_MILLIMETRE
+    return _measured(accept, result, rule, factor, believed=believed, proven=proven)
+
+
+def _measured(
+    accept: Acceptance,
+    result: PositioningResult | CircularResult,
+    rule: Literal["simple", "guarded"],
+    factor: float,
+    *,
+    believed: bool,
+    proven: bool,
+) -> dict[str, AcceptDecision]:
     decisions = {}
-    for name, limit in entry.accept.limits.items():
+    for name, limit in accept.limits.items():
         value = result.parameters.get(name)
         uncertainty = result.uncertainty.get(name) if result.uncertainty else None
         U = uncertainty.U * factor if uncertainty else None
@@ -95,13 +161,15 @@ def measured_decisions(
     return decisions
 
 
+def unguarded(accept: Mapping[str, AcceptDecision]) -> list[str]:
+    """Return the parameters whose guarded decision lacks its uncertainty."""
+    return [name for name, entry in accept.items() if entry.rule == "guarded" and entry.U is None]
+
+
 def lacking_guard(axis: Axis, standard: str, names: Iterable[str]) -> tuple[Finding, ...]:
     """Return what to give for guarded decisions about the parameters ``names``, which have no
     uncertainty (CW-P132).
     """
-    lacking = ", ".join(names)
-    if not lacking:
-        return ()
     if standard == "vdi3441":
         give = (
             "no uncertainty is stated for VDI/DGQ 3441; give decision_rule: simple, or another"
@@ -117,9 +185,25 @@ def lacking_guard(axis: Axis, standard: str, names: Iterable[str]) -> tuple[Find
             "give uncertainty in the job (device.U in µm and what else is known), or decision_rule:"
             " simple"
         )
+    return _without_guard(f"Axis {axis.name}", names, give)
+
+
+def lacking_circle_guard(name: str, accept: Mapping[str, AcceptDecision]) -> tuple[Finding, ...]:
+    """Return what to give for guarded decisions about a circle without uncertainty (CW-P132)."""
+    give = (
+        "give uncertainty.circular in the job (U of the instrument in µm, length, setup, E_VE), or"
+        " decision_rule: simple"
+    )
+    return _without_guard(f"Circle {name}", unguarded(accept), give)
+
+
+def _without_guard(what: str, names: Iterable[str], give: str) -> tuple[Finding, ...]:
+    lacking = ", ".join(names)
+    if not lacking:
+        return ()
     message = (
-        f"Axis {axis.name}: no uncertainty U of {lacking} is known, and the decision is guarded:"
-        f" undecided; {give}."
+        f"{what}: no uncertainty U of {lacking} is known, and the decision is guarded: undecided;"
+        f" {give}."
     )
     return (Finding("CW-P132", "warning", message),)
 
@@ -141,11 +225,20 @@ def check_limits(job: Job, entry: AxisJob, results: tuple[PositioningResult, ...
     if accept is None:
         return
     result = results[accepted_index(accept, tuple(item.test.name for item in results))]
+    raise_all(UsageError, limit_faults(job, accept, result, f"axes.{entry.axis.name}"))
+
+
+def limit_faults(
+    job: Job, accept: Acceptance, result: PositioningResult | CircularResult, place: str
+) -> list[Fault]:
+    """Return a fault for every tolerance on a parameter that ``result`` does not have, and for a
+    guard band of nothing; ``place``: the section of the job.
+    """
     faults = [
         Fault(
             message=f"the test {result.test.name} has no {name} under {result.standard}",
             file=job.file,
-            place=f"axes.{entry.axis.name}.accept.{name}",
+            place=f"{place}.accept.{name}",
             expected=", ".join(
                 key for key, value in result.parameters.items() if value is not None
             ),
@@ -164,7 +257,7 @@ def check_limits(job: Job, entry: AxisJob, results: tuple[PositioningResult, ...
                 found="guarded without an uncertainty",
             )
         )
-    raise_all(UsageError, faults)
+    return faults
 
 
 def accepted_index(accept: Acceptance, names: tuple[str, ...]) -> int:

@@ -6,14 +6,30 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Final, Literal
 
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
 from compwright.records.axis import FloatArray
 from compwright.records.correction_need import REPEAT, need_of, shortfall
+from compwright.records.result import ExpandedUncertainty
 
 Sense = Literal["ccw", "cw"]
+
+#: Parameters by their contract names, in its order.
+CIRCULAR_NAMES: Final = (
+    *("G_ccw", "G_cw", "G_bidirectional", "G_ccw_lsc", "G_cw_lsc", "G_bidirectional_lsc", "H", "D"),
+    *(
+        "F_max_ccw",
+        "F_min_ccw",
+        "F_max_cw",
+        "F_min_cw",
+        "F_max_ccw_lsc",
+        "F_min_ccw_lsc",
+        "F_max_cw_lsc",
+        "F_min_cw_lsc",
+    ),
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -128,7 +144,7 @@ class CircularResult:
     ``centres`` (``ccw``, ``cw``, ``common``): least-squares centres, mm. ``mean_radius_deviation``
     by sense: radius of the least-squares circle minus nominal, mm. ``zone_centres`` and
     ``zone_radii`` (inner, outer) by ``ccw``, ``cw``, ``both``: of the minimum zone, mm, for the
-    plots.
+    plots. ``uncertainty``: of each parameter, None where no contributor is declared.
     """
 
     test: CircularTest
@@ -139,5 +155,6 @@ class CircularResult:
     zone_centres: Mapping[str, tuple[float, float]]
     zone_radii: Mapping[str, tuple[float, float]]
     diagnosis: Diagnosis | None = None
+    uncertainty: Mapping[str, ExpandedUncertainty] | None = None
     not_applicable: Mapping[str, str] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()

@@ -56,3 +56,18 @@ class UncertaintyBudget:
     U_alpha: float = 0.0
     setup: float = 0.0
     E_VE: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CircularBudget:
+    """Contributors to the uncertainty of circular tests (k = 2): instrument ``U`` (a change in
+    length), calibrated ``length`` of the bar and ``setup`` in µm, ``U_theta`` K, ``U_alpha``
+    µm/(m K); ``E_VE`` is a range, µm.
+    """
+
+    U: float = 0.0
+    length: float = 0.0
+    setup: float = 0.0
+    E_VE: float = 0.0
+    U_theta: float = 0.0
+    U_alpha: float = 0.0

@@ -11,7 +11,7 @@ from typing import Literal
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
 from compwright.records.axis import Axis, AxisKind, Motion, PositionMap
-from compwright.records.conditions import Thermal, UncertaintyBudget
+from compwright.records.conditions import CircularBudget, Thermal, UncertaintyBudget
 from compwright.records.drift import DriftRequest
 from compwright.records.fitted import TableRequest
 
@@ -44,18 +44,29 @@ class TestRequest:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Acceptance:
+    """Limits by parameter name in µm or arcsec, for the test ``test`` (None: the first, or the
+    circle that they are given for).
+    """
+
+    limits: Mapping[str, float]
+    test: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class CircleRequest:
     """One circular test: its files (one with both runs, or one per run), its name, and the state it
     was measured in.
 
     ``centre``: machine coordinates, mm: of the two axes of the plane in their order, or of X, Y and
-    Z; None: not said.
+    Z; None: not given. ``accept``: limits in µm.
     """
 
     files: tuple[str, ...]
     name: str
     measured_in: str = "as_found"
     centre: tuple[float, ...] | None = None
+    accept: Acceptance | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -87,14 +98,6 @@ def other_axis(plane: str, bent: str) -> str:
     ``Y``.
     """
     return plane.removesuffix(bent) if plane.endswith(bent) else plane.removeprefix(bent)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Acceptance:
-    """Limits by parameter name in µm or arcsec, for the test ``test`` (None: the first)."""
-
-    limits: Mapping[str, float]
-    test: str | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -175,6 +178,7 @@ class Job:
     fixed_positions: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     uncertainty: UncertaintyBudget | None = None
     uncertainty_rotary: UncertaintyBudget | None = None
+    uncertainty_circular: CircularBudget | None = None
     drifts: Mapping[AxisKind, DriftRequest] = field(default_factory=dict)
     sources: tuple[Source, ...] = ()
     thermal: Thermal | None = None

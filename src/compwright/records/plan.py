@@ -11,7 +11,7 @@ from typing import Literal
 from compwright.foundations.provenance import Source
 from compwright.records.axis import Axis, AxisKind, FloatArray, Motion
 from compwright.records.circular import CircularTest
-from compwright.records.conditions import UncertaintyBudget
+from compwright.records.conditions import CircularBudget, UncertaintyBudget
 from compwright.records.correction import (
     Assumption,
     AxisCompensation,
@@ -70,12 +70,15 @@ class PlannedAxis:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedCircle:
     """A circular test as it went into the plan, the state that was active, and its centre (mm,
-    machine coordinates).
+    machine coordinates). ``accept``, ``budget``: its limits and what the job declared of
+    uncertainty.
     """
 
     test: CircularTest
     measured_in: str
     centre: tuple[float, float]
+    accept: Acceptance | None = None
+    budget: CircularBudget | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

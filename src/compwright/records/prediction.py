@@ -42,21 +42,6 @@ class TestPrediction:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CirclePrediction:
-    """One circular test: what it showed, what it would have shown with the new tables, and what a
-    fresh one will show.
-
-    ``predicted``: parameters by their contract names, mm; ``causes``: diagnosis by its contract
-    names, in the contract's units.
-    """
-
-    before: CircularResult
-    expected: CircularResult
-    predicted: Mapping[str, Quantiles]
-    causes: Mapping[str, Quantiles]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class AcceptDecision:
     """A tolerance of the job against a prediction or a result. ``limit``, ``value`` and ``U`` in µm
     or arcsec.
@@ -71,6 +56,22 @@ class AcceptDecision:
     U: float | None = None
     test: str | None = None
     rule: Literal["simple", "guarded"] = "simple"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CirclePrediction:
+    """One circular test: what it showed, what it would have shown with the new tables, and what a
+    fresh one will show.
+
+    ``predicted``: parameters by their contract names, mm; ``causes``: diagnosis by its contract
+    names, in the contract's units.
+    """
+
+    before: CircularResult
+    expected: CircularResult
+    predicted: Mapping[str, Quantiles]
+    causes: Mapping[str, Quantiles]
+    accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -125,7 +125,7 @@ def _content(card: Document) -> dict[str, Any]:
         },
         "doubts": doubts(card.get("doubts")),
         "acknowledged": acknowledged(card.get("acknowledged")),
-        "limits": _limits(card.get("limits") or {}),
+        "limits": _limits(card.get("limits") or {}, card.get("circle_limits") or {}),
         "unconfirmed": [plain(text) for text in card.get("unconfirmed") or []],
         "steps": [_step(step) for step in card.get("steps") or []],
         "axes": [_axis_content(axis) for axis in card.get("axes") or []],
@@ -137,15 +137,17 @@ def _content(card: Document) -> dict[str, Any]:
     }
 
 
-def _limits(axes: Document) -> list[str]:
-    """Return a sentence for each limit of the prediction's axes, then the rule where it is the
-    guarded one.
+def _limits(axes: Document, circles: Document) -> list[str]:
+    """Return a sentence for each limit of the prediction's axes and circles, then the rule where it
+    is the guarded one.
     """
     told = []
-    for name, axis in axes.items():
-        unit, accept = unit_text(axis.get("unit", "um")), axis.get("accept") or {}
+    limited = [(f"Axis {name}", axis, axis.get("unit", "um")) for name, axis in axes.items()]
+    limited += [(f"Circle {name}", circle, "um") for name, circle in circles.items()]
+    for name, its, its_unit in limited:
+        unit, accept = unit_text(its_unit), its.get("accept") or {}
         told += [
-            f"Axis {name}: {symbol(key)} {plain(entry['limit'])} {unit}: {entry['decision']}."
+            f"{name}: {symbol(key)} {plain(entry['limit'])} {unit}: {entry['decision']}."
             for key, entry in accept.items()
         ]
         told += rule_lines(accept, unit)

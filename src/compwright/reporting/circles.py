@@ -9,7 +9,7 @@ from typing import Any, Final
 
 from compwright.reporting import sections
 from compwright.reporting.causes import ranked_causes
-from compwright.reporting.numbers import number, plain
+from compwright.reporting.numbers import number, plain, symbol
 from compwright.reporting.page import inline_figure
 from compwright.reporting.polar import polar_figure
 from compwright.reporting.sections import Document
@@ -48,6 +48,7 @@ def circle_blocks(
                 "anchor": f"circle-{index}",
                 "figure": (None if shown is None else circle_figure(shown, f"circle{index}", name)),
                 "table": _table(circle, result),
+                "rule": rules(circle),
                 "findings": sections.findings(
                     circle.get("findings") or (result or {}).get("findings")
                 ),
@@ -59,6 +60,47 @@ def circle_blocks(
 def circle_figure(result: Document, prefix: str, name: str) -> Any:
     """Return the picture of a circular result as markup; ``prefix`` makes its ids its own."""
     return inline_figure(polar_figure(result), prefix=prefix, description=f"circular test {name}")
+
+
+def limit_rows(circles: Mapping[str, Document]) -> list[dict[str, Any]]:
+    """Return a row of the verdict for each limit of each circle of a prediction or verification
+    document.
+    """
+    return [
+        _limit_row(index, name, circle, key)
+        for index, (name, circle) in enumerate(circles.items(), 1)
+        for key in circle.get("accept") or {}
+    ]
+
+
+def _limit_row(index: int, name: str, circle: Document, key: str) -> dict[str, Any]:
+    before, band, limit = (
+        circle["before"].get(key),
+        circle["predicted"].get(key),
+        circle["accept"][key],
+    )
+    after = (circle.get("after") or {}).get(key)
+    # The table of a verification has a column for the unit.
+    unit = "" if "after" in circle else " µm"
+    return {
+        "axis": f"Circle {plain(name)}",
+        "anchor": f"circle-{index}",
+        "loading": {"tone": "none", "text": "circular test"},
+        "symbol": symbol(key),
+        "before": f"{number(before)}{unit}",
+        "unit": "µm",
+        "median": f"{sections.median_text(band)}{unit}",
+        "spread": sections.spread_text(band),
+        "after": number(after),
+        "limit": f"{number(limit['limit'])}{unit}",
+        "mark": sections.decision_mark(limit["decision"]),
+        "bar": sections.bar(before, band, limit["limit"], after),
+    }
+
+
+def rules(circle: Document) -> list[str]:
+    """Return by which rule the limits of a circle were decided where it is the guarded one."""
+    return sections.rule_lines(circle.get("accept") or {}, "µm", after="after" in circle)
 
 
 def _by_name(evaluation: Document | None) -> dict[str, Document]:
@@ -74,19 +116,34 @@ def _table(circle: Document, result: Document | None) -> dict[str, Any]:
         circle.get("predicted") or {},
         circle.get("after"),
     )
+    limits, stated = circle.get("accept") or {}, (result or {}).get("uncertainty") or {}
     causes = [] if result is None else ranked_causes(result)[:_MOST_CAUSES]
     names = [
-        (name, name.replace("_", " "), "µm") for name in _PARAMETERS if before.get(name) is not None
+        (name, name.replace("_", " "), "µm")
+        for name in dict.fromkeys((*_PARAMETERS, *limits))
+        if before.get(name) is not None
     ]
     names += [(cause.name, cause.words, cause.unit_text) for cause in causes]
     rows = []
     for name, words, unit in names:
         band = predicted.get(name) or {}
         spread = f"{number(band.get('p05'))} to {number(band.get('p95'))}" if band else ""
-        row = [words, unit, number(before.get(name)), number(band.get("median")), spread]
-        rows.append(row if after is None else [*row, number(after.get(name))])
-    heads = sections.heads(
-        "Quantity", "Unit", ("Before", ""), ("Predicted", "median"), ("Predicted", "5–95 %")
-    )
+        row = [words, unit, number(before.get(name))]
+        row += [number(stated[name]["U"]) if name in stated else ""] if stated else []
+        row += [number(band.get("median")), spread]
+        row += [] if after is None else [number(after.get(name))]
+        rows.append([*row, *_decision(limits.get(name))] if limits else row)
+    heads = [
+        *sections.heads("Quantity", "Unit", ("Before", "")),
+        *(sections.heads(("U", "k = 2")) if stated else []),
+        *sections.heads(("Predicted", "median"), ("Predicted", "5–95 %")),
+    ]
     heads = heads if after is None else [*heads, *sections.heads(("After", ""))]
+    heads += sections.heads(("Limit", ""), "Decision") if limits else []
     return {"title": "", "heads": heads, "rows": rows}
+
+
+def _decision(limit: Document | None) -> list[str]:
+    if limit is None:
+        return ["", ""]
+    return [number(limit["limit"]), sections.decision_mark(limit["decision"])["text"]]

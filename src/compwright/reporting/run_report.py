@@ -19,7 +19,7 @@ from compwright.foundations.side_by_side import Each, in_turn
 from compwright.reporting import paper, sections
 from compwright.reporting.axis_report import axis_block
 from compwright.reporting.card import changes_content
-from compwright.reporting.circles import circle_blocks
+from compwright.reporting.circles import circle_blocks, limit_rows, rules
 from compwright.reporting.numbers import (
     number,
     plain,
@@ -55,7 +55,7 @@ def run_report(view: Document, each: Each = in_turn) -> bytes:
             "doubts": sections.doubts(prediction.get("doubts")),
             "acknowledged": sections.acknowledged(prediction.get("acknowledged")),
             "done": _what_was_done(view, axes),
-            "verdict": _run_verdict(view, axes, predicted),
+            "verdict": _run_verdict(view, axes, predicted, prediction.get("circles") or {}),
             "axes": blocks,
             "findings": remaining(view, blocks, view.get("evaluation")),
             "circles": circle_blocks(prediction.get("circles") or {}, view.get("evaluation")),
@@ -103,16 +103,18 @@ def _list_of(names: Iterable[object]) -> str:
     return " and ".join(filter(None, [", ".join(words[:-1]), *words[-1:]])) or "none"
 
 
-def _run_verdict(view: Document, axes: Document, predicted: Document) -> dict[str, Any]:
+def _run_verdict(
+    view: Document, axes: Document, predicted: Document, circles: Document
+) -> dict[str, Any]:
     rows = [
         row
         for index, name in enumerate(axes, 1)
         for row in _run_rows(index, name, axes[name], predicted.get(name) or {}, view)
-    ]
+    ] + limit_rows(circles)
     decisions = [
         entry.get("decision")
-        for name in axes
-        for entry in ((predicted.get(name) or {}).get("accept") or {}).values()
+        for one in (*(predicted.get(name) or {} for name in axes), *circles.values())
+        for entry in (one.get("accept") or {}).values()
     ]
     refused = {name: plain(axis["refused"]) for name, axis in axes.items() if axis.get("refused")}
     why = " ".join(f"Axis {name}: {reason.rstrip('.')}." for name, reason in refused.items())
@@ -138,17 +140,20 @@ def _run_verdict(view: Document, axes: Document, predicted: Document) -> dict[st
         tone, text = "good", "All limits are predicted to be met"
     else:
         tone, text = "open", "Predicted result; no limits were given to decide against"
-    return {"tone": tone, "text": text, "why": why, "rows": rows, "rule": _rule(predicted)}
+    return {"tone": tone, "text": text, "why": why, "rows": rows, "rule": _rule(predicted, circles)}
 
 
-def _rule(predicted: Document) -> str:
-    """Return by which rule the limits were decided, with the guard bands of every axis."""
+def _rule(predicted: Document, circles: Document) -> str:
+    """Return by which rule the limits were decided, with the guard bands of every axis and
+    circle.
+    """
     limits = {name: axis.get("accept") or {} for name, axis in predicted.items()}
     lines = [
         line
         for name, accept in limits.items()
         for line in sections.rule_lines(accept, unit_text(predicted[name].get("unit", "um")))
     ]
+    lines += [line for circle in circles.values() for line in rules(circle)]
     return " ".join(dict.fromkeys(lines)) or paper.NO_LIMITS
 
 

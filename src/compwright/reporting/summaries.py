@@ -166,12 +166,13 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
     """
     shown: list[RenderableType] = []
     for name, circle in circles.items():
-        after = circle.get("after")
+        after, accept = circle.get("after"), circle.get("accept") or {}
         table = plain_table()
         table.add_column("", no_wrap=True)
-        for heading in ("before", "predicted", "5 to 95 %", *(["after"] if after else []), ""):
+        headings = ["before", "predicted", "5 to 95 %", *(["after"] if after else []), ""]
+        for heading in (*headings, *(["limit", ""] if accept else [])):
             table.add_column(heading, justify="right", no_wrap=True)
-        for key, unit in _OF_CIRCLES.items():
+        for key, unit in {**_OF_CIRCLES, **dict.fromkeys(accept, "µm")}.items():
             value, band = circle["before"].get(key), (circle.get("predicted") or {}).get(key)
             if value is None:
                 continue
@@ -181,10 +182,12 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
                 else [MISSING, ""]
             )
             measured = [MISSING if after.get(key) is None else number(after[key])] if after else []
-            table.add_row(key.replace("_", " "), number(value), *cells, *measured, unit)
+            limit = _decision(accept.get(key)) if accept else ()
+            table.add_row(key.replace("_", " "), number(value), *cells, *measured, unit, *limit)
         shown += [
             Rule(Text(f"circle {name}", style="bold"), align="left", characters="─"),
             table,
+            *(Text(line) for line in rule_lines(accept, "µm", after=after is not None)),
             Text(),
         ]
     return shown

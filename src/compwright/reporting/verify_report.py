@@ -10,7 +10,7 @@ from typing import Any
 
 from compwright.reporting import paper, sections
 from compwright.reporting.axis_figures import before_after_figure
-from compwright.reporting.circles import circle_blocks
+from compwright.reporting.circles import circle_blocks, limit_rows
 from compwright.reporting.numbers import number, plain, symbol, unit_text
 from compwright.reporting.page import render_page
 from compwright.reporting.page_parts import anchor, common, paper_content, remaining
@@ -34,7 +34,7 @@ def verify_report(view: Document) -> bytes:
         row
         for index, (name, axis) in enumerate(axes.items(), 1)
         for row in _verify_rows(index, name, axis, _verify_unit(name, view))
-    ]
+    ] + limit_rows(verification.get("circles") or {})
     blocks = [
         _verify_axis(index, name, axis, view) for index, (name, axis) in enumerate(axes.items(), 1)
     ]

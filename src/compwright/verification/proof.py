@@ -13,13 +13,13 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from itertools import combinations
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, TypeVar
 
 from compwright.evaluation.repeats import NamedTest, same_measurement
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import share_a_file
-from compwright.records.circular import CircularTest
-from compwright.records.conditions import UncertaintyBudget
+from compwright.records.circular import CircularResult, CircularTest
+from compwright.records.conditions import CircularBudget, UncertaintyBudget
 from compwright.records.job import Job
 from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
@@ -66,6 +66,22 @@ def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
         if mine != entry.accept:
             was, now = (_limits(accept) for accept in (entry.accept, mine))
             yield _changed(f"the limits of axis {name} were {was}, now they are {now}")
+    yield from _changed_circles(job, plan)
+
+
+def _changed_circles(job: Job, plan: Plan) -> Iterator[Finding]:
+    asked = {request.name: request.accept for request in job.circles}
+    for name, circle in plan.circles.items():
+        if asked.get(name) != circle.accept:
+            was, now = _limits(circle.accept), _limits(asked.get(name))
+            yield _changed(f"the limits of circle {name} were {was}, now they are {now}")
+    budgets = {circle.budget for circle in plan.circles.values() if circle.accept is not None}
+    for was_budget in budgets - {job.uncertainty_circular}:
+        was, now = (
+            _budget(was_budget, job.uncertainty_circular),
+            _budget(job.uncertainty_circular, was_budget),
+        )
+        yield _changed(f"the declared uncertainty of circular tests was {was}, now it is {now}")
 
 
 def _changed_budgets(job: Job, plan: Plan) -> Iterator[Finding]:
@@ -78,11 +94,14 @@ def _changed_budgets(job: Job, plan: Plan) -> Iterator[Finding]:
             yield _changed(f"{of} was {_budget(was, now)}, now it is {_budget(now, was)}")
 
 
-def _budget(one: UncertaintyBudget | None, other: UncertaintyBudget | None) -> str:
+_Budget = TypeVar("_Budget", UncertaintyBudget, CircularBudget)
+
+
+def _budget(one: _Budget | None, other: _Budget | None) -> str:
     """Return in words what of one budget is not in the other."""
     if one is None:
         return "none"
-    beside = asdict(other or UncertaintyBudget())
+    beside = asdict(other or type(one)())
     told = [f"{name} {value:g}" for name, value in asdict(one).items() if value != beside[name]]
     return ", ".join(told) or "none"
 
@@ -130,6 +149,12 @@ def not_measured(
                 yield _missing(
                     about, f"Measure as for {meant} and give it as --after {meant}=FILE."
                 )
+    for name, circle in plan.circles.items():
+        if circle.accept is not None and name not in circles:
+            yield _missing(
+                f"circle {name} has limits and was not measured after loading",
+                f"Measure it again and give it as --after {name}=FILE.",
+            )
     yield from _circles_missing(plan, circles)
 
 
@@ -176,7 +201,7 @@ def _missing(what: str, measure: str) -> Finding:
     )
 
 
-def doubts_after(after: PositioningResult) -> tuple[Finding, ...]:
+def doubts_after(after: PositioningResult | CircularResult) -> tuple[Finding, ...]:
     """Return the doubts about the readings of a test after loading."""
     return tuple(
         finding
@@ -186,8 +211,8 @@ def doubts_after(after: PositioningResult) -> tuple[Finding, ...]:
 
 
 def doubted(
-    after: PositioningResult,
-    before: PositioningResult,
+    after: PositioningResult | CircularResult,
+    before: PositioningResult | CircularResult,
     acknowledged: Collection[Finding],
     *,
     guarded: bool,

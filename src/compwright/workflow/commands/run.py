@@ -18,6 +18,7 @@ from compwright.foundations.utf8 import encoded
 from compwright.jobs.assumed_job import assumed_job, assumed_of
 from compwright.records.correction import Assumption
 from compwright.records.job import Job
+from compwright.records.prediction import AxisPrediction, CirclePrediction
 from compwright.workflow.inputs.handed_over import files_of_job, given_job
 from compwright.workflow.results.recorded import folders_of_copies, known_results, recorded_run
 from compwright.workflow.results.result_files import NO_STATE, PLAN, Results, result_files
@@ -213,10 +214,10 @@ def _exit_code(finished: Finished) -> int:
     failed = any(
         finding.severity == "error" or finding.code == "CW-P131" for finding in finished.findings
     )
-    decisions = [
-        entry.decision
-        for axis in finished.predicted.axes.values()
-        for entry in axis.accept.values()
+    predicted: list[AxisPrediction | CirclePrediction] = [
+        *finished.predicted.axes.values(),
+        *finished.predicted.circles.values(),
     ]
+    decisions = [entry.decision for one in predicted for entry in one.accept.values()]
     failed = failed or bool(finished.doubts.open)
     return 1 if failed or any(decision != "accept" for decision in decisions) else 0

@@ -197,7 +197,7 @@ def _verified(
         )
         for test in tests
     }
-    circles = verify_circles(session, plan, circle_files, as_found, states)
+    circles = verify_circles(session, job, plan, circle_files, as_found, states)
     measured = {name: circle.after.test for name, circle in circles.items()}
     general = [
         *changed_limits(job, plan),
@@ -315,12 +315,13 @@ def _verdict(
     act.
     """
     squareness = squareness_decisions(circles)
-    findings = [finding for axis in axes.values() for finding in axis.findings]
+    tested: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *circles.values()]
+    findings = [finding for one in tested for finding in one.findings]
     if any(finding.severity == "error" for finding in findings):
         return "bad"
     return overall_verdict(
         [
-            *(entry.decision for axis in axes.values() for entry in axis.accept.values()),
+            *(entry.decision for one in tested for entry in one.accept.values()),
             *squareness,
         ],
         [axis.loading["verdict"] for axis in axes.values()] or ["loaded" for _ in squareness],

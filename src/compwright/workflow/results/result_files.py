@@ -123,6 +123,7 @@ def _card(finished: Finished, prediction: Mapping[str, Any]) -> Mapping[str, Any
         "doubts": prediction["doubts"],
         "acknowledged": prediction["acknowledged"],
         "limits": prediction["axes"],
+        "circle_limits": prediction["circles"],
     }
 
 

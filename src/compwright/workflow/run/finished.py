@@ -11,6 +11,7 @@ from compwright.jobs.idle_keys import unused_acknowledgements
 from compwright.planning.axes import AxisWork
 from compwright.planning.circles import worse_circles
 from compwright.planning.doubts import Doubts, Noticed, doubts_among, undecided
+from compwright.planning.limits import lacking_circle_guard
 from compwright.records.correction import Assumption
 from compwright.records.plan import Plan
 from compwright.workflow.run.fitted import Fitted
@@ -78,13 +79,21 @@ class Finished:
         return doubts_of([*still, *(one for one in self.findings if one.code in RESULTS)])
 
     def decided(self) -> Finished:
-        """Return the job without a decision about the axes of which a doubt is open."""
+        """Return the job without a decision about the axes and circles of which a doubt is open."""
         doubts = self.doubts
         axes = {
             name: replace(axis, accept=undecided(axis.accept)) if doubts.about(name) else axis
             for name, axis in self.predicted.axes.items()
         }
-        return replace(self, predicted=replace(self.predicted, axes=axes))
+        circles = {
+            name: (
+                replace(circle, accept=undecided(circle.accept))
+                if doubts.about_circle(name, circle.before.test.axes)
+                else circle
+            )
+            for name, circle in self.predicted.circles.items()
+        }
+        return replace(self, predicted=replace(self.predicted, axes=axes, circles=circles))
 
     def _noticed(self) -> list[Noticed]:
         """Return what was noticed beside the findings of tests and circles."""
@@ -104,6 +113,11 @@ class Finished:
             *map(Noticed, self.written.findings),
             *map(self._of_control, self.predicted.findings),
             *map(Noticed, worse_circles(self.predicted.circles)),
+            *(
+                Noticed(finding, frozenset(circle.before.test.axes), name)
+                for name, circle in self.predicted.circles.items()
+                for finding in lacking_circle_guard(name, circle.accept)
+            ),
         ]
 
     def _of_control(self, finding: Finding) -> Noticed:
@@ -144,6 +158,7 @@ class Finished:
             Noticed(
                 replace(finding, message=f"Circle {work.name}: {finding.message}"),
                 frozenset(taking & set(work.result.test.axes)),
+                work.name,
             )
             for work in self.wanted.circles
             for finding in work.result.findings

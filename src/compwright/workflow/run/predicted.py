@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from compwright.controls.acting import acting, applied_of
 from compwright.controls.decoded import DecodedState
@@ -13,6 +13,7 @@ from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning import axis_tasks
 from compwright.planning.axes import AxisWork
 from compwright.planning.circles import CircleWork, predicted_circle
+from compwright.planning.limits import circle_decisions
 from compwright.planning.outlook import yardstick
 from compwright.prediction.acting import IDLE, Acting, Correction
 from compwright.records.job import AS_FOUND
@@ -78,7 +79,9 @@ def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
 def _circle(work: CircleWork, measured: Measured, then: Acting) -> CirclePrediction:
     """Predict a circle from the state it was measured in to what acts after loading."""
     during = measured.acting.get(work.planned.measured_in, IDLE)
-    return predicted_circle(work.result, work.planned, during, then)
+    prediction = predicted_circle(work.result, work.planned, during, then)
+    rule = measured.job.decision_rule
+    return replace(prediction, accept=circle_decisions(work.planned.accept, prediction, rule))
 
 
 def _acting_then(measured: Measured, fitted: Fitted, written: Written) -> Acting:

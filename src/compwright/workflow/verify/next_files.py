@@ -251,6 +251,7 @@ def _circles(
                 "name": request.name,
                 "measured_in": state if again is None else AS_FOUND,
                 **({} if request.centre is None else {"centre": list(request.centre)}),
+                **({} if request.accept is None else {"accept": dict(request.accept.limits)}),
             }
         )
     return found

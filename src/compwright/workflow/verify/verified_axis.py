@@ -20,7 +20,7 @@ from compwright.planning.axes import evaluated
 from compwright.planning.declared import fresh_slope
 from compwright.planning.fresh import Like
 from compwright.planning.guard import guard_bands
-from compwright.planning.limits import lacking_guard, measured_decisions
+from compwright.planning.limits import lacking_guard, measured_decisions, unguarded
 from compwright.planning.motions import with_motion
 from compwright.planning.outlook import predict_same_targets
 from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
@@ -150,10 +150,9 @@ def _judged(
         and all(each in acknowledged for each in readings),
         proven=not lacking,
     )
-    unknown = [name for name, entry in accept.items() if guarded and entry.U is None]
     return (
         accept,
-        (*lacking, *lacking_guard(axis, result.standard, unknown)),
+        (*lacking, *lacking_guard(axis, result.standard, unguarded(accept))),
         tuple(Acknowledged(each, given) for each, given in acknowledged.items()),
     )
 

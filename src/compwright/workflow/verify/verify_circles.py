@@ -23,7 +23,9 @@ from compwright.foundations.errors import (
     collect,
     raise_all,
 )
+from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import MEASUREMENT
+from compwright.foundations.provenance import share_a_file
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_reading import is_circular, read_circular
@@ -32,13 +34,18 @@ from compwright.planning.circles import (
     effect_of,
     in_job_names,
     predicted_circle,
+    with_uncertainty,
 )
 from compwright.planning.diagnosed import diagnosed_circle
+from compwright.planning.limits import lacking_circle_guard, measured_circle_decisions
 from compwright.planning.stated import SIGNIFICANT
 from compwright.prediction.acting import Acting, added
 from compwright.records.axis import Axis
-from compwright.records.circular import CircularTest
+from compwright.records.circular import CircularResult, CircularTest
+from compwright.records.job import Acknowledged, Job
 from compwright.records.plan import Plan, PlannedCircle
+from compwright.records.prediction import AcceptDecision
+from compwright.verification.proof import doubted, doubts_after
 from compwright.workflow.inputs.circles import read_circle
 
 
@@ -115,6 +122,7 @@ def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
 
 def verify_circles(
     session: Session,
+    job: Job,
     plan: Plan,
     files: Mapping[str, Sequence[Path]],
     as_found: DecodedState,
@@ -133,7 +141,7 @@ def verify_circles(
                 read_circle(session, list(paths), name), plan.circles[name].test.axes
             )
             during = acting(states.get(plan.circles[name].measured_in), axes)
-            verified[name] = _verified(plan, plan.circles[name], test, during, then)
+            verified[name] = _verified(job, plan, plan.circles[name], test, during, then)
         except InputError as error:
             errors.append(error)
     raise_all(InputError, collect(errors))
@@ -141,11 +149,20 @@ def verify_circles(
 
 
 def _verified(
-    plan: Plan, circle: PlannedCircle, after: CircularTest, during: Acting, then: Acting
+    job: Job,
+    plan: Plan,
+    circle: PlannedCircle,
+    after: CircularTest,
+    during: Acting,
+    then: Acting,
 ) -> VerifiedCircle:
-    before = diagnosed_circle(circle.test, CIRCULAR_STANDARD)
+    before, result = (
+        with_uncertainty(
+            diagnosed_circle(test, CIRCULAR_STANDARD), job.uncertainty_circular, job.thermal
+        )
+        for test in (circle.test, replace(after, name=circle.test.name))
+    )
     prediction = predicted_circle(before, circle, during, then)
-    result = diagnosed_circle(replace(after, name=circle.test.name), CIRCULAR_STANDARD)
     corrected = (entry for entry in plan.cross if entry.written and entry.source == "circle")
     bent = next((entry for entry in corrected if entry.pair == frozenset(circle.test.axes)), None)
     check = None
@@ -159,7 +176,48 @@ def _verified(
                 U=SIGNIFICANT * error,
                 corrected=1e6 * bent.squareness,
             )
-    return VerifiedCircle(prediction=prediction, after=result, squareness=check)
+    accept, lacking, acknowledged = _judged(job, before, result)
+    return VerifiedCircle(
+        prediction=prediction,
+        after=result,
+        squareness=check,
+        accept=accept,
+        acknowledged=acknowledged,
+        findings=lacking,
+    )
+
+
+def _judged(
+    job: Job, before: CircularResult, result: CircularResult
+) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
+    """Return the decisions about a circle after loading, by parameter, what speaks against its
+    test, and the doubts that the job acknowledges; nothing of a circle without limits.
+    """
+    name, rule = result.test.name, job.decision_rule
+    limits = next((one.accept for one in job.circles if one.name == name), None)
+    if limits is None:
+        return {}, (), ()
+    readings = doubts_after(result)
+    by = {
+        each: given
+        for each in readings
+        for axis in result.test.axes
+        if (given := job.acknowledgement(each.code, axis)) is not None
+    }
+    lacking = tuple(doubted(result, before, by, guarded=rule == "guarded"))
+    accept = measured_circle_decisions(
+        limits,
+        result,
+        rule,
+        believed=all(each in by for each in readings)
+        and not share_a_file(before.test.sources, result.test.sources),
+        proven=not lacking,
+    )
+    return (
+        accept,
+        (*lacking, *lacking_circle_guard(name, accept)),
+        tuple(Acknowledged(each, given) for each, given in by.items()),
+    )
 
 
 def squareness_decisions(circles: Mapping[str, VerifiedCircle]) -> list[Decision]:

@@ -1,0 +1,50 @@
+"""Measurement uncertainty of the parameters of a circular test, k = 2.
+
+ISO 230-4:2005 refers to ISO/TR 230-9 for the uncertainty. Neither text was at hand: which of the
+contributors they name, and with which coefficients they combine them, is not known here. What is
+combined here (GUM) are the contributors that the job declares, by the definitions of G, H, F and D:
+
+- instrument: its certificate, of a change in length (µm); in every parameter
+- length of the bar: its calibration (µm); in F and D alone, which refer to the nominal radius
+  (DIN ISO 230-4:1999, 3.4 note 3 and 4.5)
+- temperature and coefficient of expansion, over the radius; in F and D alone (4.1)
+- set-up: mounting the instrument again (µm); in every parameter
+- environmental variation: range E_VE of the reading of a machine at rest over the time of the
+  test. A parameter moves by no more than this range: as a range, E_VE / sqrt(3) expanded
+
+The repeatability of the machine is not part of U, as in ISO 230-2:2006 annex A.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Final
+
+from compwright.evaluation.uncertainty import COVERAGE, FROM_RANGE, thermal_contributions
+from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
+from compwright.records.circular import CircularTest
+from compwright.records.conditions import CircularBudget, Thermal
+from compwright.records.result import ExpandedUncertainty
+
+#: Decimals of mm: below, only the rounding of sums is left.
+_DIGITS: Final = 12
+
+
+def circular_uncertainties(
+    test: CircularTest, names: Iterable[str], budget: CircularBudget, thermal: Thermal | None
+) -> dict[str, ExpandedUncertainty]:
+    """Return U (mm, k = 2) of each of the parameters ``names``. ``thermal``: temperature and
+    coefficient of the machine; without it the coefficient is that of steel, and the term of U_alpha
+    is missing.
+    """
+    radius = test.nominal_radius / 1000.0  # m
+    of_length = thermal_contributions(radius, budget.U_theta, budget.U_alpha, thermal)
+    form = (budget.U, budget.setup, FROM_RANGE * budget.E_VE)
+    size = (*form, budget.length, *(COVERAGE * one.standard for one in of_length))
+    U_form, U_size = (
+        round(math.hypot(*terms) / MICROMETRES_PER_MILLIMETRE, _DIGITS) for terms in (form, size)
+    )
+    return {
+        name: ExpandedUncertainty(U_size if name[0] in "FD" else U_form, COVERAGE) for name in names
+    }
