@@ -41,7 +41,7 @@ def test_the_keys_are_the_contracts() -> None:
         == KEYS
     )
     got = document(evaluate_circle(measured(perfect)))
-    assert set(got) == KEYS | {"set_up", "minimum_zone", "runs", "header"}
+    assert set(got) == KEYS | {"set_up", "minimum_zone", "runs", "header", "uncertainty"}
     assert tuple(got["parameters"]) == CIRCULAR_NAMES
 
 
