@@ -99,7 +99,7 @@ def _limit_row(index: int, name: str, circle: Document, key: str) -> dict[str, A
 
 
 def rules(circle: Document) -> list[str]:
-    """Return by which rule the limits of a circle were decided where it is the guarded one."""
+    """Return by which rule the limits of a circle were decided; empty without limits."""
     return sections.rule_lines(circle.get("accept") or {}, "µm", after="after" in circle)
 
 
