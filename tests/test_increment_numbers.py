@@ -182,7 +182,7 @@ def test_numbers_in_use_are_all_but_one_s_own() -> None:
     assert used_numbers(state, ["1"]) == [range(100, 104), range(28, 29), range(38, 39)]
     both = [range(20, 28), range(30, 38)]
     assert [one for one in used_numbers(state, ["2"]) if len(one) > 1] == both
-    assert used_numbers(None, ["1"]) == []
+    assert used_numbers(ControlState(format="fanuc-30i", axes={}), ["1"]) == []
 
 
 def place(*used: range, highest: int = HIGHEST, reference: int | None = 23) -> NumberPlace:

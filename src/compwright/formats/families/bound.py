@@ -12,13 +12,12 @@ from compwright.formats.definition.schema import Choice, Definition, OptionRule
 from compwright.formats.text.addresses import normal_address
 from compwright.formats.text.scale import NumberScale
 from compwright.records.axis import Axis
-from compwright.records.correction import Assumption, AxisCompensation, ControlState
-from compwright.records.facts import AxisFacts
+from compwright.records.correction import Assumption, ControlState
 
 
 class Bound:
-    """A definition bound to its options and to a ``state``: what the control's own files said; None
-    before they are read.
+    """A definition bound to its options and to a ``state``: what the control's own files said;
+    nothing before they are read.
 
     Raises UsageError for a wrong option, or one that contradicts the control's files.
     """
@@ -33,7 +32,7 @@ class Bound:
     ) -> None:
         self.definition = definition
         self.given = given
-        self.state = state
+        self.state = state or ControlState(format=definition.id, axes={})
         self.options = resolve_options(definition, given, state, strict=strict)
 
     def in_state(self, state: ControlState | None, *, strict: bool = False) -> Self:
@@ -61,23 +60,15 @@ class Bound:
         """
         return axis_options(self.definition, self.options, axis, unit_needed=unit_needed)
 
-    def facts_of(self, address: str) -> AxisFacts:
-        """Return what the control's own files say of an axis; nothing before they are read."""
-        return AxisFacts() if self.state is None else self.state.facts_of(address)
-
     def grid_there(self, axis: Axis) -> tuple[float, ...]:
         """Return the nodes (ascending, mm or deg) of the table that the control's own files hold
         for an axis, whether it acts or not; none where they hold none.
         """
         address, _ = self.address(axis)
-        acting = None if self.state is None else self.state.axes.get(address)
+        acting = self.state.axes.get(address)
         if acting is not None and acting.positions.size > 1:
             return tuple(float(node) for node in acting.positions)
-        return self.facts_of(address).grid
-
-    def stays(self, address: str) -> tuple[AxisCompensation, ...]:
-        """Return which tables of an axis stay beside whatever is written for it."""
-        return () if self.state is None else self.state.stays.get(address, ())
+        return self.state.facts_of(address).grid
 
     def scale_of(self, axis: Axis) -> NumberScale:
         """Return how numbers of an axis are written; choices are those that its options ask for."""

@@ -186,10 +186,9 @@ class Family(Bound, ABC):
 
     def _new_names(self, axis: Axis) -> set[str]:
         """Return what new files of ``axis`` and of all axes of the state are called."""
-        others = self.state.axes if self.state is not None else ()
         return {
             name
-            for address in (self.address(axis)[0], *others)
+            for address in (self.address(axis)[0], *self.state.axes)
             for stem in (address, self.file_stem(address))
             for name in self._file_names(replace(axis, address=stem)).values()
         }
@@ -207,7 +206,7 @@ class Family(Bound, ABC):
 
     def file_stem(self, address: str) -> str:
         """Return what stands in the names of new files for an axis at ``address``."""
-        return self.facts_of(address).machine_name or address
+        return self.state.facts_of(address).machine_name or address
 
     def partner_sheet(self, leading: str, address: str) -> str:
         """Return whose name the sheet of a gantry's synchronised axis bears, by the name of the
@@ -227,7 +226,7 @@ class Family(Bound, ABC):
             self.definition.limit(limit) is not None for limit in ("points_reserved", "max_points")
         )
         needed = int(table.positions.size)
-        room = self.facts_of(table.address).said.get("max_points", 0)
+        room = self.state.facts_of(table.address).said.get("max_points", 0)
         one_curve = np.array_equal(table.positive, table.negative)
         there = one_curve and isinstance(room, int) and room >= needed
         return needed if reserves and not there else None

@@ -125,7 +125,7 @@ def _by_line(family: Family, asked: BetweenRequest, entry: PlannedCross) -> str:
     axis, linear = asked.axes.get(entry.output), _parameter(family, "slope")
     if axis is None:
         return ""
-    old = None if family.state is None else family.state.axes.get(axis.address)
+    old = family.state.axes.get(axis.address)
     if family.options_of(axis).get("method") == "line":
         why = f"the job corrects {axis.name} by {linear} (method: line)"
     elif entry.output not in asked.tabled and old is not None and old.slope != 0.0:

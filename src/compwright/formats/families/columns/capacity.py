@@ -41,9 +41,9 @@ def columns_capacity(control: Family, axis: Axis) -> Capacity:
     raise_all(CapacityError, list(_impossible(definition, axis, own)))
     scale = column_scale(definition, axis.kind, own)
     slope = column_scale(definition, AxisKind.LINEAR, own)
-    facts = state.facts_of(address).said if state is not None else {}
+    facts = state.facts_of(address).said
     line, endless = by_line(own), axis.modulo is not None
-    shared = [one for one in (state.cross if state is not None else ()) if one.input == address]
+    shared = [one for one in state.cross if one.input == address]
     fixed = shared[0].positions if shared and facts.get("own_column") and not line else None
     second = own.get("backlash_column") == "second_curve" and bool(facts.get("second_column"))
     return Capacity(

@@ -30,7 +30,7 @@ class GridLimits:
         self.axis = axis
         self.options = control.options_of(axis)
         self.address, self.assumption = control.address(axis)
-        self.facts = control.facts_of(self.address)
+        self.facts = control.state.facts_of(self.address)
         self.shape = shape_of(self.definition)
 
     def capacity(self) -> Capacity:
@@ -61,9 +61,7 @@ class GridLimits:
             period=self._period(),
             there=() if self.axis.counts_turns else self.control.grid_there(self.axis),
             spacings=self._spacings(quantum),
-            stays=()
-            if self.control.state is None
-            else self.control.state.stays.get(self.address, ()),
+            stays=self.control.state.stays.get(self.address, ()),
             assumed=tuple(assumed),
         )
 

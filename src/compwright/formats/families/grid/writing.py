@@ -51,8 +51,7 @@ class GridWriter:
     ) -> None:
         self.control = control
         self.definition = control.definition
-        known = control.state.axes if control.state is not None else ()
-        asked = list(dict.fromkeys((*known, *addresses)))
+        asked = list(dict.fromkeys((*control.state.axes, *addresses)))
         texts = texts_of(self.definition, files, [])  # they were read before
         patched = bool(texts) and self.definition.limit("no_patching") is None
         self.own = (
@@ -117,7 +116,7 @@ class GridWriter:
         compensation, axis = over_travel(work.compensation, work.axis), work.axis
         if compensation.period is None or RANGE_QUANTITY not in self.definition.bindings:
             return compensation
-        turn = self.control.facts_of(work.address).turn
+        turn = self.control.state.facts_of(work.address).turn
         ahead = float(np.mod(axis.reference - MODULO_START, compensation.period))
         if turn is None and min(ahead, compensation.period - ahead) > SAME_TURN:
             message = (

@@ -33,8 +33,8 @@ class IncrementLimits:
         self.scale = family.scale_of(axis)
         self.options = self.scale.options
         address, assumption = family.address(axis)
-        self.facts = family.facts_of(address).increments
-        acting = None if family.state is None else family.state.axes.get(address)
+        self.facts = family.state.facts_of(address).increments
+        acting = family.state.axes.get(address)
         self.stays = () if acting is None else acting.others
         self.used = used_numbers(family.state, [address])
         self.shares = any(

@@ -63,7 +63,7 @@ def _feed_backlash(count: str, facts: AxisFacts) -> str:
 
 def _beside(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
     """Yield what is said of functions beside the table; ``facts``: what the written files say."""
-    before = family.facts_of(family.address(axis)[0]).increments
+    before = family.state.facts_of(family.address(axis)[0]).increments
     old = {point.number for each in before.hung for point in each.points or ()}
     new = [point for each in facts.increments.hung for point in each.points or ()]
     if facts.increments.waved and not before.waved:

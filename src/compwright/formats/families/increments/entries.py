@@ -93,7 +93,7 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
         # The old numbers of another axis of the job stay its own: tables may be loaded one by one.
         used = [*used_numbers(family.state, [address]), *given]
         try:
-            rapid = family.facts_of(leading.get(address, address)).increments
+            rapid = family.state.facts_of(leading.get(address, address)).increments
             entry = _WholeNumbers(family, address, axis, compensation, rapid).entries(used, start)
         except NotHeld as error:
             faults.append(Fault(message=f"axis {axis.name} ({address}): {error}"))
@@ -107,7 +107,7 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
     }
     cleared = []
     for entry in entries:
-        claimed = family.facts_of(entry.address).increments.claimed
+        claimed = family.state.facts_of(entry.address).increments.claimed
         # The number of the reference itself may hold something, though it owns no section.
         own = claimed[1:] if entry.kept else claimed
         left = tuple(number for numbers in own for number in numbers if number not in taken)
@@ -125,7 +125,7 @@ def _first_point(family: Family, tables: Sequence[AxisTable]) -> int:
     if family.options.get("first_point") is not None:
         return first_point(family.options)
     own = [axis.options for _, axis, _ in tables if axis.options.get("first_point") is not None]
-    if own or not tables or (family.state is not None and family.state.facts):
+    if own or not tables or family.state.facts:
         return min(map(first_point, own), default=0)
     raise UsageError(free_numbers_question(family.definition))
 
@@ -164,12 +164,12 @@ class _WholeNumbers:
         self.address = address
         self.axis = axis
         self.compensation = compensation
-        self.said = family.facts_of(address)
+        self.said = family.state.facts_of(address)
         self.facts = self.said.increments
         self.scale = family.scale_of(axis)
         self.options = self.scale.options
         self.unit = self.scale.quantum("value")
-        acting = None if family.state is None else family.state.axes.get(address)
+        acting = family.state.axes.get(address)
         self.others = 0 if acting is None else len(acting.others)
 
     def entries(self, used: Sequence[range], start: int) -> Entries:

@@ -135,15 +135,13 @@ def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:
     return max(longest, highest + 1 - place)
 
 
-def used_numbers(state: ControlState | None, without: Iterable[str]) -> list[range]:
+def used_numbers(state: ControlState, without: Iterable[str]) -> list[range]:
     """Return the point numbers that are not free for the axes ``without``.
 
     Those that other axes claim, a table that is switched off included; those that hold data,
     whoever they belong to, unless the axes have them now; those of a second table, also where the
     axes claim them.
     """
-    if state is None:
-        return []
     left_out = set(without)
     claims = {address: facts.increments.claimed for address, facts in state.facts.items()}
     own = [numbers for address in left_out for numbers in claims.get(address, ())]

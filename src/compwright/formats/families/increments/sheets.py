@@ -23,7 +23,7 @@ def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlF
 
     ``own``: the tables of the axes that lead; those of gantry partners follow from them.
     """
-    definition, state = family.definition, family.state
+    definition = family.definition
     names = {address: axis.name for address, axis, _ in own}
     names |= {
         axis.gantry: f"{axis.name}_{axis.gantry}" for _, axis, _ in own if axis.gantry is not None
@@ -45,7 +45,7 @@ def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlF
     ]
     if family.options.get("program") != "g10":
         return tuple(sheets)
-    if state is not None and any(facts.increments.inch for facts in state.facts.values()):
+    if any(facts.increments.inch for facts in family.state.facts.values()):
         message = (
             "a program has no letter for the unit, and the intervals in mm are not whole on an inch"
             " machine (1001#0)"

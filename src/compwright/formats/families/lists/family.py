@@ -68,7 +68,7 @@ class ListsFamily(Family):
     def unit_of(self, axis: Axis) -> str:
         """Return what the list of an axis counts in (a word of its unit), new lists in tenths."""
         address, _ = self.address(axis)
-        return str(self.facts_of(address).said.get("table_form", "tenths"))
+        return str(self.state.facts_of(address).said.get("table_form", "tenths"))
 
     def scale_of(self, axis: Axis) -> NumberScale:
         """Return how the numbers of an axis are written. Raises UsageError where its list counts in
@@ -93,7 +93,7 @@ class ListsFamily(Family):
         scale = self.scale_of(axis)
         address, _ = self.address(axis)
         absent = self.definition.bindings["max_points"].when_absent
-        said = self.facts_of(address).said.get("max_points")
+        said = self.state.facts_of(address).said.get("max_points")
         room = int(said or (absent.value if absent is not None else 0))
         low, high = scale.range("value_positive")
         most = VALUE_TYPES.get(str(self.options_of(axis).get("value_type")))

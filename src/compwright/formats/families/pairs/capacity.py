@@ -82,8 +82,7 @@ class PairLimits(GridLimits):
 
     def _points(self, addresses: Sequence[str]) -> int | None:
         """Return how many points each of the tables may have; None: as many as are needed."""
-        state = self.control.state
-        tables = state.tables if state is not None else PairTables()
+        tables = self.control.state.tables
         taken = self._tables(addresses, tables)
         fixed = self.definition.limit_number("cross_points")
         if fixed is not None:
@@ -109,8 +108,9 @@ class PairLimits(GridLimits):
         """Return what CEC_MAX_SUM leaves beside the tables by which other axes correct this one, mm
         or deg.
         """
-        state, facts = self.control.state, self.control.facts_of(address).pairs
-        if state is None or facts.max_sum is None:
+        state = self.control.state
+        facts = state.facts_of(address).pairs
+        if facts.max_sum is None:
             return float("inf")
         others = sum(
             float(np.max(np.abs([entry.positive, entry.negative])))
@@ -119,6 +119,6 @@ class PairLimits(GridLimits):
         )
         stays = sum(
             float(np.max(np.abs([one.positive, one.negative])))
-            for one in self.control.stays(address)
+            for one in state.stays.get(address, ())
         )
         return max(0.0, facts.max_sum - others - stays - facts.odd_sum)

@@ -41,9 +41,8 @@ def write_cross(
             )
         )
     raise_all(UsageError, [fault for entry in cross for fault in _wrong(entry)])
-    known = state.axes if state is not None else ()
     asked = [address for entry in cross for address in (entry.input, entry.output)]
-    asked = list(dict.fromkeys((*known, *asked)))
+    asked = list(dict.fromkeys((*state.axes, *asked)))
     own = OwnFiles(definition, files, gathered_files(definition, files, asked)) if files else None
     writer = CecWriter(control, own)
     faults: list[Fault] = []
@@ -97,8 +96,9 @@ def _beyond_sum(writer: CecWriter, entry: CrossCompensation) -> list[Fault]:
     CEC_MAX_SUM.
     """
     output = writer.tables.axis(entry.output)
-    facts, state = writer.control.facts_of(output).pairs, writer.control.state
-    if facts.max_sum is None or state is None:
+    state = writer.control.state
+    facts = state.facts_of(output).pairs
+    if facts.max_sum is None:
         return []
     acting = [other for other in state.cross if other.output == output]
     reach = facts.odd_sum + sum(

@@ -250,9 +250,10 @@ class PairsFamily(GridFamily):
         goes: on, they are protected, and would keep their values.
         """
         address = self.address(axis)[0]
-        used = self.state.tables.used if self.state is not None else {}
         allowed = allowed_tables(self.definition, self.options_of(axis))
-        mine = [str(one) for one, pair in used.items() if pair == (address, address)]
+        mine = [
+            str(one) for one, pair in self.state.tables.used.items() if pair == (address, address)
+        ]
         mine = [one for one in mine if int(one) in allowed]
         if not mine:
             return {}
@@ -282,7 +283,7 @@ class PairsFamily(GridFamily):
             values[CURVES] = "2"
         else:
             values |= self._around_emptied(axis)
-        known = AxisFacts() if self.state is None else self.state.facts_of(self.address(axis)[0])
+        known = self.state.facts_of(self.address(axis)[0])
         protected = str(known.said.get("others_protected", ""))
         if self.options.get("files") == "patched" and protected:
             off, on = (protected.replace(";", f" = {state}, ") for state in ("0", "1"))

@@ -129,7 +129,7 @@ def unit_unknown(
     """
     if (
         control.options.get("units") == "inch"
-        and not control.facts_of(output).pairs.metric
+        and not control.state.facts_of(output).pairs.metric
         and any(kind is not AxisKind.ROTARY for kind in kinds)
     ):
         yield Fault(

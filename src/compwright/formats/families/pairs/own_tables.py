@@ -21,7 +21,6 @@ from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
 from compwright.foundations.errors import Fault
-from compwright.records.facts import PairTables
 
 
 class OwnTables:
@@ -36,7 +35,7 @@ class OwnTables:
         self.definition = control.definition
         self.own = own
         self.allowed = allowed_tables(control.definition, control.options)
-        tables = control.state.tables if control.state is not None else PairTables()
+        tables = control.state.tables
         self.reserved = tables.reserved
         self.stay = tables.stay
         self.places: Mapping[int, Places] = places_of(own.gathered) if own is not None else {}

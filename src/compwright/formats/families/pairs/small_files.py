@@ -110,8 +110,8 @@ class SmallFiles:
         read = [reader.read(file, faults, number) for number, file in enumerate(files)]
         raise_all(InputError, faults)
         texts = [text for text in read if text is not None]
-        known = self.control.state.axes if self.control.state is not None else ()
-        names = axis_names(self.definition, texts, list(dict.fromkeys((*known, *self.systems))))
+        known = list(dict.fromkeys((*self.control.state.axes, *self.systems)))
+        names = axis_names(self.definition, texts, known)
         entries: dict[Key, Occurrence] = {}
         for text in texts:
             for occurrence in text.occurrences:
@@ -383,7 +383,7 @@ class SmallFiles:
         a switch to whether the table acted, which the job may say where the files end otherwise.
         """
         found = self.old.entries.get(key)
-        enabled = self.control.facts_of(key[1]).enabled
+        enabled = self.control.state.facts_of(key[1]).enabled
         if self._is(key, ("enabled",)) and enabled is not None:
             return self.definition.choice("enabled").text("yes" if enabled else "no")
         if self._is(key, ("max_points", "cross_max_points")) and self._changed(key):
