@@ -13,9 +13,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from card_files import card_values
 from compwright.cli import run as compwright
 from compwright.formats.card import card_steps, card_steps_of_all
 from compwright.formats.control_format import control_format
+from compwright.formats.text.loading_order import loading_order
 from compwright.planning.quick_check import check_positions
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlFile
@@ -120,8 +122,12 @@ def test_the_sign_is_checked_at_two_of_these_positions() -> None:
     definition = DEFINITIONS["fanuc-30i"]
     axis = Axis(name="X", kind=AxisKind.LINEAR, travel=(-100.0, 0.0), address="1")
     new = table("1", [-150.0, -100.0, -50.0, 0.0, 50.0], [0.020, 0.004, -0.002, 0.0, -0.030])
-    values = control_format(definition, {"detection_unit": 0.001}).card_values(
-        axis, new, AxisFacts(), np.array([-95.0, -50.0, -5.0])
+    values = card_values(
+        control_format(definition, {"detection_unit": 0.001}),
+        axis,
+        new,
+        AxisFacts(),
+        np.array([-95.0, -50.0, -5.0]),
     )
     assert (values["check_from"], values["check_to"]) == ("-95", "-50")
     assert values["check_change"] == "-5.4 µm"  # from 3.4 to -2.0
@@ -138,7 +144,7 @@ def test_what_differs_by_axis_stands_in_a_table_and_the_rest_once() -> None:
         for axis, count in zip(axes, (3, 2), strict=True)
     ]
     values = [
-        control_format(definition, {}).card_values(axis, new, AxisFacts(), new.positions)
+        card_values(control_format(definition, {}), axis, new, AxisFacts(), new.positions)
         for axis, new in zip(axes, tables, strict=True)
     ]
     steps = {
@@ -204,7 +210,7 @@ def test_no_number_on_the_card_has_an_exponent() -> None:
     axis = axis_of("AX1")
     new = table("AX1", [0.0, 50.0], [0.0, 0.001], backlash=0.000076)
     assert (
-        control_format(SIEMENS, {}).card_values(axis, new, AxisFacts(), new.positions)["backlash"]
+        card_values(control_format(SIEMENS, {}), axis, new, AxisFacts(), new.positions)["backlash"]
         == "0.000076"
     )
 
@@ -219,7 +225,7 @@ def test_values_are_loaded_before_the_switches_that_protect_them(cec: str) -> No
         NC_CEC__INI="$AN_CEC[9,0]=0.001\nM17\n",
         AX_EEC__INI="$AA_ENC_COMP[0,0,AX1]=0.001\nM17\n",
     )
-    assert control_format(SIEMENS, {}).loading_order(given) == [
+    assert loading_order(SIEMENS, given) == [
         "NC_CEC.INI",
         "AX_EEC.INI",
         "MD.INI",
@@ -234,4 +240,4 @@ def test_a_whole_archive_goes_before_the_files_that_lie_over_it() -> None:
         ControlFile("A.ARC", container([("\\_NC_ACT.DIR\\", "MD.INI", on)])),
         ControlFile("X1_MD.INI", on),
     ]
-    assert control_format(SIEMENS, {}).loading_order(given) == ["A.ARC", "X1_EEC.INI", "X1_MD.INI"]
+    assert loading_order(SIEMENS, given) == ["A.ARC", "X1_EEC.INI", "X1_MD.INI"]

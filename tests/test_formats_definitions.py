@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from card_files import card_values
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import found_in, merged, texts_of
@@ -416,8 +417,8 @@ def test_the_card_is_filled_in_with_its_evidence() -> None:
     steps = card_steps(
         SIEMENS,
         axis,
-        control_format(SIEMENS, {}).card_values(
-            axis, compensation, AxisFacts(), compensation.positions
+        card_values(
+            control_format(SIEMENS, {}), axis, compensation, AxisFacts(), compensation.positions
         ),
     )
     text = "\n".join(step.text for step in steps)

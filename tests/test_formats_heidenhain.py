@@ -16,6 +16,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from card_files import card_values
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.controls.control import decode, open_control
@@ -568,8 +569,8 @@ def test_a_line_is_two_numbers_and_a_bit() -> None:
     where = np.array([0.0, 50.0, 400.0])
     for direction in Direction:
         assert again.at(where, direction) == pytest.approx(line.at(where, direction), abs=1e-9)
-    values = control_format(ITNC, {"method": "line"}).card_values(
-        axis, line, AxisFacts(), line.positions
+    values = card_values(
+        control_format(ITNC, {"method": "line"}), axis, line, AxisFacts(), line.positions
     )
     assert values["nonlinear"] == "0"
     assert not [step for step in card_steps(ITNC, axis, values) if UNKNOWN in step.text]
@@ -587,8 +588,8 @@ def test_a_line_is_two_numbers_and_a_bit() -> None:
 
 def test_the_card_names_the_own_bit_and_column() -> None:
     wanted = table("Y", [0, 50, 100, 150, 200], [0, 0.001, 0.002, 0.003, 0.004], backlash=0.0025)
-    values = control_format(ITNC, {}).card_values(
-        axis_of("Y"), wanted, AxisFacts(), wanted.positions
+    values = card_values(
+        control_format(ITNC, {}), axis_of("Y"), wanted, AxisFacts(), wanted.positions
     )
     assert (values["number"], values["bit"], values["nonlinear"], values["linear"]) == (
         "2",
@@ -603,7 +604,8 @@ def test_the_card_names_the_own_bit_and_column() -> None:
     assert "5 points from 0 to 200 mm, every 50 mm" in steps["Enter the table"]
     assert "column 2=F(). The values are errors" in steps["Enter the table"]
     assert "two of the check positions" in steps["Check the sign"]
-    other = control_format(ITNC, {}).card_values(
+    other = card_values(
+        control_format(ITNC, {}),
         replace(axis_of("W"), axis_number=7),
         replace(wanted, address="W"),
         AxisFacts(),
@@ -612,7 +614,8 @@ def test_the_card_names_the_own_bit_and_column() -> None:
     assert other["bit"] == "6"
     assert (
         "axis list"
-        in control_format(ITNC, {}).card_values(
+        in card_values(
+            control_format(ITNC, {}),
             axis_of("W"),
             replace(wanted, address="W"),
             AxisFacts(),

@@ -16,6 +16,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from card_files import card_values
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.fitting.fit import fit_table
@@ -401,7 +402,7 @@ def test_the_card_says_between_which_places_the_gap_lies() -> None:
     130, and 10 mm further stands -40 again.
     """
     wish, its_axis = table([0, 10], [0, 1]), axis(travel=(-5, 93))
-    words = control().card_values(its_axis, wish, AxisFacts(), np.array([0.0, 50.0]))
+    words = card_values(control(), its_axis, wish, AxisFacts(), np.array([0.0, 50.0]))
     assert "beyond 130 mm and below -40 mm is the gap" in words["gap"]
     assert "repeats after 180 mm" in words["gap"]
 

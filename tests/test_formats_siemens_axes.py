@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from card_files import card_values
 from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
@@ -283,7 +284,7 @@ def test_the_card_warns_of_a_gantry() -> None:
         steps = card_steps(
             SIEMENS,
             axis,
-            control_format(SIEMENS, {}).card_values(axis, NEW, AxisFacts(), NEW.positions),
+            card_values(control_format(SIEMENS, {}), axis, NEW, AxisFacts(), NEW.positions),
         )
         (text,) = [step.text for step in steps if step.title == "Gantry"]
         assert words in text

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from card_files import card_values
 from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
@@ -623,7 +624,7 @@ def test_the_card_names_the_tables_and_the_check_of_the_sign() -> None:
     steps = card_steps(
         SIEMENS,
         axis,
-        control_format(SIEMENS, CEC).card_values(axis, TWO, state.facts["AX1"], TWO.positions),
+        card_values(control_format(SIEMENS, CEC), axis, TWO, state.facts["AX1"], TWO.positions),
     )
     text = "\n".join(step.text for step in steps)
     assert UNKNOWN not in text
@@ -640,7 +641,7 @@ def test_the_card_names_the_tables_and_the_check_of_the_sign() -> None:
         for step in card_steps(
             SIEMENS,
             axis,
-            control_format(SIEMENS, CEC).card_values(axis, ONE, AxisFacts(), ONE.positions),
+            card_values(control_format(SIEMENS, CEC), axis, ONE, AxisFacts(), ONE.positions),
         )
     )
     assert "AX1_EEC.INI" in single

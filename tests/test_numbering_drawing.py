@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from card_files import card_of
 from compwright.cli import run as compwright
 from compwright.formats.control_format import control_format
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -64,7 +66,7 @@ def numbered(
         reference_return=Direction.POSITIVE,
     )
     options = {"detection_unit": 0.001}
-    found = control_format(DEFINITIONS[format_id], options).numbered(axis, facts, table)
+    found = card_of(control_format(DEFINITIONS[format_id], options), axis, table, facts).numbered
     assert found is not None
     document = {
         "unit": found.unit,
@@ -185,12 +187,17 @@ NOTHING = AxisCompensation(
 
 
 def test_a_control_without_such_numbers_has_no_drawing() -> None:
-    axis = Axis(name="X", kind=AxisKind.LINEAR, travel=(0.0, 1.0), address="AX1")
+    nodes, zeros = np.array([0.0, 1.0]), np.zeros(2)
+    flat = replace(NOTHING, positions=nodes, positive=zeros, negative=zeros)
     for name, definition in DEFINITIONS.items():
         if not name.startswith("fanuc"):
-            assert control_format(definition, {}).numbered(axis, AxisFacts(), NOTHING) is None
-    fanuc = control_format(DEFINITIONS["fanuc-30i"], {})
-    assert fanuc.numbered(axis, AxisFacts(), NOTHING) is None
+            control = control_format(definition, definition.sample_options)
+            address = "1" if definition.addresses.type == "integer" else "AX1"
+            axis = Axis(name="X", kind=AxisKind.LINEAR, travel=(0.0, 1.0), address=address)
+            assert card_of(control, axis, flat).numbered is None
+    fanuc = control_format(DEFINITIONS["fanuc-30i"], {"detection_unit": 0.001})
+    axis = Axis(name="X", kind=AxisKind.LINEAR, travel=(0.0, 1.0), address="1")
+    assert card_of(fanuc, axis, NOTHING).numbered is None
 
 
 def test_it_stands_on_the_card_with_the_numbers_that_were_written(tmp_path: Path) -> None:

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from compwright.formats.card import points_needed
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import DefinitionText
 from compwright.formats.definition.schema import Definition
@@ -643,7 +644,7 @@ def limits(definition: Definition) -> None:
     control = control_format(definition, {})
     capacity = control.capacity(X)
     assert (capacity.min_points, capacity.max_points, capacity.most_points) == (2, None, 5000)
-    assert control.points_needed(ONE) == 2
+    assert points_needed(control, ONE) == 2
     given = text_of(EEC, "$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=8\n")
     state = read(definition, given, X)
     for own, most in (({}, 8), ({"points": 20}, 20)):

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import pytest
 
+from card_files import named_in_card
 from compwright.formats.control_format import control_format
 from compwright.records.correction import ControlFile
 from format_samples import SIEMENS, axis_of
@@ -28,5 +29,5 @@ def test_every_file_with_values_of_the_pair_is_loaded_with_the_table(
     row: bytes, called: str
 ) -> None:
     own = ControlFile("NC_CEC.INI", row + b"M17\n")
-    names = control_format(SIEMENS, OPTIONS).named_files(axis_of("AX1"), [SWITCHES, own, NEW])
+    names = named_in_card(control_format(SIEMENS, OPTIONS), axis_of("AX1"), [SWITCHES, own, NEW])
     assert names.get("file_3", "AX1_CEC.INI") == called

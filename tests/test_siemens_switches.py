@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from card_files import card_values
 from compwright.cli import run as compwright
 from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
@@ -96,7 +97,7 @@ def test_the_card_checks_the_sign_first_and_switches_on_last() -> None:
     steps = card_steps(
         SIEMENS,
         AXIS,
-        control_format(SIEMENS, OPTIONS).card_values(AXIS, TWO, state.facts["AX1"], TWO.positions),
+        card_values(control_format(SIEMENS, OPTIONS), AXIS, TWO, state.facts["AX1"], TWO.positions),
     )
     titles = [step.title for step in steps]
     text = {step.title: step.text for step in steps}
@@ -118,7 +119,8 @@ def test_the_card_checks_the_sign_first_and_switches_on_last() -> None:
     single = card_steps(
         SIEMENS,
         AXIS,
-        control_format(SIEMENS, OPTIONS).card_values(
+        card_values(
+            control_format(SIEMENS, OPTIONS),
             AXIS,
             table("AX1", [0.0, 1.0], [0.0, 0.1]),
             AxisFacts(),

@@ -15,33 +15,33 @@ from compwright.controls.decoded import DecodedState
 from compwright.formats.card import (
     card_steps_of_all,
     gantry_words,
+    points_needed,
     typed_backlash,
 )
 from compwright.formats.definition.statements import print_form
+from compwright.formats.families.card_words import AxisCard, CardRequest
 from compwright.formats.text.diff import compare_files
+from compwright.formats.text.loading_order import loading_order
 from compwright.foundations.units import outside_factor, outside_unit, shown_unit
 from compwright.planning.axes import AxisWork
 from compwright.planning.quick_check import check_positions, moved_by, quick_check
 from compwright.records.axis import Axis, partner_of
 from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.job import Job
+from compwright.records.numbering import NumberedSections
 
 
 def axis_documents(
-    job: Job,
-    control: Control,
-    work: AxisWork,
-    loaded: DecodedState | None,
-    old: DecodedState,
+    job: Job, control: Control, work: AxisWork, loaded: DecodedState, old: DecodedState
 ) -> Iterator[dict[str, Any]]:
     """Yield an axis, and the synchronised one that gets a table of its own."""
     own = _axis(job, control, work, loaded, old)
     yield own
     axis = work.planned.axis
-    if axis.gantry is None or axis.gantry_table is None or loaded is None:
+    if axis.gantry is None or axis.gantry_table is None:
         return
     partner = partner_of(axis, axis.gantry)
-    values = _card_values(control, partner, work, loaded)
+    card = _card(control, partner, work, loaded)
     before = old.state.axes.get(partner.address)
     table = loaded.state.axes.get(partner.address)
     yield {
@@ -52,26 +52,22 @@ def axis_documents(
             partner,
             (before, _backlash(before, old, partner)),
             (table, _backlash(table, loaded, partner)),
-            typed_backlash(control.definition, partner, values),
+            typed_backlash(control.definition, partner, card.values),
         ),
         "quick_check": [],
-        "numbering": _numbering(control, partner, loaded),
-        "points_needed": control.format.points_needed(table) if table is not None else None,
+        "numbering": _numbering(card.numbered),
+        "points_needed": None if table is None else points_needed(control.format, table),
         "fixed_positions": [],
     }
 
 
 def _axis(
-    job: Job,
-    control: Control,
-    work: AxisWork,
-    loaded: DecodedState | None,
-    old: DecodedState,
+    job: Job, control: Control, work: AxisWork, loaded: DecodedState, old: DecodedState
 ) -> dict[str, Any]:
     axis, active = work.planned.axis, work.planned.active
-    values = _card_values(control, axis, work, loaded)
+    card = _card(control, axis, work, loaded)
     factor = outside_factor(axis.kind.unit)
-    table = loaded.state.axes[axis.address] if loaded else None
+    table = loaded.state.axes[axis.address]
     new = applied_of(loaded, axis)
     return {
         "name": axis.name,
@@ -82,7 +78,7 @@ def _axis(
             axis,
             (active, _backlash(active, old, axis)),
             (table, _backlash(table, loaded, axis)),
-            typed_backlash(control.definition, axis, values),
+            typed_backlash(control.definition, axis, card.values),
         ),
         "quick_check": [
             {
@@ -94,9 +90,9 @@ def _axis(
             }
             for entry in quick_check(work, new)
         ],
-        "numbering": _numbering(control, axis, loaded),
+        "numbering": _numbering(card.numbered),
         "rapid": axis.motion == "rapid",
-        "points_needed": control.format.points_needed(table) if table is not None else None,
+        "points_needed": points_needed(control.format, table),
         "fixed_positions": [
             {
                 "name": name,
@@ -109,12 +105,8 @@ def _axis(
     }
 
 
-def _numbering(control: Control, axis: Axis, loaded: DecodedState | None) -> dict[str, Any] | None:
+def _numbering(numbered: NumberedSections | None) -> dict[str, Any] | None:
     """Return which section has which number, as plain data; None where points have none."""
-    if loaded is None:
-        return None
-    facts, table = loaded.state.facts_of(axis.address), loaded.state.axes[axis.address]
-    numbered = control.format.numbered(axis, facts, table)
     if numbered is None:
         return None
     return {
@@ -129,12 +121,11 @@ def _numbering(control: Control, axis: Axis, loaded: DecodedState | None) -> dic
     }
 
 
-def _backlash(table: AxisCompensation | None, held: DecodedState | None, axis: Axis) -> float:
+def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) -> float:
     """Return the backlash in addition to a table, mm or deg, also where the control's own
     parameter is counted in the curve of one direction.
     """
-    facts = {} if held is None else held.state.facts_of(axis.address).said
-    in_curves = facts.get("backlash_in_curves")
+    in_curves = held.state.facts_of(axis.address).said.get("backlash_in_curves")
     own = 0.0 if table is None else table.backlash
     return own + (in_curves if isinstance(in_curves, float) else 0.0)
 
@@ -203,7 +194,7 @@ def unconfirmed_diameters(control: Control, axes: Sequence[Axis]) -> list[str]:
 
 
 def step_documents(
-    control: Control, written: Mapping[str, AxisWork], loaded: DecodedState | None
+    control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
 ) -> list[dict[str, Any]]:
     """Return the steps in the order of the definition; what is the same for all axes stands
     once.
@@ -212,16 +203,13 @@ def step_documents(
     tells = any("{gantry}" in rule.text for rule in control.definition.card)
     for work in written.values():
         axis = work.planned.axis
-        values = _card_values(control, axis, work, loaded)
-        axes.append((axis, {**values, **_named_files(control, axis, loaded)}))
-        if axis.gantry is not None and loaded:
+        axes.append((axis, _card(control, axis, work, loaded).values))
+        if axis.gantry is not None:
             # the same table or the same change, on numbers and in files of its own
             partner = partner_of(axis, axis.gantry)
-            values = _card_values(control, partner, work, loaded)
-            own = {"sheet": control.format.partner_sheet(axis.name, axis.gantry)}
-            own["gantry"] = gantry_words(axis)
-            axes.append((partner, {**values, **_named_files(control, partner, loaded), **own}))
-        if axis.gantry is not None and loaded and not tells:
+            own = {"sheet": f"{axis.name}_{axis.gantry}", "gantry": gantry_words(axis)}
+            axes.append((partner, {**_card(control, partner, work, loaded).values, **own}))
+        if axis.gantry is not None and not tells:
             both.append(
                 {
                     "title": f"{axis.name} and {axis.gantry} together",
@@ -239,7 +227,7 @@ def step_documents(
         }
         for step in card_steps_of_all(control.definition, axes)
     ]
-    return _with_all_files(steps, loaded.files if loaded else ())
+    return _with_all_files(steps, loaded.files)
 
 
 def _with_all_files(
@@ -254,24 +242,20 @@ def _with_all_files(
     return steps
 
 
-def _card_values(
-    control: Control, axis: Axis, work: AxisWork, loaded: DecodedState | None
-) -> dict[str, str]:
-    """Return the values of the card for the axis of a work, or for the synchronised ``axis`` of its
-    gantry: those of the files as read back.
+def _card(control: Control, axis: Axis, work: AxisWork, loaded: DecodedState) -> AxisCard:
+    """Return the card for the axis of a work, or for the synchronised ``axis`` of its gantry, by
+    the files as read back.
     """
-    if loaded is None:
-        return {}
     leading, tables = work.planned.axis, loaded.state.axes
-    where = check_positions(work, applied_of(loaded, leading))
-    facts = loaded.state.facts_of(axis.address)
-    table = tables.get(axis.address, tables[leading.address])
-    return control.format.card_values(axis, table, facts, where)
-
-
-def _named_files(control: Control, axis: Axis, loaded: DecodedState | None) -> dict[str, str]:
-    """Return the names of the files in the texts of the steps."""
-    return control.format.named_files(axis, loaded.files if loaded else ())
+    return control.format.card(
+        CardRequest(
+            axis=axis,
+            table=tables.get(axis.address, tables[leading.address]),
+            facts=loaded.state.facts_of(axis.address),
+            check_at=check_positions(work, applied_of(loaded, leading)),
+            files=loaded.files,
+        )
+    )
 
 
 def restore_texts(
@@ -286,12 +270,12 @@ def restore_texts(
             " reference"
         )
         return [f"The job says that nothing was active. To go back: {off}."]
-    names = ", ".join(control.format.loading_order(files))
+    names = ", ".join(loading_order(control.definition, files))
     folder = f"rollback/{control.id}/"
     load = f"load the untouched copies in {folder} ({names}) the same way, restart and reference."
     if not back:
         return [f"L{load[1:]}"]
-    small = ", then ".join(control.format.loading_order(back))
+    small = ", then ".join(loading_order(control.definition, back))
     return [
         (
             f"To undo: switch off as in the steps above, load {small} from {folder} (the old values"

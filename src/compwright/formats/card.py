@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from compwright.formats.definition.schema import Definition, Measure
 from compwright.formats.definition.statements import field_names, print_form
-from compwright.formats.families.card_words import CURVES, REFERENCING, UNKNOWN, file_names
+from compwright.formats.families.bound import Bound
+from compwright.formats.families.card_words import CURVES, REFERENCING, UNKNOWN, numbered_files
 from compwright.formats.text.addresses import normal_address
 from compwright.records.axis import Axis
-from compwright.records.correction import Evidence
+from compwright.records.correction import AxisCompensation, Evidence
 
 #: A field with a longer value is a sentence and keeps its place in the text.
 _LONGEST_CELL = 48
@@ -45,7 +48,7 @@ def card_steps_of_all(
 ) -> tuple[CardStep, ...]:
     """Return the steps for these axes, in the order of the definition.
 
-    The values of each axis fill the fields of the text (see `card_values`); a missing one reads
+    The values of each axis fill the fields of the text (see `AxisCard`); a missing one reads
     "(not known)"; a step without any text is left out. What is the same for all axes stands once;
     where short values differ, they stand in a table with a row per axis.
     """
@@ -95,9 +98,6 @@ def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
     system, reference, names of files.
     """
     address, _ = normal_address(definition, axis)
-    files = {
-        f"file_{number}": name for number, name in enumerate(file_names(definition, axis), start=1)
-    }
     return {
         "name": axis.name,
         "sheet": axis.name,
@@ -114,7 +114,7 @@ def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
         "others_back": "",
         "woken": "",
         "referencing": REFERENCING[axis.encoder.type],
-        **files,
+        **numbered_files(definition, axis),
     }
 
 
@@ -123,7 +123,7 @@ def typed_backlash(definition: Definition, axis: Axis, values: Mapping[str, str]
     control has none. ``values``: as of `card_steps`.
     """
     rule = definition.bindings.get("backlash")
-    if not isinstance(rule, Measure) or not rule.typed or not values:
+    if not isinstance(rule, Measure) or not rule.typed:
         return ""
     return print_form(rule.typed, {**axis_values(definition, axis), **values})
 
@@ -141,3 +141,17 @@ def gantry_words(axis: Axis) -> str:
         f"Axis {axis.name} leads a gantry: do every step for the synchronised axis {axis.gantry}"
         f" too, before anything moves.{own} A table on the leading axis alone racks the bridge."
     )
+
+
+def points_needed(control: Bound, table: AxisCompensation) -> int | None:
+    """Return how many points the control must have room for; None where it reserves none, or where
+    its files say that it has them.
+    """
+    reserves = any(
+        control.definition.limit(limit) is not None for limit in ("points_reserved", "max_points")
+    )
+    needed = int(table.positions.size)
+    room = control.state.facts_of(table.address).said.get("max_points", 0)
+    one_curve = np.array_equal(table.positive, table.negative)
+    there = one_curve and isinstance(room, int) and room >= needed
+    return needed if reserves and not there else None

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
 import numpy as np
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import print_form
-from compwright.formats.text.addresses import normal_address
+from compwright.formats.families.bound import Bound
+from compwright.formats.text.addresses import normal_address, normal_text
+from compwright.formats.text.loading_order import loading_order
 from compwright.formats.text.scale import NumberScale
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Axis, Direction, FloatArray
-from compwright.records.correction import AxisCompensation
+from compwright.records.correction import AxisCompensation, ControlFile
+from compwright.records.facts import AxisFacts
+from compwright.records.numbering import NumberedSections
 
 #: Stands where a card has no value for a field of its text.
 UNKNOWN = "(not known)"
@@ -30,6 +37,35 @@ REFERENCING = {
         " before that."
     ),
 }
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CardRequest:
+    """A table that was written, for the card.
+
+    ``table``: as it was read back; ``facts``: what the files that hold it say of the axis.
+    ``check_at``: positions at which the axis can be measured, mm or deg, ascending. ``files``: all
+    that were written.
+    """
+
+    axis: Axis
+    table: AxisCompensation
+    facts: AxisFacts
+    check_at: FloatArray
+    files: Sequence[ControlFile] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class AxisCard:
+    """What the card says about one table.
+
+    ``values``: by field of the card's texts: points, start, end, spacing and backlash in the
+    control's unit, numbers, names of files, the check of the sign. ``numbered``: which section has
+    which number, for the drawing; None where points have no numbers that an engineer sets.
+    """
+
+    values: Mapping[str, str]
+    numbered: NumberedSections | None = None
 
 
 def typed(value: float) -> str:
@@ -79,10 +115,53 @@ def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, s
     }
 
 
-def file_names(definition: Definition, axis: Axis) -> list[str]:
-    """Return how the definition's files are called for an axis, in its order, whether they are
-    written or not.
+def named_files(control: Bound, axis: Axis, files: Sequence[ControlFile]) -> dict[str, str]:
+    """Return how the texts of the card call the definition's files for an axis, where that is not
+    their own name; ``files``: all that were written.
+    """
+    definition = control.definition
+    written = loading_order(definition, files)
+    address, _ = control.address(axis)
+    partner = [] if axis.gantry is None else [normal_text(definition, axis.gantry)]
+    named = [
+        numbered_files(definition, replace(axis, address=file_stem(control, one)))
+        for one in (address, *partner)
+    ]
+    fresh = numbered_files(definition, replace(axis, address=address))
+    own = ", ".join(name for name in written if name not in _new_names(control, axis))
+    patched = f"your own {own}, as patched" if own else ""
+    if not any(name in written for name in named[0].values()):
+        return {key: patched for key, name in fresh.items() if name not in written and own}
+    return {
+        key: " and ".join(one for names in named if (one := names[key]) in written)
+        or patched
+        or name
+        for key, name in named[0].items()
+    }
+
+
+def _new_names(control: Bound, axis: Axis) -> set[str]:
+    """Return what new files of ``axis`` and of all axes of the state are called."""
+    return {
+        name
+        for address in (control.address(axis)[0], *control.state.axes)
+        for stem in (address, file_stem(control, address))
+        for name in numbered_files(control.definition, replace(axis, address=stem)).values()
+    }
+
+
+def file_stem(control: Bound, address: str) -> str:
+    """Return what stands in the names of new files for an axis at ``address``."""
+    return control.state.facts_of(address).machine_name or address
+
+
+def numbered_files(definition: Definition, axis: Axis) -> dict[str, str]:
+    """Return how the definition's files are called for an axis, whether they are written or not,
+    by field of the card's texts.
     """
     address, _ = normal_address(definition, axis)
     named = {"axis": address, "system": str(axis.encoder.system - 1)}
-    return [print_form(file.name, named) for file in definition.writing]
+    return {
+        f"file_{number}": print_form(file.name, named)
+        for number, file in enumerate(definition.writing, start=1)
+    }

@@ -12,19 +12,17 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Self
 
-import numpy as np
-
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, paired
 from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.bound import Bound
-from compwright.formats.families.card_words import file_names
+from compwright.formats.families.card_words import AxisCard, CardRequest
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.entered import Entered, Entries, by_statements
 from compwright.foundations.errors import CapacityError, Fault, UsageError
 from compwright.foundations.findings import Finding
-from compwright.records.axis import Axis, FloatArray, partner_of
+from compwright.records.axis import Axis, partner_of
 from compwright.records.capacity import Capacity
 from compwright.records.correction import (
     AxisCompensation,
@@ -33,7 +31,6 @@ from compwright.records.correction import (
 )
 from compwright.records.delivery import Delivery
 from compwright.records.facts import AxisFacts
-from compwright.records.numbering import NumberedSections
 from compwright.records.options import LeftOpen
 
 
@@ -106,29 +103,8 @@ class Family(Bound, ABC):
         """
 
     @abstractmethod
-    def card_values(
-        self,
-        axis: Axis,
-        compensation: AxisCompensation,
-        facts: AxisFacts,
-        check_at: FloatArray,
-    ) -> dict[str, str]:
-        """Return what the card says about a table, by field of its texts: points, start, end,
-        spacing and backlash in the control's unit, numbers, the check of the sign.
-
-        ``facts``: what the files that hold the table say of the axis. ``check_at``: positions at
-        which the axis can be measured, mm or deg, ascending.
-        """
-
-    def numbered(
-        self, axis: Axis, facts: AxisFacts, table: AxisCompensation
-    ) -> NumberedSections | None:
-        """Return which section of an axis has which number, for the drawing on the card; None where
-        points have no numbers that an engineer sets. ``facts``: what the written files say of it;
-        ``table``: as read back from them.
-        """
-        del axis, facts, table
-        return None
+    def card(self, asked: CardRequest) -> AxisCard:
+        """Return what the card says about a table that was written."""
 
     @abstractmethod
     def between(self, asked: BetweenRequest) -> Between:
@@ -161,75 +137,12 @@ class Family(Bound, ABC):
         del own, axes
         return Delivery(tuple(files))
 
-    def named_files(self, axis: Axis, files: Sequence[ControlFile]) -> dict[str, str]:
-        """Return how the texts of the card call the definition's files for an axis, where that is
-        not their own name; ``files``: all that were written.
-        """
-        written = self.loading_order(files)
-        address, _ = self.address(axis)
-        partner = [] if axis.gantry is None else [normal_text(self.definition, axis.gantry)]
-        named = [
-            self._file_names(replace(axis, address=self.file_stem(one)))
-            for one in (address, *partner)
-        ]
-        fresh = self._file_names(replace(axis, address=address))
-        own = ", ".join(name for name in written if name not in self._new_names(axis))
-        patched = f"your own {own}, as patched" if own else ""
-        if not any(name in written for name in named[0].values()):
-            return {key: patched for key, name in fresh.items() if name not in written and own}
-        return {
-            key: " and ".join(one for names in named if (one := names[key]) in written)
-            or patched
-            or name
-            for key, name in named[0].items()
-        }
-
-    def _new_names(self, axis: Axis) -> set[str]:
-        """Return what new files of ``axis`` and of all axes of the state are called."""
-        return {
-            name
-            for address in (self.address(axis)[0], *self.state.axes)
-            for stem in (address, self.file_stem(address))
-            for name in self._file_names(replace(axis, address=stem)).values()
-        }
-
-    def _file_names(self, axis: Axis) -> dict[str, str]:
-        names = file_names(self.definition, axis)
-        return {f"file_{number}": name for number, name in enumerate(names, start=1)}
-
     def small_files(self, own: Sequence[ControlFile]) -> bool:
         """Return whether what is written into the control's ``own`` files is delivered in small
         ones.
         """
         del own
         return False
-
-    def file_stem(self, address: str) -> str:
-        """Return what stands in the names of new files for an axis at ``address``."""
-        return self.state.facts_of(address).machine_name or address
-
-    def partner_sheet(self, leading: str, address: str) -> str:
-        """Return whose name the sheet of a gantry's synchronised axis bears, by the name of the
-        leading axis and its own address.
-        """
-        return f"{leading}_{address}"
-
-    def loading_order(self, files: Sequence[ControlFile]) -> list[str]:
-        """Return the names of files in the order in which the control takes them all."""
-        return [file.name for file in files]
-
-    def points_needed(self, table: AxisCompensation) -> int | None:
-        """Return how many points the control must have room for; None where it reserves none, or
-        where its files say that it has them.
-        """
-        reserves = any(
-            self.definition.limit(limit) is not None for limit in ("points_reserved", "max_points")
-        )
-        needed = int(table.positions.size)
-        room = self.state.facts_of(table.address).said.get("max_points", 0)
-        one_curve = np.array_equal(table.positive, table.negative)
-        there = one_curve and isinstance(room, int) and room >= needed
-        return needed if reserves and not there else None
 
     @property
     def counts_axes(self) -> bool:

@@ -11,7 +11,7 @@ import numpy as np
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.schema import Definition, Expectation
-from compwright.formats.families.card_words import UNKNOWN
+from compwright.formats.families.card_words import UNKNOWN, CardRequest
 from compwright.formats.gate.limits import unenforced_limits
 from compwright.foundations.errors import CompwrightError, Fault
 from compwright.foundations.units import TO_INSIDE
@@ -149,9 +149,14 @@ def _round_trip(definition: Definition) -> Iterator[Fault]:
             yield definition.text.fault(("sample",), message)
     for axis, compensation in zip(axes, compensations, strict=True):
         yield from unenforced_limits(control, axis, compensation)
-        values = control.card_values(
-            axis, compensation, again.facts[axis.address], compensation.positions
+        asked = CardRequest(
+            axis=axis,
+            table=compensation,
+            facts=again.facts[axis.address],
+            check_at=compensation.positions,
+            files=files,
         )
+        values = control.card(asked).values
         for step in card_steps(definition, axis, values):
             if UNKNOWN in step.text:
                 message = f"the step {step.title!r} uses a field that does not exist"

@@ -61,9 +61,13 @@ def card_document(
         "axes": [
             axis
             for work in written.values()
+            if loaded is not None
             for axis in axis_documents(job, control, work, loaded, old)
         ],
-        "steps": [*_in_one_step(harmful), *step_documents(control, written, loaded)],
+        "steps": [
+            *_in_one_step(harmful),
+            *(step_documents(control, written, loaded) if loaded else ()),
+        ],
         "changes": changes_document(control, old.files, entered),
         "unconfirmed": [
             *(

@@ -10,7 +10,12 @@ from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable
 from compwright.formats.families.between import Between, BetweenRequest
-from compwright.formats.families.card_words import table_values
+from compwright.formats.families.card_words import (
+    AxisCard,
+    CardRequest,
+    named_files,
+    table_values,
+)
 from compwright.formats.families.columns.between import columns_between
 from compwright.formats.families.columns.capacity import (
     broken_limits,
@@ -26,10 +31,9 @@ from compwright.formats.families.columns.writing import write_columns
 from compwright.formats.families.family import Family
 from compwright.formats.text.entered import Entered, Entries
 from compwright.foundations.errors import CapacityError, Fault, raise_all
-from compwright.records.axis import Axis, FloatArray
+from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
-from compwright.records.facts import AxisFacts
 
 RULES = ShapeRules(
     kept=KEPT,
@@ -82,17 +86,12 @@ class ColumnsFamily(Family):
         raise_all(CapacityError, faults)
         return write_columns(self, tables, files)
 
-    def card_values(
-        self,
-        axis: Axis,
-        compensation: AxisCompensation,
-        facts: AxisFacts,
-        check_at: FloatArray,
-    ) -> dict[str, str]:
-        """See `Family.card_values`."""
-        del facts, check_at
-        values = table_values(self.definition, self.scale_of(axis), compensation)
-        return values | card_values(self, axis, compensation)
+    def card(self, asked: CardRequest) -> AxisCard:
+        """See `Family.card`."""
+        axis, table = asked.axis, asked.table
+        values = table_values(self.definition, self.scale_of(axis), table)
+        files = named_files(self, axis, asked.files)
+        return AxisCard(values | card_values(self, axis, table) | files)
 
     def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: columns to type in."""
@@ -113,11 +112,6 @@ class ColumnsFamily(Family):
         numbers = AxisNumbers(self.definition, ()).by_number if self.counts_axes else {}
         columns = {f"{number}=F()": address for number, address in numbers.items()}
         return whereabouts(entry, entries, columns)
-
-    def partner_sheet(self, leading: str, address: str) -> str:
-        """See `Family.partner_sheet`."""
-        del leading
-        return address
 
     @property
     def says_activity(self) -> bool:

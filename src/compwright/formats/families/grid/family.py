@@ -12,12 +12,16 @@ from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, sound
 from compwright.formats.families.between import Between, BetweenRequest, instead
-from compwright.formats.families.card_words import table_values
+from compwright.formats.families.card_words import (
+    AxisCard,
+    CardRequest,
+    named_files,
+    table_values,
+)
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.capacity import GridLimits
 from compwright.formats.families.grid.entered import entered
 from compwright.formats.families.grid.joints import other_joints, sure_joints
-from compwright.formats.families.grid.loading import loading_order
 from compwright.formats.families.grid.reading import GridReader
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.writing import GridWriter
@@ -25,7 +29,7 @@ from compwright.formats.text.entered import Entries
 from compwright.formats.text.texts import text_reader
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, Fault, raise_all
-from compwright.records.axis import Axis, FloatArray
+from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts
@@ -88,10 +92,6 @@ class GridFamily(Family):
         del one_curve
         return GridLimits(self, axis).capacity()
 
-    def loading_order(self, files: Sequence[ControlFile]) -> list[str]:
-        """See `Family.loading_order`."""
-        return loading_order(self.definition, files)
-
     def misnamed(self, axis: Axis, facts: AxisFacts, state: str) -> Iterable[Fault]:
         """See `Family.misnamed`: another joint, or a second one."""
         return other_joints(axis, facts, state)
@@ -120,13 +120,7 @@ class GridFamily(Family):
         raise_all(CapacityError, list(dict.fromkeys(faults)))
         return written
 
-    def card_values(
-        self,
-        axis: Axis,
-        compensation: AxisCompensation,
-        facts: AxisFacts,
-        check_at: FloatArray,
-    ) -> dict[str, str]:
-        """See `Family.card_values`."""
-        del facts, check_at
-        return table_values(self.definition, self.scale_of(axis), compensation)
+    def card(self, asked: CardRequest) -> AxisCard:
+        """See `Family.card`."""
+        values = table_values(self.definition, self.scale_of(asked.axis), asked.table)
+        return AxisCard(values | named_files(self, asked.axis, asked.files))

@@ -10,7 +10,12 @@ from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, sound
 from compwright.formats.families.between import Between, BetweenRequest
-from compwright.formats.families.card_words import sign_check
+from compwright.formats.families.card_words import (
+    AxisCard,
+    CardRequest,
+    named_files,
+    sign_check,
+)
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.against_job import points_question
 from compwright.formats.families.increments.between import straightness_between
@@ -26,11 +31,9 @@ from compwright.formats.families.increments.writing import write_increments
 from compwright.formats.text.entered import Entered, Entries, by_statements
 from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.foundations.errors import CapacityError, Fault, raise_all
-from compwright.records.axis import Axis, FloatArray
+from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
-from compwright.records.facts import AxisFacts
-from compwright.records.numbering import NumberedSections
 from compwright.records.options import DETECTION_UNIT, LeftOpen
 
 #: No control numbers more axes than this.
@@ -110,22 +113,12 @@ class IncrementsFamily(Family):
         raise_all(CapacityError, faults)
         return write_increments(self, sound(tables), files)
 
-    def card_values(
-        self,
-        axis: Axis,
-        compensation: AxisCompensation,
-        facts: AxisFacts,
-        check_at: FloatArray,
-    ) -> dict[str, str]:
-        """See `Family.card_values`."""
-        values = increment_values(self, axis, compensation, facts)
-        return values | sign_check(compensation, check_at)
-
-    def numbered(
-        self, axis: Axis, facts: AxisFacts, table: AxisCompensation
-    ) -> NumberedSections | None:
-        """See `Family.numbered`."""
-        return numbered_sections(self, axis, facts, table)
+    def card(self, asked: CardRequest) -> AxisCard:
+        """See `Family.card`."""
+        axis, table, facts = asked.axis, asked.table, asked.facts
+        values = increment_values(self, axis, table, facts) | sign_check(table, asked.check_at)
+        files = named_files(self, axis, asked.files)
+        return AxisCard(values | files, numbered_sections(self, axis, facts, table))
 
     def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: one straight line in parameters to type in, as an option."""

@@ -14,7 +14,13 @@ from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, sound
 from compwright.formats.families.between import Between, BetweenRequest
-from compwright.formats.families.card_words import sign_check, typed
+from compwright.formats.families.card_words import (
+    AxisCard,
+    CardRequest,
+    named_files,
+    sign_check,
+    typed,
+)
 from compwright.formats.families.family import Family
 from compwright.formats.families.lists.between import lists_between
 from compwright.formats.families.lists.reading import read_state
@@ -22,10 +28,9 @@ from compwright.formats.families.lists.table import COUNTS, TENTH, VALUE_TYPES, 
 from compwright.formats.families.lists.writing import ListsWriter
 from compwright.formats.text.scale import NumberScale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
-from compwright.records.axis import Axis, AxisKind, FloatArray
+from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
-from compwright.records.facts import AxisFacts
 from compwright.records.options import LeftOpen
 
 RULES = ShapeRules(
@@ -146,28 +151,22 @@ class ListsFamily(Family):
         raise_all(CapacityError, list(dict.fromkeys(faults)))
         return writer.files_of([address for address, _, _ in whole])
 
-    def card_values(
-        self,
-        axis: Axis,
-        compensation: AxisCompensation,
-        facts: AxisFacts,
-        check_at: FloatArray,
-    ) -> dict[str, str]:
-        """See `Family.card_values`."""
-        counts = str(facts.said.get("table_form", "tenths"))
+    def card(self, asked: CardRequest) -> AxisCard:
+        """See `Family.card`."""
+        axis, positions = asked.axis, asked.table.positions
+        counts = str(asked.facts.said.get("table_form", "tenths"))
         count = float(self.scale_of(axis).factor("node_position"))
-        positions = compensation.positions
         values = {
             "points": str(positions.size),
             "counts": COUNTS.get(counts, counts),
             "values": str(self.options_of(axis)["table_values"]),
             "axis_unit": axis.kind.unit,
-            **sign_check(compensation, check_at),
+            **sign_check(asked.table, asked.check_at),
         }
         if positions.size:
             values["start"] = typed(round(float(positions[0]) / count))
             values["end"] = typed(round(float(positions[-1]) / count))
-        return values
+        return AxisCard(values | named_files(self, axis, asked.files))
 
     def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: into the list of the corrected axis."""

@@ -14,6 +14,7 @@ from compwright.formats.families.between import (
     not_held,
     together,
 )
+from compwright.formats.families.card_words import file_stem
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.cross_writing import write_cross
 from compwright.formats.families.pairs.options import reserving
@@ -76,7 +77,7 @@ def _named(
     if not asked.small:
         return " and ".join(file.name for file in new)
     form = next(file.name for file in family.definition.writing if file.when == "cross")
-    return print_form(form, {"axis": family.file_stem(entry.added.output)})
+    return print_form(form, {"axis": file_stem(family, entry.added.output)})
 
 
 def _steps(

@@ -15,7 +15,13 @@ from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable
 from compwright.formats.families.between import Between, BetweenRequest
-from compwright.formats.families.card_words import CURVES
+from compwright.formats.families.card_words import (
+    CURVES,
+    AxisCard,
+    CardRequest,
+    named_files,
+    numbered_files,
+)
 from compwright.formats.families.control_texts import is_listing, texts_of
 from compwright.formats.families.grid.family import GridFamily
 from compwright.formats.families.pairs.between import pairs_between
@@ -36,14 +42,14 @@ from compwright.formats.families.pairs.view import with_sign_unknown
 from compwright.formats.text.container import is_container
 from compwright.formats.text.entered import Entered, Entries, by_statements
 from compwright.formats.text.entry_sheet import is_entry_sheet
+from compwright.formats.text.loading_order import loading_order
 from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
-from compwright.records.axis import Axis, FloatArray
+from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.delivery import Delivery
-from compwright.records.facts import AxisFacts
 
 _ARCHIVE = (
     "an archive in a container, which is never written: a control may refuse an archive that was"
@@ -226,22 +232,22 @@ class PairsFamily(GridFamily):
         """See `Family.between`: tables of their own, where the control has them."""
         return pairs_between(self, asked) if available(self.options) else super().between(asked)
 
-    def named_files(self, axis: Axis, files: Sequence[ControlFile]) -> dict[str, str]:
-        """See `Family.named_files`: one table on an axis, and those over itself that it empties; of
-        a pair the one may stand in a new file, the other in the control's own.
+    def _named_files(self, axis: Axis, files: Sequence[ControlFile]) -> dict[str, str]:
+        """Return how the card calls the files: of one table on an axis, and of those over itself
+        that it empties; of a pair the one may stand in a new file, the other in the control's own.
         """
-        names, written = super().named_files(axis, files), [file.name for file in files]
+        names, written = named_files(self, axis, files), [file.name for file in files]
         table, emptied = names.get("file_1", ""), names.get("file_3", "")
         if table in written and emptied in written:
             names["file_1"] = f"{emptied} and {table}"
-        fresh = self._file_names(replace(axis, address=self.address(axis)[0]))
+        fresh = numbered_files(self.definition, replace(axis, address=self.address(axis)[0]))
         if fresh["file_3"] in written:
             indices = "|".join(map(str, allowed_tables(self.definition, self.options_of(axis))))
             row = re.compile(rb"\$AN_CEC\s*\[\s*(?:%b)\s*," % indices.encode())
             own = [file for file in files if indices and file.name not in fresh.values()]
             with_rows = [file for file in own if row.search(file.content)]
             if with_rows:
-                also = ", ".join(self.loading_order(with_rows))
+                also = ", ".join(loading_order(self.definition, with_rows))
                 names["file_3"] = f"{fresh['file_3']}, then your own {also}, as patched"
         return names
 
@@ -268,16 +274,11 @@ class PairsFamily(GridFamily):
             "woken": f"If MD32710 was on: set {switch} = 1 again, NEW CONF. ",
         }
 
-    def card_values(
-        self,
-        axis: Axis,
-        compensation: AxisCompensation,
-        facts: AxisFacts,
-        check_at: FloatArray,
-    ) -> dict[str, str]:
-        """See `Family.card_values`."""
-        values = super().card_values(axis, compensation, facts, check_at)
-        if axis.gantry is None and facts.said.get("gantry_type") == 0:
+    def card(self, asked: CardRequest) -> AxisCard:
+        """See `Family.card`."""
+        axis, compensation = asked.axis, asked.table
+        values = {**super().card(asked).values, **self._named_files(axis, asked.files)}
+        if axis.gantry is None and asked.facts.said.get("gantry_type") == 0:
             values["gantry"] = "No gantry: MD37100 = 0 in the control's files."
         if not np.array_equal(compensation.positive, compensation.negative):
             values[CURVES] = "2"
@@ -299,10 +300,11 @@ class PairsFamily(GridFamily):
                 f" anything is changed: {archive}. If one differs, load nothing: export the archive"
                 " again, and run again."
             )
-        if facts.pairs.own is not None:
-            which = f"the tables {' and '.join(map(str, facts.pairs.own))}"
+        own = asked.facts.pairs.own
+        if own is not None:
+            which = f"the tables {' and '.join(map(str, own))}"
             points = int(compensation.positions.size)
             values["room"] = reserving(self.definition, points, which)
             names = ("table_positive", "table_negative")
-            values |= dict(zip(names, map(str, facts.pairs.own), strict=True))
-        return values
+            values |= dict(zip(names, map(str, own), strict=True))
+        return AxisCard(values)

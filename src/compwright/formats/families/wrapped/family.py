@@ -12,7 +12,12 @@ from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, sound
 from compwright.formats.families.between import Between, BetweenRequest, instead
-from compwright.formats.families.card_words import sign_check
+from compwright.formats.families.card_words import (
+    AxisCard,
+    CardRequest,
+    named_files,
+    sign_check,
+)
 from compwright.formats.families.family import Family
 from compwright.formats.families.wrapped.card import table_words
 from compwright.formats.families.wrapped.card_memory import MOST_MOTORS
@@ -21,7 +26,7 @@ from compwright.formats.families.wrapped.reading import read_wrapped
 from compwright.formats.families.wrapped.tables import MotorTable, motor_table, over_travel
 from compwright.formats.families.wrapped.writing import TAKE_UP, fresh_script, patched_scripts
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
-from compwright.records.axis import Axis, FloatArray
+from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import (
     Assumption,
@@ -29,7 +34,6 @@ from compwright.records.correction import (
     ControlFile,
     ControlState,
 )
-from compwright.records.facts import AxisFacts
 from compwright.records.options import LeftOpen
 
 RULES = ShapeRules(
@@ -171,17 +175,13 @@ class WrappedFamily(Family):
         counts, ring = self._counts(axis), self.grid_there(axis)
         return motor_table(axis, compensation, counts, faults, ring=ring)
 
-    def card_values(
-        self,
-        axis: Axis,
-        compensation: AxisCompensation,
-        facts: AxisFacts,
-        check_at: FloatArray,
-    ) -> dict[str, str]:
-        """See `Family.card_values`."""
-        rate = str(facts.said.get(TAKE_UP, self.options_of(axis)[TAKE_UP]))
-        words = table_words(axis, self._motor_table(axis, compensation), self._counts(axis), rate)
-        return words | sign_check(compensation, check_at)
+    def card(self, asked: CardRequest) -> AxisCard:
+        """See `Family.card`."""
+        axis, table = asked.axis, asked.table
+        rate = str(asked.facts.said.get(TAKE_UP, self.options_of(axis)[TAKE_UP]))
+        words = table_words(axis, self._motor_table(axis, table), self._counts(axis), rate)
+        files = named_files(self, axis, asked.files)
+        return AxisCard(words | sign_check(table, asked.check_at) | files)
 
     def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: a table of a third motor, which is left to the user."""

@@ -1,4 +1,4 @@
-"""In which order a control takes the files of a grid."""
+"""In which order a control takes its files."""
 
 from __future__ import annotations
 
