@@ -85,6 +85,7 @@ def ask(
 
     return control.between(
         BetweenRequest(
+            found=(),
             planned=planned or (follows(),),
             axes={each.name: each for each in axes},
             tabled=tabled,

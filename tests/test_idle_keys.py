@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from compwright.controls.control import open_control
+from compwright.controls.control import keys_with_effect, open_control
 from compwright.foundations.session import Session
 from compwright.jobs.idle_keys import idle_keys
 from compwright.jobs.reading import read_job
@@ -29,10 +29,8 @@ def test_keys_without_effect_are_named(control: str, idle: list[str]) -> None:
         "  X: {travel: [0, 100], before: [x.csv], encoder: {system: 2}, axis_number: 3}\n"
     )
     job = read_job(text.encode(), "job.yaml", lambda _: iter(()))
-    family = open_control(Session(), control, {}).format
-    found = idle_keys(
-        job, systems=family.counts_systems, numbers=family.counts_axes, motions=family.knows_motion
-    )
+    definition = open_control(Session(), control, {}).definition
+    found = idle_keys(job, **keys_with_effect(definition))
     assert [finding.message for finding in found] == [
         f"axes.X.{key} has no effect on this control ({control})" for key in idle
     ]

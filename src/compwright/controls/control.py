@@ -26,6 +26,7 @@ from compwright.formats.control_format import control_format
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
+from compwright.formats.families.shapes import RULES
 from compwright.formats.look_at import look_at
 from compwright.formats.text.container import is_container
 from compwright.formats.text.other_files import says_nothing, without_others
@@ -395,7 +396,7 @@ def decode(
     """
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
-    if active is False and not control.format.says_activity:
+    if active is False and not _leaves_activity_open(control.definition):
         raise UsageError(
             Fault(
                 message=(
@@ -441,7 +442,8 @@ def decode(
         modulo={address: axis.modulo for address, axis in named if axis.modulo is not None},
         reference={address: axis.reference for address, axis in named},
         axis_options={
-            address: {**axis.options, **control.format.judged_at(axis)} for address, axis in named
+            address: {**axis.options, **_judged_at(control.definition, axis)}
+            for address, axis in named
         },
         options={**reading.options, **({"axis": alone} if alone is not None else {})},
         asked=tuple(state.axes),
@@ -451,6 +453,30 @@ def decode(
     )
     raise_all(CompwrightError if written else InputError, disagreements(state, judge))
     return DecodedState(files=files, state=state, judge=judge)
+
+
+def _leaves_activity_open(definition: Definition) -> bool:
+    """Return whether the control's files can say, or leave open, that a table does not act: a
+    selection of tables may be missing among them.
+    """
+    return RULES[definition.layout.shape].columns or "enabled" in definition.bindings
+
+
+def _judged_at(definition: Definition, axis: Axis) -> Mapping[str, str]:
+    """Return the motion at which an axis is judged, where it makes a difference."""
+    differs = "backlash_rapid" in definition.bindings and axis.motion != "feed"
+    return {"motion": axis.motion} if differs else {}
+
+
+def keys_with_effect(definition: Definition) -> dict[str, bool]:
+    """Return, as `idle_keys` takes it, what the control's files count: measuring systems, axes
+    otherwise than by address, backlash at rapid traverse by itself.
+    """
+    return {
+        "systems": "system" in definition.fields,
+        "numbers": "datum" in definition.fields,  # columns on an even grid are named by number
+        "motions": "backlash_rapid" in definition.bindings,
+    }
 
 
 def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) -> None:

@@ -85,7 +85,7 @@ def write_planned(
             tables=tables,
             base=base,
             read=state,
-            small=control.format.small_files(as_found.files),
+            found=as_found.files,
         )
     )
     outcome = CrossOutcome(

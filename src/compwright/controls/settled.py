@@ -7,12 +7,15 @@ from dataclasses import replace
 
 from compwright.controls.control import Control
 from compwright.controls.decoded import DecodedState
+from compwright.formats.definition.schema import Definition, OptionRule
+from compwright.formats.families.shapes import RULES
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.planning.wanted import LEAST_COVERED, covered
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import Assumption, ControlState
+from compwright.records.facts import AxisFacts
 from compwright.records.job import AxisJob, Job
 from compwright.records.options import DETECTION_UNIT, TABLE_VALUES
 from compwright.records.plan import PlannedTest
@@ -20,6 +23,9 @@ from compwright.records.plan import PlannedTest
 #: Two places are one within this, mm or deg.
 _SAME_PLACE = 1e-6
 _TURN = 360.0
+#: Letters of axes: an axis of the job that bears another name says nothing of the control's own
+#: letters.
+_LETTERS = "XYZABCUVW"
 
 
 def named_axes(
@@ -172,7 +178,7 @@ def with_counted_turns(
         axis, measured = entry.axis, [planned.test for planned in tests.get(name, ())]
         low, high = axis.travel
         if (
-            not control.format.repeats_turns
+            not RULES[control.definition.layout.shape].repeats_turns
             or axis.kind is not AxisKind.ROTARY
             or axis.modulo is not None
             or high - low <= _TURN
@@ -245,3 +251,48 @@ def _with_systems_in_use(job: Job, state: ControlState) -> Job:
                 ),
             )
     return replace(job, axes=axes)
+
+
+def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
+    """Yield where the files of a state name the joint of an axis by another letter, or drive the
+    axis by a second joint.
+    """
+    letters, letter = facts.letters, facts.name
+    if not letters:
+        return
+    place, said = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
+    if len(axis.name) == 1 and axis.name.upper() in _LETTERS and axis.name.upper() != letter:
+        yield Fault(
+            message=f"the files of the state {state} call this joint by another letter",
+            place=f"{place}.address",
+            expected=f"a joint of {axis.name}",
+            found=said,
+        )
+        return
+    others = [
+        str(index)
+        for index, other in enumerate(letters)
+        if other == letter and str(index) != axis.address
+    ]
+    if others and axis.gantry not in others:
+        yield Fault(
+            message="a second joint drives this axis: a table on one of them alone racks it",
+            place=f"{place}.gantry",
+            expected=" or ".join(f'gantry: "{other}"' for other in others),
+            found=said,
+        )
+
+
+def length_unit(definition: Definition) -> tuple[OptionRule, str] | None:
+    """Return the option that says the machine's unit of lengths, and the file that would say it
+    instead; None where the definition itself says the unit.
+    """
+    rules = definition.options.values()
+    rule = next((rule for rule in rules if rule.settled_by == "length_unit"), None)
+    if rule is None:
+        return None
+    statement = definition.statements[definition.bindings["length_unit"].statement]
+    key = statement.form.partition("{")[0].rstrip(" =")
+    one = len(definition.texts) == 1
+    file = "a file" if one else f"the whole {statement.text.upper()} file"
+    return rule, f"{file} with {key} among the files"

@@ -31,7 +31,8 @@ class PairFacts:
     of all corrections on it, mm or deg; None: not said. ``metric``: their values stand in mm, not
     in inch; None: no file says it. ``odd_sum``: what tables that cannot be
     read as curves add to it at most, mm or deg. ``untold``: the tables from other axes that act on
-    it and cannot be counted with, in words that change with their values.
+    it and cannot be counted with, in words that change with their values; ``untold_help``: what
+    would let them be counted with.
     """
 
     own: tuple[int, int] | None = None
@@ -39,6 +40,7 @@ class PairFacts:
     metric: bool | None = None
     odd_sum: float = 0.0
     untold: str = ""
+    untold_help: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -405,6 +405,11 @@ class Definition:
         """Return the rule of a predicate, None where the control has no such limit."""
         return next((rule for rule in self.limits if rule.predicate == predicate), None)
 
+    @property
+    def fields(self) -> frozenset[str]:
+        """The fields of all its statements."""
+        return frozenset(name for one in self.statements.values() for name in one.fields)
+
     def limit_number(self, predicate: Predicate) -> int | None:
         """Return the number of a limit, None where the control has no such limit."""
         rule = self.limit(predicate)

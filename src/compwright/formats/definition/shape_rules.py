@@ -20,7 +20,8 @@ class ShapeRules:
     axis. ``columns``: every table has columns for other axes, so that nothing else is needed to
     correct between axes. ``afresh``: files are always written anew, never patched. ``parameters``:
     those beside the table of which a definition says what they are. ``kept``: lines that `redact`
-    may leave as they are, beside the statements of the definition.
+    may leave as they are, beside the statements of the definition. ``repeats_turns``: the table of
+    a rotary axis over several turns holds its turn again and again.
     """
 
     words: str
@@ -31,4 +32,5 @@ class ShapeRules:
     by_axis: bool = True
     columns: bool = False
     afresh: bool = False
+    repeats_turns: bool = False
     parameters: frozenset[str] = frozenset()

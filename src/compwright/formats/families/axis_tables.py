@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families import limits
 from compwright.formats.text.addresses import normal_text
 from compwright.foundations.errors import Fault, UsageError, raise_all
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, partner_of
 from compwright.records.correction import AxisCompensation
 
 #: Address, axis and table: what is written for one axis.
@@ -44,6 +45,19 @@ def paired(
             pairs[address] = (address, by_address[address], compensation)
     raise_all(UsageError, faults)
     return list(pairs.values())
+
+
+def with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[AxisTable]:
+    """Return the tables with those of gantry partners, which are the same: on one axis alone a
+    table racks the bridge.
+    """
+    result = {address: (address, axis, compensation) for address, axis, compensation in pairs}
+    for _, axis, compensation in pairs:
+        if axis.gantry is not None:
+            partner = normal_text(definition, axis.gantry)
+            table = replace(compensation, address=partner)
+            result.setdefault(partner, (partner, partner_of(axis, partner), table))
+    return list(result.values())
 
 
 def sound(tables: Sequence[AxisTable]) -> list[AxisTable]:

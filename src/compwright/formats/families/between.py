@@ -33,8 +33,8 @@ class BetweenRequest:
     """What shall be added between axes.
 
     ``axes``: those of the job by name; ``tabled``: the names of those that get a table of their own
-    in ``tables``. ``base``: the control's own files with ``tables`` in their place. ``small``: what
-    is written is delivered in small files.
+    in ``tables``. ``base``: the control's own files with ``tables`` in their place. ``found``: the
+    control's own files as they were found.
     """
 
     planned: tuple[PlannedCross, ...]
@@ -43,7 +43,7 @@ class BetweenRequest:
     tables: tuple[ControlFile, ...]
     base: tuple[ControlFile, ...]
     read: FileReading
-    small: bool = False
+    found: tuple[ControlFile, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

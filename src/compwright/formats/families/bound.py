@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Self
 
 from compwright.formats.definition.options import axis_options, resolve_options
-from compwright.formats.definition.schema import Choice, Definition, OptionRule
+from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.text.addresses import normal_address
 from compwright.formats.text.scale import NumberScale
 from compwright.records.axis import Axis
@@ -43,10 +43,6 @@ class Bound:
         """
         return type(self)(self.definition, self.given, state, strict=strict)
 
-    def with_options(self, **options: object) -> Self:
-        """Return the control with some of its settled options set otherwise."""
-        return type(self)(self.definition, {**self.options, **options})
-
     def address(self, axis: Axis) -> tuple[str, Assumption | None]:
         """Return how the control names an axis, and what had to be assumed for that.
 
@@ -79,42 +75,3 @@ class Bound:
             if isinstance(binding, Choice)
         }
         return NumberScale(self.definition, axis.kind, options, choices)
-
-    @property
-    def says_activity(self) -> bool:
-        """Whether the control's files can say, or leave open, that a table does not act."""
-        return "enabled" in self.definition.bindings
-
-    @property
-    def repeats_turns(self) -> bool:
-        """Whether the table of a rotary axis over several turns holds its turn again and again."""
-        return False
-
-    @property
-    def counts_systems(self) -> bool:
-        """Whether the control's files count measuring systems."""
-        return any("system" in each.fields for each in self.definition.statements.values())
-
-    @property
-    def knows_motion(self) -> bool:
-        """Whether backlash at rapid traverse may be another one than at cutting feed."""
-        return "backlash_rapid" in self.definition.bindings
-
-    def judged_at(self, axis: Axis) -> Mapping[str, str]:
-        """Return the motion at which an axis is judged, where it makes a difference."""
-        return {"motion": axis.motion} if self.knows_motion and axis.motion != "feed" else {}
-
-    @property
-    def length_unit(self) -> tuple[OptionRule, str] | None:
-        """The option that says the machine's unit of lengths, and the file that would say it
-        instead; None where the definition itself says the unit.
-        """
-        rules = self.definition.options.values()
-        rule = next((rule for rule in rules if rule.settled_by == "length_unit"), None)
-        if rule is None:
-            return None
-        statement = self.definition.statements[self.definition.bindings["length_unit"].statement]
-        key = statement.form.partition("{")[0].rstrip(" =")
-        one = len(self.definition.texts) == 1
-        file = "a file" if one else f"the whole {statement.text.upper()} file"
-        return rule, f"{file} with {key} among the files"

@@ -8,21 +8,23 @@ tables), never a maker. The single controls differ by their definitions.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from copy import copy
 from dataclasses import replace
 from typing import Self
 
+import numpy as np
+
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.axis_tables import AxisTable, paired
+from compwright.formats.families.axis_tables import AxisTable, paired, with_partners
 from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.bound import Bound
 from compwright.formats.families.card_words import AxisCard, CardRequest
-from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.entered import Entered, Entries, by_statements
 from compwright.foundations.errors import CapacityError, Fault, UsageError
 from compwright.foundations.findings import Finding
-from compwright.records.axis import Axis, partner_of
+from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import (
     AxisCompensation,
@@ -30,19 +32,16 @@ from compwright.records.correction import (
     ControlState,
 )
 from compwright.records.delivery import Delivery
-from compwright.records.facts import AxisFacts
 from compwright.records.options import LeftOpen
 
 
 class Family(Bound, ABC):
     """One control's compensation."""
 
-    #: What would let tables be counted with of which nobody knows what they do.
-    untold_help = ""
-    #: What the user gives instead of a container that cannot be opened.
-    export_instead = "text as the control exports it, in ASCII or another 8-bit character set"
     #: The number without which tables cannot be read, where their control has one.
     left_open: LeftOpen | None = None
+    #: What is written has the limits of the files that are patched, whatever was known before.
+    limits_in_files = False
 
     def addresses_by_name(self, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
         """Return the address of each axis, and what says so, by the name that the control's own
@@ -137,18 +136,6 @@ class Family(Bound, ABC):
         del own, axes
         return Delivery(tuple(files))
 
-    def small_files(self, own: Sequence[ControlFile]) -> bool:
-        """Return whether what is written into the control's ``own`` files is delivered in small
-        ones.
-        """
-        del own
-        return False
-
-    @property
-    def counts_axes(self) -> bool:
-        """Whether the control's files number axes otherwise than by address."""
-        return False
-
     def one_by_one(self, files: Sequence[ControlFile]) -> Sequence[str]:
         """Return the addresses that may be read alone where one odd axis of the control's files
         spoils the whole; empty where none may.
@@ -160,13 +147,6 @@ class Family(Bound, ABC):
         """Return whether what was read of other axes tells that nothing acts on this one."""
         del state, address
         return False
-
-    def misnamed(self, axis: Axis, facts: AxisFacts, state: str) -> Iterable[Fault]:
-        """Return where the control's files of a ``state`` (its name), which say ``facts``, call an
-        axis otherwise than the job does, or drive it by more than the job says.
-        """
-        del axis, facts, state
-        return ()
 
     def entered(self, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> Entries:
         """Return everything that files enter, whether it acts or not, by what tells each value
@@ -217,74 +197,45 @@ class Family(Bound, ABC):
         pairs = paired(
             self.definition, compensations, [(self.address(axis)[0], axis) for axis in axes]
         )
-        bound = self.bound_to(files, [axis for _, axis, _ in pairs])
-        pairs = bound.with_partners(pairs)
-        faults = [
-            fault for _, axis, compensation in pairs for fault in bound.limits(axis, compensation)
-        ]
+        bound = self
+        if files and self.limits_in_files:
+            bound = copy(self)
+            bound.state = self.read(files, [axis for _, axis, _ in pairs])
+        pairs = with_partners(self.definition, pairs)
+        faults = [fault for _, axis, table in pairs for fault in _broken(bound, axis, table)]
         return bound.files_of(pairs, files, list(dict.fromkeys(faults)))
 
-    def bound_to(self, files: Sequence[ControlFile], axes: Sequence[Axis]) -> Self:
-        """Return the control whose limits are those of ``files``; itself where they set none."""
-        del files, axes
-        return self
-
-    def limits(self, axis: Axis, compensation: AxisCompensation) -> tuple[Fault, ...]:
-        """Return what keeps the control from holding a compensation, apart from single values that
-        are not exact.
-
-        Names the limit, by how much it is broken and what would help.
-        """
-        label = f"axis {axis.name} ({compensation.address})"
-        unsound = limits.unsound(compensation)
-        if unsound:
-            return (Fault(message=f"{label}: {unsound}"),)
-        try:
-            capacity = self.capacity_of(axis, compensation)
-        except CapacityError as error:
-            return error.faults
-        return (
-            *limits.size(self.definition, capacity, compensation, label),
-            *limits.curves(capacity, compensation, label),
-            *self.limits_of_turn(axis, compensation, capacity, label),
-            *limits.spacing(capacity, compensation, label),
-            *limits.kind(axis, compensation, label),
-            *self.own_limits(axis, compensation, capacity),
-            *limits.ends(self.definition, compensation, label),
-        )
-
-    def capacity_of(self, axis: Axis, compensation: AxisCompensation) -> Capacity:
-        """Return the limits of the place where this table goes."""
-        del compensation
-        return self.capacity(axis)
-
-    def limits_of_turn(
+    def own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
-        """Return what is wrong with the table of an endless axis."""
-        del compensation, capacity
-        no_limit = self.definition.limit("no_endless_axis") is None
-        if axis.modulo is None or axis.counts_turns or no_limit:
-            return ()
-        why = f"{label}: the control's table does not repeat, so an endless axis cannot have one"
-        found = f"modulo {axis.modulo:g}"
-        return (Fault(message=why, expected="an axis with ends", found=found),)
-
-    def own_limits(
-        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity
-    ) -> Sequence[Fault]:
-        """Return what breaks limits that only this family has."""
-        del axis, compensation, capacity
+        """Return what breaks limits that only this family has, of endless axes too. ``label``: the
+        axis, in words.
+        """
+        del axis, compensation, capacity, label
         return ()
 
-    def with_partners(self, pairs: Sequence[AxisTable]) -> list[AxisTable]:
-        """Return the tables with those of gantry partners, which are the same: on one axis alone a
-        table racks the bridge.
-        """
-        result = {address: (address, axis, compensation) for address, axis, compensation in pairs}
-        for _, axis, compensation in pairs:
-            if axis.gantry is not None:
-                partner = normal_text(self.definition, axis.gantry)
-                table = replace(compensation, address=partner)
-                result.setdefault(partner, (partner, partner_of(axis, partner), table))
-        return list(result.values())
+
+def _broken(control: Family, axis: Axis, compensation: AxisCompensation) -> tuple[Fault, ...]:
+    """Return what keeps the control from holding a compensation, apart from single values that
+    are not exact.
+
+    Names the limit, by how much it is broken and what would help.
+    """
+    label = f"axis {axis.name} ({compensation.address})"
+    unsound = limits.unsound(compensation)
+    if unsound:
+        return (Fault(message=f"{label}: {unsound}"),)
+    try:
+        one_curve = np.array_equal(compensation.positive, compensation.negative)
+        capacity = control.capacity(axis, one_curve=one_curve)
+    except CapacityError as error:
+        return error.faults
+    return (
+        *limits.size(control.definition, capacity, compensation, label),
+        *limits.curves(capacity, compensation, label),
+        *limits.endless(control.definition, axis, label),
+        *control.own_limits(axis, compensation, capacity, label),
+        *limits.spacing(capacity, compensation, label),
+        *limits.kind(axis, compensation, label),
+        *limits.ends(control.definition, compensation, label),
+    )

@@ -118,6 +118,15 @@ def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list
     return faults
 
 
+def endless(definition: Definition, axis: Axis, label: str) -> list[Fault]:
+    """Return a fault for the table of an endless axis on a control whose tables do not repeat."""
+    no_limit = definition.limit("no_endless_axis") is None
+    if axis.modulo is None or axis.counts_turns or no_limit:
+        return []
+    why = f"{label}: the control's table does not repeat, so an endless axis cannot have one"
+    return [Fault(message=why, expected="an axis with ends", found=f"modulo {axis.modulo:g}")]
+
+
 def spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> Iterator[Fault]:
     """Yield a fault for points that are closer than the control can hold."""
     if compensation.positions.size > 1:

@@ -9,6 +9,7 @@ from pathlib import Path
 from compwright.controls.control import Control, decode, read_files
 from compwright.controls.decoded import DecodedState
 from compwright.controls.gantries import partner_questions
+from compwright.controls.settled import length_unit, other_joints
 from compwright.evaluation.expansion import remove_differential_expansion
 from compwright.evaluation.temperatures import at_temperatures, temperatures_of
 from compwright.foundations import storage
@@ -88,8 +89,8 @@ def read_job_inputs(session: Session, job: Job, control: Control, folder: Path) 
             *contradicted,
             *_missing_axes(job, states),
             *_other_neighbours(job, states),
-            *_other_tables_between(job, control, states),
-            *_misnamed(job, control, states),
+            *_other_tables_between(job, states),
+            *_misnamed(job, states),
             *unknown_motions(job, {name: decoded.state for name, decoded in states.items()}),
         ],
     )
@@ -270,9 +271,7 @@ def _differing(found: Mapping[str, str]) -> dict[str, str]:
     }
 
 
-def _other_tables_between(
-    job: Job, control: Control, states: Mapping[str, DecodedState]
-) -> Iterator[Fault]:
+def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
     """Yield where tables between axes that cannot be counted with differ between a circle's state
     and what is in the control.
     """
@@ -284,11 +283,10 @@ def _other_tables_between(
         for state in sorted((measured & states.keys()) - {AS_FOUND}):
             if now is None:
                 continue
-            said = [
-                one.state.facts_of(entry.axis.address).pairs.untold or "none"
-                for one in (now, states[state])
-            ]
+            pairs = [one.state.facts_of(entry.axis.address).pairs for one in (now, states[state])]
+            said = [facts.untold or "none" for facts in pairs]
             if said[0] != said[1]:
+                (help_, *_) = (facts.untold_help for facts in pairs if facts.untold)
                 yield Fault(
                     message=(
                         f"tables from other axes act on axis {name}, differ between the states, and"
@@ -297,19 +295,19 @@ def _other_tables_between(
                     ),
                     file=job.file,
                     place=f"states.{state}",
-                    expected=f"{control.format.untold_help}, or a measurement in as_found",
+                    expected=f"{help_}, or a measurement in as_found",
                     found=f"{AS_FOUND}: {said[0]}; {state}: {said[1]}",
                 )
 
 
-def _misnamed(job: Job, control: Control, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
+def _misnamed(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
     """Yield where the control's files name an axis otherwise than the job, or drive it by more than
     the job says.
     """
     for name, decoded in states.items():
         for entry in job.axes.values():
             facts = decoded.state.facts_of(entry.axis.address)
-            for fault in control.format.misnamed(entry.axis, facts, name):
+            for fault in other_joints(entry.axis, facts, name):
                 yield fault.in_file(job.file)
 
 
@@ -319,7 +317,7 @@ def _unsaid_units(
     """Yield where nobody says the machine's unit, and a table as read is as much too short or long
     as inches read as mm are.
     """
-    asked = control.format.length_unit
+    asked = length_unit(control.definition)
     if asked is None or asked[0].name in control.given:
         return
     rule, whole_file = asked

@@ -7,7 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from compwright.controls.acting import acting
-from compwright.controls.control import Control, open_control, origin_of, read_files
+from compwright.controls.control import (
+    Control,
+    keys_with_effect,
+    open_control,
+    origin_of,
+    read_files,
+)
 from compwright.controls.decoded import DecodedState
 from compwright.controls.settled import (
     named_axes,
@@ -75,12 +81,7 @@ def measured(session: Session, job: Job, folder: Path, out: Path) -> Measured:
     job, named = named_axes(
         job, control, lambda: control.format.addresses_by_name(read_files(session, own))
     )
-    idle = idle_keys(
-        job,
-        systems=control.format.counts_systems,
-        numbers=control.format.counts_axes,
-        motions=control.format.knows_motion,
-    )
+    idle = idle_keys(job, **keys_with_effect(control.definition))
     inputs, circles = _inputs(session, job, control, folder)
     job = settled_by_files(job, inputs.states, AS_FOUND)
     job, turns = with_counted_turns(job, control, inputs.tests)

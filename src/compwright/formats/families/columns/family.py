@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from copy import copy
-from typing import Self
 
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
@@ -26,7 +24,6 @@ from compwright.formats.families.columns.entered import entered, whereabouts
 from compwright.formats.families.columns.kept_lines import KEPT
 from compwright.formats.families.columns.reading import read_columns
 from compwright.formats.families.columns.sources import AxisNumbers
-from compwright.formats.families.columns.table import VALUES
 from compwright.formats.families.columns.writing import write_columns
 from compwright.formats.families.family import Family
 from compwright.formats.text.entered import Entered, Entries
@@ -47,6 +44,8 @@ RULES = ShapeRules(
 class ColumnsFamily(Family):
     """Columns in the user's own tables."""
 
+    limits_in_files = True
+
     def read(
         self,
         files: Sequence[ControlFile],
@@ -58,25 +57,16 @@ class ColumnsFamily(Family):
         """See `Family.read`."""
         return read_columns(self, files, axes, address=address, activity=activity)
 
-    def bound_to(self, files: Sequence[ControlFile], axes: Sequence[Axis]) -> Self:
-        """Return the control whose limits are those of ``files``: what they hold is the limit,
-        whatever was known before.
-        """
-        if not files:
-            return self
-        bound = copy(self)
-        bound.state = self.read(files, axes)
-        return bound
-
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`."""
         del one_curve
         return columns_capacity(self, axis)
 
     def own_limits(
-        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity
+        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
         """Return what breaks the limits of a column and of the linear error."""
+        del label
         return tuple(broken_limits(self, axis, compensation, capacity))
 
     def files_of(
@@ -109,20 +99,10 @@ class ColumnsFamily(Family):
         moves.
         """
         del state
-        numbers = AxisNumbers(self.definition, ()).by_number if self.counts_axes else {}
+        by_grid = "datum" in self.definition.fields  # columns are then named by number
+        numbers = AxisNumbers(self.definition, ()).by_number if by_grid else {}
         columns = {f"{number}=F()": address for number, address in numbers.items()}
         return whereabouts(entry, entries, columns)
-
-    @property
-    def says_activity(self) -> bool:
-        """See `Family.says_activity`: a selection of tables may be missing among the files."""
-        return True
-
-    @property
-    def counts_axes(self) -> bool:
-        """See `Family.counts_axes`: columns on an equally spaced grid are named by number."""
-        values = self.definition.statements.get(VALUES)
-        return values is not None and "datum" in values.fields
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]

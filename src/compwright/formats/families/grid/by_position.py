@@ -41,6 +41,7 @@ class ByPosition(TableShape):
         grid=("node_position",),
         row="position",
         afresh=True,
+        repeats_turns=True,
     )
     spacing = "free"
     repeats = False

@@ -6,7 +6,7 @@ this family by tables between axes; nothing here knows of it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
@@ -21,7 +21,7 @@ from compwright.formats.families.card_words import (
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.capacity import GridLimits
 from compwright.formats.families.grid.entered import entered
-from compwright.formats.families.grid.joints import other_joints, sure_joints
+from compwright.formats.families.grid.joints import sure_joints
 from compwright.formats.families.grid.reading import GridReader
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.writing import GridWriter
@@ -32,7 +32,6 @@ from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
-from compwright.records.facts import AxisFacts
 
 
 class GridFamily(Family):
@@ -40,14 +39,6 @@ class GridFamily(Family):
 
     reader: type[GridReader] = GridReader
     writer: type[GridWriter] = GridWriter
-
-    @property
-    def repeats_turns(self) -> bool:
-        """See `Bound.repeats_turns`: where rows name their positions and the table itself does not
-        repeat.
-        """
-        shape = shape_of(self.definition)
-        return shape.spacing == "free" and not shape.repeats
 
     def addresses_by_name(self, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
         """See `Family.addresses_by_name`: the joints, by the letters of the kinematics."""
@@ -92,22 +83,17 @@ class GridFamily(Family):
         del one_curve
         return GridLimits(self, axis).capacity()
 
-    def misnamed(self, axis: Axis, facts: AxisFacts, state: str) -> Iterable[Fault]:
-        """See `Family.misnamed`: another joint, or a second one."""
-        return other_joints(axis, facts, state)
-
     def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: no such table."""
         return instead(self.definition, asked.planned)
 
-    def limits_of_turn(
+    def own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
-        """Return what is wrong with the table of an endless axis."""
-        faults = super().limits_of_turn(axis, compensation, capacity, label)
-        if faults or not shape_of(self.definition).repeats:
-            return faults
-        return limits.turn(capacity, compensation, label)
+        """Return what is wrong with the table of an endless axis that can repeat."""
+        del axis
+        repeats = shape_of(self.definition).repeats
+        return limits.turn(capacity, compensation, label) if repeats else ()
 
     def files_of(
         self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]

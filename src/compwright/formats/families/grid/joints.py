@@ -12,10 +12,7 @@ from compwright.formats.families.coupled_axes import (
     statements_in,
     whole_number,
 )
-from compwright.foundations.errors import Fault
-from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile
-from compwright.records.facts import AxisFacts
 
 #: Letters of axes: an axis of the job that bears another name says nothing of the control's own
 #: letters.
@@ -80,33 +77,3 @@ def sure_joints(kinematics: str, order: str, count: str) -> str:
     row = _LETTERS[: int(count)] if count.strip().isdigit() else _LETTERS
     axes = "".join(order.split()).upper()
     return row if set(axes) <= set(row) else ""
-
-
-def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
-    """Yield where the files of a state name the joint of an axis by another letter, or drive the
-    axis by a second joint.
-    """
-    letters, letter = facts.letters, facts.name
-    if not letters:
-        return
-    place, said = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
-    if len(axis.name) == 1 and axis.name.upper() in _LETTERS and axis.name.upper() != letter:
-        yield Fault(
-            message=f"the files of the state {state} call this joint by another letter",
-            place=f"{place}.address",
-            expected=f"a joint of {axis.name}",
-            found=said,
-        )
-        return
-    others = [
-        str(index)
-        for index, other in enumerate(letters)
-        if other == letter and str(index) != axis.address
-    ]
-    if others and axis.gantry not in others:
-        yield Fault(
-            message="a second joint drives this axis: a table on one of them alone racks it",
-            place=f"{place}.gantry",
-            expected=" or ".join(f'gantry: "{other}"' for other in others),
-            found=said,
-        )

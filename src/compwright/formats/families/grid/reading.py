@@ -64,6 +64,9 @@ class GridReader:
     the axes' own tables is an extension's: the methods without an underscore are its hooks.
     """
 
+    #: What the user gives instead of a container that cannot be opened.
+    export_instead = "text as the control exports it, in ASCII or another 8-bit character set"
+
     def __init__(
         self,
         control: Family,
@@ -297,7 +300,7 @@ class GridReader:
             if not (message or opened) and BINARY.search(file.content):
                 message = no_text(file.content)
             if message:
-                expected = self.control.export_instead
+                expected = self.export_instead
                 self.notes.faults.append(Fault(message=message, file=file.name, expected=expected))
         raise_all(InputError, self.notes.faults)
 

@@ -35,6 +35,10 @@ _HALVED = (
 _GRID = (3620, 3621, 3622, 3623, 3624)
 
 
+#: What would let straightness compensation be counted with.
+_UNTOLD_HELP = "straightness: available in the options of the controller"
+
+
 def facts_of(values: IncrementAxisValues) -> AxisFacts:
     """Return what the files say of an axis."""
     increments = _increments(values)
@@ -105,7 +109,7 @@ def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, obj
             *(said.magnification, said.interval),
         )
         words += [f"{number} = {value}" for number, value in zip(_GRID, grid, strict=True)]
-    pairs = replace(facts.pairs, untold=across(own, options))
+    pairs = replace(facts.pairs, untold=across(own, options), untold_help=_UNTOLD_HELP)
     return replace(facts, beside="; ".join(words), increments=said, pairs=pairs)
 
 

@@ -59,7 +59,6 @@ RULES = ShapeRules(
 class IncrementsFamily(Family):
     """Whole steps by section."""
 
-    untold_help = "straightness: available in the options of the controller"
     left_open = LeftOpen(
         DETECTION_UNIT, "mm or deg per pulse, such as 0.001", stand_in=0.001, lengths=False
     )
@@ -90,7 +89,8 @@ class IncrementsFamily(Family):
         meaning, which is listed.
         """
         both = {"inclination", "cyclic"} & self.definition.options.keys()
-        return self.with_options(**dict.fromkeys(both, "available"))
+        shown = {**self.options, **dict.fromkeys(both, "available")}
+        return type(self)(self.definition, shown)
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
         """See `Family.questions`: also the first free point number, which one axis gives for all,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from compwright.formats.families.axis_tables import AxisTable
+from compwright.formats.families.axis_tables import AxisTable, with_partners
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.entries import all_entries
 from compwright.formats.families.increments.writing import sheet_rows, write_programs
@@ -28,7 +28,7 @@ def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlF
     names |= {
         axis.gantry: f"{axis.name}_{axis.gantry}" for _, axis, _ in own if axis.gantry is not None
     }
-    entries = all_entries(family, family.with_partners(own))
+    entries = all_entries(family, with_partners(family.definition, own))
     sheets = [
         write_sheet(
             f"entry_{names[entry.address]}.csv",

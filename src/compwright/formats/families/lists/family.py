@@ -5,8 +5,6 @@ which another axis corrects it.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from copy import copy
-from typing import Self
 
 from compwright.formats.definition.kept_lines import NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
@@ -44,6 +42,7 @@ RULES = ShapeRules(
 class ListsFamily(Family):
     """Entries by index in one list per axis."""
 
+    limits_in_files = True
     left_open = LeftOpen(
         "encoder_increment",
         "mm or deg per encoder increment, such as 0.0001",
@@ -61,14 +60,6 @@ class ListsFamily(Family):
     ) -> ControlState:
         """See `Family.read`."""
         return read_state(self, files, axes, address, activity)
-
-    def bound_to(self, files: Sequence[ControlFile], axes: Sequence[Axis]) -> Self:
-        """Return the control whose unit and room for entries are those of ``files``."""
-        if not files:
-            return self
-        bound = copy(self)
-        bound.state = self.read(files, axes)
-        return bound
 
     def unit_of(self, axis: Axis) -> str:
         """Return what the list of an axis counts in (a word of its unit), new lists in tenths."""
@@ -122,23 +113,19 @@ class ListsFamily(Family):
         )
 
     def own_limits(
-        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity
+        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
-        """Return a fault for a value that the type of the build does not hold."""
+        """Return what is wrong with the table of an endless axis, and a fault for a value that the
+        type of the build does not hold.
+        """
+        faults = limits.turn(capacity, compensation, label)
         low, high = capacity.value_range
         values = (*compensation.positive, *compensation.negative)
         if all(low <= value <= high for value in values):
-            return ()
+            return faults
         message = f"axis {axis.name}: a value does not fit the type of the list"
         found = f"{max(values, key=abs):g}"
-        return (Fault(message=message, expected=f"{low:g} to {high:g}", found=found),)
-
-    def limits_of_turn(
-        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
-    ) -> Sequence[Fault]:
-        """Return what is wrong with the table of an endless axis."""
-        del axis
-        return limits.turn(capacity, compensation, label)
+        return [*faults, Fault(message=message, expected=f"{low:g} to {high:g}", found=found)]
 
     def files_of(
         self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]

@@ -28,9 +28,9 @@ from compwright.records.plan import PlannedCross
 _OWN = "own files/"
 
 
-def pairs_between(family: Family, asked: BetweenRequest) -> Between:
+def pairs_between(family: Family, asked: BetweenRequest, *, small: bool) -> Between:
     """Return the tables between axes with the steps that load them, or why the control has no room
-    for them.
+    for them. ``small``: what is written is delivered in small files.
     """
     before = asked.read(asked.base)
     try:
@@ -42,7 +42,7 @@ def pairs_between(family: Family, asked: BetweenRequest) -> Between:
     steps = (
         step
         for entry in asked.planned
-        for step in _steps(family, entry, _named(family, asked, entry, new), before, after)
+        for step in _steps(family, entry, _named(family, entry, new, small=small), before, after)
     )
     return Between(files=new, steps=tuple(steps))
 
@@ -70,11 +70,9 @@ def _written(
     return tuple(files)
 
 
-def _named(
-    family: Family, asked: BetweenRequest, entry: PlannedCross, new: Sequence[ControlFile]
-) -> str:
+def _named(family: Family, entry: PlannedCross, new: Sequence[ControlFile], *, small: bool) -> str:
     """Return the names of the files that hold a new table, as they are delivered."""
-    if not asked.small:
+    if not small:
         return " and ".join(file.name for file in new)
     form = next(file.name for file in family.definition.writing if file.when == "cross")
     return print_form(form, {"axis": file_stem(family, entry.added.output)})

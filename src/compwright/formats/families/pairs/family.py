@@ -30,7 +30,6 @@ from compwright.formats.families.pairs.entered import entered, whereabouts
 from compwright.formats.families.pairs.options import (
     allowed_tables,
     available,
-    holds_two_curves,
     reserving,
 )
 from compwright.formats.families.pairs.program_flow import scanned
@@ -48,7 +47,7 @@ from compwright.foundations.errors import Fault, InputError, UsageError, raise_a
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.correction import ControlFile, ControlState
 from compwright.records.delivery import Delivery
 
 _ARCHIVE = (
@@ -67,11 +66,6 @@ class PairsFamily(GridFamily):
 
     reader = PairsReader
     writer = PairsWriter
-    untold_help = "cec_sign in controller.options (tables that are curves)"
-    export_instead = (
-        "the tables and the machine data as text (AX_EEC.INI, NC_CEC.INI, INITIAL.INI), or the"
-        " commissioning archive of the NC that begins with @@MMCIBN"
-    )
     sign_assumed = False
 
     def read(
@@ -108,7 +102,7 @@ class PairsFamily(GridFamily):
         """
         if self.options.get("cec_sign", "") is not None:
             return self
-        shown = self.with_options(cec_sign="correction")
+        shown = type(self)(self.definition, {**self.options, "cec_sign": "correction"})
         shown.sign_assumed = True
         return shown
 
@@ -133,12 +127,14 @@ class PairsFamily(GridFamily):
         if not (files and texts) or "files" not in self.options:
             return Delivery(tuple(files))
         small = SmallFiles(self, texts, files, axes)
-        if self.small_files(own):
+        if self._small_files(own):
             return Delivery(small.files(), small.back(), own=False)
         return Delivery(tuple(files), small.back())
 
-    def small_files(self, own: Sequence[ControlFile]) -> bool:
-        """See `Family.small_files`."""
+    def _small_files(self, own: Sequence[ControlFile]) -> bool:
+        """Return whether what is written into the control's ``own`` files is delivered in small
+        ones.
+        """
         form = self.options.get("files")
         if any(self._unpatched(file) for file in own) or form == "patched":
             return form != "patched"
@@ -221,16 +217,11 @@ class PairsFamily(GridFamily):
             return super().capacity(axis)
         return PairLimits(self, axis).capacity()
 
-    def capacity_of(self, axis: Axis, compensation: AxisCompensation) -> Capacity:
-        """Return the limits of the place where this table goes: one table and backlash are the
-        better home for one curve.
-        """
-        two = holds_two_curves(self.options_of(axis), compensation)
-        return self.capacity(axis, one_curve=not two)
-
     def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: tables of their own, where the control has them."""
-        return pairs_between(self, asked) if available(self.options) else super().between(asked)
+        if not available(self.options):
+            return super().between(asked)
+        return pairs_between(self, asked, small=self._small_files(asked.found))
 
     def _named_files(self, axis: Axis, files: Sequence[ControlFile]) -> dict[str, str]:
         """Return how the card calls the files: of one table on an axis, and of those over itself

@@ -49,6 +49,11 @@ _NOT_VERIFIED = (
 class PairsReader(GridReader):
     """Reads the tables between axes too."""
 
+    export_instead = (
+        "the tables and the machine data as text (AX_EEC.INI, NC_CEC.INI, INITIAL.INI), or the"
+        " commissioning archive of the NC that begins with @@MMCIBN"
+    )
+
     def __init__(
         self,
         control: Family,

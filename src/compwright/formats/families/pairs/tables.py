@@ -106,6 +106,7 @@ class Cec:
             metric=self.metric.get(address),
             odd_sum=sum(table.largest for table in self.odd if table.output == address),
             untold=self._untold(address, sign_known=sign_known),
+            untold_help="cec_sign in controller.options (tables that are curves)",
         )
 
     def uncounted(self, address: str) -> str:

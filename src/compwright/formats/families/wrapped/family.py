@@ -129,19 +129,13 @@ class WrappedFamily(Family):
     def _counts(self, axis: Axis) -> Counts:
         return counts_of(self.definition, self.options_of(axis), axis.name)
 
-    def limits_of_turn(
+    def own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
-        """Return what is wrong with the table of an endless axis."""
-        del axis
-        return limits.turn(capacity, compensation, label)
-
-    def own_limits(
-        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity
-    ) -> Sequence[Fault]:
-        """Return what the entries of the motor cannot say."""
-        del capacity
-        faults: list[Fault] = []
+        """Return what is wrong with the table of an endless axis, and what the entries of the
+        motor cannot say.
+        """
+        faults = limits.turn(capacity, compensation, label)
         if compensation.positions.size >= 2:
             self._entries(axis, compensation, faults)
         return faults
