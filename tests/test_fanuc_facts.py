@@ -24,6 +24,7 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import load_definition
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.gate.gate import check_definition
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -150,16 +151,16 @@ def facts(definition: Definition) -> None:
     assert (one.absolute_encoder, two.absolute_encoder) == (True, False)
     assert (one.reference_return, two.reference_return) == (UP, DOWN)
     assert [state.facts[each].enabled for each in "12345"] == [True, True, False, True, True]
-    more = one.increments
+    more = increments_of(one)
     assert (more.backlash, more.backlash_rapid, more.separate_rapid) == (4, 6, True)
     assert (more.inch, more.rapid_feed, more.magnification) == (False, 24000.0, 2)
-    assert (two.increments.negative_first, two.increments.negative_offset) == (110, -5)
-    assert (more.two_sets, two.increments.two_sets) == (False, True)
+    assert (increments_of(two).negative_first, increments_of(two).negative_offset) == (110, -5)
+    assert (more.two_sets, increments_of(two).two_sets) == (False, True)
     assert 700 in state.reserved
     assert one.lead == 6.0  # 60000 detection units of 0.0001 mm
-    assert state.facts["5"].increments.separate_rapid is False  # of its own path
+    assert increments_of(state.facts["5"]).separate_rapid is False  # of its own path
     assert [each.code for each in state.findings].count("CW-S040") == 1  # 3605#1 of X
-    assert state.facts["4"].increments.rapid_feed == 3600.0
+    assert increments_of(state.facts["4"]).rapid_feed == 3600.0
 
 
 def new_table(address: str, unit: float) -> AxisCompensation:
@@ -249,7 +250,7 @@ def writings(definition: Definition) -> None:
             assert (said.name, said.absolute_encoder) == (axis(address).name, address != "2"), how
             assert said.limits == virtual_limits(address), how
             assert (said.reference, said.kind) == (0.0, axis(address).kind), how
-        assert state.facts["4"].increments.backlash_rapid == -3, how
+        assert increments_of(state.facts["4"]).backlash_rapid == -3, how
         assert [state.facts[each].diameter for each in "13"] == [False, True], how
 
 

@@ -17,6 +17,7 @@ from compwright.controllers.virtual import virtual_control
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definition_in
+from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import AxisKind
 from compwright.records.correction import ControlState
@@ -91,10 +92,10 @@ def test_15i_numbers_of_other_series_count_for_nothing_and_are_named_once() -> N
     table = state.axes["1"]
     assert np.round(table.positive * 1000, 9).tolist() == list(TOTALS)
     assert (table.backlash, table.others) == (0.002, ())
-    own, other = (replace(facts.facts["1"].increments, hung=()) for facts in (state, bare))
-    assert replace(state.facts["1"], increments=own) == replace(bare.facts["1"], increments=other)
+    own, other = (replace(increments_of(facts.facts["1"]), hung=()) for facts in (state, bare))
+    assert replace(state.facts["1"], of_family=own) == replace(bare.facts["1"], of_family=other)
     # what may compensate by the grid holds the grid
-    held = {re.search("[0-9]{4}", each.label)[0] for each in state.facts["1"].increments.hung}  # type: ignore[index]
+    held = {re.search("[0-9]{4}", each.label)[0] for each in increments_of(state.facts["1"]).hung}  # type: ignore[index]
     assert held == {"3602", "3605", "5711", "5721", "5861", "5871"}
     new = [each for each in state.findings if each not in bare.findings]
     assert [(each.code, each.severity) for each in new] == [("CW-S057", "warning")]

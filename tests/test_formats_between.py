@@ -19,6 +19,7 @@ from compwright.controls.cross_tables import CrossOutcome, write_planned
 from compwright.formats.control_format import control_format
 from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.family import Family
+from compwright.formats.families.increments.increment_facts import IncrementFacts
 from compwright.formats.families.pairs.family import PairsFamily
 from compwright.foundations.errors import CompwrightError, UsageError
 from compwright.records.axis import Axis, AxisKind
@@ -28,7 +29,7 @@ from compwright.records.correction import (
     ControlState,
     CrossCompensation,
 )
-from compwright.records.facts import AxisFacts, IncrementFacts
+from compwright.records.facts import AxisFacts
 from compwright.records.plan import PlannedCross
 from format_samples import DEFINITIONS
 
@@ -173,7 +174,7 @@ def line_of(address: str = "1") -> ControlState:
     table = AxisCompensation(
         address=address, kind=AxisKind.LINEAR, positions=nodes, positive=zero, negative=zero
     )
-    facts = {address: AxisFacts(increments=IncrementFacts(first_number=10, last_number=26))}
+    facts = {address: AxisFacts(of_family=IncrementFacts(first_number=10, last_number=26))}
     return ControlState(format="fanuc-30i", axes={address: table}, facts=facts)
 
 

@@ -13,6 +13,7 @@ import pytest
 from compwright.controllers.virtual import virtual_control
 from compwright.controls.control import decode, open_control
 from compwright.controls.decoded import DecodedState
+from compwright.formats.families.increments.increment_facts import IncrementFacts, increments_of
 from compwright.formats.families.increments.numbering import (
     NoRoom,
     NumberPlace,
@@ -23,7 +24,7 @@ from compwright.foundations.errors import InputError
 from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
-from compwright.records.facts import AxisFacts, IncrementFacts
+from compwright.records.facts import AxisFacts
 
 SAMPLE = IncrementFacts(
     reference_number=23, first_number=20, last_number=27, negative_first=30, two_sets=True
@@ -69,7 +70,7 @@ def read(own: list[ControlFile], *axes: Axis) -> DecodedState:
 
 def test_the_sample_setting_of_the_control_s_own_report() -> None:
     state = read(backup()).state
-    assert state.facts_of("1").increments.claimed == (range(20, 28), range(30, 38))
+    assert increments_of(state.facts_of("1")).claimed == (range(20, 28), range(30, 38))
     table = state.axes["1"]
     # sections 20 .. 23 below the reference, 24 .. 27 above it: nodes from -40 to 40
     assert table.positions.tolist() == [10.0 * step for step in range(-4, 5)]
@@ -100,7 +101,7 @@ def test_the_numbers_that_an_axis_has_are_none_of_those_that_all_share() -> None
     ],
 )
 def test_a_second_set_clear_of_the_first_is_read(second: int) -> None:
-    claimed = read(backup(second)).state.facts_of("1").increments.claimed
+    claimed = increments_of(read(backup(second)).state.facts_of("1")).claimed
     assert claimed == (range(20, 28), range(second, second + 8))
 
 
@@ -176,7 +177,7 @@ def test_numbers_in_use_are_all_but_one_s_own() -> None:
     state = ControlState(
         format="fanuc-30i",
         axes={},
-        facts={"1": AxisFacts(increments=SAMPLE), "2": AxisFacts(increments=other)},
+        facts={"1": AxisFacts(of_family=SAMPLE), "2": AxisFacts(of_family=other)},
         reserved=frozenset({27, 28, 37, 38}),
     )
     assert used_numbers(state, ["1"]) == [range(100, 104), range(28, 29), range(38, 39)]

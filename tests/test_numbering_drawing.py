@@ -15,9 +15,10 @@ import pytest
 from card_files import card_of
 from compwright.cli import run as compwright
 from compwright.formats.control_format import control_format
+from compwright.formats.families.increments.increment_facts import IncrementFacts
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation
-from compwright.records.facts import AxisFacts, IncrementFacts
+from compwright.records.facts import AxisFacts
 from compwright.reporting.numbering import numbering_svg, numbering_text
 from format_samples import DEFINITIONS
 
@@ -41,7 +42,7 @@ def numbered(
     points hold that are not 0.
     """
     facts = AxisFacts(
-        increments=IncrementFacts(
+        of_family=IncrementFacts(
             reference_number=reference,
             first_number=first,
             last_number=last,

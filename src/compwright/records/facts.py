@@ -43,85 +43,6 @@ class PairFacts:
     untold_help: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class PointNumber:
-    """A number of an axis' sections to which another function points: ``size`` bytes of a file from
-    ``start`` on. ``label`` names it with its value; ``parameter`` is its name where it belongs to
-    the axis alone, else empty.
-    """
-
-    number: int
-    parameter: str
-    label: str
-    file: str
-    start: int
-    size: int
-
-
-@dataclass(frozen=True, slots=True)
-class Hung:
-    """What acts beside a table and hangs on the numbers of its sections; ``points``: which, None
-    where that is not known.
-    """
-
-    label: str
-    points: tuple[PointNumber, ...] | None
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class IncrementFacts:
-    """What whole steps by section mean for one axis; None: no file says it.
-
-    ``reference_number``, ``first_number``, ``last_number``: the numbers of its sections in the
-    array that all axes share, ``negative_first`` that of the set for travel in -, which counts with
-    ``two_sets``. ``negative_offset``, ``backlash``, ``backlash_rapid``: detection units.
-    ``separate_rapid``: rapid traverse has a backlash of its own. ``inch``: the machine counts in
-    inches. ``rapid_feed``: mm/min or deg/min. ``unread``: numbers of which no file says what they
-    hold. ``interval``: the width of its sections, mm or deg. ``hung``: what acts beside the table
-    by its numbers and is left alone. ``first_stage``: the part of the backlash that comes out at
-    once where the rest follows on the way, detection units. ``inclined``: the line of
-    inclination compensation that is there, in words; empty: none. ``waved``: the second table, the
-    same. ``turn``: the travel of one turn that its table has, deg. ``foreign``: the numbers of
-    second tables, wherever they lie: none of them is free for a table.
-    """
-
-    reference_number: int | None = None
-    first_number: int | None = None
-    last_number: int | None = None
-    magnification: int | None = None
-    negative_first: int | None = None
-    negative_offset: int | None = None
-    two_sets: bool = False
-    backlash: int | None = None
-    backlash_rapid: int | None = None
-    separate_rapid: bool | None = None
-    inch: bool | None = None
-    rapid_feed: float | None = None
-    unread: frozenset[int] = frozenset()
-    interval: float | None = None
-    hung: tuple[Hung, ...] = ()
-    first_stage: int = 0
-    inclined: str = ""
-    waved: str = ""
-    turn: float | None = None
-    foreign: tuple[range, ...] = ()
-
-    @property
-    def claimed(self) -> tuple[range, ...]:
-        """The numbers that the axis claims: one set, or two of the same length; none where its
-        first is its last. A full turn that leaves the reference's own number out keeps it.
-        """
-        first, last = self.first_number, self.last_number
-        if first is None or last is None or first >= last:
-            return ()
-        if self.reference_number == first - 1:
-            return (range(first - 1, last + 1),)
-        own, second = range(first, last + 1), self.negative_first
-        if not self.two_sets or second is None:
-            return (own,)
-        return own, range(second, second + len(own))
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisFacts:
     """What a control's files say of one axis; None or empty: they do not say it.
@@ -140,7 +61,8 @@ class AxisFacts:
     open. ``grid``: the nodes (ascending, mm or deg) of a table of its own that the files hold but
     that does not act; that of one that acts stands in its compensation. ``homing``: the control,
     when it homes, counts the correction at ``reference`` as zero ("relative"), or adds the table as
-    it stands ("absolute"); empty: no file says it. ``unapplied_steps``: see `Axis`. ``said``:
+    it stands ("absolute"); empty: no file says it. ``unapplied_steps``: see `Axis`. ``of_family``:
+    what only the family of the control knows of the axis; nothing else looks into it. ``said``:
     further quantities by neutral name, which settle options.
     """
 
@@ -169,7 +91,7 @@ class AxisFacts:
     homing: Literal["", "relative", "absolute"] = ""
     unapplied_steps: tuple[float, float] | None = None
     pairs: PairFacts = PairFacts()
-    increments: IncrementFacts = IncrementFacts()
+    of_family: object = None
     said: Mapping[str, Fact] = field(default_factory=dict)
 
 

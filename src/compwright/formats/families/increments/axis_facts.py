@@ -17,13 +17,14 @@ from compwright.formats.families.increments.beside import (
     left_alone,
 )
 from compwright.formats.families.increments.detection_unit import detection_unit
+from compwright.formats.families.increments.increment_facts import IncrementFacts, increments_of
 from compwright.formats.families.increments.parameters import AxisParameters
 from compwright.formats.families.increments.screw_lead import screw_lead
 from compwright.formats.families.increments.sections import idle_nodes
 from compwright.formats.families.increments.smooth import first_stage
 from compwright.formats.text.notes import Notes
 from compwright.records.axis import AxisKind
-from compwright.records.facts import AxisFacts, IncrementFacts
+from compwright.records.facts import AxisFacts
 from compwright.records.options import DETECTION_UNIT
 
 #: What `new` says of the limits of an axis in diameter programming.
@@ -74,7 +75,7 @@ def facts_of(values: IncrementAxisValues) -> AxisFacts:
         unit_evidence="" if unit is None else unit.evidence,
         lead=None if lead is None else lead.size,
         lead_evidence="" if lead is None else lead.evidence,
-        increments=replace(increments, two_sets=bool(two_sets)),
+        of_family=replace(increments, two_sets=bool(two_sets)),
         said={} if unit is None else {DETECTION_UNIT: unit.size},
     )
 
@@ -95,7 +96,7 @@ def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, obj
     """Return the facts with what acts beside the table and is left alone."""
     told = {OPTION_OF.get(each.words): each.told for each in functions(own)}
     said = replace(
-        facts.increments,
+        increments_of(facts),
         hung=hung(own),
         foreign=tuple(numbers for _, numbers in second_tables(own.all)),
         first_stage=first_stage(own),
@@ -110,7 +111,7 @@ def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, obj
         )
         words += [f"{number} = {value}" for number, value in zip(_GRID, grid, strict=True)]
     pairs = replace(facts.pairs, untold=across(own, options), untold_help=_UNTOLD_HELP)
-    return replace(facts, beside="; ".join(words), increments=said, pairs=pairs)
+    return replace(facts, beside="; ".join(words), of_family=said, pairs=pairs)
 
 
 def _increments(values: IncrementAxisValues) -> IncrementFacts:

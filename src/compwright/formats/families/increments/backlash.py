@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.axis_values import IncrementAxisValues
+from compwright.formats.families.increments.increment_facts import IncrementFacts
 from compwright.records.axis import Axis
-from compwright.records.facts import IncrementFacts
 
 
 def acting_backlash(values: IncrementAxisValues, feed: int) -> int:

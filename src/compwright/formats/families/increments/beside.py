@@ -13,8 +13,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.increment_facts import Hung, PointNumber
 from compwright.formats.families.increments.parameters import AxisParameters, ParameterValue
-from compwright.records.facts import Hung, PointNumber
 
 #: What may compensate by the grid where nobody knows what it is on a series.
 _MAY_COMPENSATE = {"inclination", "straightness", "cyclic", "spatial", "totals", "pitch_bits"}

@@ -22,6 +22,7 @@ from compwright.formats.families.between import (
     typed_in,
 )
 from compwright.formats.families.family import Family
+from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.families.increments.parameters import Parameters, ParameterValue
 from compwright.formats.families.increments.straightness import free_pair
 from compwright.formats.text.patching import BytesChange, apply_changes
@@ -62,7 +63,7 @@ def _filled(family: Family, asked: BetweenRequest, entry: PlannedCross) -> Betwe
     if places is None or not isinstance(unit, float) or added.positions.size != 2:
         return None
     state = asked.read(asked.base)
-    table, facts = state.axes.get(added.input), state.facts_of(added.input).increments
+    table, facts = state.axes.get(added.input), increments_of(state.facts_of(added.input))
     if table is None or table.positions.size < 2 or table.period is not None:
         return None
     steps = [int(np.argmin(np.abs(table.positions - place))) for place in added.positions]
@@ -122,7 +123,7 @@ def _rows(
         or not isinstance(unit, float)
     ):
         return None
-    facts = state.facts_of(added.input).increments
+    facts = increments_of(state.facts_of(added.input))
     first, last = facts.first_number, facts.last_number
     low, high = added.at(table.positions[[1, -1]], Direction.POSITIVE) / unit
     return [

@@ -11,6 +11,7 @@ from compwright.formats.families.increments.entries import (
     length_step,
     magnifications,
 )
+from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.families.increments.numbering import longest_gap, used_numbers
 from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind
@@ -33,7 +34,7 @@ class IncrementLimits:
         self.scale = family.scale_of(axis)
         self.options = self.scale.options
         address, assumption = family.address(axis)
-        self.facts = family.state.facts_of(address).increments
+        self.facts = increments_of(family.state.facts_of(address))
         acting = family.state.axes.get(address)
         self.stays = () if acting is None else acting.others
         self.used = used_numbers(family.state, [address])

@@ -7,10 +7,11 @@ from collections.abc import Iterator
 from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.backlash import backlash_words
+from compwright.formats.families.increments.increment_facts import IncrementFacts, increments_of
 from compwright.formats.text.values import name_of
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation
-from compwright.records.facts import AxisFacts, IncrementFacts
+from compwright.records.facts import AxisFacts
 
 _ABSOLUTE = (
     "Absolute encoder: no reference return. Leave its adjustment alone (1815): machine zero would"
@@ -30,9 +31,9 @@ def increment_values(
     family: Family, axis: Axis, compensation: AxisCompensation, facts: AxisFacts
 ) -> dict[str, str]:
     """Return the values of the card of one axis; ``facts``: what the written files say of it."""
-    scale = family.scale_of(axis)
+    scale, own = family.scale_of(axis), increments_of(facts)
     names = ("reference_number", "first_number", "last_number", "magnification")
-    said = {name: getattr(facts.increments, name) for name in names}
+    said = {name: getattr(own, name) for name in names}
     values = {
         **{name: str(number) for name, number in said.items() if number is not None},
         **{
@@ -43,7 +44,7 @@ def increment_values(
         "detection_unit": f"{scale.quantum('value'):g} {axis.kind.unit}",
         "backlash": _feed_backlash(scale.write("backlash", compensation.backlash), facts),
         "further": "; ".join(
-            filter(None, (_further(family, axis, facts.increments), *_beside(family, axis, facts)))
+            filter(None, (_further(family, axis, own), *_beside(family, axis, facts)))
         ),
         "other_sign": "'+'" if scale.options.get("pitch_sign") == "-" else "'-'",
     }
@@ -57,24 +58,25 @@ def increment_values(
 
 def _feed_backlash(count: str, facts: AxisFacts) -> str:
     """Return 1851: what the files hold; ``count``, that of the table, where they say nothing."""
-    held = facts.increments.backlash
+    held = increments_of(facts).backlash
     return count if held is None else str(held)
 
 
 def _beside(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
     """Yield what is said of functions beside the table; ``facts``: what the written files say."""
-    before = family.state.facts_of(family.address(axis)[0]).increments
+    before = increments_of(family.state.facts_of(family.address(axis)[0]))
+    now = increments_of(facts)
     old = {point.number for each in before.hung for point in each.points or ()}
-    new = [point for each in facts.increments.hung for point in each.points or ()]
-    if facts.increments.waved and not before.waved:
+    new = [point for each in now.hung for point in each.points or ()]
+    if now.waved and not before.waved:
         yield (
-            f"set too: {facts.increments.waved}, whose points are in the sheet; its sign and where"
+            f"set too: {now.waved}, whose points are in the sheet; its sign and where"
             " its period starts are unconfirmed, so measure one period in its sections with it and"
             " with 14985 to 14987 = 0 (power cycle each time) before production"
         )
-    if facts.increments.inclined and not before.inclined:
+    if now.inclined and not before.inclined:
         yield (
-            f"set too: {facts.increments.inclined}; its sign and unit are unconfirmed, so measure"
+            f"set too: {now.inclined}; its sign and unit are unconfirmed, so measure"
             " both ends of the travel with these amounts and with 0 (power cycle each time) before"
             " the whole table acts"
         )

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from compwright.formats.definition.schema import Definition
+from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.families.increments.parameters import MEANINGS, NAMES, SILENT
 from compwright.formats.text.entered import SILENT_QUANTITIES, Entered, texts_of
 from compwright.records.correction import ControlFile, ControlState
@@ -130,7 +131,7 @@ def whereabouts(entry: Entered, state: ControlState | None) -> tuple[tuple[str, 
     owners: list[str] = []
     at = None
     for address, facts in state.facts.items():
-        for claimed in facts.increments.claimed:
+        for claimed in increments_of(facts).claimed:
             if number not in claimed:
                 continue
             owners.append(address)

@@ -16,6 +16,11 @@ from compwright.formats.families.family import Family
 from compwright.formats.families.increments.axis_reading import increment_limit
 from compwright.formats.families.increments.axis_values import INCH, thousandths
 from compwright.formats.families.increments.backlash import both_backlashes
+from compwright.formats.families.increments.increment_facts import (
+    IncrementFacts,
+    PointNumber,
+    increments_of,
+)
 from compwright.formats.families.increments.lengths import length_text
 from compwright.formats.families.increments.moving import check_sets, moved_numbers
 from compwright.formats.families.increments.numbering import (
@@ -37,7 +42,6 @@ from compwright.formats.text.scale import NotHeld, NumberScale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
-from compwright.records.facts import IncrementFacts, PointNumber
 
 #: How far a node may be from its place on the grid, in spacings: arithmetic dust, not a wrong grid.
 _ON_GRID = 1e-6
@@ -93,7 +97,7 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
         # The old numbers of another axis of the job stay its own: tables may be loaded one by one.
         used = [*used_numbers(family.state, [address]), *given]
         try:
-            rapid = family.state.facts_of(leading.get(address, address)).increments
+            rapid = increments_of(family.state.facts_of(leading.get(address, address)))
             entry = _WholeNumbers(family, address, axis, compensation, rapid).entries(used, start)
         except NotHeld as error:
             faults.append(Fault(message=f"axis {axis.name} ({address}): {error}"))
@@ -107,7 +111,7 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
     }
     cleared = []
     for entry in entries:
-        claimed = family.state.facts_of(entry.address).increments.claimed
+        claimed = increments_of(family.state.facts_of(entry.address)).claimed
         # The number of the reference itself may hold something, though it owns no section.
         own = claimed[1:] if entry.kept else claimed
         left = tuple(number for numbers in own for number in numbers if number not in taken)
@@ -165,7 +169,7 @@ class _WholeNumbers:
         self.axis = axis
         self.compensation = compensation
         self.said = family.state.facts_of(address)
-        self.facts = self.said.increments
+        self.facts = increments_of(self.said)
         self.scale = family.scale_of(axis)
         self.options = self.scale.options
         self.unit = self.scale.quantum("value")

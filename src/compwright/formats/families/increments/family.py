@@ -23,6 +23,7 @@ from compwright.formats.families.increments.capacity import IncrementLimits
 from compwright.formats.families.increments.card import increment_values
 from compwright.formats.families.increments.entered import entered, whereabouts
 from compwright.formats.families.increments.entries import free_numbers_question
+from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.families.increments.numbered import numbered_sections
 from compwright.formats.families.increments.parameters import NAMES
 from compwright.formats.families.increments.reading import StateReader
@@ -146,7 +147,7 @@ class IncrementsFamily(Family):
     def tells_idle(self, state: ControlState, address: str) -> bool:
         """See `Family.tells_idle`: every reading tells the facts of all axes."""
         facts = state.facts_of(address)
-        return not (facts.enabled or facts.increments.backlash)
+        return not (facts.enabled or increments_of(facts).backlash)
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]

@@ -4,10 +4,10 @@ refused by the parameter's name.
 
 from __future__ import annotations
 
+from compwright.formats.families.increments.increment_facts import Hung, IncrementFacts, PointNumber
 from compwright.formats.families.increments.numbering import NumberPlace
 from compwright.formats.text.scale import NotHeld
 from compwright.records.axis import Axis
-from compwright.records.facts import Hung, IncrementFacts, PointNumber
 
 #: How far a position may lie beside a node, in spacings: arithmetic dust.
 _ON_GRID = 1e-6

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from compwright.formats.families.family import Family
+from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.text.values import name_of
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation
@@ -20,7 +21,7 @@ def numbered_sections(
     """Return them by what the written files say (``facts``, and the ``table`` that was read back);
     None where those hold no table.
     """
-    said = facts.increments
+    said = increments_of(facts)
     reference, first, last = said.reference_number, said.first_number, said.last_number
     interval = said.interval
     if reference is None or first is None or last is None or not interval or first > last:
@@ -53,7 +54,7 @@ def _held(
     family: Family, axis: Axis, facts: AxisFacts, table: AxisCompensation
 ) -> Mapping[int, int]:
     """Return what the points of an axis with ends hold, by number, as read back."""
-    scale, said = family.scale_of(axis), facts.increments
+    scale, said = family.scale_of(axis), increments_of(facts)
     unit = scale.quantum("value") * (said.magnification or 0)
     sign = -1 if scale.options.get("pitch_sign") == "-" else 1
     if axis.modulo is not None or said.first_number is None or not unit:

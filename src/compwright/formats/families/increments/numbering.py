@@ -8,8 +8,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 
+from compwright.formats.families.increments.increment_facts import IncrementFacts, increments_of
 from compwright.records.correction import ControlState
-from compwright.records.facts import IncrementFacts
 
 
 class NoRoom(ValueError):  # noqa: N818 - it says what is the matter, and never leaves the room
@@ -143,7 +143,7 @@ def used_numbers(state: ControlState, without: Iterable[str]) -> list[range]:
     axes claim them.
     """
     left_out = set(without)
-    claims = {address: facts.increments.claimed for address, facts in state.facts.items()}
+    claims = {address: increments_of(facts).claimed for address, facts in state.facts.items()}
     own = [numbers for address in left_out for numbers in claims.get(address, ())]
     others = sorted(
         number for number in state.reserved if not any(number in numbers for numbers in own)
@@ -154,7 +154,7 @@ def used_numbers(state: ControlState, without: Iterable[str]) -> list[range]:
         *(
             numbers
             for one in sorted(left_out)
-            for numbers in state.facts_of(one).increments.foreign
+            for numbers in increments_of(state.facts_of(one)).foreign
         ),
     ]
 

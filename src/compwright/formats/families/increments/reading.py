@@ -29,6 +29,7 @@ from compwright.formats.families.increments.axis_reading import IncrementReader
 from compwright.formats.families.increments.axis_values import IncrementAxisValues
 from compwright.formats.families.increments.coupling import couplings_of
 from compwright.formats.families.increments.detection_unit import settled_options
+from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.families.increments.parameters import AxisParameters, Parameters
 from compwright.formats.families.increments.points import points_by_number
 from compwright.formats.families.increments.sections import GRID, read_sections
@@ -320,7 +321,7 @@ class StateReader:
     def _tell_overlaps(self) -> None:
         owners: dict[int, list[str]] = {}
         for address, said in self.facts.items():
-            for numbers in said.increments.claimed if said.enabled else ():
+            for numbers in increments_of(said).claimed if said.enabled else ():
                 for number in range(max(numbers.start, 0), min(numbers.stop, self.highest + 1)):
                     owners.setdefault(number, []).append(address)
         shared: dict[tuple[str, ...], list[int]] = {}
@@ -345,7 +346,7 @@ def _paired(
     """
     return replace(
         facts,
-        increments=replace(facts.increments, unread=unread),
+        of_family=replace(increments_of(facts), unread=unread),
         synchronised=followers(couplings, address),
         leading=leader(couplings, address),
     )

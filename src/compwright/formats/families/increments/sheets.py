@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from compwright.formats.families.axis_tables import AxisTable, with_partners
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.entries import all_entries
+from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.families.increments.writing import sheet_rows, write_programs
 from compwright.formats.text.entry_sheet import write_sheet
 from compwright.foundations.errors import Fault, UsageError
@@ -45,7 +46,7 @@ def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlF
     ]
     if family.options.get("program") != "g10":
         return tuple(sheets)
-    if any(facts.increments.inch for facts in family.state.facts.values()):
+    if any(increments_of(facts).inch for facts in family.state.facts.values()):
         message = (
             "a program has no letter for the unit, and the intervals in mm are not whole on an inch"
             " machine (1001#0)"
