@@ -57,7 +57,8 @@ def definition_of(texts: Texts, *, own: bool = False) -> Definition:
 def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
     """Return the definition that merged data describe. Raises as `load_definition`."""
     _check_version(text)
-    read, wrong = checked(definition_validator(), text.data)
+    quantities = tuple(name for rules in RULES.values() for name in rules.quantities)
+    read, wrong = checked(definition_validator(quantities), text.data)
     faults = [
         text.fault(each.path, each.message, expected=each.expected, found=each.found)
         for each in wrong

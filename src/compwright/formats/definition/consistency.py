@@ -162,15 +162,15 @@ def _statements(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
 
 
 def _layout(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPath, str]]:
-    singles = definition.layout.singles
+    singles, known = definition.layout.singles, (*SINGLES, *rules.quantities)
     for single in singles:
-        if single not in SINGLES:
+        if single not in known:
             yield (
                 (
                     "layout",
                     "singles",
                 ),
-                f"{single} cannot stand alone; known are {', '.join(SINGLES)}",
+                f"{single} cannot stand alone; known are {', '.join(known)}",
             )
     needed = {*rules.grid, *curves(definition), *singles}
     if has_cross(definition):  # tables between axes come with all that they need, or not at all

@@ -290,19 +290,21 @@ _FORMS: Final[Mapping[type, RecordForm]] = {
 
 
 @cache
-def definition_validator() -> SchemaValidator:
-    """Return what makes a definition of the data of its YAML."""
+def definition_validator(quantities: tuple[str, ...]) -> SchemaValidator:
+    """Return what makes a definition of the data of its YAML. ``quantities``: those that only one
+    shape binds.
+    """
     forms = dict(_FORMS)
     schemas = RecordSchemas(forms, {}, _PLAIN)
     looks = {str(name): schemas.of(tuple[LookRule, ...]) for name in LOOKED_AT}
-    further = {"bindings": _bindings(schemas), "look_at": mapping(looks, dict)}
+    further = {"bindings": _bindings(schemas, quantities), "look_at": mapping(looks, dict)}
     whole = forms[Definition]
     forms[Definition] = replace(whole, types={**whole.types, **further})
     return schemas.validator(Definition)
 
 
-def _bindings(schemas: RecordSchemas) -> cs.CoreSchema:
-    kinds = {Measure: MEASURES, Choice: CHOICES, Plain: PLAIN}
+def _bindings(schemas: RecordSchemas, quantities: tuple[str, ...]) -> cs.CoreSchema:
+    kinds = {Measure: MEASURES, Choice: CHOICES, Plain: (*PLAIN, *quantities)}
     schema = {name: schemas.of(kind) for kind, names in kinds.items() for name in names}
     found = mapping(schema, dict, optional=schema)
 

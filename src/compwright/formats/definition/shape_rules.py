@@ -21,7 +21,8 @@ class ShapeRules:
     correct between axes. ``afresh``: files are always written anew, never patched. ``parameters``:
     those beside the table of which a definition says what they are. ``kept``: lines that `redact`
     may leave as they are, beside the statements of the definition. ``repeats_turns``: the table of
-    a rotary axis over several turns holds its turn again and again.
+    a rotary axis over several turns holds its turn again and again. ``quantities``: what only
+    definitions of this shape bind, taken as it stands.
     """
 
     words: str
@@ -33,4 +34,5 @@ class ShapeRules:
     columns: bool = False
     afresh: bool = False
     repeats_turns: bool = False
+    quantities: tuple[str, ...] = ()
     parameters: frozenset[str] = frozenset()

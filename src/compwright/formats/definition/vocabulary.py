@@ -56,7 +56,6 @@ PLAIN = (
     "negative_offset",
     "backlash_rapid",
     "backlash_factor",
-    "take_up_rate",
     "axis_name",
     "reference_coordinate",
     "axis_letters",

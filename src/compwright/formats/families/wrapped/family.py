@@ -47,6 +47,7 @@ RULES = ShapeRules(
     words="parts of a count over a length that repeats, defined by a script",
     grid=("table_end",),
     by_axis=False,
+    quantities=(TAKE_UP,),
 )
 
 
