@@ -20,7 +20,12 @@ FANUC = ("fanuc-30i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-0i-16i", "fanuc-15i")
 def entered(control: str, *lines: str) -> dict[str, Entered]:
     text = "\n".join(("%", *lines, "%", "")).encode()
     family = control_format(DEFINITIONS[control], {})
-    return {one.name: one for one in family.entered([ControlFile("P.TXT", text)]).values()}
+    return {
+        one.name: one
+        for one in family.listing.entered(
+            family.definition, [ControlFile("P.TXT", text)], ()
+        ).values()
+    }
 
 
 @pytest.mark.parametrize("control", FANUC)

@@ -20,7 +20,7 @@ FAMILY = control_format(SIEMENS, {})
 
 def entered(**files: str) -> dict[str, Entered]:
     texts = [ControlFile(f"{name}.INI", text.encode()) for name, text in files.items()]
-    return dict(FAMILY.entered(texts))
+    return dict(FAMILY.listing.entered(FAMILY.definition, texts, ()))
 
 
 def differing(old: dict[str, Entered], new: dict[str, Entered]) -> list[EnteredChange]:

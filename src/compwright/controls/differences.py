@@ -104,7 +104,7 @@ def side(
 
     Raises InputError where the files enter nothing at all, or cannot be opened.
     """
-    entries = control.format.entered(files, naming)
+    entries = control.format.listing.entered(control.definition, files, naming)
     if not entries:
         raise InputError(*_nothing(control, files))
     files, idle = _with_data(control, files, entries)
@@ -162,7 +162,7 @@ def _with_data(
         if file.name in acting or is_container(file):
             kept.append(file)
             continue
-        own = control.format.entered([file])
+        own = control.format.listing.entered(control.definition, [file], ())
         if any(one.acts for one in own.values()):
             kept.append(file)
         elif file.name not in used and not own:
@@ -216,7 +216,9 @@ def _placed(control: Control, change: EnteredChange, old: Side, new: Side) -> Pl
     axes: tuple[str, ...] = ()
     at = None
     for one in (old, new):
-        named, position = control.format.whereabouts(change.entry, one.entries, one.state)
+        named, position = control.format.listing.whereabouts(
+            control.definition, change.entry, one.entries, one.state
+        )
         axes = tuple(dict.fromkeys((*axes, *named)))
         at = position if position is not None else at
     return Placed(change, axes, at)

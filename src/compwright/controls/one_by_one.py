@@ -35,8 +35,9 @@ def axis_by_axis(
     """
     refused: dict[str, InputError | UsageError] = {}
     state: ControlState | None = None
-    for address in control.format.one_by_one(files):
-        idle = state is not None and control.format.tells_idle(state, address)
+    listing = control.format.listing
+    for address in listing.alone(control.format, files):
+        idle = state is not None and listing.idle(state, address)
         if idle or (among is not None and address not in among):
             continue
         try:

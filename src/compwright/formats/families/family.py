@@ -8,13 +8,14 @@ tables), never a maker. The single controls differ by their definitions.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from copy import copy
-from dataclasses import replace
-from typing import Self
+from dataclasses import dataclass, replace
+from typing import ClassVar, Self
 
 import numpy as np
 
+from compwright.formats.definition.schema import Definition
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import AxisTable, paired, with_partners
@@ -35,20 +36,55 @@ from compwright.records.delivery import Delivery
 from compwright.records.options import LeftOpen
 
 
+def _all_by_statements(
+    definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile]
+) -> Entries:
+    return by_statements(definition, files)
+
+
+def _own_axis(
+    _: Definition, entry: Entered, __: Entries, ___: ControlState | None
+) -> tuple[tuple[str, ...], float | None]:
+    return ((entry.axis,) if entry.axis else ()), None
+
+
+AddressesByName = Mapping[str, tuple[str, str]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Listing:
+    """What a family finds in a control's files without making a state of them.
+
+    ``entered`` (files, and further ones of the machine that may say what its axes are called):
+    everything that files enter, whether it acts or not, by what tells each value from all others;
+    raises InputError. ``whereabouts`` (one of the entries, all of them, what the files say where
+    that could be read): the addresses of the axes that it belongs to, and the position of a value
+    of a table as the files count it. ``names``: the address of each axis, and what says so, by the
+    name that the files give to it alone; raises InputError. ``alone``: the addresses that may be
+    read alone where one odd axis spoils the whole. ``idle``: whether what was read of other axes
+    tells that nothing acts on the one at an address.
+    """
+
+    entered: Callable[[Definition, Sequence[ControlFile], Sequence[ControlFile]], Entries] = (
+        _all_by_statements
+    )
+    whereabouts: Callable[
+        [Definition, Entered, Entries, ControlState | None],
+        tuple[tuple[str, ...], float | None],
+    ] = _own_axis
+    names: Callable[[Family, Sequence[ControlFile]], AddressesByName] = lambda _, __: {}
+    alone: Callable[[Family, Sequence[ControlFile]], Sequence[str]] = lambda _, __: ()
+    idle: Callable[[ControlState, str], bool] = lambda _, __: False
+
+
 class Family(Bound, ABC):
     """One control's compensation."""
 
+    listing: ClassVar[Listing] = Listing()
     #: The number without which tables cannot be read, where their control has one.
     left_open: LeftOpen | None = None
     #: What is written has the limits of the files that are patched, whatever was known before.
     limits_in_files = False
-
-    def addresses_by_name(self, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
-        """Return the address of each axis, and what says so, by the name that the control's own
-        files give to it alone; none where they name no axes. Raises InputError.
-        """
-        del files
-        return {}
 
     @abstractmethod
     def read(
@@ -135,36 +171,6 @@ class Family(Bound, ABC):
         """
         del own, axes
         return Delivery(tuple(files))
-
-    def one_by_one(self, files: Sequence[ControlFile]) -> Sequence[str]:
-        """Return the addresses that may be read alone where one odd axis of the control's files
-        spoils the whole; empty where none may.
-        """
-        del files
-        return ()
-
-    def tells_idle(self, state: ControlState, address: str) -> bool:
-        """Return whether what was read of other axes tells that nothing acts on this one."""
-        del state, address
-        return False
-
-    def entered(self, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> Entries:
-        """Return everything that files enter, whether it acts or not, by what tells each value
-        from all others. ``naming``: further files of the machine, which may say what its axes are
-        called. Raises InputError for files that cannot be read.
-        """
-        del naming
-        return by_statements(self.definition, files)
-
-    def whereabouts(
-        self, entry: Entered, entries: Entries, state: ControlState | None
-    ) -> tuple[tuple[str, ...], float | None]:
-        """Return the addresses of the axes that one of ``entries`` belongs to, and the position of
-        a value of a table as the files count it; ``state``: what the files say, where that could be
-        read.
-        """
-        del entries, state
-        return ((entry.axis,) if entry.axis else ()), None
 
     def carried_out(
         self, files: Sequence[ControlFile]

@@ -77,9 +77,10 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
         if address is not None
     }
     back = side(control, given, "read back", files)
+    entered = control.format.listing.entered
     partly = partial_load(
-        control.format.entered(as_found.files, files),
-        control.format.entered(files),
+        entered(control.definition, as_found.files, files),
+        entered(control.definition, files, ()),
         back.entries,
     )
     read_back = read_back_differences(control, side(control, files, "the plan", given), back, names)
@@ -113,7 +114,7 @@ def _found(
     try:
         found = decode(control, files, axes)
     except InputError as error:
-        singly = control.format.one_by_one(files)
+        singly = control.format.listing.alone(control.format, files)
         alone = all(axis.address in singly for axis in axes)
         return {
             axis.address: _found_alone(control, files, axis) if alone else error for axis in axes
@@ -133,11 +134,12 @@ def _found_alone(
 
 def _speak_of(control: Control, back: Side, axes: Sequence[Axis]) -> bool:
     """Whether what was read back holds something of every axis."""
+    whereabouts = control.format.listing.whereabouts
     named = {
         address
         for entry in back.entries.values()
         if entry.acts
-        for address in control.format.whereabouts(entry, back.entries, back.state)[0]
+        for address in whereabouts(control.definition, entry, back.entries, back.state)[0]
     }
     return all(axis.address in named for axis in axes)
 

@@ -291,7 +291,7 @@ def _planned(
         raise InputError(stale("format", named.id, plan.format, str(file)))
     control = replace(control, notes=named.notes)
     own = plan.states.get(AS_FOUND, ())
-    job, _ = named_axes(job, control, lambda: control.format.addresses_by_name(own))
+    job, _ = named_axes(job, control, lambda: control.format.listing.names(control.format, own))
     known = [entry.axis for entry in plan.axes.values()]
     states = {
         name: decode(control, files, known, active=plan.active.get(name))

@@ -79,7 +79,7 @@ def measured(session: Session, job: Job, folder: Path, out: Path) -> Measured:
     control = open_control(session, job.format, job.options, origin_of(job, folder))
     own = [storage.named_from(folder, path) for path in job.states.get(AS_FOUND, ())]
     job, named = named_axes(
-        job, control, lambda: control.format.addresses_by_name(read_files(session, own))
+        job, control, lambda: control.format.listing.names(control.format, read_files(session, own))
     )
     idle = idle_keys(job, **keys_with_effect(control.definition))
     inputs, circles = _inputs(session, job, control, folder)

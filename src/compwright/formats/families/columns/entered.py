@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.columns.acting import bare_name
+from compwright.formats.families.columns.sources import AxisNumbers
 from compwright.formats.families.columns.table import (
     POSITION,
     RESERVED,
@@ -23,7 +24,7 @@ from compwright.formats.families.columns.table_reading import (
 )
 from compwright.formats.text.entered import Entered, by_statements
 from compwright.foundations.errors import Fault, InputError, raise_all
-from compwright.records.correction import ControlFile
+from compwright.records.correction import ControlFile, ControlState
 
 #: Parameters that act on an axis or its zero, by their number.
 _PARAMETERS = {
@@ -39,7 +40,9 @@ _WORDS = {POSITION: "position of the point", SECOND: "value for travel in -"}
 _INDEX = re.compile(r"MP[0-9]+\.([0-9]+)", re.IGNORECASE)
 
 
-def entered(definition: Definition, files: Sequence[ControlFile]) -> dict[str, Entered]:
+def entered(
+    definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
+) -> dict[str, Entered]:
     """Return every value of the files. Raises InputError for a table that cannot be read."""
     faults: list[Fault] = []
     found: dict[str, Entered] = {}
@@ -76,11 +79,17 @@ def _cells(table: UserTable) -> Iterator[tuple[str, Entered]]:
 
 
 def whereabouts(
-    entry: Entered, entries: Mapping[str, Entered], columns: Mapping[str, str]
+    definition: Definition,
+    entry: Entered,
+    entries: Mapping[str, Entered],
+    _: ControlState | None,
 ) -> tuple[tuple[str, ...], float | None]:
     """Return the axes that a value belongs to (that whose column it is, that which moves), and the
-    position of a row. ``columns``: the axis of a column's name.
+    position of a row.
     """
+    by_grid = "datum" in definition.fields  # columns are then named by number
+    numbers = AxisNumbers(definition, ()).by_number if by_grid else {}
+    columns = {f"{number}=F()": address for number, address in numbers.items()}
     match = re.fullmatch(r"(.*) row ([0-9]+) (\S+)", entry.name)
     if match is None:
         index = _INDEX.search(entry.name)

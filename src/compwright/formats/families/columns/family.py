@@ -23,10 +23,8 @@ from compwright.formats.families.columns.capacity import (
 from compwright.formats.families.columns.entered import entered, whereabouts
 from compwright.formats.families.columns.kept_lines import KEPT
 from compwright.formats.families.columns.reading import read_columns
-from compwright.formats.families.columns.sources import AxisNumbers
 from compwright.formats.families.columns.writing import write_columns
-from compwright.formats.families.family import Family
-from compwright.formats.text.entered import Entered, Entries
+from compwright.formats.families.family import Family, Listing
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
@@ -45,6 +43,7 @@ class ColumnsFamily(Family):
     """Columns in the user's own tables."""
 
     limits_in_files = True
+    listing = Listing(entered=entered, whereabouts=whereabouts)
 
     def read(
         self,
@@ -86,23 +85,6 @@ class ColumnsFamily(Family):
     def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: columns to type in."""
         return columns_between(self, asked)
-
-    def entered(self, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> Entries:
-        """See `Family.entered`."""
-        del naming
-        return entered(self.definition, files)
-
-    def whereabouts(
-        self, entry: Entered, entries: Entries, state: ControlState | None
-    ) -> tuple[tuple[str, ...], float | None]:
-        """See `Family.whereabouts`: a cell belongs to the axis of its column and to that which
-        moves.
-        """
-        del state
-        by_grid = "datum" in self.definition.fields  # columns are then named by number
-        numbers = AxisNumbers(self.definition, ()).by_number if by_grid else {}
-        columns = {f"{number}=F()": address for number, address in numbers.items()}
-        return whereabouts(entry, entries, columns)
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]

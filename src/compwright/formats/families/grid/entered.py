@@ -17,7 +17,9 @@ _ACTING = re.compile(
 )
 
 
-def entered(definition: Definition, files: Sequence[ControlFile]) -> dict[str, Entered]:
+def entered(
+    definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
+) -> dict[str, Entered]:
     """Return every value of the files."""
     return {
         key: replace(entry, acts=entry.acts or _ACTING.fullmatch(entry.group) is not None)

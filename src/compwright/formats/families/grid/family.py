@@ -7,6 +7,7 @@ this family by tables between axes; nothing here knows of it.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import ClassVar
 
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
@@ -18,14 +19,13 @@ from compwright.formats.families.card_words import (
     named_files,
     table_values,
 )
-from compwright.formats.families.family import Family
+from compwright.formats.families.family import Family, Listing
 from compwright.formats.families.grid.capacity import GridLimits
 from compwright.formats.families.grid.entered import entered
 from compwright.formats.families.grid.joints import sure_joints
 from compwright.formats.families.grid.reading import GridReader
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.writing import GridWriter
-from compwright.formats.text.entered import Entries
 from compwright.formats.text.texts import text_reader
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, Fault, raise_all
@@ -34,38 +34,36 @@ from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 
 
+def _names(control: Family, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
+    """Return the joints, by the letters of the kinematics."""
+    definition = control.definition
+    if "axis_letters" not in definition.bindings:
+        return {}
+    reader = text_reader(definition)
+    texts = [text for file in files if (text := reader.read(file, [])) is not None]
+    first = {
+        name: next(
+            (
+                one.tokens["value"].text
+                for text in texts
+                for one in text.occurrences
+                if one.statement == definition.bindings[name].statement
+            ),
+            "",
+        )
+        for name in ("axis_letters", "axis_order", "joint_count")
+    }
+    letters = sure_joints(*first.values())
+    evidence = f"{name_of(definition, 'axis_letters')} = {first['axis_letters']}"
+    return {letter: (str(letters.index(letter)), evidence) for letter in dict.fromkeys(letters)}
+
+
 class GridFamily(Family):
     """Values by index, or rows by position. An extension replaces ``reader`` and ``writer``."""
 
     reader: type[GridReader] = GridReader
     writer: type[GridWriter] = GridWriter
-
-    def addresses_by_name(self, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
-        """See `Family.addresses_by_name`: the joints, by the letters of the kinematics."""
-        if "axis_letters" not in self.definition.bindings:
-            return {}
-        reader = text_reader(self.definition)
-        texts = [text for file in files if (text := reader.read(file, [])) is not None]
-        first = {
-            name: next(
-                (
-                    one.tokens["value"].text
-                    for text in texts
-                    for one in text.occurrences
-                    if one.statement == self.definition.bindings[name].statement
-                ),
-                "",
-            )
-            for name in ("axis_letters", "axis_order", "joint_count")
-        }
-        letters = sure_joints(*first.values())
-        evidence = f"{name_of(self.definition, 'axis_letters')} = {first['axis_letters']}"
-        return {letter: (str(letters.index(letter)), evidence) for letter in dict.fromkeys(letters)}
-
-    def entered(self, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> Entries:
-        """See `Family.entered`."""
-        del naming
-        return entered(self.definition, files)
+    listing: ClassVar[Listing] = Listing(entered=entered, names=_names)
 
     def read(
         self,

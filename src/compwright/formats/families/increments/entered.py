@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.families.increments.parameters import MEANINGS, NAMES, SILENT
-from compwright.formats.text.entered import SILENT_QUANTITIES, Entered, texts_of
+from compwright.formats.text.entered import SILENT_QUANTITIES, Entered, by_statements, texts_of
+from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.records.correction import ControlFile, ControlState
 
 _LINE = re.compile(r"[ \t]*N0*([0-9]{1,6})[ \t]*(?:Q([0-9]+))?(.*)", re.IGNORECASE)
@@ -77,11 +78,14 @@ def _known(definition: Definition) -> dict[int, _Known]:
     return found
 
 
-def entered(definition: Definition, files: Sequence[ControlFile]) -> dict[str, Entered]:
+def entered(
+    definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
+) -> dict[str, Entered]:
     """Return every value of the files."""
     known = _known(definition)
-    found: dict[str, Entered] = {}
-    for file in texts_of(files):
+    sheets = [file for file in files if is_entry_sheet(file)]
+    found = by_statements(definition, sheets)
+    for file in texts_of([file for file in files if file not in sheets]):
         lines = re.split(r"[\r\n]+", file.content.decode("latin-1"))
         for number, line in enumerate(lines, start=1):
             match = _LINE.match(line)
@@ -119,7 +123,9 @@ def _values(
         )
 
 
-def whereabouts(entry: Entered, state: ControlState | None) -> tuple[tuple[str, ...], float | None]:
+def whereabouts(
+    _: Definition, entry: Entered, __: Mapping[str, Entered], state: ControlState | None
+) -> tuple[tuple[str, ...], float | None]:
     """Return the axes that a value belongs to, and the position of a point, mm or deg: the node at
     the end of its section.
     """

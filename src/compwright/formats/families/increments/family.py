@@ -16,7 +16,7 @@ from compwright.formats.families.card_words import (
     named_files,
     sign_check,
 )
-from compwright.formats.families.family import Family
+from compwright.formats.families.family import Family, Listing
 from compwright.formats.families.increments.against_job import points_question
 from compwright.formats.families.increments.between import straightness_between
 from compwright.formats.families.increments.capacity import IncrementLimits
@@ -29,8 +29,6 @@ from compwright.formats.families.increments.parameters import NAMES
 from compwright.formats.families.increments.reading import StateReader
 from compwright.formats.families.increments.sheets import increment_sheets
 from compwright.formats.families.increments.writing import write_increments
-from compwright.formats.text.entered import Entered, Entries, by_statements
-from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
@@ -57,9 +55,33 @@ RULES = ShapeRules(
 )
 
 
+def _names(control: Family, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
+    """Return the axes by the letters of 1020."""
+    names = StateReader(control, files, (), None).names() if files else {}
+    return {
+        name: (address, f"1020 of axis {address} in the control's files")
+        for address, name in names.items()
+        if list(names.values()).count(name) == 1
+    }
+
+
+def _idle(state: ControlState, address: str) -> bool:
+    """Return whether nothing acts on an axis: every reading tells the facts of all."""
+    facts = state.facts_of(address)
+    return not (facts.enabled or increments_of(facts).backlash)
+
+
 class IncrementsFamily(Family):
     """Whole steps by section."""
 
+    listing = Listing(
+        entered=entered,
+        whereabouts=whereabouts,
+        names=_names,
+        # axes have numbers, and each its own part of the points
+        alone=lambda _, __: [str(number) for number in range(1, _MOST_AXES + 1)],
+        idle=_idle,
+    )
     left_open = LeftOpen(
         DETECTION_UNIT, "mm or deg per pulse, such as 0.001", stand_in=0.001, lengths=False
     )
@@ -75,15 +97,6 @@ class IncrementsFamily(Family):
         """See `Family.read`. No file of these controls switches a table off."""
         del activity
         return StateReader(self, files, axes, address).read()
-
-    def addresses_by_name(self, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
-        """See `Family.addresses_by_name`: the letters of 1020."""
-        names = StateReader(self, files, (), None).names() if files else {}
-        return {
-            name: (address, f"1020 of axis {address} in the control's files")
-            for address, name in names.items()
-            if list(names.values()).count(name) == 1
-        }
 
     def for_a_view(self) -> Self:
         """See `Family.for_a_view`: functions beside the table are counted by their best-known
@@ -124,30 +137,6 @@ class IncrementsFamily(Family):
     def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: one straight line in parameters to type in, as an option."""
         return straightness_between(self, asked)
-
-    def entered(self, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> Entries:
-        """See `Family.entered`."""
-        del naming
-        sheets = [file for file in files if is_entry_sheet(file)]
-        own = [file for file in files if not is_entry_sheet(file)]
-        return {**by_statements(self.definition, sheets), **entered(self.definition, own)}
-
-    def whereabouts(
-        self, entry: Entered, entries: Entries, state: ControlState | None
-    ) -> tuple[tuple[str, ...], float | None]:
-        """See `Family.whereabouts`: points by the numbers that the axes claim."""
-        del entries
-        return whereabouts(entry, state)
-
-    def one_by_one(self, files: Sequence[ControlFile]) -> Sequence[str]:
-        """See `Family.one_by_one`: axes have numbers, and each its own part of the points."""
-        del files
-        return [str(number) for number in range(1, _MOST_AXES + 1)]
-
-    def tells_idle(self, state: ControlState, address: str) -> bool:
-        """See `Family.tells_idle`: every reading tells the facts of all axes."""
-        facts = state.facts_of(address)
-        return not (facts.enabled or increments_of(facts).backlash)
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]

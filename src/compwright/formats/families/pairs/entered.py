@@ -9,7 +9,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 
-from compwright.formats.text.entered import Entered, same_text, texts_of
+from compwright.formats.definition.schema import Definition
+from compwright.formats.text.entered import Entered, by_statements, same_text, texts_of
+from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.formats.text.texts import BY_HAND
 from compwright.records.correction import ControlFile, ControlState
 
@@ -78,13 +80,17 @@ _MEANINGS = {
 _SILENT = ("$MA_POS_LIMIT",)
 
 
-def entered(files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> dict[str, Entered]:
+def entered(
+    definition: Definition, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()
+) -> dict[str, Entered]:
     """Return every assignment of the files; what is assigned last counts. ``naming``: further files
     that may list the names of the axes.
     """
-    lines = list(_lines(files))
+    sheets = [file for file in files if is_entry_sheet(file)]
+    lines = list(_lines([file for file in files if file not in sheets]))
     names = dict(_named(line for _, _, line in (*_lines(naming), *lines)))
-    found = {entry.name: entry for entry in _units(lines)}
+    found = by_statements(definition, sheets)
+    found |= {entry.name: entry for entry in _units(lines)}
     channel = "1"
     for file, number, line in lines:
         match = _LINE.fullmatch(line.replace(f";{BY_HAND}", "", 1)) if "=" in line else None
@@ -159,12 +165,11 @@ def _meaning(group: str) -> str:
 
 
 def whereabouts(
-    entry: Entered, entries: Mapping[str, Entered], state: ControlState | None
+    _: Definition, entry: Entered, entries: Mapping[str, Entered], __: ControlState | None
 ) -> tuple[tuple[str, ...], float | None]:
     """Return the axes that a value belongs to, and the position of a value of a table, in the unit
     of its file.
     """
-    del state
     index = entry.name.partition("[")[2].rstrip("]").split(",")
     if entry.group == "$AA_ENC_COMP" and len(index) == 3:
         return (entry.axis,), _position(entries, entry.group, f"{index[0]},{index[2]}", index[1])

@@ -7,7 +7,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Self
+from typing import ClassVar, Self
 
 import numpy as np
 
@@ -23,6 +23,7 @@ from compwright.formats.families.card_words import (
     numbered_files,
 )
 from compwright.formats.families.control_texts import is_listing, texts_of
+from compwright.formats.families.family import Family, Listing
 from compwright.formats.families.grid.family import GridFamily
 from compwright.formats.families.pairs.between import pairs_between
 from compwright.formats.families.pairs.capacity import PairLimits
@@ -39,8 +40,6 @@ from compwright.formats.families.pairs.state import PairsReader
 from compwright.formats.families.pairs.state_writing import PairsWriter
 from compwright.formats.families.pairs.view import with_sign_unknown
 from compwright.formats.text.container import is_container
-from compwright.formats.text.entered import Entered, Entries, by_statements
-from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.formats.text.loading_order import loading_order
 from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -59,6 +58,11 @@ _BLANK = "a file with a blank in place of the equals sign, a form that no manual
 _LISTING = "a listing with decimal commas, which the control does not take"
 
 
+def _alone(control: Family, files: Sequence[ControlFile]) -> Sequence[str]:
+    """Return every axis: each line names its own, and each has its own table."""
+    return PairsReader(control.for_a_view(), files, (), None, Activity()).named()
+
+
 class PairsFamily(GridFamily):
     """A grid with tables between axes. ``sign_assumed``: its files are only shown, and nobody says
     the sign of these tables.
@@ -66,6 +70,7 @@ class PairsFamily(GridFamily):
 
     reader = PairsReader
     writer = PairsWriter
+    listing: ClassVar[Listing] = Listing(entered=entered, whereabouts=whereabouts, alone=_alone)
     sign_assumed = False
 
     def read(
@@ -79,22 +84,6 @@ class PairsFamily(GridFamily):
         """See `Family.read`."""
         state = super().read(files, axes, address=address, activity=activity)
         return with_sign_unknown(state) if self.sign_assumed else state
-
-    def entered(self, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> Entries:
-        """See `Family.entered`."""
-        sheets = [file for file in files if is_entry_sheet(file)]
-        own = [file for file in files if not is_entry_sheet(file)]
-        return {**by_statements(self.definition, sheets), **entered(own, naming)}
-
-    def one_by_one(self, files: Sequence[ControlFile]) -> Sequence[str]:
-        """See `Family.one_by_one`: every line names its axis, and each axis has its own table."""
-        return self.reader(self.for_a_view(), files, (), None, Activity()).named()
-
-    def whereabouts(
-        self, entry: Entered, entries: Entries, state: ControlState | None
-    ) -> tuple[tuple[str, ...], float | None]:
-        """See `Family.whereabouts`: tables between axes belong to both."""
-        return whereabouts(entry, entries, state)
 
     def for_a_view(self) -> Self:
         """See `Family.for_a_view`: tables between axes are shown as corrections where nobody says
