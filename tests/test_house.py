@@ -561,7 +561,6 @@ SHARED = {
 #: Caches without arguments, with the reason.
 KEPT_ONCE = {
     "documents.record_reading._validator": "what a record has to be, made from its classes",
-    "formats.definition.forms.definition_validator": "what a definition has to be, made likewise",
     "reporting.page._environment": "the template engine with the templates of the package",
 }
 
