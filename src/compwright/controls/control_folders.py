@@ -16,13 +16,13 @@ _TABLES = "tables"
 _DEEPEST = 3
 
 
-def control_entries(session: Session, path: Path, deepest: int = _DEEPEST) -> list[Path]:
+def control_entries(session: Session, path: Path) -> list[Path]:
     """Return ``[path]`` for a file, and for a folder its files; of one without files those of the
     only folder below it that has some.
 
     Raises InputError for a folder of results, for several such folders, and for none.
     """
-    entries = _entries(session, path, deepest)
+    entries = _entries(session, path, _DEEPEST)
     if not entries:  # nothing to read is not "nothing is active": that is the word none
         raise _fault(path, "the folder holds no files", CONTROL.help)
     return entries

@@ -7,6 +7,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
+from itertools import pairwise
 from typing import Any, Final
 
 import numpy as np
@@ -192,9 +193,10 @@ def _scatter(
     plus, minus = (
         int(np.max(result.test.readings(direction), initial=0.0)) for direction in Direction
     )
+    ends = np.searchsorted(chosen, np.arange(len(sets) + 1)).tolist()
     parts = [
-        fresh_scatter(noise.taken(np.flatnonzero(chosen == place)), targets, plus, minus, rng)
-        for place, targets in enumerate(sets)
+        fresh_scatter(noise.taken(slice(*own)), targets, plus, minus, rng)
+        for own, targets in zip(pairwise(ends), sets, strict=True)
     ]
     return FreshScatter(
         **{

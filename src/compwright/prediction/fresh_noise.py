@@ -12,6 +12,7 @@ from compwright.records.noise import (
     RUNS,
     WALK,
     WAVE,
+    IndexArray,
     NoiseDraws,
     progress,
     slackening,
@@ -62,6 +63,8 @@ def fresh_noise(
         blocks.append(readings)
     share = 1.0 + _DIFFERS * rng.standard_normal(draws.count)
     drifting = np.flatnonzero((draws.drift != 0.0) | (draws.drift_tilt != 0.0))
+    if not drifting.size:
+        return blocks[_PLUS], blocks[_MINUS]
     drifts = _drifts(draws.taken(drifting), share[drifting], u, positive, negative)
     for block, drift in zip(blocks, drifts, strict=True):
         block[drifting] += drift
@@ -100,11 +103,12 @@ def _traverses(
     """
     shape = draws.count, positive + negative
     units = rng.standard_normal(shape) * (rng.random(shape) < draws.moved[:, np.newaxis])
-    offsets = _moved(draws, draws.offset, units, positive, negative)
-    tilts = _moved(draws, draws.tilt, rng.standard_normal(shape), positive, negative)
-    for pace in np.unique(draws.pace[draws.pattern == WAVE]):
+    order = traverse_order(positive, negative)
+    offsets = _moved(draws, draws.offset, units, order)
+    tilts = _moved(draws, draws.tilt, rng.standard_normal(shape), order)
+    for pace in sorted(set(draws.pace[draws.pattern == WAVE].tolist())):
         waved = np.flatnonzero((draws.pattern == WAVE) & (draws.pace == pace))
-        root = _wave_root(positive, negative, float(pace))
+        root = _wave_root(positive, negative, pace)
         waves = rng.standard_normal((waved.size, root.shape[0])) @ root.T
         offset, tilt = _at_all(draws.offset[waved, np.newaxis] * waves, positive, negative)
         for way, part in ((_PLUS, slice(0, positive)), (_MINUS, slice(positive, None))):
@@ -155,18 +159,18 @@ def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray
 
 
 def _moved(
-    draws: NoiseDraws, std: FloatArray, unit: FloatArray, positive: int, negative: int
+    draws: NoiseDraws, std: FloatArray, unit: FloatArray, order: tuple[IndexArray, IndexArray]
 ) -> tuple[FloatArray, FloatArray]:
     """Return an effect of standard deviation ``std`` (count,) for each traverse in + (count,
-    positive) and in -, made of ``unit`` (count, positive + negative) by the pattern of each draw.
+    positive) and in -, made of ``unit`` (count, positive + negative) by the pattern of each draw;
+    ``order``: the places in time of the traverses.
     """
-    order = traverse_order(positive, negative)
     walked, steps = np.cumsum(unit, axis=1), draws.pattern[:, np.newaxis]
     walked = walked - walked[:, [unit.shape[1] // 2]]  # set to nothing in the middle of the test
     blocks = []
-    for place, runs in zip(order, (positive, negative), strict=True):
+    for place in order:
         chosen = np.where(steps == WALK, walked[:, place], unit[:, place])
-        common = unit[:, :runs]
+        common = unit[:, : place.size]
         blocks.append(std[:, np.newaxis] * np.where(steps == RUNS, common, chosen))
     return blocks[_PLUS], blocks[_MINUS]
 

@@ -23,7 +23,6 @@ __all__ = [
     "dithered_targets",
     "fresh_parameters",
     "fresh_slopes",
-    "one_reversal",
     "predict_test",
 ]
 
@@ -100,15 +99,6 @@ def fresh_slopes(
     slopes = slope_std * rng.standard_normal((count, 1))
     deviations: FloatArray = slopes * (positions - np.mean(positions, axis=-1, keepdims=True))
     return deviations
-
-
-def one_reversal(positive: FloatArray, negative: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return draws (s, m) of the deviation of an axis whose reversal is everywhere the mean one, so
-    that one value of backlash could compensate it.
-    """
-    middle = 0.5 * (positive + negative)
-    half = 0.5 * np.mean(positive - negative, axis=1, keepdims=True)
-    return middle + half, middle - half
 
 
 def _quantiles(draws: FloatArray) -> Quantiles:

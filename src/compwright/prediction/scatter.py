@@ -50,7 +50,7 @@ def fresh_scatter(
     step = max(1, _AT_ONCE // max(1, targets.size * max(most)))
     made: list[list[FloatArray]] = [[], [], [], []]
     for first in range(0, noise.count, step):
-        part = noise.taken(np.arange(first, min(first + step, noise.count)))
+        part = noise.taken(slice(first, first + step))
         blocks = fresh_noise(part, targets, most[0], most[1], rng)
         for side, (block, wanted) in enumerate(zip(blocks, runs, strict=True)):
             taken = np.arange(block.shape[2]) < wanted[:, np.newaxis]

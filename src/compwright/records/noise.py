@@ -68,8 +68,8 @@ class NoiseDraws:
         """Number of draws."""
         return len(self.sigma)
 
-    def taken(self, index: IndexArray) -> NoiseDraws:
-        """Return the draws at ``index`` (n,)."""
+    def taken(self, index: IndexArray | slice) -> NoiseDraws:
+        """Return the draws at ``index`` (n,), of a slice as views."""
         return replace(self, **{name: getattr(self, name)[index] for name in _ARRAYS})
 
     def scale_at(self, positions: FloatArray) -> FloatArray:
