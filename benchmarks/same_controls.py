@@ -18,7 +18,14 @@ ADDRESSES = {
     "heidenhain-nck": tuple("XYZABC"),
     "siemens-840d-sl": ("AX1", "AX2", "AX3", "AX4", "AX5", "AX6"),
     "linuxcnc": ("0", "1", "2", "3", "4", "5"),
+    "isg-kernel": ("1", "2", "3", "4", "5", "6"),
+    "pmac": ("1", "2", "3", "4", "5", "6"),
 }
+for _same, _others in {
+    "fanuc-30i": ("fanuc-0i-d", "fanuc-0i-f", "fanuc-15i"),
+    "siemens-840d-sl": ("siemens-828d", "siemens-840d-pl", "siemens-one"),
+}.items():
+    ADDRESSES |= dict.fromkeys(_others, ADDRESSES[_same])
 
 
 def old_table(rng: Rng, axis: MachineAxis, quantum: float, *, wrong: bool) -> OldTable:

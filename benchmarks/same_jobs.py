@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import same_controls as controls
+import same_isg_pmac as lists
 import yaml
 from same_machines import Floats, MachineAxis, Rng, circle_csv, positioning_csv, random_axis
 
@@ -23,7 +24,13 @@ DEALS = {
     "siemens-840d-sl": "siemens-840d-sl",
     "siemens-840d-sl+cec": "siemens-840d-sl",
     "linuxcnc": "linuxcnc",
+    "isg-kernel": "isg-kernel",
+    "pmac": "pmac",
+    **{name: name for name in ("fanuc-0i-d", "fanuc-0i-f", "fanuc-15i")},
+    **{name: name for name in ("siemens-828d", "siemens-840d-pl", "siemens-one")},
 }
+#: Whose parameters stand without ``Q1``.
+WITHOUT_Q = ("fanuc-0i-16i", "fanuc-15i")
 LETTERS = "XYZABC"
 STANDARDS = ["iso230-2:1988", "iso230-2:1997", "iso230-2:2006", "gost27843:2006", "vdi3441"]
 #: One job in so many has a fault put in.
@@ -112,6 +119,12 @@ def _options(rng: Rng, deal: str, axes: list[MachineAxis]) -> Words:
         return _fanuc_options(rng)
     if format_id.startswith("heidenhain"):
         return _heidenhain_options(rng, format_id)
+    if format_id == "isg-kernel":
+        signs = ["error", "correction"]
+        return _some(rng, {"table_values": (0.4, signs), "cross_values": (0.5, signs)})
+    if format_id == "pmac":
+        counts = [1000, 10000, 62500]
+        return _some(rng, {"counts_per_unit": (0.97, counts), "take_up_rate": (0.2, [8, 64])})
     if format_id == "linuxcnc":
         return _some(rng, {"comp_file_type": (0.5, ["0", "1"]), "units": (0.15, ["mm", "inch"])})
     options = _some(
@@ -185,6 +198,8 @@ def _state(
     quantum = 1e-4 if format_id.startswith("heidenhain") else 1e-6
     if format_id.startswith("fanuc"):
         quantum = float(options.get("detection_unit", 0.001))
+    if format_id == "pmac":
+        quantum = 1.0 / (lists.PARTS * float(options.get("counts_per_unit", 1000)))
     wrong = rng.random() < 0.2
     for axis in axes:
         if rng.random() < (0.97 if format_id == "heidenhain-nck" else 0.9):
@@ -197,7 +212,7 @@ def _state(
     listed = [f"control/{name}" for name in files]
     state: Any = "control" if rng.random() < 0.15 else listed
     said = 0.9 if not acts else 0.15
-    open_by_files = format_id.startswith(("siemens", "heidenhain"))
+    open_by_files = format_id.startswith(("siemens", "heidenhain", "isg"))
     if rng.random() < (said if open_by_files else 0.02):
         state = {"files": state, "active": bool(acts) if rng.random() < 0.9 else not acts}
     if not acts:
@@ -222,21 +237,21 @@ def _files(
     rng: Rng, format_id: str, axes: list[MachineAxis], options: Words, *, acts: bool
 ) -> dict[str, str]:
     meaning = str(options.get("table_values", "error"))
-    match format_id:
-        case "siemens-840d-sl":
+    match format_id.split("-", maxsplit=1)[0], format_id:
+        case "siemens", _:
             system = int(rng.random() < 0.3)
             if system and axes[0].old is not None and rng.random() < 0.7:
                 for axis in axes:
                     axis.words["encoder"] = {"system": 2}
             enabled = str(rng.choice(["1"] * 9 + [""])) if acts else "0"
             return controls.sinumerik(rng, axes, system, enabled=enabled)
-        case "fanuc-30i" | "fanuc-0i-16i":
+        case "fanuc", _:
             unit = float(options.get("detection_unit", 0.001))
-            newer = format_id == "fanuc-30i"
+            newer = format_id not in WITHOUT_Q
             return controls.fanuc(rng, axes, newer=newer, unit=unit, acts=acts)
-        case "heidenhain-itnc530":
+        case _, "heidenhain-itnc530":
             return controls.heidenhain_itnc(rng, axes, meaning=meaning, acts=acts)
-        case "heidenhain-nck":
+        case _, "heidenhain-nck":
             return controls.heidenhain_nck(
                 rng,
                 axes,
@@ -244,6 +259,11 @@ def _files(
                 acts=acts,
                 second_curve=options.get("backlash_column") == "second_curve",
             )
+        case "isg", _:
+            return lists.isg_lists(rng, axes, meaning=meaning, acts=acts)
+        case "pmac", _:
+            counts = float(options.get("counts_per_unit", 1000))
+            return lists.pmac_scripts(rng, axes, counts=counts, acts=acts)
         case _:
             return controls.linuxcnc(rng, axes, inch=options.get("units") == "inch")
 
@@ -300,7 +320,7 @@ def _odd_words(rng: Rng, format_id: str, options: Words, words: Words, *, none: 
         words["options"] = dict([next(iter(options.items()))])
     if options.get("method") == "line" and not none and rng.random() < 0.9:
         words.pop("table", None)
-    if format_id == "siemens-840d-sl":
+    if format_id.startswith("siemens"):
         if rng.random() < (0.12 if none else 0.02):
             words["gantry"] = "AX9"
     elif rng.random() < 0.01:
@@ -311,7 +331,9 @@ def _holds_two_curves(format_id: str, options: Words, *, none: bool) -> bool:
     """Whether the control can hold a curve for each direction, as far as the job tells."""
     if format_id == "heidenhain-nck":
         return options.get("backlash_column") == "second_curve" and not none
-    return format_id == "linuxcnc" or "cec" in options or (format_id == "fanuc-30i" and not none)
+    if format_id in ("linuxcnc", "isg-kernel", "pmac") or "cec" in options:
+        return True
+    return format_id.startswith("fanuc") and format_id not in WITHOUT_Q and not none
 
 
 def _table(rng: Rng, axis: MachineAxis, both: float) -> Words:
