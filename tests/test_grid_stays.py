@@ -11,6 +11,7 @@ import json
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -99,22 +100,38 @@ class Visit:
         return {one["code"]: one["message"] for one in axis["findings"]}
 
 
-@pytest.fixture
-def visit(tmp_path: Path) -> Callable[..., Visit]:
-    """A control whose table every 50 mm compwright wrote on the first visit."""
+@pytest.fixture(scope="module")
+def first_tables(
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Callable[[str, int], list[ControlFile]]:
+    """What compwright wrote on the first visit, once for each control and spacing."""
 
-    def first(name: str, spacing: int = 50) -> Visit:
-        start = start_of(name, tmp_path / "start", NOW)
+    @cache
+    def first(name: str, spacing: int) -> list[ControlFile]:
+        folder = tmp_path_factory.mktemp("first")
+        start = start_of(name, folder / "start", NOW)
         files = [
             ControlFile(Path(each).name, Path(each).read_bytes())
             for each in start
             if each != "none"
         ]
-        once = Visit(name, tmp_path, files)
+        once = Visit(name, folder, files)
         assert once.run(f"spacing={spacing}", machine=NOW) == 0
-        return Visit(name, tmp_path, once.written())  # fmt: skip
+        return once.written()
 
     return first
+
+
+@pytest.fixture
+def visit(
+    first_tables: Callable[[str, int], list[ControlFile]], tmp_path: Path
+) -> Callable[..., Visit]:
+    """A control whose table every 50 mm compwright wrote on the first visit."""
+
+    def there(name: str, spacing: int = 50) -> Visit:
+        return Visit(name, tmp_path, first_tables(name, spacing))
+
+    return there
 
 
 Start = Callable[..., Visit]

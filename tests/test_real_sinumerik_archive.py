@@ -32,10 +32,10 @@ from sinumerik_judge import Outcome, control_before, foreign_bytes, fresh, load_
 
 pytestmark = [needs_archive, pytest.mark.brief]
 
-#: Of the first 150 random jobs the first of each kind.
-SEEDS = (0, 1, 2, 3, 4, 6, 7, 8, 10, 11, 12, 13, 9, 15, 16, 20, 22, 28, 29, 30, 32, 33, 34, 37, 38,
-         57, 59, 71, 73, 85, 87, 95, 123, 137, 145)  # fmt: skip
-SHARES = 5
+#: Of the first 150 random jobs the first of each kind that no case below plays by its name, and one
+#: more for each form of text that these do not have.
+SEEDS = (2, 9, 11, 13, 15, 16, 22, 32, 33, 37, 57, 71, 95, 145)
+SHARES = 2
 INCH_SEEDS = (0, 1, 2)  # both say it, the line alone, MD10240 alone
 
 
@@ -111,14 +111,16 @@ class Packed(Case):
         return {"backup.arc": container(texts).decode("latin-1")}
 
 
-@pytest.mark.parametrize("axis", ["AX1", "AX2", "AX3", "AX4", "AX5"])
-def test_every_axis_of_the_whole_archive(axis: str, judged: Judge, tmp_path: Path) -> None:
+@pytest.mark.parametrize("axis", ["AX1", "AX4"])
+def test_a_linear_and_a_rotary_axis_of_the_whole_archive(
+    axis: str, judged: Judge, tmp_path: Path
+) -> None:
     """A job on the archive alone: small files, loaded by the card; those of the way back bring the
     old corrections back.
     """
     case = Packed.of(named(variations.nothing, axis=axis), whole=True)
     outcome = good(judged(case), written=True)
-    name = {"AX1": "X1", "AX2": "Y1", "AX3": "Z1", "AX4": "C1", "AX5": "A1"}[axis]
+    name = {"AX1": "X1", "AX4": "C1"}[axis]
     small = [f"{name}_EEC.INI", f"{name}_MD.INI"]
     assert sorted(outcome.files) == small
     forward, _, way_back = outcome.card.replace("\\", "").partition("## Way back")
@@ -477,8 +479,9 @@ def test_the_marks_hold_enough_of_each() -> None:
     assert marks.count(PLAIN) >= 0.3 * len(marks)
     assert marks.count(MUST_REFUSE) >= 3
     specials = {special.__name__ for special, _ in variations.SPECIALS}
-    named_below = {"table_over_itself_without_a_sign"}
-    assert specials - named_below == {word for case in cases for word in case.told} & specials
+    dealt = {word for case in cases for word in case.told} & specials
+    named_below = set(re.findall(r"variations\.(\w+)", Path(__file__).read_text(encoding="utf-8")))
+    assert specials <= dealt | named_below
 
 
 def test_a_sleeping_table_that_is_woken_is_noticed() -> None:
