@@ -38,7 +38,9 @@ def run(folder: Path, state: str, readings: Readings, name: str, end: str = "") 
 @pytest.fixture(scope="module")
 def loaded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the table that the first test led to, read back, without its plan."""
-    first, folder = (tmp_path_factory.mktemp(name) for name in ("first", "mirror"))
+    first = tmp_path_factory.mktemp("first") / "deeper" / "down"
+    first.mkdir(parents=True)
+    folder = tmp_path_factory.mktemp("mirror")
     code, _ = run(first, "none", MACHINE.measure(TARGETS, 1), "first")
     assert code == 0
     shutil.copytree(first / "first" / "tables" / "siemens-840d-sl", folder / "control")
@@ -84,6 +86,17 @@ def test_a_test_with_an_active_table_is_no_mirror_image(loaded: Path, grown: flo
     assert "CW-P161" not in {one["code"] for one in found["doubts"]}
 
 
+@pytest.mark.parametrize(("older", "found"), [(0.0, True), (0.4, True), (1.0, False)])
+def test_a_table_that_changes_an_older_one_by_more_than_that_is_a_mirror_image(
+    older: float, found: bool
+) -> None:
+    """What the test showed, and an older table of another shape, by its share of that size."""
+    u = np.linspace(0.0, 1.0, 25)
+    shown = 0.006 * np.sin(2 * np.pi * (1.3 * u + 0.1))
+    table = -shown + older * 0.006 * np.sin(2 * np.pi * (2.1 * u + 0.4))
+    assert is_mirror_image(table, shown, 800.0 * u, 1e-4) is found
+
+
 def test_noise_alone_is_no_mirror_image() -> None:
     """Readings or tables whose shape is hardly more than the noise of a mean say nothing."""
     targets = 40.0 * np.arange(21.0)
@@ -112,4 +125,4 @@ def test_tables_that_are_not_perfect_are_hardly_ever_mirror_images() -> None:
         yesterday = -table + rng.normal(0.0, 1e-4, u.size)
         bent = table - np.polyval(np.polyfit(u, table, 1), u)
         assert is_mirror_image(table, yesterday, 800.0 * u, 1e-4) or np.std(bent) < 0.5e-3
-    assert found <= 10  # 0.5 %
+    assert found <= 20  # 1 %

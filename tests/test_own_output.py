@@ -18,7 +18,7 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
-from compwright.evaluation.rounded_copies import is_rounded_copy
+from compwright.evaluation.rounded_copies import is_coarse, is_rounded_copy
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlFile
 from compwright.records.positioning import PositioningTest
@@ -216,6 +216,15 @@ def test_the_plan_next_to_the_measurements_is_found(folder: Path, tmp_path: Path
     assert run(tmp_path / "today", as_found=as_found, axes="X", entry=entry) == 2
 
 
+def test_the_plan_of_yesterday_is_found_next_to_the_folder_of_today(folder: Path) -> None:
+    written_again(folder, "rounded")
+    today = folder.parent / "today"
+    today.mkdir()
+    for name in ("again.csv", "control"):
+        shutil.move(folder / name, today / name)
+    assert run(today, as_found="[control]", axes="X", entry="again.csv") == 2
+
+
 def test_a_machine_without_its_table_is_no_copy_of_the_first_test() -> None:
     """Fresh readings of the same axis scatter by its noise; rounded ones are the same runs."""
     targets = AXES["X"].targets()
@@ -224,6 +233,37 @@ def test_a_machine_without_its_table_is_no_copy_of_the_first_test() -> None:
     assert is_rounded_copy(rounded(first, 3), first)
     assert not is_rounded_copy(other, first)
     assert not is_rounded_copy(rounded(other, 4), first)
+
+
+def test_readings_at_further_targets_are_no_part_of_a_copy() -> None:
+    targets = AXES["X"].targets()
+    first, other = (positioning_test(targets, AXES["X"].measure(targets, n)) for n in (0, 1))
+    for more, copied in ((1, True), (targets.size, False)):
+        longer = replace(
+            first,
+            targets=np.concatenate([targets, targets[:more] + 0.7]),
+            positive=np.vstack([first.positive, other.positive[:more]]),
+            negative=np.vstack([first.negative, other.negative[:more]]),
+        )
+        order = np.argsort(longer.targets)
+        longer = replace(
+            longer,
+            targets=longer.targets[order],
+            positive=longer.positive[order],
+            negative=longer.negative[order],
+        )
+        assert is_rounded_copy(longer, first) is copied
+
+
+@pytest.mark.parametrize(("noise", "coarse"), [(0.05e-3, True), (0.5e-3, False)])
+def test_readings_are_coarse_beside_the_scatter_of_the_runs(noise: float, *, coarse: bool) -> None:
+    """In steps of 0.1 µm; runs that differ by constants of 3 µm do not make them fine."""
+    rng = np.random.default_rng(3)
+    targets = np.linspace(20.0, 780.0, 20)
+    shifts = 3e-3 * np.arange(5)
+    readings = {sign: shifts + rng.normal(0.0, noise, (20, 5)) for sign in (1, -1)}
+    test = positioning_test(targets, readings)
+    assert is_coarse(rounded(test, 4), test) is coarse
 
 
 def test_a_run_without_a_job(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

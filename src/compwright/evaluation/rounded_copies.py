@@ -8,6 +8,7 @@ from typing import Final
 
 import numpy as np
 
+from compwright.evaluation.statistics import mean_deviation, standard_deviation
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.positioning import PositioningTest
 
@@ -36,8 +37,8 @@ def last_digit(test: PositioningTest) -> float:
 
 
 def is_rounded_copy(test: PositioningTest, original: PositioningTest) -> bool:
-    """Return whether nearly every reading of ``test`` is one of ``original`` but for its last digit
-    and a constant for each run.
+    """Return whether nearly every reading of ``test`` is one of ``original`` at the same target but
+    for its last digit and a constant for each run; a run that is none counts as a whole.
     """
     if test.kind is not original.kind:
         return False
@@ -51,11 +52,23 @@ def is_rounded_copy(test: PositioningTest, original: PositioningTest) -> bool:
         ours = test.deviations(direction)
         theirs = original.deviations(direction)[place[common]]
         for run in ours.T:
-            if not any(_agree(run[common], other, step) for other in theirs.T):
-                missing += int(np.count_nonzero(np.isfinite(run)))
+            copied = any(_agree(run[common], other, step) for other in theirs.T)
+            missing += int(np.count_nonzero(np.isfinite(run[~common] if copied else run)))
             if missing > (1.0 - _NEARLY_ALL) * made:  # many runs: the answer is known early
                 return False
     return made > 0
+
+
+def is_coarse(test: PositioningTest, original: PositioningTest) -> bool:
+    """Return whether the runs of ``original``, each but for a constant, scatter by less than a step
+    of ``test``, or no target was approached twice: then fresh readings may agree with it by chance.
+    """
+    blocks = (original.deviations(direction) for direction in Direction)
+    scatter = np.concatenate(
+        [standard_deviation(block - mean_deviation(block.T)[np.newaxis, :]) for block in blocks]
+    )
+    known = scatter[np.isfinite(scatter)]
+    return known.size == 0 or float(np.sqrt(np.mean(np.square(known)))) < last_digit(test)
 
 
 def _agree(run: FloatArray, other: FloatArray, step: float) -> bool:

@@ -24,12 +24,19 @@ from compwright.foundations.storage.looking import (
     resolved,
     way_to,
 )
-from compwright.foundations.storage.reading import earlier_bytes, read_bytes, state_of, was_read
+from compwright.foundations.storage.reading import (
+    bytes_as_they_are,
+    earlier_bytes,
+    read_bytes,
+    state_of,
+    was_read,
+)
 from compwright.foundations.storage.shipped import definition_files, demo_files
 from compwright.foundations.storage.writing import Known, write_file, write_files
 
 __all__ = [
     "Known",
+    "bytes_as_they_are",
     "definition_files",
     "demo_files",
     "earlier_bytes",

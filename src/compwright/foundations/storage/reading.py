@@ -70,10 +70,16 @@ def earlier_bytes(session: Session, path: Path) -> bytes:
     cannot be put right.
     """
     put_right_above(session, path, InputError)
+    return bytes_as_they_are(path)
+
+
+def bytes_as_they_are(path: Path) -> bytes:
+    """Return the bytes of a file in a folder of another command's, empty where there is none:
+    nothing is waited for or put right there, and it is no input.
+    """
     try:
-        return (
-            path.read_bytes() if path.is_file() and path.stat().st_size <= ANY.most_bytes else b""
-        )
+        small = path.is_file() and path.stat().st_size <= ANY.most_bytes
+        return path.read_bytes() if small else b""
     except (OSError, ValueError):
         return b""
 

@@ -17,7 +17,7 @@ import numpy as np
 from compwright.controls.decoded import DecodedState, judged
 from compwright.controls.two_readers import table_positions
 from compwright.documents.plan import read_plan
-from compwright.evaluation.rounded_copies import is_rounded_copy, last_digit
+from compwright.evaluation.rounded_copies import is_coarse, is_rounded_copy, last_digit
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.provenance import fingerprint, share_a_file
@@ -45,6 +45,8 @@ _MANY = 0.7
 _SEEN = 2.5
 #: Of two tests that agree in so many readings to the last digit one was made from the other.
 _NEARLY_ALL = 0.9
+#: A folder with more folders than a machine has jobs is no machine's.
+_MOST_SISTERS = 30
 _AGAIN = "its correction would be added a second time"
 
 
@@ -74,7 +76,11 @@ def refuse_own_output(
     """
     faults = list(_inside_out(job, folder, out))
     raise_all(UsageError, faults)
-    for earlier in earlier_plans(session, _near(session, job, folder, out)):
+    near = [
+        (path, storage.earlier_bytes(session, path)) for path in _near(session, job, folder, out)
+    ]
+    near += [(path, storage.bytes_as_they_are(path)) for path in _of_other_days(folder)]
+    for earlier in earlier_plans(near):
         faults.extend(_counted_twice(job, inputs, circles, earlier))
     raise_all(UsageError, list({fault.place: fault for fault in faults}.values()))
 
@@ -119,15 +125,25 @@ def _near(session: Session, job: Job, folder: Path, out: Path) -> Iterator[Path]
     yield from storage.in_folders_of(session, storage.resolved(out).parent, PLAN)
 
 
-def earlier_plans(session: Session, paths: Iterable[Path]) -> Iterator[_Earlier]:
-    """Yield the plans that can be read at ``paths``, each once."""
+def _of_other_days(folder: Path) -> Iterator[Path]:
+    """Yield where the plan of another day of the machine may stand: in the folders next to the
+    job's, and one down. Those belong to other jobs: nothing in them is waited for or put right.
+    """
+    sisters = storage.folders_in(storage.resolved(folder).parent)
+    for sister in sisters if len(sisters) <= _MOST_SISTERS else ():
+        yield sister / PLAN
+        inner = storage.folders_in(sister)
+        yield from (below / PLAN for below in inner if len(inner) <= _MOST_SISTERS)
+
+
+def earlier_plans(contents: Iterable[tuple[Path, bytes]]) -> Iterator[_Earlier]:
+    """Yield the plans that can be read among the ``contents`` of files, each file once."""
     seen: set[Path] = set()
-    for path in paths:
+    for path, content in contents:
         whole = storage.resolved(path)
         if whole in seen:
             continue
         seen.add(whole)
-        content = storage.earlier_bytes(session, path)
         try:
             plan = read_plan(content, str(path)) if content else None
         except InputError:
@@ -156,7 +172,13 @@ def _counted_twice(
         for planned in tests:
             state = inputs.states.get(planned.measured_in)
             pairs = [
-                (axis, old, 0.0 if same else last_digit(planned.test))
+                (
+                    axis,
+                    old,
+                    last_digit(planned.test)
+                    if not same and is_coarse(planned.test, old.test)
+                    else 0.0,
+                )
                 for axis in plan.axes.values()
                 for old in axis.tests
                 if (same := _same(planned.test, old.test))
@@ -221,10 +243,10 @@ def _acts_again(
     """Whether a state does something else to an axis than what acted while the plan's ``test`` was
     taken, and what the plan asked for.
 
-    ``digit``: step of the readings, mm or deg, where the test of the job is a rounded copy: two
-    tests may agree so far, with tables that differ by less. ``made``: the files of the state are
-    the plan's own byte for byte; others may do the same in another form (a whole backup, fewer
-    digits, without the backlash value).
+    ``digit``: step of the readings, mm or deg, where the test of the job is a rounded copy and the
+    runs scatter by less: two tests may agree so far, with tables that differ by less. ``made``: the
+    files of the state are the plan's own byte for byte; others may do the same in another form (a
+    whole backup, fewer digits, without the backlash value).
     """
     if planned.fitted is None:
         return False

@@ -76,8 +76,12 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
 
 def _not_twice(job: Job, work: AxisWork) -> AxisWork:
     """Return an axis without a table where the one in the control was made from the same test, as
-    long as the job does not acknowledge that.
+    long as the job does not acknowledge that. Where tests in two states show what that table did,
+    its shape says no more.
     """
+    if work.refused:
+        doubts = tuple(each for each in work.doubts if each.code != MIRRORED)
+        return replace(work, doubts=doubts)
     name = work.planned.axis.name
     why = [each.message for each in work.doubts if each.code == MIRRORED]
     if not why or job.acknowledgement(MIRRORED, name) is not None:
