@@ -232,6 +232,30 @@ CALLS: dict[str, tuple[dict[str, str], bool | None, str]] = {
         None,
         "? MAIN.MPF line 1",
     ),
+    "one that comes back either way": (
+        {
+            "MAIN.MPF": f"PRUEFEN\n{ONE}{GRID}{ON}M30\n",
+            "PRUEFEN.SPF": "IF R1==1 GOTOF AA\nR1=2\nM17\nAA:\nIF R2==1\nR1=3\nENDIF\nRET\n",
+        },
+        None,
+        READ,
+    ),
+    "one that jumps to no label": (
+        {
+            "MAIN.MPF": f"PRUEFEN\n{ONE}{GRID}{ON}M30\n",
+            "PRUEFEN.SPF": "IF R1==1 GOTOF AA\nM17\n",
+        },
+        None,
+        "? MAIN.MPF line 1",
+    ),
+    "behind one that comes back, nothing carried out": (
+        {
+            "MAIN.MPF": f"IF R1==1\nR2=1\nENDIF\nPRUEFEN\n{ONE}{GRID}{ON}M30\n",
+            "PRUEFEN.SPF": "IF R1==1\nR2=1\nENDIF\nM17\n",
+        },
+        False,
+        "! MAIN.MPF line 5",
+    ),
     "one that ends with M30": (
         {"MAIN.MPF": f"PRUEFEN\n{ONE}{GRID}{ON}M30\n", "PRUEFEN.SPF": "R1=1\nM30\n"},
         None,

@@ -4,11 +4,11 @@ and in which order their assignments are carried out.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
 from compwright.controllers.sinumerik.flow import ProgramBlock
-from compwright.controllers.sinumerik.reach import Doubt, Line, inevitable
+from compwright.controllers.sinumerik.reach import Doubt, Line, comes_back, inevitable
 from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment
 
 #: Variables of which a value other than 0 acts on an axis.
@@ -185,14 +185,5 @@ class ProgramCalls:
         if name not in self._back:
             self._back[name] = False  # one that calls itself
             placed = self._titles.get(name, [])
-            self._back[name] = len(placed) == 1 and all(
-                one.block.returns and all(map(self._comes_back, _called(one.block)))
-                for one in placed
-            )
+            self._back[name] = len(placed) == 1 and comes_back(self.trail(placed[0].block))
         return self._back[name]
-
-
-def _called(block: ProgramBlock) -> Iterator[str]:
-    for one in (*block.doubts, *block.late):
-        if one.call:
-            yield one.call

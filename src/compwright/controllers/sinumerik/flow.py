@@ -52,8 +52,6 @@ _NAMES_ONLY = frozenset({"PROC", "EXTERN", "DEFINE"})
 _TARGET = re.compile(r"(?P<name>[A-Z_]\w+)\s*:(?!=)", re.IGNORECASE)
 _WORDS = re.compile(r"\$?[A-Z_]\w*|[\d.]+\w*|<<|<>|[<>=]=|'\w*'?|\"\"|\S", re.IGNORECASE)
 _SUM = re.compile(r"\s+'[0-9A-F]{4}\s*$", re.IGNORECASE)
-#: A block that leads back to the program that calls this one.
-_BACK = re.compile(r"(?:[N:]\d+\s*)?(?:M17|RET)", re.IGNORECASE)
 #: A name as a whole statement, with or without arguments: a call, if no word of the language.
 _CALL = re.compile(
     r"(?:_N_)?([A-Z_]{2}\w*?|L\d+)(?:[._](?:SPF|MPF|CYC))?\s*(?:\([^()]*\))?", re.IGNORECASE
@@ -88,15 +86,6 @@ class ProgramBlock:
     caller: Doubt | None = None
     title: str = ""
     trail: list[Line] = field(default_factory=list)
-
-    @property
-    def returns(self) -> bool:
-        """Whether nothing in it but a call keeps a run from coming back to the calling program."""
-        ends = [self.end] if self.end is not None else []
-        doubts = [one for one in self.doubts if not one.call]
-        return not doubts and all(
-            one.call or _BACK.fullmatch(one.text) for one in (*self.late, *ends)
-        )
 
     @classmethod
     def named(cls, name: str, line: int, *, behind: bool = False) -> ProgramBlock:
@@ -151,7 +140,7 @@ class ProgramBlock:
             Line(
                 line,
                 names,
-                tuple(words),
+                () if words[0] == "PROC" else tuple(words),
                 skipped,
                 mentions=frozenset(called),
                 conditional=conditional,

@@ -1,7 +1,8 @@
 """Which lines of a SINUMERIK's program can be carried out in one run of it.
 
 Every line has a set of lines behind it (bits of a whole number), grown until nothing changes. A
-condition may turn out either way; a line that is not understood may end the program.
+condition may turn out either way; a line that is not understood may stop everything. Behind the
+last line come the end, from where the calling program goes on, and the stop of everything.
 """
 
 from __future__ import annotations
@@ -88,7 +89,7 @@ def inevitable(lines: Sequence[Line], among: Collection[int]) -> list[int]:
     never ends.
     """
     short, groups = _shortened(lines)
-    follow, end = _next(short), 1 << len(short)
+    follow, end = _next(short), 3 << len(short)  # the end and the stop
     hit = [min(group & set(among), default=0) for group in groups]
 
     def reached(closed: set[int]) -> int:
@@ -102,6 +103,11 @@ def inevitable(lines: Sequence[Line], among: Collection[int]) -> list[int]:
     first = [place for place in sorted(every) if open_places >> place & 1]
     alone = next((place for place in first if not reached({place}) & end), None)
     return [hit[place] for place in (first if alone is None else [alone])]
+
+
+def comes_back(lines: Sequence[Line]) -> bool:
+    """Return whether no run of a subprogram stops before it returns to its caller."""
+    return not lines or not _behind(_next(lines))[0] >> len(lines) + 1 & 1
 
 
 def unclear_jumps(lines: Sequence[Line]) -> list[int]:
@@ -162,8 +168,8 @@ def _behind(follow: Sequence[int]) -> list[int]:
 
 
 def _next(lines: Sequence[Line]) -> list[int]:
-    """Return for every line the lines that may be carried out next, as bits; the bit behind the
-    last line is the end.
+    """Return for every line the lines that may be carried out next, as bits; the bits behind the
+    last line are the end and the stop.
     """
     names = _labels(lines)
     ways = [1 << place + 1 for place in range(len(lines))]
@@ -184,7 +190,7 @@ def _next(lines: Sequence[Line]) -> list[int]:
         ways[place] = bits | (1 << place + 1 if line.skipped else 0)
     for _, place, other in opened:  # never closed: nothing is certain
         for each in (place, *([other] if other >= 0 else [])):
-            ways[each] |= 1 << each + 1 | 1 << len(lines)
+            ways[each] |= 1 << each + 1 | 1 << len(lines) + 1
     return ways
 
 
@@ -203,17 +209,19 @@ def _closed(word: str, place: int, start: int, other: int, ways: list[int]) -> i
 
 
 def _own_ways(line: Line, place: int, end: int, names: Mapping[str, Sequence[int]]) -> int:
-    words, after = line.words, 1 << place + 1
+    words, after, stop = line.words, 1 << place + 1, end + 1
     jumps = [i for i, word in enumerate(words) if word in _JUMPS]
     if jumps:
         bits = 0
         for i in jumps:
-            bits |= _target(words[i], words[i + 1 : i + 3], place, end, names)
+            bits |= _target(words[i], words[i + 1 : i + 3], place, stop, names)
         return bits if jumps[0] == 0 or "DEFAULT" in words else bits | after
     if words[0] in ("REPEAT", "REPEATB") and len(words) > 1 and words[1] in names:
-        return after | 1 << end | sum(1 << one for one in names[words[1]])
+        return after | 1 << stop | sum(1 << one for one in names[words[1]])
     conditional = words[0] in ("WHEN", "WHENEVER", "EVERY", "FROM", "ID", "IDS", "DO")
-    return 1 << end if ends_here(words) and not conditional else after | 1 << end
+    if conditional or not ends_here(words):
+        return after | 1 << stop
+    return 1 << end if words in (("M17",), ("RET",)) else 1 << stop
 
 
 def ends_here(words: Sequence[str]) -> bool:
@@ -228,7 +236,7 @@ def ends_here(words: Sequence[str]) -> bool:
 
 
 def _target(
-    jump: str, words: Sequence[str], place: int, end: int, names: Mapping[str, Sequence[int]]
+    jump: str, words: Sequence[str], place: int, stop: int, names: Mapping[str, Sequence[int]]
 ) -> int:
     after = 1 << place + 1
     if jump == "GOTOS":
@@ -238,7 +246,7 @@ def _target(
     worked_out = _NAME.fullmatch(name) is None or tuple(words[1:2]) in (("[",), ("(",), ("<<",))
     if worked_out:
         found = [one for each in names.values() for one in each]
-        return after | 1 << end | sum(1 << one for one in set(found))
+        return after | 1 << stop | sum(1 << one for one in set(found))
     if found:
         return sum(1 << one for one in found)
-    return after if jump == "GOTOC" else 1 << end
+    return after if jump == "GOTOC" else 1 << stop

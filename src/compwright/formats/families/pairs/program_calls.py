@@ -72,12 +72,16 @@ def programs_of(definition: Definition, files: Sequence[ControlFile]) -> tuple[F
         read = [(file.name, _scanned(definition, file, names, returning)) for file in files]
         found = [(file, program) for file, one in read for program in one.programs]
         count = Counter(program.name for _, program in found if program.name)
-        back = frozenset(one.name for _, one in found if one.returns and count[one.name] == 1)
+        called = {call.name for _, program in found for call in program.calls}
+        back = frozenset(
+            one.name
+            for _, one in found
+            if one.name in called and count[one.name] == 1 and one.ways(frozenset()).returns()
+        )
         if (frozenset(count), back if names else returning) == (names, returning):
             break
         names, returning = frozenset(count), back if names else returning
     starts = _start_doubts(found, count)
-    called = {call.name for _, program in found for call in program.calls}
     loaders = _loaders([program for _, program in found])
     seen = set[str]()
     result = []

@@ -47,9 +47,6 @@ _CHECKSUM = re.compile(r"\s+'[0-9A-F]{4}\s*$", re.IGNORECASE)
 _PLAIN_CALL = re.compile(
     r"(?:_N_)?(?P<name>[A-Z_]{2}\w*?|L\d+)(?:[._](?:SPF|MPF|CYC))?\s*(?:\([^()]*\))?", re.IGNORECASE
 )
-#: The end of a subprogram behind which the calling program goes on with its next line. M2 and M30
-#: may end both.
-_RETURN = re.compile(r"M17|RET", re.IGNORECASE)
 #: What stands before words that are carried out on a condition only.
 _CONDITIONAL = re.compile(r"/|(?:IF|CASE|WHEN|WHENEVER|EVERY|FROM|IDS?|DO)\b", re.IGNORECASE)
 #: What a program may hold before and between values, and they are carried out all the same.
@@ -169,12 +166,6 @@ class ProgramFlow:
             _step(number, code, self.followed, marked=value or not loaders.isdisjoint(calls))
             for number, code, value, calls in self.lines
         )
-
-    @property
-    def returns(self) -> bool:
-        """Whether every run of it comes to its end, and there back to the program that calls it."""
-        ends = [*self.late, *filter(None, [self.ended])]
-        return not self.flow and all(_RETURN.fullmatch(_bare(one.text)) for one in ends)
 
     @property
     def span(self) -> str:
@@ -325,7 +316,7 @@ def _step(number: int, code: str, followed: Collection[str], *, marked: bool) ->
     if label is not None:
         bare = bare[label.end() :]
         names.append(label["name"])
-    plain = (marked and "$" in bare) or _plain_call(bare) in followed
+    plain = (marked and "$" in bare) or _plain_call(bare) in followed or _PROCEDURE.match(bare)
     does = "" if plain or not bare or harmless(bare) else _STRING.sub('""', bare)
     return Step(number, tuple(names), does, marked, skipped is not None)
 

@@ -14,6 +14,8 @@ _FIRST = re.compile(r"[A-Z]+", re.IGNORECASE)
 #: The end of a program or subprogram, alone or with other words of its line. M2=3 is none: an M
 #: function of spindle 2.
 END = re.compile(r"(?:\bM\s*=?\s*(?:17|30|0*2)(?!\s*[-+*/.\d=])|\bRET\b)", re.IGNORECASE)
+#: The end of a subprogram behind which the program that calls it goes on.
+_RETURN = re.compile(r"M17|RET", re.IGNORECASE)
 _DEFAULT = re.compile(r"\bDEFAULT\b", re.IGNORECASE)
 _REPEATED = re.compile(r"REPEATB?\s+(?P<target>\w+)", re.IGNORECASE)
 _CLOSING = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDFOR": "FOR", "ENDLOOP": "LOOP"} | {
@@ -39,7 +41,9 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class ProgramWays:
-    """Steps of one program with the steps that may follow each; behind the last one is the end.
+    """Steps of one program with the steps that may follow each. Behind the last one is its end,
+    from where the program that calls it goes on, and behind that the place where everything stops:
+    by M2 and M30, an alarm, or a statement of which that is not known.
 
     ``unclear``: lines of jumps of which more than one label of that name may be the destination.
     """
@@ -77,14 +81,18 @@ class ProgramWays:
             for line in range(step.line, max(step.line, step.until) + 1) if step.marked else ():
                 if line in lines:
                     among.setdefault(place, line)
-        end, past = len(self.steps), self._reached(without=among)
-        if end in past:
+        ends, past = {len(self.steps), len(self.steps) + 1}, self._reached(without=among)
+        if ends & past:
             return []
         first = [place for place in among if place == 0 or any(place in self.next[i] for i in past)]
         for place in first:
-            if end not in self._reached(without={place}):
+            if not ends & self._reached(without={place}):
                 return [among[place]]
         return [among[place] for place in first]
+
+    def returns(self) -> bool:
+        """Return whether every run comes to the end, or never ends."""
+        return len(self.steps) + 1 not in self._reached()
 
     def _reached(self, start: int = 0, without: Collection[int] = ()) -> set[int]:
         seen: set[int] = set()
@@ -183,14 +191,16 @@ def _following(
 ) -> set[int]:
     """Return the places to which a run may go on from a line that is no plain one."""
     step, word, after, end = steps[place], _word(steps[place]), place + 1, len(steps)
+    stop = end + 1
     if "GOTO" in step.code.upper():
-        targets = set().union(*(_targets(go, place, places, end) for go in _GO.finditer(step.code)))
+        jumps = _GO.finditer(step.code)
+        targets = set().union(*(_targets(go, place, places, stop) for go in jumps))
         always = step.code[:4].upper() == "GOTO" or _DEFAULT.search(step.code) is not None
         return targets if always else targets | {after}
     close = blocks.ends.get(place)
     if word == "IF":
         other = blocks.elses.get(place, close)
-        return {after} if other is None else {after, other + 1}
+        return {after, stop} if other is None else {after, other + 1}
     if word == "ELSE" and close is not None:
         return {close}
     if word in ("WHILE", "FOR") and close is not None:
@@ -202,10 +212,10 @@ def _following(
     if word in ("ENDIF", "LOOP", "REPEAT"):
         return {after}
     if word == "AGAIN":
-        return {after, end}.union(*_destinations(step.code, place, places))
-    if END.search(step.code):
-        return {end} if _first_word_ends(step.code) else {after, end}
-    return {after, end}
+        return {after, stop}.union(*_destinations(step.code, place, places))
+    if END.search(step.code) and _first_word_ends(step.code):
+        return {end} if _RETURN.fullmatch(step.code.strip()) else {stop}
+    return {after, stop}
 
 
 def _first_word_ends(code: str) -> bool:
@@ -237,10 +247,10 @@ def _meant(go: re.Match[str], place: int, places: Mapping[str, Sequence[int]]) -
 
 
 def _targets(
-    go: re.Match[str], place: int, places: Mapping[str, Sequence[int]], end: int
+    go: re.Match[str], place: int, places: Mapping[str, Sequence[int]], stop: int
 ) -> set[int]:
-    """Return where a jump leads: every label where only the running program knows it; the end where
-    the control stops with an alarm, because there is no such label in that direction.
+    """Return where a jump leads: every label where only the running program knows it; a stop where
+    the control gives an alarm, because there is no such label in that direction.
     """
     if go["way"].upper() == "S":
         return {0}
@@ -248,5 +258,5 @@ def _targets(
         return set(found)
     plain = re.fullmatch(r"(?!R\d+$)[A-Z_]\w+|N\d+", (go["target"] or "").upper()) is not None
     if not plain:
-        return {*(one for each in places.values() for one in each), place + 1, end}
-    return {end} if go["way"].upper() != "C" else {place + 1}
+        return {*(one for each in places.values() for one in each), place + 1, stop}
+    return {stop} if go["way"].upper() != "C" else {place + 1}
