@@ -37,7 +37,7 @@ from compwright.workflow.commands.evaluate import (
 )
 from compwright.workflow.inputs import evaluated
 from compwright.workflow.results import progress as showing
-from compwright.workflow.results.answers import document_text
+from compwright.workflow.results.answers import to_json
 
 TARGETS = (3.0, 110.5, 190.0, 310.0, 403.0)
 WHOLE = 400.0  # mm from the first target to the last
@@ -155,11 +155,11 @@ def test_other_processes_give_the_same_bytes(
 
     monkeypatch.setattr(side_by_side, "_WORTH", 0.0)
     side = evaluate_files(Session(), [folder], crew=crew)
-    assert document_text(side.document) == document_text(outcome.document)
+    assert to_json(side.document) == to_json(outcome.document)
     assert called  # it did not work in turn
     short = evaluate_files(Session(), [folder], whole=False)
     assert all("targets" not in result for result in short.document["results"])
-    assert len(document_text(short.document)) < 0.5 * len(document_text(outcome.document))
+    assert len(to_json(short.document)) < 0.5 * len(to_json(outcome.document))
 
 
 @pytest.fixture(scope="module")

@@ -183,6 +183,13 @@ def test_all_faults_at_once() -> None:
     assert "P.yaml: line 3: sens" in text.replace("line 3, sens", "line 3: sens")
 
 
+def test_an_unknown_layout_hides_no_other_fault() -> None:
+    text = faults("compwright_profile: 1\nlayout: tall\ndecimal: dot\nheader_line: two\nsens: +\n")
+    for key in ("layout", "decimal", "header_line", "sens"):
+        assert f", {key}: " in text, text
+    assert "'target'" not in text  # whether it is needed depends on the layout
+
+
 def test_files_with_readers_of_their_own_do_not_need_it() -> None:
     plain = "# axis: X\ntarget_mm,direction,run,deviation_um\n0,+,1,1.0\n1,+,1,2.0\n"
     assert read(plain, LONG_PROFILE).axis == "X"

@@ -246,3 +246,9 @@ def test_what_is_hardly_there_is_drawn_as_rarely() -> None:
     own = np.array([[1.0], [9.0]])
     assert jump.drawn(own, 2, np.random.default_rng(8)).shape == (2, 1)
     assert jump.variance(np.array([5.0]))[0] == pytest.approx(0.2 * 0.25)
+
+
+def test_means_on_a_straight_line_without_any_spread_show_no_jump() -> None:
+    targets = np.linspace(0.0, 800.0, 17)
+    for slope in (0.0, 2e-5):
+        assert jumps_of(targets, slope * targets + 0.003, np.zeros(17)) == ()

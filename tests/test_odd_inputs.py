@@ -483,7 +483,7 @@ def test_a_key_that_stands_twice_in_a_plan(plan: dict[str, Any]) -> None:
         (
             ("axes", "X", "active", "backlash"),
             GONE,
-            "axes.X.active.backlash: is missing; expected a value",
+            "axes.X.active.backlash: is missing; expected a number",
         ),
         (
             ("axes", "X", "tests", 0, "positive", 3),

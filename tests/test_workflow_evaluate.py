@@ -19,7 +19,7 @@ from compwright.workflow.commands.evaluate import (
     evaluation_renderables,
     write_evaluation,
 )
-from compwright.workflow.results.answers import document_text
+from compwright.workflow.results.answers import to_json
 from places import PROJECT
 
 pytestmark = pytest.mark.painted
@@ -74,7 +74,7 @@ def test_a_folder_is_read_whole_and_what_is_unreadable_is_listed(tmp_path: Path)
     files = [Path(error["file"]).name for error in run.document["errors"]]
     assert sorted(set(files)) == ["a.txt", "c.csv", "nowhere.csv"]
     assert all(error["message"] for error in run.document["errors"])
-    json.loads(document_text(run.document))
+    json.loads(to_json(run.document))
 
 
 def test_a_file_that_cannot_be_read_goes_before_a_test_that_the_method_does_not_fit(
@@ -217,9 +217,9 @@ def test_the_evaluate_path_loads_nothing_heavy(tmp_path: Path) -> None:
     path = csv_file(tmp_path, "a.csv")
     code = (
         "import sys; from pathlib import Path; from compwright.workflow.results.answers import"
-        " document_text;from compwright.foundations.session import Session;"
+        " to_json;from compwright.foundations.session import Session;"
         "from compwright.workflow.commands.evaluate import"
-        f" evaluate_files;document_text(evaluate_files(Session(), [Path({str(path)!r})]).document);print([m"
+        f" evaluate_files;to_json(evaluate_files(Session(), [Path({str(path)!r})]).document);print([m"
         " for m in ('scipy', 'cvxpy', 'osqp', 'matplotlib', 'pydantic', 'rich') if m in"
         " sys.modules])"
     )

@@ -614,9 +614,9 @@ def test_positioning_loads_nothing_circular_and_circles_nothing_heavy(tmp_path: 
     put(tmp_path, x=POSITIONING, xy=csv_of())
     code = (
         "import sys; from pathlib import Path; from compwright.workflow.results.answers import"
-        " document_text;from compwright.foundations.session import Session;"
+        " to_json;from compwright.foundations.session import Session;"
         "from compwright.workflow.commands.evaluate import"
-        " evaluate_files;document_text(evaluate_files(Session(), [Path(sys.argv[1])]).document);print(sorted(m"
+        " evaluate_files;to_json(evaluate_files(Session(), [Path(sys.argv[1])]).document);print(sorted(m"
         " for m in sys.modules if m.startswith('compwright.') and 'circ' in m or m in ('scipy',"
         " 'cvxpy', 'matplotlib', 'pydantic', 'rich', 'xml', 'compwright.instruments.b5r')))"
     )

@@ -37,10 +37,10 @@ def answer(
     document: Mapping[str, Any], json_path: Path | None, renderables: Callable[[], list[Any]]
 ) -> None:
     """Print the answer of a command: as JSON for ``--json -``, else for people."""
-    from compwright.workflow.results.answers import document_text, show
+    from compwright.workflow.results.answers import show, to_json
 
     if _on_output(json_path):
-        text = document_text(document).encode()  # always UTF-8, whatever the terminal speaks
+        text = to_json(document).encode()  # always UTF-8, whatever the terminal speaks
         print_safely(lambda: click.echo(text, nl=False))
     else:
         print_safely(lambda: show(renderables()))

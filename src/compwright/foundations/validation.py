@@ -80,7 +80,7 @@ def checked(validator: SchemaValidator, data: Any) -> tuple[Any, list[KeyFault]]
     try:
         return validator.validate_python(data), []
     except ValidationError as error:
-        return None, list(key_faults(error, data))
+        return None, list(key_faults(error, data, again=validator.validate_python))
 
 
 def key_faults(
@@ -88,12 +88,14 @@ def key_faults(
     data: Any,
     known: Known = lambda _location: [],
     missing: Missing = {},  # noqa: B006  # only read
+    again: Callable[[Any], object] | None = None,
 ) -> Iterator[KeyFault]:
-    """Yield one fault per complaint about ``data``."""
+    """Yield one fault per complaint about ``data``; ``again`` validates data once more."""
     for complaint in error.errors(include_url=False):
         path = _path_in(data, complaint)
-        if complaint["type"] == "missing":
-            yield KeyFault(path, "is missing", missing.get(str(path[-1]), "a value"))
+        if complaint["type"] in ("missing", "union_tag_not_found"):
+            expected = missing.get(str(path[-1])) or _expected_at(path, data, again)
+            yield KeyFault(path, "is missing", expected)
         elif complaint["type"] in ("extra_forbidden", _UNKNOWN):
             names = complaint.get("ctx", {}).get("known") or known(complaint["loc"][:-1])
             yield KeyFault(path, "unknown key", suggestion(str(complaint["loc"][-1]), names))
@@ -103,6 +105,31 @@ def key_faults(
             yield KeyFault(path, stated["message"], stated["expected"], found)
         else:
             yield KeyFault(path, *_words(complaint), shown(complaint["input"]))
+
+
+def _expected_at(path: KeyPath, data: Any, again: Callable[[Any], object] | None) -> str:
+    """Return what belongs under a key that is missing: what is said of something that fits nothing
+    there.
+    """
+    if again is None:
+        return "a value"
+    filled = _with(data, path, object())
+    try:
+        again(filled)
+    except ValidationError as error:
+        words = [each.expected for each in key_faults(error, filled) if each.path == path]
+        return " or ".join(dict.fromkeys(filter(None, words))) or "a value"
+    return "a value"
+
+
+def _with(data: Any, path: KeyPath, value: object) -> Any:
+    """Return a copy of ``data`` with a value under a key."""
+    if not path:
+        return value
+    first, *rest = path
+    copy = list(data) if isinstance(data, list) else dict(data)
+    copy[first] = _with(copy[first], tuple(rest), value) if rest else value
+    return copy
 
 
 def _path_in(data: Any, complaint: ErrorDetails) -> KeyPath:
@@ -138,7 +165,6 @@ def _words(complaint: ErrorDetails) -> tuple[str, str]:
     fixed = {
         "literal_error": ("is not an accepted value", str(context.get("expected", ""))),
         "union_tag_invalid": ("is not an accepted value", str(context.get("expected_tags", ""))),
-        "union_tag_not_found": ("is missing", "a value"),
         "greater_than": ("is too small", f"more than {context.get('gt', 0):g}"),
         "greater_than_equal": ("is too small", f"{context.get('ge', 0):g} or more"),
         "less_than": ("is too large", f"less than {context.get('lt', 0):g}"),

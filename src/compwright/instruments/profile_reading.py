@@ -67,9 +67,6 @@ def read_profile(content: bytes, file: str) -> Profile:
         raise UsageError(Fault(message="is not a mapping profile", file=file, expected=expected))
     own, faults = checked(SchemaValidator(_PROFILE), data)
     empty = list(_empty(data))
-    if data.get("layout") not in _CHOICES["layout"]:  # what else is needed depends on it
-        faults = [each for each in faults if each.path[0] not in _KEYS.keys() - {MARK, "layout"}]
-        empty = [each for each in empty if each.path == ("layout",)]
     told = {each.path for each in empty} & {(key,) for key in _CHOICES.keys() - {"layout"}}
     faults = [each for each in faults if each.path not in told]
     raise_all(UsageError, document.faults([*empty, *faults, *_units(data)], file))
@@ -80,7 +77,7 @@ def _empty(data: Mapping[str, Any]) -> Iterator[KeyFault]:
     """Yield the keys that this profile needs and that say nothing."""
     layout = data.get("layout")
     needed = ["layout", *_NEEDED.get(layout if isinstance(layout, str) else "", ())]
-    if layout != "own" and data.get("value_is") != "measured":
+    if layout in ("long", "wide") and data.get("value_is") != "measured":
         needed.append("sign")
     if layout == "long" and data.get("direction_from") == "column":
         needed += ["direction", "directions"]

@@ -109,7 +109,7 @@ def check(document: YamlDocument, file: str, further: Further = _nothing_further
         without_use = {fault.path for fault in faults}
         faults += [
             fault
-            for fault in key_faults(error, data, known_keys, MISSING)
+            for fault in key_faults(error, data, known_keys, MISSING, JobSection.model_validate)
             if fault.path not in without_use
         ]
     faults += (*contradictions(data), *further(data))

@@ -12,10 +12,7 @@ from compwright.documents.json_text import to_json
 from compwright.foundations import storage
 from compwright.foundations.session import Session
 
-
-def document_text(document: Mapping[str, Any]) -> str:
-    """Return a document as the text that ``--json -`` prints."""
-    return to_json(document)
+__all__ = ["show", "to_json", "write_document"]
 
 
 def write_document(
