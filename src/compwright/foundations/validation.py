@@ -127,7 +127,7 @@ def _with(data: Any, path: KeyPath, value: object) -> Any:
     if not path:
         return value
     first, *rest = path
-    copy = list(data) if isinstance(data, list) else dict(data)
+    copy: Any = list(data) if isinstance(data, list) else dict(data)
     copy[first] = _with(copy[first], tuple(rest), value) if rest else value
     return copy
 
