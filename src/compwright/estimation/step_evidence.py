@@ -26,6 +26,7 @@ _AXES: Final = 1.0 / 100.0
 COUNTED: Final = 0.05
 _LENGTHS: Final = 2.0 ** np.arange(6)  # of the smooth part, in mean distances of the targets
 _LEAST: Final = 1e-4
+_SMALLEST: Final = 1e-12  # mm (deg): means without any scatter on a straight line have some noise
 _SIZES: Final = 6
 _LOCAL: Final = 4
 _STEPS: Final = 2
@@ -63,7 +64,7 @@ class StepEvidence:
         straight = np.column_stack([np.ones_like(x), (x - x.mean()) / np.ptp(x)])
         rough = y - straight @ np.linalg.lstsq(straight, y, rcond=None)[0]
         # Below a ten-thousandth of what is there the covariance would not be positive any more.
-        stds = np.maximum(stds, _LEAST * float(np.ptp(rough)))
+        stds = np.maximum(stds, max(_LEAST * float(np.ptp(rough)), _SMALLEST))
         noise = float(np.sqrt(np.mean(stds**2)))
         largest = max(float(np.ptp(rough)), 2.0 * noise)
         free = (10.0 * largest) ** 2 * (straight @ straight.T) + np.diag(stds**2)
