@@ -88,7 +88,7 @@ OPPOSITE = {sign: block[::-1] for sign, block in BEFORE.items()}
 MEASURED = MACHINE.measure(TARGETS, 1, corrected)
 #: What went wrong -> the readings, their targets, and what has to be said.
 WRONG: dict[str, tuple[Readings, Floats, str]] = {
-    "compensation off": (BEFORE, TARGETS, "did not act"),
+    "compensation off": (BEFORE, TARGETS, "was not active"),
     "sign": ({sign: -block for sign, block in MEASURED.items()}, TARGETS, "sign of the deviations"),
     "order": ({sign: block[::-1] for sign, block in MEASURED.items()}, TARGETS, "opposite order"),
     "against the machine": (

@@ -49,7 +49,7 @@ def test_a_period_as_long_as_the_nodes_of_the_table_are_apart_is_suspicious(
 ) -> None:
     nodes = tuple(spacing * k for k in range(12))
     (finding,) = said(AxisPeriod(40.0, 0.9, "found"), nodes=nodes)
-    assert ("a table that did not act as its files say" in finding.message) == suspicious
+    assert ("a table that was not active as its files say" in finding.message) == suspicious
     assert ("nodes of the table in the control" in finding.message) == suspicious
     (bare,) = said(AxisPeriod(40.0, 0.9, "found"))
     assert "nodes" not in bare.message

@@ -215,7 +215,7 @@ def test_a_line_each_and_a_summary_in_80_columns(shown: str) -> None:
     circle = next(line for line in lines if line.startswith("xy_ccw.csv +1 "))
     assert circle.split()[2] == "XY"
     summary = "\n".join(lines[lines.index(next(x for x in lines if x.startswith("Summary"))) :])
-    assert "14 tests from 15 files; 3 files with errors, told below" in summary
+    assert "14 tests from 15 files; 3 files with errors, listed below" in summary
 
 
 def test_the_summary_says_smallest_median_and_largest_by_axis(
@@ -483,7 +483,7 @@ def test_of_very_many_bad_files_each_has_a_line_and_the_rest_is_counted(
     assert sum(line.endswith("(and 1 more in this file)") for line in lines) == 25
     assert lines[25:27] == ["error: ... and 5 more like these", "note: --json PATH names them all"]
     assert sum("skipped" in line for line in lines) == 10
-    assert "0 tests from 0 files; 30 files with errors, told below" in said.out
+    assert "0 tests from 0 files; 30 files with errors, listed below" in said.out
 
 
 def test_nothing_of_the_bar_goes_where_no_terminal_is(

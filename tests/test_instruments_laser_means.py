@@ -72,7 +72,7 @@ def test_a_file_of_means_that_was_cut() -> None:
 @pytest.mark.parametrize(
     ("blocks", "words"),
     [
-        ({"Bidirectional": BOTH}, "the directions cannot be told apart"),
+        ({"Bidirectional": BOTH}, "the directions cannot be separated"),
         ({"Forward Directional": []}, "holds no means"),
         (
             {

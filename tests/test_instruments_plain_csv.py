@@ -160,7 +160,7 @@ def test_sign_key_turns_deviations_but_not_measured_values() -> None:
     assert measured.positive[0, 0] == 0.0025
     assert "CW-R013" in codes(measured)
     unsaid = read("target_mm,direction,run,measured_mm\n0,+,1,0.0025")
-    assert message(unsaid, "CW-R001") == "Not said in the file and taken as: cycle: standard."
+    assert message(unsaid, "CW-R001") == "Not stated in the file, assumed: cycle: standard."
 
 
 def test_wide_form_with_an_empty_cell() -> None:
@@ -230,7 +230,7 @@ def test_comment_lines_are_kept() -> None:
     assert test.cycle == "step"
     assert (
         message(test, "CW-R001")
-        == "Not said in the file and taken as: deviation: measured minus target."
+        == "Not stated in the file, assumed: deviation: measured minus target."
     )
 
 

@@ -120,7 +120,7 @@ def test_many_suspect_traverses_are_counted_and_the_farthest_told() -> None:
     up[:, ::3] += 40.0
     findings = suspect_traverses(test_of(up, down), lambda _: "")
     assert len(findings) == 21
-    assert findings[-1].message.startswith("20 more runs lie off the others")
+    assert findings[-1].message.startswith("20 more runs are outliers")
 
 
 @pytest.mark.parametrize(

@@ -91,7 +91,9 @@ def test_a_new_job_takes_kind_limits_and_letters_and_names_what_it_leaves_out(
         if line.endswith(":") and line.startswith("  ")
     ]
     assert [name for name in named if len(name) == 1] == ["X", "Y", "A"]
-    assert "left out, because nothing in the files acts on them: 3 (Z)" in capsys.readouterr().err
+    assert (
+        "left out, because nothing in the files is active on them: 3 (Z)" in capsys.readouterr().err
+    )
 
 
 @pytest.mark.parametrize(
@@ -161,7 +163,7 @@ def test_a_table_in_inches_is_not_read_as_mm_because_nobody_repeats_the_unit(
     assert write_job(tmp_path, X, states="[loaded]") == 2
     said = capsys.readouterr().err
     assert "controller.options.units" in said
-    assert "nobody says the machine's unit" in said
+    assert "the machine's unit is not given" in said
     assert "mm or inch, or the whole INI file with LINEAR_UNITS among the files" in said
     assert write_job(tmp_path, X, states="[loaded]", options="{units: inch}") == 1  # CW-P160
 

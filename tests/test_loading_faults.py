@@ -177,9 +177,9 @@ def test_a_fault_is_found_by_its_name(case: str) -> None:
         ("backlash twice", "its backlash is wrong: twice"),
         ("backlash turned", "its backlash is wrong: with the wrong sign"),
         ("a part", "up to node 9 (200), nothing beyond"),
-        ("the other part", "A part of the table acts: from node"),
-        ("nothing", "The table does not act"),
-        ("another axis", "the one of axis Y"),
+        ("the other part", "A part of the table is active: from node"),
+        ("nothing", "The table is not active"),
+        ("another axis", "that of axis Y"),
     ],
 )
 def test_the_message_says_what_was_seen(case: str, words: str) -> None:
@@ -212,8 +212,8 @@ def test_the_old_table_or_nothing() -> None:
     """
     old = compensation(OLD, backlash=1 * UM)
     for acting, words in (
-        (shown(OLD, OLD, 1 * UM), "what was in the control before still acts"),
-        (shown(NOTHING, NOTHING), "nothing acts at all"),
+        (shown(OLD, OLD, 1 * UM), "what was in the control before is still active"),
+        (shown(NOTHING, NOTHING), "nothing at all is active"),
     ):
         verdict = judge(acting, ONE_TABLE, old)
         assert verdict.verdict == "not_active"

@@ -83,7 +83,7 @@ def test_a_table_that_acted_is_said_to_have_acted() -> None:
     ("what", "correction", "says"),
     [
         ("inverted", acts(factor=-1.0), "opposite sign"),
-        ("shifted", acts(shift=100.0), "shifted by +2 nodes"),
+        ("shifted", acts(shift=100.0), "shifted by +2 points"),
     ],
 )
 def test_what_contradicts_the_files_is_named(what: str, correction: Acts, says: str) -> None:
@@ -105,7 +105,7 @@ def test_two_tests_that_show_the_same_do_not_say_in_which_one_it_was_wrong(both:
     old = judged_old_table(AXIS, planned("off", 1, both), planned("on", 2, both), STATES, (AXIS,))
     assert old.contradicted
     reason = old.refusal([])
-    assert "acted in x_off as well" in reason
+    assert "was active in x_off as well" in reason
     assert "contradict what the files say, 99.9 % sure:" in reason
 
 
@@ -159,7 +159,7 @@ def test_no_total_is_made_from_what_did_not_act(
     assert compwright(["run", str(tmp_path / "job.yaml")]) == 1
     said = capsys.readouterr().out
     assert "CW-P001" in said
-    assert "did not act" in said
+    assert "was not active" in said
     assert "COMP_FILE of [JOINT_0]" in said
     assert not (tmp_path / "job" / "tables").exists()
     assert (

@@ -357,7 +357,7 @@ def test_a_pair_is_right_in_both_worlds(sign: float, judged: Judge) -> None:
     )
     assert sign_check
     assert on
-    assert sign_check.start() < on.start(), "the sign is checked after the table acts"
+    assert sign_check.start() < on.start(), "the sign is checked after the table is active"
     forward, _, _ = card.partition("## Way back")  # the way back names the copies in rollback/
     for name in re.findall(r"\b[\w-]+\.(?:INI|MPF|SPF)\b", forward):
         assert name in outcome.files, f"the card names {name}, which was not written"

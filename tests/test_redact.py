@@ -517,7 +517,7 @@ def test_readings_of_a_copy_are_those_of_its_original(
 
 
 def test_what_was_taken_out_is_counted_in_words() -> None:
-    removed = {"comment": 1, "row beside the table": 3, "serial number": 2}
+    removed = {"comment": 1, "row next to the table": 3, "serial number": 2}
     removed["text behind a value"] = 1
     one = RedactedFile(file=Path("a"), copy=Path("b"), taken_for="measurement", removed=removed)
     first, *_ = redaction_lines(RedactOutcome(files=(one,), faults=(), written=()))

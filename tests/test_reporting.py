@@ -454,7 +454,7 @@ def test_the_state_that_was_taken_is_told() -> None:
     assert "As in CNC-PARA.TXT, PITCH.TXT; the table is the total" in section(
         ["CNC-PARA.TXT", "PITCH.TXT"]
     )
-    assert section(None).count("Not said. Without it no table is written") == 2  # axes X and C
+    assert section(None).count("Not given. Without it no table is written") == 2  # axes X and C
 
 
 @words_only

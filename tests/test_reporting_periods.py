@@ -64,7 +64,7 @@ def test_rows_say_who_tells_a_period_and_only_what_counts_is_marked() -> None:
     assert block is not None
     assert [(row["period"], row["probability"], row["source"]) for row in block["rows"]] == [
         ("10", "97 %", "found in the readings"),
-        ("20", "> 99.9 %", "told by the job"),
+        ("20", "> 99.9 %", "given by the job"),
         ("4", "6 %", "found in the readings"),
     ]
     assert [mark["text"] for mark in block["picture"]["found"]] == ["10", "20"]

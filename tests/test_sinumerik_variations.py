@@ -65,7 +65,7 @@ def judged(tmp_path: Path, run: Run) -> Judge:
 @pytest.mark.parametrize("seed", [300, 302, 304, 306, 307, 311])
 def test_a_dealt_job_does_no_harm(seed: int, judged: Judge) -> None:
     """Written well or refused by name; what is exported afterwards is what was planned, a slip is
-    noticed, the test after loading says whether the table acts.
+    noticed, the test after loading says whether the table is active.
     """
     outcome = judged(dealt(seed))
     assert not outcome.harms, outcome.line()

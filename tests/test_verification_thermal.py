@@ -133,7 +133,7 @@ def test_a_table_that_does_not_act_is_found_beside_a_slope() -> None:
     for seed in range(30):
         verdict = judge(table_of(seed), np.zeros((2, M)), seed, slope=25 * PPM)
         found[verdict.verdict] += 1
-        assert "does not act" in verdict.message
+        assert "is not active" in verdict.message
         assert verdict.slope is not None
     assert found == {"not_active": 30}
 
@@ -168,7 +168,7 @@ def test_a_straight_line_is_thermal_and_scaled_alike(slope: float) -> None:
     assert (verdict.verdict, verdict.equivalent) == ("thermal", ("scaled",))
     scaled = judge(table, (1.0 + slope / 20.0) * table, 4)
     assert scaled.verdict == verdict.verdict
-    assert "acts by" in verdict.message
+    assert "active with factor" in verdict.message
 
 
 def test_a_correction_that_is_nearly_straight_leaves_it_open() -> None:

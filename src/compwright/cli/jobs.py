@@ -44,7 +44,7 @@ from compwright.cli.words import (
 @click.option(
     "--out",
     type=PATH,
-    help="Folder for the results; default: the name of the job file, beside it.",
+    help="Folder for the results; default: next to the job file, with its name.",
 )
 @click.option(
     "--accept-worse", is_flag=True, help="Write a table even if it would not improve the axis."

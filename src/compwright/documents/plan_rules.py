@@ -173,7 +173,7 @@ def _acted(planned: PlannedTest) -> Iterator[str]:
         side.shape == planned.test.targets.shape and bool(np.isfinite(side).all())
         for side in planned.acted
     )
-    yield from _rules((fits, "what acted at each target in both directions"))
+    yield from _rules((fits, "the correction that was active at each target in both directions"))
 
 
 def _one_kind(axis: PlannedAxis) -> Iterator[str]:

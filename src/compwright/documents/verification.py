@@ -140,7 +140,7 @@ def _headline(
     if len(without) == len(axes) and not any(circle.accept for circle in circles.values()):
         return f"Table{'s' * (len(axes) > 1)} active. No limits given."
     none = f" (no limits given for {', '.join(without)})" if without else ""
-    return f"Good: the tables act and the limits are met{none}"
+    return f"Good: the tables are active and the limits are met{none}"
 
 
 def _axis(axis: VerifiedAxis) -> dict[str, Any]:

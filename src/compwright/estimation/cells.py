@@ -469,7 +469,7 @@ def folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) ->
         longer = "a constant" if np.isinf(wave) else f"a wave of {wave:.4g} {unit}"
         message = (
             f"At these targets, {interval:.4g} {unit} apart, an error of period {period:g} {unit}"
-            f" looks like {longer}: the two cannot be told apart, the period is not fitted, and no"
+            f" looks like {longer}: the two cannot be separated, the period is not fitted, and no"
             f" limit is accepted; {_told(targets, unit)}"
         )
         found.append(Finding("CW-E010", "warning", message))

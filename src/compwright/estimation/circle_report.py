@@ -237,7 +237,8 @@ def _separation(
     tail = f"standard errors that this multiplies: {listed}; condition {condition:.0f}"
     if not samples.both_senses:
         message = (
-            "one direction only: what depends on the direction cannot be told from what does not;"
+            "one direction only: what depends on the direction cannot be separated from what"
+            " does not;"
             f" {tail}"
         )
         yield Finding("CW-D001", "warning", message)

@@ -40,7 +40,7 @@ def slope_findings(
             "CW-E028",
             "warning",
             f"Test {mine} has another slope than test {other}: {difference:+.1f} ± {error:.1f} µm/m"
-            f" beside it, as much as {significant(abs(difference) / _STEEL)} K make of steel. It"
+            f" from it, as much as {significant(abs(difference) / _STEEL)} K make of steel. It"
             " counts as the temperature or the set-up of one of the tests, not as an error of the"
             " axis; which slope is right they do not tell: give the temperatures of the tests"
             " (thermal), or measure again at an even temperature",

@@ -75,7 +75,7 @@ def period_findings(
                 "CW-E013",
                 "warning",
                 f"The error repeats, but these targets cannot tell with which period: {named}"
-                f"{more} {unit} look the same there. None is taken out for sure, and a test at"
+                f"{more} {unit} look the same there. None is certainly taken out, and a test at"
                 f" other targets may show all of it;"
                 f" {told_targets(low, high, targets.size, unit)}",
             )
@@ -143,8 +143,8 @@ def _of_nodes(period: float, nodes: Sequence[float], unit: str) -> str:
         return ""
     return (
         f" The nodes of the table in the control are also {spacing:.5g} {unit} apart: a table that"
-        " did not act as its files say leaves an error that looks like this; check first that it"
-        " did."
+        " was not active as its files say leaves an error that looks like this; check first that it"
+        " was."
     )
 
 

@@ -32,7 +32,8 @@ def longer_tests(
             f"The table is made from the {which} {low:g} to {high:g}"
             f" {unit}; the test {other.name} measured {other.targets[0]:g} to {other.targets[-1]:g}"
             f" {unit} and is not fitted. Beyond {low:g} to {high:g} {unit} the error is only"
-            f" continued and may be wrong by more than it is: say what acted in the control while"
+            " continued and may be wrong by more than it is: name the state that was active in"
+            " the control while"
             f" it was measured (measured_in), list the test {other.name} first, or let the table"
             " end at the measured range (table: start, end)",
         )

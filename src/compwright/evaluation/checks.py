@@ -142,7 +142,8 @@ def _rotary_targets(test: PositioningTest, standard: str) -> list[Finding]:
         others = sum(not any(_has(np.array([x]), p) for p in _PRINCIPAL) for x in test.targets)
         if others < 3:
             message = (
-                "ISO 230-2:1988, 4.3.4 asks for three positions beside 0°, 90°, 180°, 270°; there"
+                "ISO 230-2:1988, 4.3.4 asks for three positions in addition to 0°, 90°, 180°,"
+                " 270°; there"
                 f" are {others}."
             )
             findings.append(Finding("CW-T002", "warning", message))
@@ -197,8 +198,8 @@ def _long_axis(
                 Finding(
                     "CW-T005",
                     "info",
-                    f"The axis is longer than {limit}; beside this test with one approach per"
-                    f" direction a test with n = 5 over {limit} belongs to it.",
+                    f"The axis is longer than {limit}; in addition to this test with one approach"
+                    f" per direction a test with n = 5 over {limit} belongs to it.",
                 )
             )
         findings += _long_interval(test, standard)

@@ -92,7 +92,7 @@ def _directions(test: CircularTest) -> list[Finding]:
         return []
     message = (
         f"Only {measured[0]} was measured: parameters of both directions do not exist, and"
-        " squareness, servo mismatch and lost motion cannot be told apart."
+        " squareness, servo mismatch and lost motion cannot be separated."
     )
     return [Finding("CW-C002", "info", message)]
 
@@ -149,13 +149,13 @@ def _offset(test: CircularTest, centres: Mapping[str, Point], *, F_given: bool) 
     if F_given and not test.full_circle:
         message = (
             "F on an arc counts from the set-up centre (3.5 a) and contains its offset, here about"
-            f" {_um(offset)}; F about the least-squares centre is given beside."
+            f" {_um(offset)}; F about the least-squares centre is given as well."
         )
         findings.append(Finding("CW-C010", "info", message))
     effect = offset**2 / test.nominal_radius
     if effect > _OFFSET_EFFECT:
         message = (
-            f"The circle lies {_um(offset)} beside the set-up centre. The angles were taken as"
+            f"The circle lies {_um(offset)} from the set-up centre. The angles were taken as"
             " commanded; if they were measured from the set-up centre, radii are off by up to"
             f" {_um(effect)}. Centring better settles it."
         )

@@ -88,7 +88,7 @@ def same_runs_findings(test: PositioningTest) -> list[Finding]:
         message = (
             f"The same readings to the last digit: {'; '.join(exact[:_MOST_LISTED])}{others}. Was"
             " one run copied, or are"
-            " the readings rounded too coarsely? Repeatability and noise cannot be told from them."
+            " the readings rounded too coarsely? Repeatability and noise cannot be found from them."
         )
         return [Finding("CW-T031", "warning", message)]
     near, noise = _near(test)

@@ -322,7 +322,7 @@ def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
         )
         findings.append(Finding("CW-T013", "warning", message.strip()))
     if len(farthest) > _MOST_TRAVERSES:
-        message = f"{len(farthest) - _MOST_TRAVERSES} more runs lie off the others, less far."
+        message = f"{len(farthest) - _MOST_TRAVERSES} more runs are outliers, by less."
         findings.append(Finding("CW-T013", "warning", message))
     return findings
 

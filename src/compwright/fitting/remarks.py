@@ -109,7 +109,7 @@ def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[
         ),
         "no backlash value": (
             "CW-F005",
-            "The control cannot correct the reversal beside one table: {} rms remain",
+            "The control cannot correct the reversal with one table: {} rms remain",
         ),
         "value range": ("CW-F007", "The error exceeds the control's value range: {} rms remain"),
         "largest increment": (

@@ -106,7 +106,7 @@ def _from_reference(nodes: FloatArray, reference: float, period: float, unit: st
     if ahead[0] > slack:
         near = float(nodes[int(np.argmin(np.abs(nodes - reference)))])
         raise _no_use(
-            "the table of an endless axis is told from the reference position, and no point lies"
+            "the table of an endless axis counts from the reference position, and no point is"
             " there",
             f"a point at {reference:.10g} {unit}",
             f"the nearest at {near:.10g} {unit}",

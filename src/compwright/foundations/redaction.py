@@ -175,7 +175,7 @@ def refuse_left_over(
         kinds = sorted({kind for kind, text in cuts.removed if text in left})
         raise InputError(
             Fault(
-                message="is not copied: what was taken out in one place stands in another, where"
+                message="is not copied: what was taken out in one place is in another, where"
                 " the reading needs it",
                 file=file,
                 place=_lines(lines),

@@ -145,7 +145,7 @@ def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answ
         header=header,
         assumed=("forward: approach in direction +", *(() if answers.unit else ("unit: mm",))),
         findings=(
-            _a_table(found.get("sign convention") or "its sign said by the profile"),
+            _a_table(found.get("sign convention") or "its sign given by the profile"),
             *filter(None, [stray, read_so_finding(readings, AxisKind.LINEAR)]),
         ),
     )

@@ -367,7 +367,7 @@ def _unproven_way_back(run: int, back: Direction) -> Finding:
         "CW-R055",
         "warning",
         f"Even runs were taken as the way back (direction {back}) by their number alone: the rows"
-        f" of run {run} stand in the same order as those of run 1. If the test went one way only,"
+        f" of run {run} are in the same order as those of run 1. If the test went one way only,"
         " reversal and backlash are not in it.",
     )
 

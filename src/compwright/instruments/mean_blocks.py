@@ -220,7 +220,7 @@ def _both_ways(
         return {}, {}, False
     if out is None:
         faults.add(
-            "holds no means of the way out alone, so that the directions cannot be told apart",
+            "holds no means of the way out alone, so that the directions cannot be separated",
             expected="a block 'Forward Directional Avg Error'",
         )
         return {}, {}, False
@@ -254,7 +254,7 @@ def _means_only(*, computed: bool) -> Finding:
         "CW-R057",
         "warning",
         "The file holds means of several runs, not readings: it is read as one run per direction,"
-        f" and nothing can be said of repeatability.{way_back}",
+        f" and repeatability is unknown.{way_back}",
     )
 
 

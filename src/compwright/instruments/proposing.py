@@ -294,7 +294,7 @@ def _direction(proposal: Proposal, columns: _ProposedColumns, target: str | None
         proposal.leave_open(
             "direction_from",
             f'"+" if every target was approached from below{hint}, "-" if from above, "order" if'
-            " the rows stand in the order of time, or column",
+            " the rows are in the order of time, or column",
         )
 
 
@@ -313,7 +313,7 @@ def _direction_words(
             found[word] = meant
         elif len(steps) == 1 and len(words) == 2 and _both_orders(columns, target, name, words):
             found[word] = "+" if steps == {1} else "-"
-            proposal.notes.append(f"the targets of '{word}' stand in {_ORDER[found[word] or '']}")
+            proposal.notes.append(f"the targets of '{word}' are in {_ORDER[found[word] or '']}")
         else:
             found[word] = None
             proposal.why[f"directions: {word}"] = '"+" if approached from below, "-" if from above'

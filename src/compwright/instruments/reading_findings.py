@@ -21,7 +21,7 @@ _NOTHING = frozenset({"", "no", "none", "nothing", "-"})
 def assumed_finding(assumed: Sequence[str]) -> Finding | None:
     """Return the finding that says what the file leaves open, None when that is nothing."""
     return (
-        Finding("CW-R001", "info", f"Not said in the file and taken as: {'; '.join(assumed)}.")
+        Finding("CW-R001", "info", f"Not stated in the file, assumed: {'; '.join(assumed)}.")
         if assumed
         else None
     )
@@ -103,7 +103,7 @@ def doubtful_finding(number: str) -> Finding | None:
     return Finding(
         "CW-R015",
         "warning",
-        f"{shown(number)} was read with a decimal point, but whole numbers stand in the same column"
+        f"{shown(number)} was read with a decimal point, but whole numbers are in the same column"
         " and no number proves the point: if it marks thousands, take it out.",
     )
 

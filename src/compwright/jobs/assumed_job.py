@@ -17,9 +17,9 @@ from compwright.records.correction import Assumption
 from compwright.records.job import AS_FOUND
 
 _HEADING = (
-    "The job that `compwright run` took from its command line. Correct what is not so, and run it",
+    "The job that `compwright run` took from its command line. Correct what is wrong, and run it",
     "again: compwright run --force with the path of this file. Paths are relative to this file.",
-    '`assumed`: nobody said it. A line without the "# " in front of its key counts as said.',
+    '`assumed`: not given. Remove the "# " in front of a key to state it.',
 )
 #: Keys of an axis that the options may leave out: the value that then counts, and what it means.
 _OF_AXIS: tuple[tuple[str, object, str], ...] = (
@@ -29,7 +29,7 @@ _OF_AXIS: tuple[tuple[str, object, str], ...] = (
     ("programmed", "radius", "radius or diameter: how the control counts this axis"),
 )
 _OF_TEST: tuple[tuple[str, object, str], ...] = (
-    ("measured_in", AS_FOUND, "what acted during the test is what is in the control now"),
+    ("measured_in", AS_FOUND, "the state that was active during the test"),
     ("motion", "feed", "feed or rapid: how the targets were approached"),
 )
 _OF_JOB: tuple[tuple[str, object, str], ...] = (
@@ -37,8 +37,8 @@ _OF_JOB: tuple[tuple[str, object, str], ...] = (
     ("decision_rule", "simple", "simple or guarded (the limit less the uncertainty)"),
 )
 _OPEN = (
-    "screw_pitch: 10    # not said: periods are searched in the readings; mm or deg",
-    "accept: {A: 8}     # not said: no limit is held against the prediction; µm or arcsec",
+    "screw_pitch: 10    # not given: periods are searched in the readings; mm or deg",
+    "accept: {A: 8}     # not given: the prediction is compared with no limit; µm or arcsec",
 )
 _OPTION = "option "
 
@@ -61,7 +61,7 @@ def assumed_of(data: Mapping[str, Any], by_files: Mapping[str, object]) -> tuple
     named += [(f"test: {key}", value, what) for key, value, what in _OF_TEST]
     named += list(_OF_JOB)
     return tuple(
-        Assumption(fact, str(value), f"not said; {what}" if what else "not said")
+        Assumption(fact, str(value), f"not given; {what}" if what else "not given")
         for fact, value, what in named
     )
 
@@ -95,7 +95,9 @@ def assumed_job(
     lines = [
         *(_JobLine(f"# {line}") for line in _HEADING),
         _JobLine("compwright: 1"),
-        _JobLine("# machine: {name: VMC 850, serial: 1111111}", "not said; for report and history"),
+        _JobLine(
+            "# machine: {name: VMC 850, serial: 1111111}", "not given; for report and history"
+        ),
         _JobLine("controller:"),
         _JobLine(f"  format: {flow(data['controller']['format'])}", "--format"),
         *_options(data["controller"]["options"], left, options),
@@ -105,7 +107,7 @@ def assumed_job(
         *_axis(section, axis, by_files),
         *(_JobLine(f"{key}: {flow(value)}", f"assumed: {what}") for key, value, what in _OF_JOB),
         *(
-            _JobLine(f"# assumed beside these: {entry.fact} = {entry.value}", entry.evidence)
+            _JobLine(f"# also assumed: {entry.fact} = {entry.value}", entry.evidence)
             for entry in others
         ),
     ]
@@ -134,7 +136,7 @@ def _states(data: Mapping[str, Any]) -> Iterator[_JobLine]:
     if "states" not in data:
         yield _JobLine(
             f"# states: {{{AS_FOUND}: none}}",
-            "not said: no table is written without it; the control's files, or the word none",
+            "not given: no table is written without it; the control's files, or the word none",
         )
         return
     state = data["states"][AS_FOUND]

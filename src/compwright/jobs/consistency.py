@@ -85,8 +85,8 @@ def _states(states: Any) -> Iterator[KeyFault]:
             found = shown(state["active"])
             yield KeyFault(
                 ("states", name, "active"),
-                "is said of a state in which nothing acts",
-                "no active beside none",
+                "is given for a state in which no compensation is active",
+                "no active where the state is none",
                 found,
             )
         yield from repeated_files(list_of(files), path)

@@ -168,8 +168,8 @@ def _centre(
 def _middle_assumed(test: CircularTest, centre: tuple[float, float]) -> Finding:
     where = ", ".join(f"{name} {value:g}" for name, value in zip(test.axes, centre, strict=True))
     message = (
-        f"Circle {test.name}: nobody says where it lies in the machine; the middle of the travel is"
-        f" assumed ({where}). Give its centre: where the tables act depends on it."
+        f"Circle {test.name}: its place in the machine is not given; the middle of the travel is"
+        f" assumed ({where}). Give its centre: the effect of the tables depends on it."
     )
     return Finding("CW-P101", "warning", message)
 

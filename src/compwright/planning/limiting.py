@@ -23,7 +23,7 @@ from compwright.records.prediction import Quantiles
 #: What scatters from reading to reading, or from traverse to traverse; what changes over the test;
 #: and what readings did not tell of the error.
 NOISE: Final = "noise"
-OUTLIERS: Final = "single readings far off"
+OUTLIERS: Final = "single outliers"
 TRAVERSES: Final = "shifts between traverses"
 DRIFT: Final = "drift"
 _SCATTERING: Final[Mapping[str, tuple[NoisePart, ...]]] = {

@@ -69,7 +69,7 @@ _MOST: Final = 1e6
 
 _WORDS: Final[Mapping[WayOfReading, tuple[str, str]]] = {
     "off": (
-        "if the table of the control did not act in it",
+        "if the table of the control was not active in it",
         (
             "Was compensation switched on, and the axis referenced, while it was measured? If not,"
             " name that state under measured_in."

@@ -70,7 +70,8 @@ def unknown_motions(job: Job, states: Mapping[str, ControlState]) -> Iterator[Fa
                 yield Fault(
                     message=(
                         f"axis {name}: its tests were taken at cutting feed and at rapid traverse,"
-                        " and the files do not say whether another backlash acts at rapid traverse"
+                        " and the files do not say whether a different backlash is active at"
+                        " rapid traverse"
                     ),
                     file=job.file,
                     place=f"axes.{name}.before, test {request.name}, motion",

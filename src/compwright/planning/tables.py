@@ -189,6 +189,6 @@ def offer(
         f"Axis {axis.name}: the grid that is there {'stays' if written else 'does not serve'},"
         f" {old}, predicted {name} {same} ({new} at new targets); a new one, {new_grid}, would give"
         f" {name} {better} ({better_new}): spacing: auto in the table of the axis takes it; what"
-        " hangs on the old one moves along, or is named where it cannot"
+        " depends on the old one moves along, or is named where it cannot"
     )
     return Finding("CW-P141", "info", message)

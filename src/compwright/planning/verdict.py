@@ -22,12 +22,12 @@ _ADVICE: Final = {
         " (play, guides, bearings, coupling, scale)"
     ),
     OUTLIERS: (
-        "a few readings lie far off the others, which no table takes out, and hide what it does:"
+        "a few readings are outliers, which no table takes out, and hide what it does:"
         " look for what disturbs the measurement (a beam that is cut, settling time, dirt), and"
         " measure again"
     ),
     TRAVERSES: (
-        "whole traverses lie beside each other, which no table takes out: look whether instrument,"
+        "whole traverses are shifted, which no table takes out: look whether instrument,"
         " spindle and clamping hold still, and for play that settles anew in every run"
     ),
     DRIFT: (

@@ -181,7 +181,7 @@ def _mode(axis: Document) -> str:
 def _state(state: object) -> str:
     if state is None:
         return (
-            "Not said. Without it no table is written: the new table would not know what acts"
+            "Not given. Without it no table is written: the new total has to hold what is active"
             " already."
         )
     if isinstance(state, str):

@@ -346,7 +346,7 @@ def _axis(axis: Document) -> list[str]:
 def _changes(changes: dict[str, Any] | None) -> list[str]:
     if changes is None:
         return []
-    more = [f"{changes['more']} more changes stand in changes.csv.", ""] if changes["more"] else []
+    more = [f"{changes['more']} more changes are in changes.csv.", ""] if changes["more"] else []
     rows = [list(map(_escape, row)) for row in changes["rows"]]
     said = (
         f"{changes['count']} entries change; {changes['untouched']} lines of the control's files"

@@ -31,7 +31,7 @@ def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
         same = axis["verdict"] == "loaded" and not axis["differences"]
         message = str(axis["message"])
         if axis["verdict"] == "unreadable":
-            message = f"what the files read back do cannot be told: {message}"
+            message = f"the effect of the files that were read back is unknown: {message}"
         elif axis["verdict"] != "loaded":
             unit = unit_text(axis["unit"])
             place = f"{plain(axis['at'])} arriving in {axis['direction']}"
@@ -91,7 +91,7 @@ def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:
         shown += entry_tables(axis["entries"])
     if aside:
         count = sum(len(document["axes"][address]["entries"]) for address in aside)
-        words = f"axes {', '.join(aside)}: {count} entries stand in one of the backups only"
+        words = f"axes {', '.join(aside)}: {count} entries are in one of the backups only"
         shown.append(Text(words, style="bold"))
     for pair in document["cross"]:
         words = f"{pair['output']} over {pair['input']}: {_correction(pair)}"

@@ -189,7 +189,7 @@ def _largest(causes: Sequence[Any]) -> str:
 def _summary(summary: Mapping[str, Any], folder: str) -> list[RenderableType]:
     unread = summary["unread"]
     counts = f"{summary['tests']} tests from {summary['files']} files"
-    errors = f"{unread} file{'s' * (unread != 1)} with errors, told below"
+    errors = f"{unread} file{'s' * (unread != 1)} with errors, listed below"
     refused = f"; {errors}" if unread else ""
     shown: list[RenderableType] = [
         Rule(Text("Summary", style="bold"), align="left", characters="─"),

@@ -23,9 +23,9 @@ _STYLES: Final = {"good": "green", "loaded": "green", "bad": "red", "not_active"
 #: Behind a value that differs from the one before it beyond the uncertainty.
 _MARK: Final = "*"
 _TABLES: Final = {
-    "same": "The same table acted in both.",
-    "changed": "Another table acted.",
-    "unknown": "Whether the same table acted, the files do not say.",
+    "same": "The same table was active in both.",
+    "changed": "A different table was active.",
+    "unknown": "The files do not state whether the same table was active.",
 }
 
 

@@ -14,8 +14,8 @@ Document = Mapping[str, Any]
 #: The causes in plain words; one that is not here is shown by its own name.
 _WORDS: Final = {
     "noise": "readings scatter: the same position does not come back the same (repeatability)",
-    "single readings far off": "single readings that lie far off the others",
-    "shifts between traverses": "whole traverses that lie beside each other",
+    "single outliers": "single outliers",
+    "shifts between traverses": "whole traverses that are shifted",
     "drift": "drift: the axis changes while it is measured",
     "temperature within its uncertainty": "temperature: a slope within what the job declares"
     " uncertain",

@@ -13,9 +13,9 @@ from compwright.reporting.numbers import position_unit
 Document = Mapping[str, Any]
 
 _SOURCES: Final = {
-    "job": "told by the job",
+    "job": "given by the job",
     "found": "found in the readings",
-    "files": "told by the control's files",
+    "files": "given by the control's files",
 }
 #: The picture, in its own units: width and height of the curve's field, margin on the left, above.
 _WIDTH: Final = 620.0

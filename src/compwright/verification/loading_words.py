@@ -157,19 +157,19 @@ def _sentence(shown: Shown, name: LoadingName, way: Hypothesis, factor: float) -
     if name == "measurement":
         return _measured_wrong(way, factor)
     sentences: dict[LoadingName, str] = {
-        "loaded": f"The table acts as planned{effect}.",
-        "not_active": f"The table does not act{detail}{effect}.",
-        "inverted": f"The table acts with the opposite sign{detail}: it adds to the error.",
-        "scaled": f"The table acts by {significant(factor, 3)} of what was planned{detail}.",
+        "loaded": f"The table is active as planned{effect}.",
+        "not_active": f"The table is not active{detail}{effect}.",
+        "inverted": f"The table is active with the opposite sign{detail}: it adds to the error.",
+        "scaled": f"The table is active with factor {significant(factor, 3)}{detail}.",
         "shifted": (
             f"The table sits {abs(way.shift_nodes)} {nodes} too far to"
             f" {'+' if way.shift_nodes > 0 else '-'}{detail}."
         ),
         "mirrored": f"The table is loaded back to front, its last value first{detail}.",
-        "wrong_axis": f"The table that acts is the one of axis {way.of}{detail}.",
-        "one_direction": f"The table acts in one direction only: {way.detail}.",
-        "backlash": f"The table acts, and its backlash is wrong: {way.detail}.",
-        "partial": f"A part of the table acts: {way.detail}.",
+        "wrong_axis": f"The table that is active is that of axis {way.of}{detail}.",
+        "one_direction": f"The table is active in one direction only: {way.detail}.",
+        "backlash": f"The table is active, and its backlash is wrong: {way.detail}.",
+        "partial": f"A part of the table is active: {way.detail}.",
     }
     return sentences[name]
 
@@ -231,7 +231,7 @@ def open_message(
         if needed > shown.size:
             text += (
                 f"; the correction is smaller than the {shown.length(needed)} rms that this test"
-                " can tell for sure"
+                " can prove"
             )
         text += f". Measured: {shown.effect_text}"
     told = ", ".join(
@@ -241,7 +241,7 @@ def open_message(
     text = f"{text}. Possible: {told}."
     if unexplained is None:
         return text
-    off = _off_text("But beside the first of these", shown.left(unexplained), shown)
+    off = _off_text("But compared with the first of these", shown.left(unexplained), shown)
     return f"{text} {off} That is more than noise: something else changed, or the test is at fault."
 
 
@@ -312,7 +312,7 @@ def declared_slope_text(slope: float, error: float, declared: float) -> str:
 def thermal_message(shown: Shown, expected: FloatArray, text: str) -> str:
     """Return what is said of a table that acts on an axis that is longer or shorter now."""
     return (
-        "The table acts: beside a slope the after test lies within"
+        "The table is active: apart from a slope the after test is within"
         f" {shown.rms(shown.left(expected))} of the prediction. {text}"
     )
 
@@ -321,6 +321,7 @@ def straight_line_message(shown: Shown, text: str, acts_by: float) -> str:
     """Return what is said where the correction is a straight line too."""
     return (
         f"The after test is that of the loaded table and a slope. {text} The correction is a"
-        f" straight line itself: a table that acts by {acts_by:.2f} of itself would show the same;"
+        f" straight line itself: a table that is active with factor {acts_by:.2f} would show the"
+        " same;"
         f" {_BACK if shown.read_back else 'read the values back from the control (--loaded)'}."
     )

@@ -15,21 +15,23 @@ from compwright.records.verification import Candidate, LoadingName, LoadingVerdi
 #: Verdicts that say that it acted as the files say, or that nothing can be told.
 ACTED: Final[tuple[LoadingName, ...]] = ("loaded", "thermal")
 _DID: Final[dict[LoadingName, str]] = {
-    "not_active": "did not act",
-    "inverted": "acted with the opposite sign",
-    "scaled": "acted {factor} times",
-    "shifted": "acted shifted by {shift} nodes",
-    "mirrored": "acted mirrored over the travel",
-    "wrong_axis": "was not the one that acted: that of another axis did",
-    "one_direction": "acted in one direction only",
-    "backlash": "acted with another backlash",
-    "partial": "acted over a part of the travel only",
+    "not_active": "was not active",
+    "inverted": "was active with the opposite sign",
+    "scaled": "was active with factor {factor}",
+    "shifted": "was active, shifted by {shift} points",
+    "mirrored": "was active, mirrored over the travel",
+    "wrong_axis": "was not the active one: that of another axis was",
+    "one_direction": "was active in one direction only",
+    "backlash": "was active with a different backlash",
+    "partial": "was active over a part of the travel only",
     "measurement": "and the readings do not go together: one of the tests was measured wrongly",
     "undecided": "did something else ({which})",
 }
 #: What would have shown the same: the tests tell only by how much they differ.
 _AS_WELL: Final[dict[LoadingName, str]] = {
-    "not_active": "or it acted in {off} as well: both show the same axis (was it off for {off}?)",
+    "not_active": (
+        "or it was active in {off} as well: both show the same axis (was it off for {off}?)"
+    ),
     "inverted": "or the two tests are exchanged",
 }
 #: From these odds on a fault is one, named or not; candidates from this probability on are told.
@@ -100,14 +102,14 @@ class OldTable:
         if self.verdict.verdict in ACTED:
             percent = min(100.0 * self.acted, 99.9)
             text = (
-                f"{between}: the table of state {self.state} acted as its files say,"
+                f"{between}: the table of state {self.state} was active as its files say,"
                 f" {percent:.1f} % sure."
             )
             return Finding("CW-V030", "info", text)
         said = _words(self.likely) or "nothing that is known fits"
         text = (
-            f"{between} do not tell whether the table of state {self.state} acted as its files say:"
-            f" {said}. They count as far as they agree."
+            f"{between} do not tell whether the table of state {self.state} was active as its"
+            f" files say: {said}. They count as far as they agree."
         )
         return Finding("CW-V031", "info" if self.acted >= _TOLD else "warning", text)
 

@@ -30,7 +30,7 @@ def one_direction(ways: Ways) -> Iterator[Hypothesis]:
         for told, other in beyond:
             change = other.copy()
             change[side] = new[side]
-            detail = f"it acts in approaches in {direction.value} only, {told}"
+            detail = f"it is active in approaches in {direction.value} only, {told}"
             yield ways.made("one_direction", change, 0.5 * COMMON, detail)
 
 

@@ -54,7 +54,7 @@ def proven_axis(
     facts = [
         ("sign of the values", sign_odds >= SURE and "inverted" not in doubted),
         *((fact, fault not in doubted) for fact, fault in _FACTS),
-        *([("the axis that they act on", "wrong_axis" not in doubted)] if others else []),
+        *([("the axis that they belong to", "wrong_axis" not in doubted)] if others else []),
         ("two curves, one for each direction", two_curves and "one_direction" not in doubted),
         ("sign and size of the backlash value", backlash and "backlash" not in doubted),
     ]

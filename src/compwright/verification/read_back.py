@@ -88,8 +88,8 @@ def _causes(
     yield _Mistake(
         "not_active",
         {side: np.zeros(where.shape) for side in Direction},
-        "nothing acts: the table is off or empty",
-        "no table acts: it is off or empty; only backlash does",
+        "nothing is active: the table is off or empty",
+        "no table is active: it is off or empty; only backlash is",
     )
     yield _Mistake(
         "inverted",

@@ -92,7 +92,9 @@ def _read(belief: ErrorBelief, stood: Sequence[Hypothesis], factor: float, of: s
                 negative=factor * each.negative,
                 weight=_MEASURED_WRONG * (1.0 if each.name == "loaded" else _BOTH) * each.weight,
                 of=of,
-                detail="the table acts" if each.name == "loaded" else "the table does not act",
+                detail="the table is active"
+                if each.name == "loaded"
+                else "the table is not active",
                 factor=factor,
                 free=None,
                 read=each.name,

@@ -32,17 +32,17 @@ _OTHER: Final = 0.01
 
 def inactive(ways: Ways) -> Iterator[Hypothesis]:
     """Yield what acts where the table does not: what was there, nothing, the new backlash alone."""
-    left = "what was in the control before still acts" if ways.has_old else ""
+    left = "what was in the control before is still active" if ways.has_old else ""
     yield ways.made("not_active", ways.old - ways.acted, COMMON, left)
     nothing = np.zeros_like(ways.own)
     if ways.has_old:
         change = ways.stay - ways.acted
-        yield ways.made("not_active", change, COMMON, "nothing acts at all")
+        yield ways.made("not_active", change, COMMON, "nothing at all is active")
     if np.any(ways.backlash != ways.old_backlash):
         kept = ways.old - ways.old_backlash + ways.backlash - ways.acted
-        yield ways.made("not_active", kept, RARE, "the new backlash alone acts")
+        yield ways.made("not_active", kept, RARE, "the new backlash alone is active")
     if np.any(ways.backlash) and ways.has_old:
-        yield ways.made("not_active", ways.total(nothing), RARE, "the new backlash alone acts")
+        yield ways.made("not_active", ways.total(nothing), RARE, "the new backlash alone is active")
 
 
 def inverted(ways: Ways) -> Iterator[Hypothesis]:

@@ -118,7 +118,7 @@ class _Words:
     def row(self, cells: Sequence[str]) -> list[str]:
         by_name = dict(zip(self.columns, cells, strict=False))
         if not self.is_reading(by_name):
-            return [self.cuts.remark(cell, "row beside the table") for cell in cells]
+            return [self.cuts.remark(cell, "row next to the table") for cell in cells]
         return [
             self.cell(cell, self.columns[at] if at < len(self.columns) else "")
             for at, cell in enumerate(cells)

@@ -212,7 +212,7 @@ def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) ->
             for address in left
         )
         yield (
-            f"left out, because nothing in the files acts on them: {told}; add those that were"
+            f"left out, because nothing in the files is active on them: {told}; add those that were"
             " measured"
         )
 

@@ -127,7 +127,7 @@ def _acted(
         return word, _joined(tables) if there and verified and tables else ""
     state = str(test["measured_in"])
     if state not in record["states"]:
-        return "not said", ""
+        return "not given", ""
     files = [
         str(entry["sha256"])
         for entry in record["inputs"]

@@ -212,7 +212,7 @@ def _assign(
     if not before:
         raise UsageError(
             Fault(
-                message=f"the job has no test of axis {axis} to hold it against",
+                message=f"the job has no test of axis {axis} to compare it with",
                 place="--after",
                 expected=f"a test of {' or '.join(names.values()) or 'an axis with before'}",
                 found=spec,

@@ -130,7 +130,7 @@ def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) ->
     if not unnamed:
         return ours
     finding = sheets_finding(
-        f"Tests in the same file of which nobody says the axis were left out: {', '.join(unnamed)}."
+        f"Tests in the same file without an axis were left out: {', '.join(unnamed)}."
         f" Only {ours.name} is used.",
     )
     return replace(ours, findings=(*ours.findings, finding))
@@ -239,7 +239,7 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
         own = {request.measured_in for request in entry.before}
         concerned = {AS_FOUND} | own | between | filled
         for quantity, what, asked in (
-            ("beside", "what acts beside its table", concerned),
+            ("beside", "what is active in addition to its table", concerned),
             ("encoder_system", "its measuring system", filled),
         ):
             found = {
@@ -289,7 +289,8 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
                 (help_, *_) = (facts.untold_help for facts in pairs if facts.untold)
                 yield Fault(
                     message=(
-                        f"tables from other axes act on axis {name}, differ between the states, and"
+                        f"tables from other axes are active on axis {name}, differ between the"
+                        " states, and"
                         f" cannot be counted with: a circle or a cross measurement in {state} says"
                         " nothing of what is in the control"
                     ),
@@ -338,7 +339,7 @@ def _unsaid_units(
             if max(ratio, 1 / ratio) > MILLIMETRES_PER_INCH / _SAME_RANGE:
                 yield Fault(
                     message=(
-                        f"axis {axis.name}: nobody says the machine's unit, and its table in the"
+                        f"axis {axis.name}: the machine's unit is not given, and its table in the"
                         f" state {name}, read in {control.options[rule.name]}, does not fit the"
                         " travel"
                     ),

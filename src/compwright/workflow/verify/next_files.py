@@ -41,7 +41,8 @@ STATES, MEASUREMENTS, DEFINITION = "control", "measurements", "definition"
 _HEADING = (
     "The next round, written by compwright verify --update. It stands alone: all that it names is",
     "a copy in this folder. as_found is what was read back from the control after loading; the",
-    "tests after loading come first, those before count with them, each without what acted in it.",
+    "tests after loading come first, those before count with them, each without the compensation",
+    "that was active in it.",
 )
 
 

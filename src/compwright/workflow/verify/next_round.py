@@ -140,7 +140,7 @@ def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
     if changed:
         return changed[0]
     if isinstance(compared, str):
-        return f"what was read back cannot be held against the plan: {compared}"
+        return f"what was read back cannot be compared with the plan: {compared}"
     beside = [one for one in compared["differences"] if one["axis"] not in compared["axes"]]
     off = {name: one for name, one in compared["axes"].items() if one["verdict"] != "loaded"}
     if off and beside and not any(one["axis"] for one in beside):
@@ -169,7 +169,7 @@ def _nobody(found: Verified) -> str:
     if any(entry.fitted is not None and entry.tests for entry in found.plan.axes.values()):
         return (
             f"{told}, and squareness alone gets no next round: measure an axis that has a table"
-            " after loading too, and give it with --after beside the circles"
+            " after loading too, and give it with --after in addition to the circles"
         )
     return (
         f"{told}, and squareness alone gets no next round: for what is left of it run a new job,"
@@ -188,7 +188,7 @@ def _refused(found: Verified, compared: Mapping[str, Any] | str) -> Iterator[tup
         if entry.fitted is None:
             yield name, f"the plan holds no table for it, none was loaded: {_KEEPS}"
         elif not entry.tests:
-            yield name, f"its table came from circles, which do not tell how it acts: {_KEEPS}"
+            yield name, f"its table came from circles, which do not show its effect: {_KEEPS}"
         elif name not in found.axes:
             yield name, f"it was not measured after loading: {_KEEPS}"
         elif why := _doubted(found.axes[name]) or _differs(name, compared):

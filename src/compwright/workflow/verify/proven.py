@@ -51,14 +51,14 @@ def proven_files(
     own = {**entry, "machine": f"{entry['machine']}, {serial}" if serial else entry["machine"]}
     return {
         f"{FOLDER}/for_the_job.yaml": proven_lines(
-            own, ["For the job file, beside its other keys.", *heading], 2
+            own, ["For the job file, next to its other keys.", *heading], 2
         ),
         f"{FOLDER}/for_the_definition_{definition.id}.yaml": proven_lines(
             entry,
             [f"For the definition {definition.id}, in the place of its key proven.", *heading],
             2,
         ),
-    }, (f"what this machine proves of the control stands in {FOLDER}/; add it to the job",)
+    }, (f"what this machine proves of the control is in {FOLDER}/; add it to the job",)
 
 
 def _lacking(found: Verified, results: Sequence[Path], loaded: Sequence[Path]) -> Iterator[str]:
