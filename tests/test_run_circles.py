@@ -628,6 +628,8 @@ def test_limits_of_a_circle_count_in_the_verdict(folder: Path) -> None:
     answer = document(folder / "job" / "verification.json")
     accept = answer["circles"]["xy-150"]["accept"]["G_bidirectional"]
     assert (accept["decision"], answer["verdict"]) == ("reject", "bad")
+    page = (folder / "job" / "verification.html").read_text(encoding="utf-8")
+    assert "The machine does not conform to every limit" in page
     assert "CW-V022" in {one["code"] for one in answer["findings"]}
     assert "circles" in answer["headline"]
 

@@ -28,17 +28,19 @@ def verify_report(view: Document) -> bytes:
     """
     verification = view.get("verification") or {}
     axes = {str(name): axis for name, axis in (verification.get("axes") or {}).items()}
+    circles = verification.get("circles") or {}
     tone = {"good": "good", "bad": "bad"}.get(str(verification.get("verdict")), "open")
     text = plain(verification.get("headline") or "")
     rows = [
         row
         for index, (name, axis) in enumerate(axes.items(), 1)
         for row in _verify_rows(index, name, axis, _verify_unit(name, view))
-    ] + limit_rows(verification.get("circles") or {})
+    ] + limit_rows(circles)
     blocks = [
         _verify_axis(index, name, axis, view) for index, (name, axis) in enumerate(axes.items(), 1)
     ]
     evaluations = (view.get("evaluation_before"), view.get("evaluation_after"))
+    circled = circle_blocks(circles, *evaluations)
     return render_page(
         "verify.html",
         {
@@ -47,18 +49,20 @@ def verify_report(view: Document) -> bytes:
             "statement": paper.conformity(
                 [
                     str(entry.get("decision"))
-                    for axis in axes.values()
-                    for entry in (axis.get("accept") or {}).values()
+                    for one in (*axes.values(), *circles.values())
+                    for entry in (one.get("accept") or {}).values()
                 ],
                 proven=tone == "good",
             ),
-            "rules": list(dict.fromkeys(line for block in blocks for line in block["rule"])),
+            "rules": list(
+                dict.fromkeys(line for block in (*blocks, *circled) for line in block["rule"])
+            ),
             "doubts": sections.doubts(verification.get("doubts")),
             "acknowledged": sections.acknowledged(verification.get("acknowledged")),
             "verdict": {"tone": tone, "text": text, "rows": rows},
             "next": _next_round(verification.get("next")),
             "axes": blocks,
-            "circles": circle_blocks(verification.get("circles") or {}, *evaluations),
+            "circles": circled,
             "findings": remaining(view, blocks, *evaluations),
         },
     )
