@@ -10,6 +10,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -55,6 +56,19 @@ def test_page_is_what_a_reader_gets(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert examples > 15
     for name in cw.__all__:
         assert f"cw.{name}" in text, f"docs/library.md shows no example of {name}"
+
+
+@pytest.mark.painted
+def test_notebook_runs_from_top_to_bottom(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    shutil.copytree(EXAMPLE, tmp_path / "machine")
+    monkeypatch.chdir(tmp_path / "machine")
+    monkeypatch.setenv("MPLBACKEND", "agg")
+    notebook = json.loads(Path("from_python.ipynb").read_text(encoding="utf-8"))
+    names: dict[str, Any] = {}
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":
+            exec("".join(cell["source"]), names)  # noqa: S102 - our own notebook
+    assert [test["A"] for test in names["after"]] == pytest.approx([9.67, 14.3], abs=0.5)
 
 
 def test_plan_is_that_of_the_command(folder: Path) -> None:
