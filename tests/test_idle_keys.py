@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from compwright.controls.control import keys_with_effect, open_control
+from compwright.controls.control import open_control
+from compwright.controls.settled import keys_with_effect
 from compwright.foundations.session import Session
 from compwright.jobs.idle_keys import idle_keys
 from compwright.jobs.reading import read_job

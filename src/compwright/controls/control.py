@@ -468,17 +468,6 @@ def _judged_at(definition: Definition, axis: Axis) -> Mapping[str, str]:
     return {"motion": axis.motion} if differs else {}
 
 
-def keys_with_effect(definition: Definition) -> dict[str, bool]:
-    """Return, as `idle_keys` takes it, what the control's files count: measuring systems, axes
-    otherwise than by address, backlash at rapid traverse by itself.
-    """
-    return {
-        "systems": "system" in definition.fields,
-        "numbers": "datum" in definition.fields,  # columns on an even grid are named by number
-        "motions": "backlash_rapid" in definition.bindings,
-    }
-
-
 def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) -> None:
     """A control takes the values of an axis in one meaning: the option and an entry sheet of it
     must not say two.

@@ -296,3 +296,14 @@ def length_unit(definition: Definition) -> tuple[OptionRule, str] | None:
     one = len(definition.texts) == 1
     file = "a file" if one else f"the whole {statement.text.upper()} file"
     return rule, f"{file} with {key} among the files"
+
+
+def keys_with_effect(definition: Definition) -> dict[str, bool]:
+    """Return, as `idle_keys` takes it, what the control's files count: measuring systems, axes
+    otherwise than by address, backlash at rapid traverse by itself.
+    """
+    return {
+        "systems": "system" in definition.fields,
+        "numbers": "datum" in definition.fields,  # columns on an even grid are named by number
+        "motions": "backlash_rapid" in definition.bindings,
+    }

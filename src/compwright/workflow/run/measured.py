@@ -7,15 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from compwright.controls.acting import acting
-from compwright.controls.control import (
-    Control,
-    keys_with_effect,
-    open_control,
-    origin_of,
-    read_files,
-)
+from compwright.controls.control import Control, open_control, origin_of, read_files
 from compwright.controls.decoded import DecodedState
 from compwright.controls.settled import (
+    keys_with_effect,
     named_axes,
     settled_by_files,
     unknown_zeros,
