@@ -1,6 +1,6 @@
 """The command line: thin, and quick to start; what a command needs is imported inside it."""
 
-from compwright.cli import controls, histories, jobs, measurements, redacting
+from compwright.cli import controls, histories, jobs, measurements, qualification, redacting
 from compwright.cli.shell import main, run
 from compwright.cli.words import compwright
 
@@ -11,6 +11,7 @@ __all__ = [
     "jobs",
     "main",
     "measurements",
+    "qualification",
     "redacting",
     "run",
 ]

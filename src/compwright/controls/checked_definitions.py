@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -11,12 +11,18 @@ from compwright.controllers.virtual import KNOWN, virtual_control
 from compwright.controls.definitions import definitions_at, is_base, taken
 from compwright.formats.definition.extends import Find, found_in
 from compwright.formats.definition.options import resolve_options
-from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.schema import Definition, Expectation
 from compwright.formats.definitions import given_twice, load_definition
-from compwright.formats.gate.gate import check_definition, disagreements
+from compwright.formats.gate.gate import (
+    check_definition,
+    disagreements,
+    largest_difference,
+    read_expectation,
+)
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault
 from compwright.foundations.session import Session
+from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import ControlFile
 
 
@@ -72,24 +78,11 @@ def _judge(definition: Definition) -> Iterator[Fault]:
     agree.
     """
     for index, expectation in enumerate(definition.expect):
-        files = [
-            ControlFile(name, text.encode("utf-8")) for name, text in expectation.files.items()
-        ]
         try:
-            control = virtual_control(
-                definition.id,
-                files,
-                reference_return={expectation.axis: expectation.reference_return},
-                kinds={expectation.axis: expectation.kind},
-                options={
-                    **resolve_options(definition, expectation.options),
-                    "axis": expectation.axis,
-                },
-            )
             yield from disagreements(
                 definition,
                 index,
-                partial(control.correction, expectation.axis),
+                _judged(definition, expectation),
                 "the virtual control does not agree at {}",
             )
         except CompwrightError as error:
@@ -99,4 +92,56 @@ def _judge(definition: Definition) -> Iterator[Fault]:
                     ("expect", index), f"the virtual control: {fault}", place=place
                 )
                 for fault in error.faults
+            )
+
+
+def _judged(
+    definition: Definition, expectation: Expectation
+) -> Callable[[FloatArray, Direction], FloatArray]:
+    """Return the correction of the virtual control with the files of an expectation."""
+    control = virtual_control(
+        definition.id,
+        [ControlFile(name, text.encode("utf-8")) for name, text in expectation.files.items()],
+        reference_return={expectation.axis: expectation.reference_return},
+        kinds={expectation.axis: expectation.kind},
+        options={**resolve_options(definition, expectation.options), "axis": expectation.axis},
+    )
+    return partial(control.correction, expectation.axis)
+
+
+@dataclass(frozen=True, slots=True)
+class HandWorked:
+    """By how much a reader (``formats`` or ``controllers``) differs most from the ``count``
+    corrections of an expectation that were worked by hand, in ``unit``.
+    """
+
+    format: str
+    expectation: str
+    reader: str
+    count: int
+    difference: float
+    unit: str
+
+
+def hand_worked(checked: CheckedDefinition) -> Iterator[HandWorked]:
+    """Yield what both readers make of each table of a definition that was worked by hand. Raises
+    CompwrightError for files that cannot be read.
+    """
+    definition = checked.definition
+    if definition is None:
+        return
+    for expectation in definition.expect:
+        readers: dict[str, Callable[[FloatArray, Direction], FloatArray]] = {
+            "formats": read_expectation(definition, expectation).at
+        }
+        if checked.judged:
+            readers["controllers"] = _judged(definition, expectation)
+        for reader, correction in readers.items():
+            yield HandWorked(
+                definition.id,
+                expectation.name,
+                reader,
+                2 * len(expectation.at),
+                largest_difference(expectation, correction),
+                expectation.unit,
             )

@@ -35,7 +35,7 @@ def check_definition(definition: Definition) -> tuple[Fault, ...]:
     shown: list[AxisCompensation] = []
     for index, expectation in enumerate(definition.expect):
         try:
-            shown.append(_read(definition, expectation))
+            shown.append(read_expectation(definition, expectation))
             faults += disagreements(
                 definition,
                 index,
@@ -69,6 +69,23 @@ def disagreements(
     deg, at positions arriving in a direction) does not give. ``says``: the sentence, {} its place.
     """
     expectation = definition.expect[index]
+    for row, direction, expected, found in _worked_by_hand(expectation, correction):
+        if not abs(found - expected) <= AGREEMENT:
+            yield definition.text.fault(
+                ("expect", index, "at", row),
+                says.format(f"{expectation.at[row].position:g} arriving in {direction.value}"),
+                expected=f"{expected:g} {expectation.unit}",
+                found=f"{found:.9g} {expectation.unit}",
+                place=f"expect, {expectation.name}",
+            )
+
+
+def _worked_by_hand(
+    expectation: Expectation, correction: Callable[[FloatArray, Direction], FloatArray]
+) -> Iterator[tuple[int, Direction, float, float]]:
+    """Yield row, direction, expected and found correction of each that was worked by hand, in the
+    unit of the expectation.
+    """
     factor = TO_INSIDE[expectation.unit][1]
     for row, point in enumerate(expectation.at):
         for direction, expected in (
@@ -76,21 +93,25 @@ def disagreements(
             (Direction.NEGATIVE, point.negative),
         ):
             found = float(correction(np.array([point.position]), direction)[0]) / factor
-            if not abs(found - expected) <= AGREEMENT:
-                yield definition.text.fault(
-                    ("expect", index, "at", row),
-                    says.format(f"{point.position:g} arriving in {direction.value}"),
-                    expected=f"{expected:g} {expectation.unit}",
-                    found=f"{found:.9g} {expectation.unit}",
-                    place=f"expect, {expectation.name}",
-                )
+            yield row, direction, expected, found
+
+
+def largest_difference(
+    expectation: Expectation, correction: Callable[[FloatArray, Direction], FloatArray]
+) -> float:
+    """Return by how much ``correction`` differs most from what was worked by hand, in the unit of
+    the expectation.
+    """
+    pairs = _worked_by_hand(expectation, correction)
+    return max(abs(found - expected) for _, _, expected, found in pairs)
 
 
 def _files(texts: Mapping[str, str]) -> list[ControlFile]:
     return [ControlFile(name, text.encode("utf-8")) for name, text in texts.items()]
 
 
-def _read(definition: Definition, expectation: Expectation) -> AxisCompensation:
+def read_expectation(definition: Definition, expectation: Expectation) -> AxisCompensation:
+    """Return what the definition reads from the files of an expectation."""
     axis = Axis(
         name=expectation.axis,
         kind=expectation.kind,

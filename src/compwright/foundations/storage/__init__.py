@@ -31,7 +31,7 @@ from compwright.foundations.storage.reading import (
     state_of,
     was_read,
 )
-from compwright.foundations.storage.shipped import definition_files, demo_files
+from compwright.foundations.storage.shipped import definition_files, demo_files, reference_files
 from compwright.foundations.storage.writing import Known, write_file, write_files
 
 __all__ = [
@@ -49,6 +49,7 @@ __all__ = [
     "matching",
     "named_from",
     "read_bytes",
+    "reference_files",
     "refuse_overwriting",
     "relative",
     "resolved",

@@ -21,13 +21,18 @@ def demo_files(session: Session) -> dict[str, bytes]:
     return dict(_shipped(session, "controller_formats/demo"))
 
 
-def _shipped(session: Session, folder: str) -> Iterator[tuple[str, bytes]]:
-    """Yield name and bytes of the YAML files of a folder, which lies beside the code in an
-    installed wheel and at the top of a source checkout.
+def reference_files(session: Session) -> dict[str, bytes]:
+    """Return the reference data of the self-test by the names of their files."""
+    return dict(_shipped(session, "reference_data", "*.csv"))
+
+
+def _shipped(session: Session, folder: str, pattern: str = "*.yaml") -> Iterator[tuple[str, bytes]]:
+    """Yield name and bytes of the files of a folder, which lies beside the code in an installed
+    wheel; the definitions at the top of a source checkout.
     """
     package = Path(__file__).resolve().parents[2]
     for place in (package / folder, package.parents[1] / folder):
         if place.is_dir():
-            for path in sorted(place.glob("*.yaml")):
+            for path in sorted(place.glob(pattern)):
                 yield path.name, read_bytes(session, path)
             return
