@@ -47,8 +47,8 @@ def _lines(document: Mapping[str, Any]) -> list[str]:
     return [
         *(
             f"outside its limit: {check['group']}, {check['subject']}: {check['quantity']}:"
-            f" expected {check['expected']:.9g}, obtained {check['obtained']}, limit {check['limit']:g}"
-            f" {check['unit']} {check['note']}".rstrip()
+            f" expected {check['expected']:.9g}, obtained {check['obtained']}, limit"
+            f" {check['limit']:g} {check['unit']} {check['note']}".rstrip()
             for check in wrong
         ),
         f"{len(checks) - len(wrong)} of {len(checks)} values are within their limits",
