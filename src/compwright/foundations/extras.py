@@ -29,3 +29,12 @@ def need(module: str, extra: str = "report", purpose: str = "plots and reports")
         raise UsageError(
             Fault(message=f"{purpose} need the package {package}; {installing(extra)}")
         ) from error
+
+
+def installed_version(package: str) -> str:
+    """Return the version of an installed package; "not installed" where there is none."""
+    metadata = importlib.import_module("importlib.metadata")  # slow to load: only where it is asked
+    try:
+        return str(metadata.version(package))
+    except metadata.PackageNotFoundError:
+        return "not installed"

@@ -8,7 +8,6 @@ import csv
 import platform
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
-from importlib.metadata import PackageNotFoundError, version
 from io import StringIO
 from pathlib import Path
 from typing import Any, Final
@@ -24,6 +23,7 @@ from compwright.evaluation.circular_fit import least_squares_circle
 from compwright.evaluation.standards import evaluate
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError
+from compwright.foundations.extras import installed_version
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import encoded
@@ -74,7 +74,7 @@ def selftest(session: Session) -> dict[str, Any]:
         "version": __version__,
         "platform": platform.platform(),
         "python": platform.python_version(),
-        "packages": {name: _version(name) for name in _PACKAGES},
+        "packages": {name: installed_version(name) for name in _PACKAGES},
         "reference_data": {name: fingerprint(content) for name, content in files.items()},
         "checks": [{**asdict(check), "good": check.good} for check in checks],
     }
@@ -98,13 +98,6 @@ def write_selftest(
         files[path] = selftest_report(document)
     refuse_other_kinds(session, files, force=force)
     return storage.write_files(session, Path(), {}, elsewhere=files, force=force)
-
-
-def _version(package: str) -> str:
-    try:
-        return version(package)
-    except PackageNotFoundError:
-        return "not installed"
 
 
 def _values(files: Mapping[str, bytes]) -> Iterator[Check]:
