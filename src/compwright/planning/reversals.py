@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 
 from compwright.prediction.acting import Correction
-from compwright.records.axis import Direction, FloatArray
+from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.estimate import ErrorEstimate
 from compwright.records.noise import NoiseDraws
 from compwright.records.positioning import PositioningTest
@@ -21,18 +21,20 @@ _ALIKE: Final = 2.0
 
 def own_reversal(estimate: ErrorEstimate, active: Correction) -> tuple[FloatArray, FloatArray]:
     """Return positions (k,) over the measured range, and there the reversal of the axis itself
-    (without what was ``active``), mean in + less mean in -, mm or deg.
+    (without what was ``active``), mean in + less mean in -, mm or deg. Of a rotary axis whole turns
+    are left out: its travel may begin at a reference that is turns away from what was measured.
     """
     low, high = estimate.measured
     where = estimate.positions
-    inside = (where >= low) & (where <= high)
+    within = low + (where - low) % 360.0 if estimate.kind is AxisKind.ROTARY else where
+    inside = (within >= low) & (within <= high)
     reversal: FloatArray = (
         estimate.mean_positive
         - active(where, Direction.POSITIVE)
         - estimate.mean_negative
         + active(where, Direction.NEGATIVE)
     )
-    return where[inside], reversal[inside]
+    return within[inside], reversal[inside]
 
 
 def rise_of(estimate: ErrorEstimate, active: Correction) -> float:
