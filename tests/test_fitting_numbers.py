@@ -9,12 +9,14 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from compwright.fitting import ranges
 from compwright.fitting.chain import Wish, build_chain
 from compwright.fitting.fit import fit_table
 from compwright.fitting.problem import QuadraticProblem, Rows
 from compwright.fitting.ranges import Deviations, solve_ranges
 from compwright.fitting.rounding import to_quanta
 from compwright.fitting.sparse import entries, identity, stacked
+from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
@@ -78,10 +80,9 @@ def test_one_slope_is_the_nearest_that_the_control_holds(slope: float, held: flo
     assert (found.origin, found.backlash, found.positions.size) == (10.0, 0.0, 0)
 
 
-@pytest.mark.parametrize(("scale", "slack"), [(1.0, 0.1), (0.01, 1e-3)])
-def test_the_least_range_and_its_gap_by_hand(scale: float, slack: float) -> None:
+def pulled_up(scale: float) -> tuple[Deviations, QuadraticProblem]:
     """Deviations 0, x - s and 2 x: their range is s + |x| near 0, least at x = 0. The square pulls x
-    up; half the slack is given to it, so that the range lies that much above the least.
+    up.
     """
     limits = QuadraticProblem(
         P=identity(1),
@@ -97,10 +98,33 @@ def test_the_least_range_and_its_gap_by_hand(scale: float, slack: float) -> None
         half=np.zeros(3),
         test=np.zeros(3, dtype=np.int64),
     )
-    x, proof = solve_ranges(shown, limits, slack=slack)
+    return shown, limits
+
+
+@pytest.mark.parametrize(("scale", "slack"), [(1.0, 0.1), (0.01, 1e-3)])
+def test_the_least_range_and_its_gap_by_hand(scale: float, slack: float) -> None:
+    """Half the slack is given to the square, so that the range lies that much above the least."""
+    x, proof = solve_ranges(*pulled_up(scale), slack=slack)
     assert x == pytest.approx([0.5 * slack], abs=1e-6)
     assert proof["gap"] == pytest.approx(0.5 * slack, abs=1e-6)
     assert proof["primal"] == 0.0
+
+
+def test_where_the_solver_gives_up_on_the_square_the_least_range_counts(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Clarabel calls some of these problems infeasible, although the least range fulfils them."""
+    usual = ranges._cvxpy
+
+    def gives_up(cost: Array, G: Any, h: Array, P: Any, n: int) -> tuple[Array, Array]:
+        if P is not None:
+            raise CapacityError(Fault(message="no certified solution"))
+        return usual(cost, G, h, P, n)
+
+    monkeypatch.setattr(ranges, "_cvxpy", gives_up)
+    x, proof = solve_ranges(*pulled_up(1.0), slack=0.1)
+    assert x == pytest.approx([0.0], abs=1e-6)
+    assert max(proof.values()) < 1e-6
 
 
 def test_a_chain_of_one_node_is_a_mean() -> None:

@@ -14,6 +14,7 @@ from compwright.fitting.certify import range_gap
 from compwright.fitting.problem import QuadraticProblem
 from compwright.fitting.solve import by_columns, no_solution
 from compwright.fitting.sparse import IntArray, SparseMatrix, entries, stacked, sum_of, summed
+from compwright.foundations.errors import CapacityError
 from compwright.records.axis import FloatArray
 from compwright.records.settled import settled_number
 
@@ -78,8 +79,9 @@ def solve_ranges(
     certified.
 
     Among all unknowns within ``slack`` (mm or deg) of the least, those of least mean square are
-    taken. The certificate's ``gap`` is the distance to a lower bound that holds whatever the solver
-    did (weak duality; Boyd and Vandenberghe 2004, section 5.2.2).
+    taken; where the solver gives up on these, those of the least range, under the same certificate.
+    Its ``gap`` is the distance to a lower bound that holds whatever the solver did (weak duality;
+    Boyd and Vandenberghe 2004, section 5.2.2).
     """
     n = limits.q.size
     size = max(float(np.max(np.abs(shown.base))), 10.0 * slack)
@@ -87,14 +89,17 @@ def solve_ranges(
     first, multipliers = _cvxpy(cost, G, h, None, n)
     least = float(cost @ first)
     scale = float(np.mean(limits.P.diagonal()))
-    second, _ = _cvxpy(
-        np.concatenate([limits.q / (scale * size), np.zeros(cost.size - n)]),
-        stacked([G, entries(cost[np.newaxis])], cost.size),
-        np.concatenate([h, [least + 0.5 * slack / size]]),
-        limits.P.times(1.0 / scale),
-        n,
-    )
-    x = second[:n] * size
+    try:
+        taken, _ = _cvxpy(
+            np.concatenate([limits.q / (scale * size), np.zeros(cost.size - n)]),
+            stacked([G, entries(cost[np.newaxis])], cost.size),
+            np.concatenate([h, [least + 0.5 * slack / size]]),
+            limits.P.times(1.0 / scale),
+            n,
+        )
+    except CapacityError:
+        taken = first
+    x = taken[:n] * size
     held = limits.A @ x
     primal = float(np.max(np.concatenate([[0.0], held - limits.upper, limits.lower - held])))
     # A least-range table stays within the range of what is wanted about zero: ten times that is
