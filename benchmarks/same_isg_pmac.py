@@ -104,12 +104,13 @@ def pmac_scripts(rng: Rng, axes: list[MachineAxis], *, counts: float, acts: bool
         if abs(old.start / old.step - round(old.start / old.step)) > 1e-9:
             axis.old = None  # such a table has an entry at 0 of the motor
             continue
-        # It ends as it began.
+        turn = -round(old.start / old.step)
+        # It ends as it began, and is 0 at 0.
         ramp = np.linspace(0.0, old.values[-1] - old.values[0], count + 1)
-        old.values = np.asarray(unit * np.round((old.values - ramp) / unit), dtype=np.float64)
+        values = np.round((old.values - ramp) / unit)
+        old.values = np.asarray(unit * (values - values[turn % count]), dtype=np.float64)
         length = round(count * old.step * abs(counts))
         # Entry k is for k steps, the last one for 0 too.
-        turn = -round(old.start / old.step)
         entries = np.roll(old.values[:-1], -turn - 1)
         numbers = [str(round(float(value) / unit)) for value in entries]
         lines += [f"; motor {motor}, {axis.name}"] if rng.random() < 0.5 else []

@@ -121,7 +121,7 @@ def _options(rng: Rng, deal: str, axes: list[MachineAxis]) -> Words:
         return _heidenhain_options(rng, format_id)
     if format_id == "isg-kernel":
         signs = ["error", "correction"]
-        return _some(rng, {"table_values": (0.4, signs), "cross_values": (0.5, signs)})
+        return _some(rng, {"table_values": (0.4, signs), "cross_values": (0.9, signs)})
     if format_id == "pmac":
         counts = [1000, 10000, 62500]
         return _some(rng, {"counts_per_unit": (0.97, counts), "take_up_rate": (0.2, [8, 64])})
