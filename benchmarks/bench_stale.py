@@ -192,8 +192,9 @@ def tried(case: Case, folder: Path) -> dict[str, Any] | None:
         return None
     second_test(case, axis, rng, loaded)
     place = folder / "second"
-    if case.visible:
-        write_plan(first, place / "first" / "plan.json")
+    if case.visible:  # in the folder of the job, or in that of another day next to it
+        there = place / "first" if case.number // 12 % 2 else folder / "first" / "job"
+        write_plan(first, there / "plan.json")
     found = run(case, place, axis, "[../control]")
     again = found.predicted.axes["X"].table
     doubts = [one.finding.code for one in found.doubts.open]

@@ -313,6 +313,7 @@ COMPUTED = {
     "label": "EINS: $MA_BACKLASH[0,AX1]=0.01",
     "two": "$MA_BACKLASH[0,AX1]=0.01 $MA_BACKLASH[1,AX1]=0.02",
     "condition": "IF $MA_ENC_COMP_ENABLE[0,AX1]==1",
+    "text that is carried out": 'EXECSTRING("$MA_BACKLASH[0,AX1]=0.01")',
 }
 
 

@@ -5,7 +5,7 @@ and in which order their assignments are carried out.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from compwright.controllers.sinumerik.flow import ProgramBlock
 from compwright.controllers.sinumerik.reach import Doubt, Line, comes_back, inevitable
@@ -102,14 +102,10 @@ class ProgramCalls:
         back = {one.line for one in (*block.doubts, *block.late) if self._comes_back(one.call)}
         called = {line.number for line in self.calls_of(block)}
         return [
-            Line(
-                line.number,
-                line.names,
-                () if line.number in back else line.words,
-                line.skipped,
-                line.given or line.number in called,
-                line.mentions,
-                line.conditional,
+            replace(
+                line,
+                words=() if line.number in back else line.words,
+                given=line.given or line.number in called,
             )
             for line in block.trail
         ]

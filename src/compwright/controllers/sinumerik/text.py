@@ -128,6 +128,7 @@ _ASSIGNMENT = re.compile(
 #: A value with a decimal comma that fills its line, and a value with a decimal point.
 _COMMA = re.compile(r"(=\s*[+-]?[0-9]+),([0-9]+\s*(?:;.*)?)$", re.MULTILINE)
 _POINT = re.compile(r"=\s*[+-]?[0-9]+\.[0-9]+")
+_EXECUTED = re.compile(r"\bEXECSTRING\b", re.IGNORECASE)
 _NOT_GIVEN = re.compile(r"(=\s*)n/a(\s*(?:;.*)?)$", re.IGNORECASE)
 _AXIS = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _WHOLE = re.compile(r"[0-9]{1,9}")
@@ -248,6 +249,8 @@ def read_file(file: ControlFile) -> ProgramContent:
         code = _QUOTED.sub('""', code).split(";", 1)[0].rstrip()
         if _FACT.search(code):
             _read_fact(code, file.name, number, found)
+        if _EXECUTED.search(code) and _MENTION.search(whole):
+            code = whole  # its text is a line of the program
         if _MENTION.search(code) and not _PATH.match(code):
             _read_line(code, file.name, number, found, ended=found.blocks[-1].end is not None)
         _note_flow(code, number, found, whole, said=found.said() != before)
