@@ -3,8 +3,8 @@
 From the programming manual (Job Planning): GOTOF searches its label towards the end of the program,
 GOTOB towards the start, GOTO and GOTOC first towards the end and then elsewhere; GOTOC goes on with
 the next block where there is none, the others stop with an alarm. ``M2=3`` is M3 of spindle 2; the
-end words are M2, M17, M30 and RET. A subprogram is called by its name and comes back with M17 or
-RET.
+end words are M2, M17, M30 and RET. A subprogram is called by its name and comes back with M17,
+M30 or RET.
 """
 
 from __future__ import annotations
@@ -200,6 +200,22 @@ CALLS: dict[str, tuple[dict[str, str], bool | None, str]] = {
         None,
         READ,
     ),
+    "by its name in a text": (
+        {
+            "MAIN.MPF": f'{OFF}CALL "KOMP"\n{ON}M30\n',
+            "KOMP.SPF": f"IF R1==1\nR2=1\nENDIF\n{ONE}{GRID}M17\n",
+        },
+        True,
+        READ,
+    ),
+    "by its path": (
+        {
+            "MAIN.MPF": f"{OFF}PCALL /_N_SPF_DIR/_N_KOMP_SPF\n{ON}M30\n",
+            "KOMP.SPF": f"{ONE}{GRID}RET\n",
+        },
+        None,
+        READ,
+    ),
     "by its number, behind a label": (
         {"MAIN.MPF": f"{OFF}AA: L100\n{ON}M30\n", "L100.SPF": f"{ONE}{GRID}M17\n"},
         None,
@@ -227,7 +243,7 @@ CALLS: dict[str, tuple[dict[str, str], bool | None, str]] = {
     "one that may not come back": (
         {
             "MAIN.MPF": f"PRUEFEN\n{ONE}{GRID}{ON}M30\n",
-            "PRUEFEN.SPF": "IF R1==1\nM30\nENDIF\nM17\n",
+            "PRUEFEN.SPF": "IF R1==1\nM2\nENDIF\nM17\n",
         },
         None,
         "? MAIN.MPF line 1",
@@ -258,6 +274,11 @@ CALLS: dict[str, tuple[dict[str, str], bool | None, str]] = {
     ),
     "one that ends with M30": (
         {"MAIN.MPF": f"PRUEFEN\n{ONE}{GRID}{ON}M30\n", "PRUEFEN.SPF": "R1=1\nM30\n"},
+        None,
+        READ,
+    ),
+    "one that ends with M2": (
+        {"MAIN.MPF": f"PRUEFEN\n{ONE}{GRID}{ON}M30\n", "PRUEFEN.SPF": "R1=1\nM2\n"},
         None,
         "? MAIN.MPF line 1",
     ),
@@ -320,7 +341,16 @@ def test_calls_of_subprograms_are_followed(case: str, *, judge: bool) -> None:
 
 
 @pytest.mark.parametrize("judge", [False, True], ids=["writer", "judge"])
-@pytest.mark.parametrize("call", ["VORBEREITEN", "N10 VORBEREITEN.SPF", 'AA: VORBEREITEN(1,"X")'])
+@pytest.mark.parametrize(
+    "call",
+    [
+        "VORBEREITEN",
+        "N10 VORBEREITEN.SPF",
+        'AA: VORBEREITEN(1,"X")',
+        'CALL "VORBEREITEN"',
+        "PCALL /_N_SPF_DIR/_N_VORBEREITEN_SPF",
+    ],
+)
 def test_a_subprogram_that_is_not_given_is_asked_for_by_name(call: str, *, judge: bool) -> None:
     files = {"MAIN.MPF": f"R1=1\n{call}\n{ONE}{GRID}{ON}M30\n", "OTHER.SPF": "R2=1\nM17\n"}
     (asked,) = answer(files, None, judge=judge)

@@ -155,9 +155,9 @@ class ProgramBlock:
             return
         if ends or words[0] in _FORKS:
             self.branch += 1
-        alone = None if ends or skipped or words[0] in _FORKS else _CALL.fullmatch(bare)
-        name = "" if alone is None else alone[1].upper()
-        self.late.append(Doubt(line, code.strip()[:60], name))
+        statement = _SUM.sub("", whole[start:].split(";", maxsplit=1)[0]).strip()
+        alone = None if ends or skipped or words[0] in _FORKS else _called(statement)
+        self.late.append(Doubt(line, code.strip()[:60], alone or ""))
 
     def _quiet(self, bare: str) -> bool:
         if _DWELL.fullmatch(bare):
@@ -179,6 +179,16 @@ class ProgramBlock:
         if not words[0].startswith("$"):
             self.variables.add(words[0])
         return _calculates(index) and _calculates(words[at + 1 :])
+
+
+def _called(statement: str) -> str | None:
+    """Return the program that a statement calls and does nothing else, None for any other one."""
+    text = re.fullmatch(r'CALL\s*"([^"]+)"|PCALL\s+([^\s("]+)[^"]*', statement, re.IGNORECASE)
+    if text is not None:
+        title = _TITLE.fullmatch(re.split(r"[/\\]", text[1] or text[2])[-1])
+        return None if title is None else title[1].upper()
+    name = _CALL.fullmatch(statement)
+    return None if name is None else name[1].upper()
 
 
 def _names(name: str | None) -> frozenset[str]:

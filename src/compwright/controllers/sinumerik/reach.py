@@ -28,6 +28,8 @@ _OPENS = {"IF": "ENDIF", "WHILE": "ENDWHILE", "FOR": "ENDFOR", "LOOP": "ENDLOOP"
     "REPEAT": "UNTIL"
 }
 _OVER = re.compile(r"M0*2|M17|M30|RET")
+#: Ends of a subprogram that lead back to the calling program.
+_BACK = (("M17",), ("M30",), ("RET",))
 _NAME = re.compile(r"N\d+|(?!R\d+$)[A-Z_]\w+")
 
 
@@ -221,7 +223,7 @@ def _own_ways(line: Line, place: int, end: int, names: Mapping[str, Sequence[int
     conditional = words[0] in ("WHEN", "WHENEVER", "EVERY", "FROM", "ID", "IDS", "DO")
     if conditional or not ends_here(words):
         return after | 1 << stop
-    return 1 << end if words in (("M17",), ("RET",)) else 1 << stop
+    return 1 << end if words in _BACK else 1 << stop
 
 
 def ends_here(words: Sequence[str]) -> bool:

@@ -47,6 +47,10 @@ _CHECKSUM = re.compile(r"\s+'[0-9A-F]{4}\s*$", re.IGNORECASE)
 _PLAIN_CALL = re.compile(
     r"(?:_N_)?(?P<name>[A-Z_]{2}\w*?|L\d+)(?:[._](?:SPF|MPF|CYC))?\s*(?:\([^()]*\))?", re.IGNORECASE
 )
+#: A call of a program whose name stands there as a text or as a path.
+_WRITTEN_CALL = re.compile(
+    r'CALL\s*"(?P<text>[^"]*)"|PCALL\s+(?P<path>[^\s("]+)(?:\s*\([^()]*\))?', re.IGNORECASE
+)
 #: What stands before words that are carried out on a condition only.
 _CONDITIONAL = re.compile(r"/|(?:IF|CASE|WHEN|WHENEVER|EVERY|FROM|IDS?|DO)\b", re.IGNORECASE)
 #: What a program may hold before and between values, and they are carried out all the same.
@@ -287,7 +291,11 @@ def _plain_call(code: str) -> str:
     """Return the program that a line may call as its whole statement; empty for any other line."""
     bare = _bare(code)
     label = _LABEL.match(bare)
-    found = _PLAIN_CALL.fullmatch(bare[0 if label is None else label.end() :])
+    bare = bare[0 if label is None else label.end() :]
+    written = _WRITTEN_CALL.fullmatch(bare)
+    if written is not None:
+        return program_name(written["text"] or written["path"] or "")
+    found = _PLAIN_CALL.fullmatch(bare)
     return "" if found is None else found["name"].upper()
 
 

@@ -14,8 +14,9 @@ _FIRST = re.compile(r"[A-Z]+", re.IGNORECASE)
 #: The end of a program or subprogram, alone or with other words of its line. M2=3 is none: an M
 #: function of spindle 2.
 END = re.compile(r"(?:\bM\s*=?\s*(?:17|30|0*2)(?!\s*[-+*/.\d=])|\bRET\b)", re.IGNORECASE)
-#: The end of a subprogram behind which the program that calls it goes on.
-_RETURN = re.compile(r"M17|RET", re.IGNORECASE)
+#: The end of a subprogram behind which the program that calls it goes on: M17 and M30 are the same
+#: there (programming manual Job Planning, subprogram return).
+_RETURN = re.compile(r"M(?:17|30)|RET", re.IGNORECASE)
 _DEFAULT = re.compile(r"\bDEFAULT\b", re.IGNORECASE)
 _REPEATED = re.compile(r"REPEATB?\s+(?P<target>\w+)", re.IGNORECASE)
 _CLOSING = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDFOR": "FOR", "ENDLOOP": "LOOP"} | {
@@ -43,7 +44,7 @@ class Step:
 class ProgramWays:
     """Steps of one program with the steps that may follow each. Behind the last one is its end,
     from where the program that calls it goes on, and behind that the place where everything stops:
-    by M2 and M30, an alarm, or a statement of which that is not known.
+    by M2, an alarm, or a statement of which that is not known.
 
     ``unclear``: lines of jumps of which more than one label of that name may be the destination.
     """
