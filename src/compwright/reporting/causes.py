@@ -188,6 +188,16 @@ def cause_words(name: str, axes: Any) -> str:
     return form.format(first=axes[0], second=axes[1], axis=axis)
 
 
+def full_cause_words(name: str, axes: Any) -> str:
+    """Return a cause or one of its details in words that need no heading: ``Lost motion X at
+    X+``.
+    """
+    kind, _, part = _split(name)
+    whole = name.removesuffix(f"_{part}") if part else name
+    words = cause_words(whole, axes)
+    return f"{words} {cause_words(name, axes)}" if part and kind in _WORDS else words
+
+
 def _printed(name: str, vendor: Mapping[str, Any]) -> tuple[float | None, bool]:
     kind, which, part = _split(name)
     key = _PRINTED.get(f"{kind}_{part}" if part else kind, "").format(
