@@ -15,18 +15,19 @@ from circle_machine import Machine, Setup, distance, measured
 from compwright.estimation.basis import hidden_share, log_density, smooth_density
 from compwright.estimation.circle_centre import second_order
 from compwright.estimation.circle_cyclic import longest_pitch, search, shortest_pitch
-from compwright.estimation.circle_fit import default_shapes, first_fit, problem_of
+from compwright.estimation.circle_fit import Weighted, fit, problem_of, white
 from compwright.estimation.circle_lag import Lag, corrected
 from compwright.estimation.circle_model import (
     Samples,
+    SpikeShape,
     cyclic_columns,
     lag_column,
     samples_of,
     since_reversal,
-    spike_columns,
+    spike_column,
 )
 from compwright.estimation.circle_noise import grid_of
-from compwright.estimation.circle_report import _condition, shrink_doubt
+from compwright.estimation.circle_report import shrink_doubt
 from compwright.estimation.factors import factored, factored_beside, inverse_of_lower
 from compwright.estimation.hyperparameters import _log_student, draw_hyperparameters
 from compwright.estimation.peaks import peaks_of
@@ -92,19 +93,25 @@ def test_a_spike_is_that_of_the_exact_machine(axis: str, sense: float) -> None:
     of = samples(sense)
     causes: dict[str, Any] = {f"reversal_spike_{axis}": 5.0, f"decay_{axis}": 6.0}
     machine = Machine(**causes)
-    spike, change = spike_columns(of, axis, 6.0, 5.0)
+    parts = [
+        spike_column(of, axis, end, SpikeShape(6.0, False)) for end in ("positive", "negative")
+    ]
     exact = distance(machine, Setup(), of.theta, sense) - R
-    assert 5.0 * radial(of, spike.x, spike.y) == pytest.approx(exact, abs=1e-6)
-    # per unit of log length: h exp(-s / L) s / L
-    wider = spike_columns(of, axis, 6.0 * np.exp(1e-4), 5.0)[0]
-    slope = 5.0 * (radial(of, wider.x, wider.y) - radial(of, spike.x, spike.y)) / 1e-4
-    assert radial(of, change.x, change.y) == pytest.approx(slope, abs=1e-6)
+    spike = sum(radial(of, part.x, part.y) for part in parts)
+    assert 5.0 * spike == pytest.approx(exact, abs=1e-6)
+
+
+def test_a_rising_spike_has_its_peak_of_one_at_its_length() -> None:
+    """s exp(1 - s): 1 at s = 1, 2/e at 2, 0.5 exp(0.5) at a half."""
+    shape = SpikeShape(4.0, rising=True)
+    expected = [0.0, 0.5 * np.exp(0.5), 1.0, 2.0 / np.e]
+    assert shape(np.array([0.0, 2.0, 4.0, 8.0])) == pytest.approx(expected)
 
 
 @pytest.mark.parametrize("axis", ["first", "second"])
 def test_a_cyclic_error_and_its_change_with_frequency(axis: str) -> None:
     of, a, b, f = samples(), 2.0, -1.5, 0.1
-    cosine, sine, change = cyclic_columns(of, axis, f, (a, b))
+    cosine, sine, change = cyclic_columns(of, axis, f, (a, b))[:3]
     along = R * (np.cos(of.theta) if axis == "first" else np.sin(of.theta))
 
     def field(frequency: float) -> Array:
@@ -177,18 +184,11 @@ def test_a_cyclic_error_is_found_from_the_false_alarm_threshold_on(
     cause: dict[str, Any] = {f"cyclic_{axis}": amplitude, f"pitch_{axis}": 10.0}
     of = samples_of(measured(Machine(**cause), Setup(samples=1504)))
     problem = problem_of(of, grid_of(of))
-    searched = search(problem, first_fit(problem, default_shapes(of)), [axis])
+    always = np.arange(len(problem.names))
+    searched = search(problem, fit(Weighted(problem, white(problem)), always), [axis])
     assert (axis in searched.found) is found
     if found:
         assert 1.0 / searched.found[axis] == pytest.approx(10.0, abs=0.05)
-
-
-def test_the_condition_of_two_correlated_causes() -> None:
-    """Correlation 0.6: eigenvalues 1.6 and 0.4, the ratio of their roots is 2, whatever the units."""
-    scale = np.diag([1e-3, 50.0])
-    covariance = scale @ np.array([[1.0, 0.6], [0.6, 1.0]]) @ scale
-    fitted: Any = SimpleNamespace(names=("a", "b"), covariance=covariance)
-    assert _condition(fitted) == pytest.approx(2.0)
 
 
 def test_a_soft_loop_makes_the_circle_smaller_by_its_acceleration() -> None:

@@ -265,7 +265,7 @@ def test_means_of_neighbours_stand_for_the_samples_of_a_very_fine_circle() -> No
     angles = (np.arange(50_000) + 0.5) * 360.0 / 50_000
     run = CircularRun(sense="ccw", angles=angles, deviations=np.cos(np.radians(2.0 * angles)))
     thinned = _thinned(run)
-    assert thinned.angles.size == 16_667
+    assert thinned.angles.size == 3_847
     np.testing.assert_allclose(
         thinned.deviations, np.cos(np.radians(2.0 * thinned.angles)), atol=1e-6
     )

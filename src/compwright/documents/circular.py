@@ -120,8 +120,8 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
 
 
 def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
-    """Return one cause, in its own unit; ``low`` only where the value cannot be negative. A cause
-    that is not ``given`` keeps its standard error.
+    """Return one cause, in its own unit; ``low`` only where the value cannot be negative, and what
+    else belongs to it. A cause that is not ``given`` keeps its standard error alone.
     """
     entry = {
         "value": _number(effect.value) if given else None,
@@ -130,7 +130,11 @@ def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
         "effect": _number(effect.effect) if given else None,
         "share": _number(effect.share) if given else None,
     }
-    return entry if effect.low is None or not given else {**entry, "low": _number(effect.low)}
+    if not given:
+        return {**entry, **dict.fromkeys(effect.more)}
+    low = {} if effect.low is None else {"low": _number(effect.low)}
+    more = {name: None if value is None else _number(value) for name, value in effect.more.items()}
+    return {**entry, **low, **more}
 
 
 def _plain(value: object) -> Any:

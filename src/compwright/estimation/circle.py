@@ -16,23 +16,26 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_cyclic import Search, longest_pitch, search, shortest_pitch
+from compwright.estimation.circle_cyclic import longest_pitch, search, shortest_pitch
 from compwright.estimation.circle_fit import (
     Fit,
     Problem,
-    Shapes,
-    default_shapes,
-    first_fit,
+    Weighted,
     fit,
     problem_of,
+    residual_of,
     spectra_of,
+    white,
 )
-from compwright.estimation.circle_lag import Lag, common_lag, corrected
-from compwright.estimation.circle_model import AXES, Samples, samples_of
-from compwright.estimation.circle_noise import grid_of
+from compwright.estimation.circle_lag import Lag, common_lag, corrected, unseen_lag
+from compwright.estimation.circle_model import AXES, Samples, cyclic_columns, samples_of
+from compwright.estimation.circle_noise import Spectrum, grid_of
 from compwright.estimation.circle_path import undetermined_causes
 from compwright.estimation.circle_plain import plain_regression
 from compwright.estimation.circle_report import effects_of
+from compwright.estimation.circle_reversal import Shapes, drawn, likeliest
+from compwright.estimation.circle_solution import Solution
+from compwright.estimation.circle_vibration import Vibration, vibration, vibration_columns
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
@@ -44,7 +47,9 @@ LEAST_ARC: Final = 90.0
 LEAST_SAMPLES: Final = 24
 #: Samples of one run that are fitted: five times those of the finest ballbar; a million would fill
 #: the memory and tell no more.
-MOST_SAMPLES: Final = 20_000
+MOST_SAMPLES: Final = 4_000
+#: Rounds in which the frequency of a cyclic error is fitted.
+_TUNING_ROUNDS: Final = 4
 #: The noise is estimated again, so often at most, while its density at order zero still changes by
 #: this share.
 _NOISE_ROUNDS: Final = 3
@@ -70,18 +75,21 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     if lag is not None:
         samples = corrected(samples, lag)
         findings.append(_lag_finding(samples, lag))
-    fitted, found = _fitted(problem_of(samples, grid), frequencies)
-    undetermined = undetermined_causes(test, samples)
-    effects, correlation, noticed = effects_of(test, samples, fitted, found, undetermined)
+    else:
+        samples = replace(samples, lag_doubt=unseen_lag(samples))
+    solution = _solution(problem_of(samples, grid), frequencies)
+    effects, correlation, undetermined, noticed = effects_of(
+        test, solution, undetermined_causes(test, samples)
+    )
     return Diagnosis(
         effects=effects,
         plain={name: plain[name] for name in effects if name in plain},
         names=tuple(effects),
         correlation=correlation,
-        residual=float(np.sqrt(np.mean(fitted.residual**2))),
-        correlation_length=float(np.mean([spectrum.length for spectrum in fitted.spectra])),
+        residual=float(np.sqrt(np.mean(solution.residual**2))),
+        correlation_length=float(np.mean([s.length for s in solution.fitted.spectra])),
         findings=(*findings, *noticed),
-        undetermined={name: why for name, why in undetermined.items() if name in effects},
+        undetermined=undetermined,
     )
 
 
@@ -188,39 +196,86 @@ def _lag_finding(samples: Samples, lag: Lag) -> Finding:
     return Finding("CW-D011", "info", message)
 
 
-def _fitted(problem: Problem, given: dict[str, float]) -> tuple[Fit, Search]:
-    """Return the fit after everything was sought: noise, decay of the spikes, cyclic errors, and
-    the noise again.
+def _solution(problem: Problem, given: dict[str, float]) -> Solution:
+    """Return the solution after everything was sought: noise, shapes of the reversals, cyclic
+    errors, vibration, and the noise again.
     """
-    shapes = replace(default_shapes(problem.samples), frequencies=given, given=frozenset(given))
-    fitted = first_fit(problem, shapes)
-    fitted = fit(problem, fitted.shapes, spectra_of(fitted), fitted.known, rounds=4)
-    found = search(problem, fitted, [axis for axis in AXES if axis not in given])
+    frequencies = dict(given)
+    for axis, frequency in given.items():
+        columns = cyclic_columns(problem.samples, axis, frequency, (0.0, 0.0))
+        problem = problem.with_columns([c for c in columns if not c.name.startswith("_frequency")])
+    shapes = Shapes(problem)
+    fitted = _settled(problem, shapes, white(problem))
+    found = search(problem, fitted, [axis for axis in AXES if axis not in frequencies])
     while found.found:
-        shapes = Shapes(
-            fitted.shapes.lengths, {**fitted.shapes.frequencies, **found.found}, fitted.shapes.given
-        )
-        fitted = fit(problem, shapes, fitted.spectra, fitted.known, rounds=5)
-        open_axes = [axis for axis in AXES if axis not in fitted.shapes.frequencies]
+        for axis, frequency in found.found.items():
+            problem, frequencies[axis] = _tuned(problem, shapes, fitted, axis, frequency)
+        fitted = _settled(problem, shapes, fitted.spectra)
+        open_axes = [axis for axis in AXES if axis not in frequencies]
         if not open_axes:
             break
-        fitted = fit(problem, fitted.shapes, spectra_of(fitted), fitted.known, rounds=2)
         found = search(problem, fitted, open_axes)
-    return _settled(problem, fitted), found
+    problem, fitted, waves = _without_vibration(problem, shapes, fitted)
+    draws = drawn(
+        Weighted(problem, fitted.spectra), shapes, np.random.default_rng(problem.target.size)
+    )
+    return Solution(
+        problem=problem,
+        fitted=fitted,
+        draws=draws,
+        frequencies=frequencies,
+        given=frozenset(given),
+        hidden=found.hidden,
+        vibration=waves,
+    )
 
 
-def _settled(problem: Problem, fitted: Fit) -> Fit:
+def _settled(problem: Problem, shapes: Shapes, spectra: tuple[Spectrum, ...]) -> Fit:
     """Return the fit once the noise that it leaves is the noise that it was weighted with (iterated
     two-stage least squares; Seber and Wild, Nonlinear Regression, 1989, chapter 6).
     """
-    spectra = spectra_of(fitted)
+    shapes.adopt(problem)
     for _ in range(_NOISE_ROUNDS):
-        fitted = fit(problem, fitted.shapes, spectra, fitted.known)
-        spectra = spectra_of(fitted)
+        weighted = Weighted(problem, spectra)
+        likeliest(weighted, shapes)
+        fitted = fit(weighted, shapes.active())
+        last, spectra = spectra, spectra_of(fitted)
         changes = [
             abs(np.log(new.density[0] / old.density[0]))
-            for new, old in zip(spectra, fitted.spectra, strict=True)
+            for new, old in zip(spectra, last, strict=True)
         ]
         if max(changes) < _NOISE_SETTLED:
             break
-    return fitted
+    return replace(fitted, spectra=spectra)
+
+
+def _tuned(
+    problem: Problem, shapes: Shapes, fitted: Fit, axis: str, frequency: float
+) -> tuple[Problem, float]:
+    """Return the problem with a cyclic error of an axis, its ``frequency``, 1/mm, fitted
+    (Gauss-Newton: Seber and Wild 1989, chapter 2).
+    """
+    samples, amplitudes = problem.samples, (0.0, 0.0)
+    for step in range(_TUNING_ROUNDS):
+        columns = cyclic_columns(samples, axis, frequency, amplitudes)
+        fixed = [c for c in columns if step or not c.name.startswith("_frequency")]
+        problem = problem.with_columns(fixed)
+        shapes.adopt(problem)
+        active = shapes.active()
+        values = fit(Weighted(problem, fitted.spectra, active), active).values
+        found = dict(zip(active.tolist(), values.tolist(), strict=True))
+        value = {name: found.get(index, 0.0) for index, name in enumerate(problem.names)}
+        amplitudes = value[f"_cyclic_cos_{axis}"], value[f"_cyclic_sin_{axis}"]
+        frequency += value.get(f"_frequency_{axis}", 0.0)
+    return problem.with_columns(cyclic_columns(samples, axis, frequency, amplitudes)), frequency
+
+
+def _without_vibration(
+    problem: Problem, shapes: Shapes, fitted: Fit
+) -> tuple[Problem, Fit, Vibration]:
+    """Return problem and fit with the clearest vibration, if one was found."""
+    found = vibration(problem, residual_of(problem, fitted))
+    if found.frequency is not None:
+        problem = problem.with_columns(vibration_columns(problem.samples, found.frequency))
+        fitted = _settled(problem, shapes, fitted.spectra)
+    return problem, fitted, found

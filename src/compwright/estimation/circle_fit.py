@@ -1,12 +1,15 @@
-"""Weighted least squares of all causes over both runs, at the exact distance: Gauss-Newton on |R u
-+ displacements| (Seber and Wild, Nonlinear Regression, 1989, chapter 2). A width of a cause is a
-normal prior, which adds its precision to the normal matrix (Tarantola, Inverse Problem Theory,
+"""The linear model of a circular test: every cause as a column seen by the bar, weighted by the
+spectrum of the residuals, with a normal prior for each cause (Tarantola, Inverse Problem Theory,
 2005, chapter 3).
+
+The distance is exact at the centre and the causes of a first least-squares fit; what a second one
+would change is below a nanometre.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -14,127 +17,294 @@ import numpy as np
 from compwright.estimation.circle_centre import recentre
 from compwright.estimation.circle_model import (
     AXES,
+    ENDS,
     CauseColumn,
     Samples,
-    cyclic_columns,
+    SpikeShape,
     fixed_columns,
     lag_column,
-    spike_columns,
+    spike_column,
 )
-from compwright.estimation.circle_noise import AngleGrid, Spectrum, halves, spectrum_of
+from compwright.estimation.circle_noise import (
+    AngleGrid,
+    IndexArray,
+    Spectrum,
+    halves,
+    spectrum_of,
+)
 from compwright.records.axis import FloatArray
 
-_SETTLED: Final = 0.02  # change in standard errors that no interval shows
-#: Decay of a spike: the likeliest length as a share of the radius, and the spread of its logarithm.
-SPIKE_SHARE: Final = 0.03
-_SPIKE_SPREAD: Final = 0.8
-_SPIKE_STEP: Final = 0.7  # largest change of log length in one round
-_SPIKE_LIMITS: Final = (
-    0.15,
-    6.0,
-)  # times the likeliest length: shorter is a single sample, longer is not a spike
-
-
-@dataclass(frozen=True, slots=True)
-class Shapes:
-    """What is not linear: decay lengths of the spikes (mm, by axis) and the frequencies of cyclic
-    errors (1/mm, by axis).
-
-    ``given``: axes whose frequency was given and is not fitted.
-    """
-
-    lengths: dict[str, float]
-    frequencies: dict[str, float]
-    given: frozenset[str] = frozenset()
+#: Shortest length of a reversal spike in samples and in seconds, longest as a share of the radius,
+#: and the ratio of two lengths.
+_SHORTEST: Final = 0.4
+_QUICKEST: Final = 0.004
+_LONGEST: Final = 0.25
+_RATIO: Final = 1.3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Fit:
-    """The solution: ``values`` (k,) by ``names``, with ``covariance`` (k, k); ``residual`` (n,) mm
-    by sample.
+class Reversal:
+    """The reversal point of an axis at one end of its travel, and the columns of its spikes.
 
-    ``x``, ``y`` (n, k): displacements per unit, mm. ``rows`` and ``rest``: transformed rows (size,
-    k) and residuals (size,) of each half, mm, with ``spectra``, the density that the covariance
-    rests on. ``information`` (k,): what each column would weigh on its own.
+    ``shapes`` (m,): what they are; ``alike`` (m,) and ``unlike`` (m,): indices of the columns that
+    have the same sign in both directions, and of those that change it (none with one direction).
     """
 
-    names: tuple[str, ...]
-    values: FloatArray
-    covariance: FloatArray
-    information: FloatArray
-    residual: FloatArray
-    x: FloatArray
-    y: FloatArray
-    rows: tuple[FloatArray, ...]
-    rest: tuple[FloatArray, ...]
-    spectra: tuple[Spectrum, ...]
-    shapes: Shapes
-
-    def value(self, name: str) -> float:
-        """Return one value by its name."""
-        return float(self.values[self.names.index(name)])
-
-    @property
-    def known(self) -> dict[str, float]:
-        """Return the values by name."""
-        return dict(zip(self.names, (float(value) for value in self.values), strict=True))
+    axis: str
+    end: str
+    shapes: tuple[SpikeShape, ...]
+    alike: IndexArray
+    unlike: IndexArray
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
-    """What all fits of one test share: the columns without a free shape, ``x``, ``y`` (n, k) mm,
-    and the way to the ball.
+    """Columns and readings of one test, transformed and split into halves (`circle_noise`).
 
-    ``towards_x``, ``towards_y`` (n,): direction of the bar, from the centre by least squares;
-    causes turn it by less than a thousandth, which slows no round of Gauss-Newton. ``slopes`` (n,
-    k) and ``rows`` (size, k) by half: the columns seen by the bar and their transforms. ``start``:
-    that centre, by name.
+    ``slopes`` (n, p) mm per unit by sample of the ``names`` (p,) that are always in the model;
+    ``widths`` (k,): priors of all columns, the spikes of the ``reversals`` after the first p.
+    ``rows`` (size, k) by half; ``target`` (n,) and ``aims`` (size,) by half: readings, made linear,
+    mm. ``towards_x``, ``towards_y`` (n,): direction of the bar.
     """
 
     samples: Samples
     grid: AngleGrid
-    fixed: tuple[CauseColumn, ...]
-    x: FloatArray
-    y: FloatArray
+    names: tuple[str, ...]
+    slopes: FloatArray
+    widths: FloatArray
+    rows: tuple[FloatArray, ...]
+    target: FloatArray
+    aims: tuple[FloatArray, ...]
     towards_x: FloatArray
     towards_y: FloatArray
-    slopes: FloatArray
-    rows: tuple[FloatArray, ...]
-    start: dict[str, float]
+    reversals: tuple[Reversal, ...]
+    spikes: FloatArray
+
+    def seen(self, columns: Sequence[CauseColumn]) -> FloatArray:
+        """Return columns as the bar sees them, mm per unit (n, columns)."""
+        return np.column_stack([c.x * self.towards_x + c.y * self.towards_y for c in columns])
+
+    def with_columns(self, columns: Sequence[CauseColumn]) -> Problem:
+        """Return the problem with more columns that are always in the model, or with new ones in
+        the place of those of the same name.
+        """
+        fresh = self.seen(columns)
+        replaced = {c.name for c in columns}
+        keep = [i for i, name in enumerate(self.names) if name not in replaced]
+        rest = np.arange(len(self.names), self.widths.size)
+        rows = tuple(
+            np.column_stack([row[:, keep], new, row[:, rest]])
+            for row, new in zip(self.rows, halves(self.grid, fresh), strict=True)
+        )
+        widths = np.concatenate([self.widths[keep], [c.width for c in columns], self.widths[rest]])
+        shift = len(keep) + len(columns) - len(self.names)
+        return replace(
+            self,
+            names=(*(self.names[i] for i in keep), *(c.name for c in columns)),
+            slopes=np.column_stack([self.slopes[:, keep], fresh]),
+            widths=widths,
+            rows=rows,
+            reversals=tuple(
+                replace(r, alike=r.alike + shift, unlike=r.unlike + shift) for r in self.reversals
+            ),
+        )
 
 
 def problem_of(samples: Samples, grid: AngleGrid) -> Problem:
-    """Return what the fits of these samples share."""
-    fixed = fixed_columns(samples)
-    x = np.ascontiguousarray(np.array([column.x for column in fixed]).T)
-    y = np.ascontiguousarray(np.array([column.y for column in fixed]).T)
-    centre_x, centre_y, mean = recentre(samples.theta, samples.deviations, samples.radius)
-    along, across = (
-        samples.radius * np.cos(samples.theta) + centre_x,
-        samples.radius * np.sin(samples.theta) + centre_y,
-    )
-    distance = np.hypot(along, across)
-    slopes = x * (along / distance)[:, np.newaxis] + y * (across / distance)[:, np.newaxis]
+    """Return the problem of these samples without cyclic errors and vibration."""
+    fixed = list(fixed_columns(samples))
+    towards, target, known = _linear(samples, fixed)
+    if samples.lag_doubt > 0.0:
+        fixed.append(lag_column(samples, known))
+    reversals, spikes = _reversals(samples, len(fixed))
+    columns = [c.x * towards[0] + c.y * towards[1] for c in fixed]
+    slopes = np.column_stack(columns)
+    shapes = [c.x * towards[0] + c.y * towards[1] for c in spikes]
+    seen = np.column_stack([slopes, *shapes]) if shapes else slopes
+    rows = list(halves(grid, seen))
+    if len(rows) == 2 and shapes:
+        # A column that changes sign with the direction has its halves exchanged.
+        first = slopes.shape[1]
+        rows = [
+            np.column_stack([rows[0], rows[1][:, first:]]),
+            np.column_stack([rows[1], rows[0][:, first:]]),
+        ]
+    count = rows[0].shape[1] - len(fixed)
+    widths = np.concatenate([[c.width for c in fixed], np.full(count, 1.0)])
+    widths[len(fixed) :] = spikes[0].width if spikes else 1.0
     return Problem(
         samples=samples,
         grid=grid,
-        fixed=fixed,
-        x=x,
-        y=y,
-        towards_x=along / distance,
-        towards_y=across / distance,
+        names=tuple(c.name for c in fixed),
         slopes=slopes,
-        rows=halves(grid, slopes),
-        start={"_centre_x": centre_x, "_centre_y": centre_y, "_radius": mean},
+        widths=widths,
+        rows=tuple(rows),
+        target=target,
+        aims=halves(grid, target),
+        towards_x=towards[0],
+        towards_y=towards[1],
+        reversals=reversals,
+        spikes=np.column_stack(shapes) if shapes else np.zeros((samples.theta.size, 0)),
     )
 
 
-def first_fit(problem: Problem, shapes: Shapes) -> Fit:
-    """Return a fit with ``shapes`` as they are and all samples independent and alike (1 µm each),
-    to see the residuals.
+def _linear(
+    samples: Samples, fixed: Sequence[CauseColumn]
+) -> tuple[tuple[FloatArray, FloatArray], FloatArray, dict[str, float]]:
+    """Return the direction of the bar, the readings made linear about a first fit of the columns
+    (n,) mm, and the values of that fit.
     """
-    white = tuple(Spectrum(np.full(problem.grid.size, 1e-6), 1.0) for _ in problem.grid.index)
-    return fit(problem, shapes, white, problem.start, rounds=2, hold=True)
+    x, y = (np.column_stack([getattr(c, side) for c in fixed]) for side in ("x", "y"))
+    cos, sin = np.cos(samples.theta), np.sin(samples.theta)
+    values = np.zeros(len(fixed))
+    names = [c.name for c in fixed]
+    start = recentre(samples.theta, samples.deviations, samples.radius)
+    for name, value in zip(("_centre_x", "_centre_y", "_radius"), start, strict=True):
+        values[names.index(name)] = value
+    precision = np.diag(1e-6 * np.array([c.width for c in fixed]) ** -2.0)
+    for _ in range(2):
+        along = samples.radius * cos + x @ values
+        across = samples.radius * sin + y @ values
+        distance = np.hypot(along, across)
+        towards = along / distance, across / distance
+        slopes = x * towards[0][:, np.newaxis] + y * towards[1][:, np.newaxis]
+        target = samples.radius + samples.deviations - distance + slopes @ values
+        values = _solved(slopes.T @ slopes + precision, slopes.T @ target)
+    return towards, target, dict(zip(names, (float(value) for value in values), strict=True))
+
+
+def _solved(normal: FloatArray, right: FloatArray) -> FloatArray:
+    unit = 1.0 / np.sqrt(np.diag(normal))
+    answer: FloatArray = unit * np.linalg.solve(normal * np.outer(unit, unit), unit * right)
+    return answer
+
+
+def _reversals(samples: Samples, first: int) -> tuple[tuple[Reversal, ...], list[CauseColumn]]:
+    spacing = spacing_of(samples)
+    least = max(_SHORTEST * spacing, _QUICKEST * samples.speed)
+    most = _LONGEST * samples.radius
+    if least >= most:
+        return (), []
+    count = int(np.ceil(np.log(most / least) / np.log(_RATIO))) + 1
+    shapes = tuple(
+        SpikeShape(float(length), rising)
+        for rising in (False, True)
+        for length in np.geomspace(least, most, count)
+        if not (rising and length < spacing)
+    )
+    places = [
+        (axis, end)
+        for axis in AXES
+        for end, inside in zip(ENDS, samples.reversals(axis), strict=True)
+        if inside
+    ]
+    columns = [spike_column(samples, *place, shape) for place in places for shape in shapes]
+    alike = first + np.arange(len(columns)).reshape(len(places), len(shapes))
+    unlike = alike + len(columns)
+    found = tuple(
+        Reversal(
+            axis=axis,
+            end=end,
+            shapes=shapes,
+            alike=alike[index],
+            unlike=unlike[index] if samples.both_senses else np.empty(0, dtype=np.intp),
+        )
+        for index, (axis, end) in enumerate(places)
+    )
+    return found, columns
+
+
+def spacing_of(samples: Samples) -> float:
+    """Return the arc from one sample of a run to the next, mm."""
+    runs = np.unique(samples.run).size
+    return float(samples.radius * samples.arc[1] * runs / samples.theta.size)
+
+
+class Weighted:
+    """The problem weighted by spectra: its normal equations, mm and the columns' units.
+
+    ``gram`` (k, k) without priors, ``right`` (k,), ``precision`` (k,) of the priors.
+    """
+
+    def __init__(
+        self, problem: Problem, spectra: tuple[Spectrum, ...], only: IndexArray | None = None
+    ) -> None:
+        self.problem, self.spectra = problem, spectra
+        size = problem.widths.size
+        chosen = np.arange(size) if only is None else only
+        self.gram, self.right = np.zeros((size, size)), np.zeros(size)
+        block = np.zeros((chosen.size, chosen.size))
+        for rows, aim, spectrum in zip(problem.rows, problem.aims, spectra, strict=True):
+            root = 1.0 / np.sqrt(spectrum.density)
+            scaled = rows[:, chosen] * root[:, np.newaxis]
+            block += scaled.T @ scaled
+            self.right[chosen] += scaled.T @ (aim * root)
+        self.gram[np.ix_(chosen, chosen)] = block
+        self.precision = problem.widths**-2.0
+
+    def without(self, always: IndexArray) -> Marginal:
+        """Return the normal equations with the columns ``always`` integrated under their priors
+        (Schur complement).
+        """
+        normal = self.gram[np.ix_(always, always)] + np.diag(self.precision[always])
+        shared = inverse_of(normal) @ np.column_stack([self.gram[always], self.right[always]])
+        return Marginal(
+            self.gram - self.gram[:, always] @ shared[:, :-1],
+            self.right - self.gram[:, always] @ shared[:, -1],
+            self.precision,
+        )
+
+    def posterior(self, active: IndexArray) -> tuple[FloatArray, FloatArray]:
+        """Return mean (a,) and covariance (a, a) of the ``active`` columns, the others being 0."""
+        normal = self.gram[np.ix_(active, active)] + np.diag(self.precision[active])
+        covariance = inverse_of(normal)
+        return covariance @ self.right[active], covariance
+
+
+@dataclass(frozen=True, slots=True)
+class Marginal:
+    """Normal equations ``gram`` (k, k), ``right`` (k,) and ``precision`` of the priors (k,)."""
+
+    gram: FloatArray
+    right: FloatArray
+    precision: FloatArray
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fit:
+    """The solution for one choice of shapes: ``values`` (k,) of the ``active`` columns with
+    ``covariance`` (k, k), and what is left: ``rows`` (size, k) and ``rest`` (size,) by half, mm,
+    with the ``spectra`` of the weights. ``information`` (k,): what each column weighs on its own.
+    """
+
+    active: IndexArray
+    values: FloatArray
+    covariance: FloatArray
+    information: FloatArray
+    rows: tuple[FloatArray, ...]
+    rest: tuple[FloatArray, ...]
+    spectra: tuple[Spectrum, ...]
+
+
+def fit(weighted: Weighted, active: IndexArray) -> Fit:
+    """Return the fit of the ``active`` columns."""
+    values, covariance = weighted.posterior(active)
+    problem = weighted.problem
+    rows = tuple(half[:, active] for half in problem.rows)
+    return Fit(
+        active=active,
+        values=values,
+        covariance=covariance,
+        information=np.diag(weighted.gram)[active],
+        rows=rows,
+        rest=tuple(aim - half @ values for aim, half in zip(problem.aims, rows, strict=True)),
+        spectra=weighted.spectra,
+    )
+
+
+def white(problem: Problem) -> tuple[Spectrum, ...]:
+    """Return spectra of samples that are independent and alike (1 µm each), to begin with."""
+    return tuple(Spectrum(np.full(problem.grid.size, 1e-6), 1.0) for _ in problem.grid.index)
 
 
 def spectra_of(found: Fit) -> tuple[Spectrum, ...]:
@@ -148,175 +318,17 @@ def spectra_of(found: Fit) -> tuple[Spectrum, ...]:
     return tuple(spectra)
 
 
-def fit(
-    problem: Problem,
-    shapes: Shapes,
-    spectra: tuple[Spectrum, ...],
-    known: dict[str, float],
-    *,
-    rounds: int = 10,
-    hold: bool = False,
-) -> Fit:
-    """Return the least-squares fit weighted by ``spectra``, from ``shapes`` and the values
-    ``known`` by name as its start (Gauss-Newton: Seber and Wild 1989, chapter 2).
-
-    ``hold``: the shapes stay; else lengths and frequencies are fitted along. Distances are exact in
-    every round.
-    """
-    steps = _Steps(problem, spectra)
-    for _ in range(rounds):
-        free = tuple(_free_columns(problem.samples, shapes, known, hold=hold))
-        values = np.array(
-            [0.0 if _is_shape(c.name) else known.get(c.name, 0.0) for c in (*problem.fixed, *free)]
-        )
-        solved = steps.solved(
-            free, values, _prior((*problem.fixed, *free), problem.samples, shapes)
-        )
-        known = {
-            c.name: float(value)
-            for c, value in zip((*problem.fixed, *free), values + solved.step, strict=True)
-        }
-        if not hold:
-            shapes = _moved(shapes, known, problem.samples.radius)
-        if np.max(np.abs(solved.step) * np.sqrt(solved.information)) < _SETTLED:
-            break
-    slopes = np.column_stack([problem.slopes, solved.own[:, :-1]])
-    rows = tuple(
-        np.column_stack([fixed, part[:, :-1]])
-        for fixed, part in zip(problem.rows, solved.parts, strict=True)
-    )
-    return Fit(
-        names=tuple(column.name for column in (*problem.fixed, *free)),
-        values=values + solved.step,
-        covariance=inverse_of(solved.normal),
-        information=solved.information,
-        residual=solved.residual - slopes @ solved.step,
-        x=np.column_stack([problem.x, *(column.x for column in free)]),
-        y=np.column_stack([problem.y, *(column.y for column in free)]),
-        rows=rows,
-        rest=tuple(
-            part[:, -1] - half @ solved.step for part, half in zip(solved.parts, rows, strict=True)
-        ),
-        spectra=spectra,
-        shapes=shapes,
-    )
-
-
-@dataclass(frozen=True, slots=True)
-class _Step:
-    """One round of Gauss-Newton: its step (k,), and what it was solved from.
-
-    ``own``: slopes of the free columns and, last, the residual (n, f + 1), mm; ``parts``: their
-    transforms by half.
-    """
-
-    step: FloatArray
-    normal: FloatArray
-    information: FloatArray
-    residual: FloatArray
-    own: FloatArray
-    parts: tuple[FloatArray, ...]
-
-
-class _Steps:
-    """Rounds of one fit; products of the fixed columns are made once."""
-
-    def __init__(self, problem: Problem, spectra: tuple[Spectrum, ...]) -> None:
-        self.problem, self.spectra = problem, spectra
-        self.cos, self.sin = np.cos(problem.samples.theta), np.sin(problem.samples.theta)
-        self.weighted = [
-            rows / spectrum.density[:, np.newaxis]
-            for rows, spectrum in zip(problem.rows, spectra, strict=True)
-        ]
-        size = len(problem.fixed)
-        self.block = sum(
-            (rows.T @ part for rows, part in zip(problem.rows, self.weighted, strict=True)),
-            np.zeros((size, size)),
-        )
-
-    def solved(
-        self,
-        free: tuple[CauseColumn, ...],
-        values: FloatArray,
-        prior: tuple[FloatArray, FloatArray],
-    ) -> _Step:
-        """Return the step from ``values`` (k,); ``prior``: precision (k,) and where it draws each
-        step to (k,).
-        """
-        problem, samples, size = self.problem, self.problem.samples, len(self.problem.fixed)
-        along = samples.radius * self.cos + problem.x @ values[:size]
-        across = samples.radius * self.sin + problem.y @ values[:size]
-        own = np.empty((samples.theta.size, len(free) + 1))
-        for index, (column, value) in enumerate(zip(free, values[size:], strict=True)):
-            along += value * column.x
-            across += value * column.y
-            own[:, index] = column.x * problem.towards_x + column.y * problem.towards_y
-        residual = samples.radius + samples.deviations - np.hypot(along, across)
-        own[:, -1] = residual
-        count = size + len(free)
-        normal, right = np.zeros((count, count)), np.zeros(count)
-        normal[:size, :size] = self.block
-        parts = halves(problem.grid, own)
-        for part, weighted, spectrum in zip(parts, self.weighted, self.spectra, strict=True):
-            shared = weighted.T @ part
-            within = part[:, :-1].T @ (part / spectrum.density[:, np.newaxis])
-            normal[:size, size:] += shared[:, :-1]
-            normal[size:, size:] += within[:, :-1]
-            right += np.concatenate([shared[:, -1], within[:, -1]])
-        normal[size:, :size] = normal[:size, size:].T
-        information = np.diag(normal).copy()
-        precision, aim = prior
-        normal.flat[:: count + 1] += precision
-        return _Step(
-            step=_solved(normal, right + precision * (aim - values)),
-            normal=normal,
-            information=information,
-            residual=residual,
-            own=own,
-            parts=parts,
-        )
-
-
-def _is_shape(name: str) -> bool:
-    return name.startswith(("_length_", "_frequency_"))
-
-
-def _free_columns(
-    samples: Samples, shapes: Shapes, known: dict[str, float], *, hold: bool
-) -> list[CauseColumn]:
-    columns: list[CauseColumn] = []
-    for axis, length in shapes.lengths.items():
-        spike = spike_columns(samples, axis, length, known.get(f"reversal_spike_{axis}", 0.0))
-        columns += spike[:1] if hold else spike
-    for axis, frequency in shapes.frequencies.items():
-        amplitudes = known.get(f"_cyclic_cos_{axis}", 0.0), known.get(f"_cyclic_sin_{axis}", 0.0)
-        wanted = cyclic_columns(samples, axis, frequency, amplitudes)
-        columns += wanted[:2] if hold or axis in shapes.given else wanted
-    if samples.lag_doubt > 0.0:
-        columns.append(lag_column(samples, known))
-    return columns
-
-
-def _prior(
-    columns: tuple[CauseColumn, ...], samples: Samples, shapes: Shapes
-) -> tuple[FloatArray, FloatArray]:
-    """Return the precision of each column's prior and where it draws to. Only the lengths of spikes
-    are drawn anywhere.
-    """
-    precision = np.array([column.width for column in columns]) ** -2.0
-    aim = np.zeros(len(columns))
-    for index, column in enumerate(columns):
-        if column.name.startswith("_length_"):
-            length = shapes.lengths[column.name.removeprefix("_length_")]
-            precision[index] = _SPIKE_SPREAD**-2.0
-            aim[index] = np.log(SPIKE_SHARE * samples.radius / length)
-    return precision, aim
-
-
-def _solved(normal: FloatArray, right: FloatArray) -> FloatArray:
-    unit = 1.0 / np.sqrt(np.diag(normal))
-    answer: FloatArray = unit * np.linalg.solve(normal * np.outer(unit, unit), unit * right)
-    return answer
+def residual_of(problem: Problem, found: Fit) -> FloatArray:
+    """Return what a fit leaves of every sample, mm (n,)."""
+    values = np.zeros(problem.widths.size)
+    values[found.active] = found.values
+    count, half = len(problem.names), problem.spikes.shape[1]
+    plain, alike, unlike = np.split(values, [count, count + half])
+    spikes = problem.spikes @ alike
+    if unlike.size:
+        spikes = spikes + problem.samples.sense * (problem.spikes @ unlike)
+    rest: FloatArray = problem.target - problem.slopes @ plain - spikes
+    return rest
 
 
 def inverse_of(normal: FloatArray) -> FloatArray:
@@ -327,32 +339,3 @@ def inverse_of(normal: FloatArray) -> FloatArray:
     scale = np.outer(unit, unit)
     inverse: FloatArray = scale * np.linalg.inv(normal * scale)
     return 0.5 * (inverse + inverse.T)
-
-
-def _moved(shapes: Shapes, known: dict[str, float], radius: float) -> Shapes:
-    """Return the shapes after one round, no step longer than its straight line is good for."""
-    least, most = (factor * SPIKE_SHARE * radius for factor in _SPIKE_LIMITS)
-    lengths = {
-        axis: float(
-            np.clip(
-                length * np.exp(np.clip(known[f"_length_{axis}"], -_SPIKE_STEP, _SPIKE_STEP)),
-                least,
-                most,
-            )
-        )
-        for axis, length in shapes.lengths.items()
-    }
-    frequencies = {
-        axis: frequency + known.get(f"_frequency_{axis}", 0.0)
-        for axis, frequency in shapes.frequencies.items()
-    }
-    return Shapes(lengths, frequencies, shapes.given)
-
-
-def default_shapes(samples: Samples) -> Shapes:
-    """Return the shapes before anything was searched: spikes of the likeliest length where an axis
-    reverses.
-    """
-    return Shapes(
-        {axis: SPIKE_SHARE * samples.radius for axis in AXES if any(samples.reversals(axis))}, {}
-    )

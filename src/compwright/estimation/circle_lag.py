@@ -76,6 +76,13 @@ def corrected(samples: Samples, lag: Lag) -> Samples:
     return replace(samples, theta=samples.theta - samples.sense * lag.angle, lag_doubt=lag.doubt)
 
 
+def unseen_lag(samples: Samples) -> float:
+    """Return how late the axes may reverse, rad, where no lag was found: half the distance of two
+    samples, within which a step looks the same.
+    """
+    return float(0.5 * samples.arc[1] * np.unique(samples.run).size / samples.theta.size)
+
+
 def _windows(samples: Samples, half: int) -> FloatArray:
     """Return (w, 2, 2 half): angle travelled since the reversal point, rad, and deviation, mm,
     beside each point of each run.

@@ -33,6 +33,41 @@ AXES: Final = ("first", "second")
 UM: Final = 1.0 / MICROMETRES_PER_MILLIMETRE
 #: The softest usual position loop, 1/s (1 m/min per mm).
 SOFTEST_LOOP: Final = 1000.0 / 60.0
+ENDS: Final = ("positive", "negative")
+#: Standard deviation of the prior of a scale mismatch, um/m.
+PRIOR_SCALE: Final = 100.0
+#: Standard deviations of the priors: what machine tools in use have, in the unit of the cause (um,
+#: um/m for squareness, ms for servo mismatch; mm for the set-up). A value that its prior
+#: determines more than its data is not given (`circle_report`).
+PRIORS: Final = {
+    "squareness": 100.0,
+    "servo_mismatch": 1.0,
+    "backlash": 20.0,
+    "lateral_play": 10.0,
+    "straightness": 10.0,
+    "master_slave": 3.0,
+    "spiral": 3.0,
+    "offset_change": 3.0,
+    "radius_change": 3.0,
+    "_centre_x": 100.0,
+    "_centre_y": 100.0,
+    "_radius": 100.0,
+    "_spiral_change": 1.0,
+    "_lost_profile": 2.0,
+    "_lateral_change": 3.0,
+    "_spike": 10.0,
+    "_cyclic": 10.0,
+}
+#: Prior probability of causes and nuisances that most machines do not have.
+RARE: Final = {
+    "spiral": 0.2,
+    "_spiral_change": 0.1,
+    "master_slave": 0.1,
+    "_lost_profile_first": 0.3,
+    "_lost_profile_second": 0.3,
+    "_lateral_change_first": 0.3,
+    "_lateral_change_second": 0.3,
+}
 #: Closer to its reversal point (rad) the direction of an axis is a matter of rounding; such a
 #: sample tells nothing.
 _AT_REVERSAL: Final = 1e-6
@@ -119,55 +154,80 @@ def since_reversal(samples: Samples, axis: str) -> FloatArray:
 
 
 def fixed_columns(samples: Samples) -> tuple[CauseColumn, ...]:
-    """Return every column without a free shape: nuisances first (names starting with ``_``), then
-    the causes.
+    """Return every column without a free shape: nuisances (names starting with ``_``) and causes,
+    each with the standard deviation of its prior in its own unit.
     """
-    found = [*_nuisances(samples), *_even(samples)]
-    if samples.both_senses:
-        cos, sin = np.cos(samples.theta), np.sin(samples.theta)
-        found.append(_limited("radius_change", UM * samples.sense * cos, UM * samples.sense * sin))
-    lag = 5e-4 * samples.sense * samples.speed
-    found.append(
-        _limited("servo_mismatch", lag * np.sin(samples.theta), lag * np.cos(samples.theta))
+    return tuple(
+        CauseColumn(name, x, y, prior_of(name, samples.radius))
+        for name, x, y in (
+            *_set_up(samples),
+            *_even(samples),
+            *_odd(samples),
+            *(column for axis in AXES for column in _lost_motion(samples, axis)),
+            *(column for axis in AXES for column in _lateral_play(samples, axis)),
+        )
     )
-    for axis in AXES:
-        found += [*_lost_motion(samples, axis), *_lateral_play(samples, axis)]
-    return tuple(found)
 
 
-def _limited(name: str, x: FloatArray, y: FloatArray, most: float = 0.1) -> CauseColumn:
-    """Return a column whose value stays, as far as anyone knows, below ``most`` mm of
-    displacement.
+_Named = tuple[str, FloatArray, FloatArray]
+
+
+def prior_of(name: str, radius: float) -> float:
+    """Return the standard deviation of the prior of a cause, in its unit: what machine tools have
+    (`PRIORS`). Scale mismatch: 100 um/m over the diameter of 2 ``radius`` (mm).
     """
-    largest = float(np.max(np.hypot(x, y), initial=0.0))
-    return CauseColumn(name, x, y, most / max(largest, 1e-12))
+    if name == "scale_mismatch":
+        return 2.0 * radius * PRIOR_SCALE * UM
+    kind = name.removesuffix("_at_positive").removesuffix("_at_negative")
+    return PRIORS[kind.removesuffix("_first").removesuffix("_second")]
 
 
-def _nuisances(samples: Samples) -> Iterator[CauseColumn]:
+def _set_up(samples: Samples) -> Iterator[_Named]:
+    cos, sin = np.cos(samples.theta), np.sin(samples.theta)
     one, zero = np.ones_like(samples.theta), np.zeros_like(samples.theta)
-    yield CauseColumn("_centre_x", one, zero, 100.0)
-    yield CauseColumn("_centre_y", zero, one, 100.0)
-    yield CauseColumn("_radius", np.cos(samples.theta), np.sin(samples.theta), 100.0)
+    yield "_centre_x", one, zero
+    yield "_centre_y", zero, one
+    yield "_radius", cos, sin
+    progress = UM * travelled_share(samples)
+    yield "spiral", progress * cos, progress * sin
     if samples.both_senses:
-        # The ball creeps by tenths of a micrometre between the runs; without these that would look
-        # like lost motion.
-        yield CauseColumn("_shift_x", samples.sense, zero, 0.1)
-        yield CauseColumn("_shift_y", zero, samples.sense, 0.1)
+        half = 0.5 * UM * samples.sense
+        yield "offset_change_first", half, zero
+        yield "offset_change_second", zero, half
+        yield "radius_change", UM * samples.sense * cos, UM * samples.sense * sin
+        yield "_spiral_change", samples.sense * progress * cos, samples.sense * progress * sin
 
 
-def _even(samples: Samples) -> Iterator[CauseColumn]:
+def travelled_share(samples: Samples) -> FloatArray:
+    """Return the share of its run that lies behind each sample, less a half (n,): -0.5 to 0.5."""
+    share = np.empty_like(samples.theta)
+    for number in np.unique(samples.run):
+        mine = samples.run == number
+        theta = samples.sense[mine] * samples.theta[mine]
+        share[mine] = (theta - 0.5 * (theta.min() + theta.max())) / samples.arc[1]
+    return share
+
+
+def _even(samples: Samples) -> Iterator[_Named]:
     cos, sin, zero = np.cos(samples.theta), np.sin(samples.theta), np.zeros_like(samples.theta)
-    yield _limited("scale_mismatch", 0.25 * UM * cos, -0.25 * UM * sin)
-    yield _limited("squareness", -1e-6 * samples.radius * sin, zero)
-    yield _limited("straightness_first", zero, UM * cos**2)
-    yield _limited("straightness_second", UM * sin**2, zero)
+    yield "scale_mismatch", 0.25 * UM * cos, -0.25 * UM * sin
+    yield "squareness", -1e-6 * samples.radius * sin, zero
+    yield "straightness_first", zero, UM * cos**2
+    yield "straightness_second", UM * sin**2, zero
+    changeover = 0.5 * UM * np.sign(cos**2 - sin**2)
+    yield "master_slave", changeover * cos, changeover * sin
 
 
-def _lost_motion(samples: Samples, axis: str) -> Iterator[CauseColumn]:
+def _odd(samples: Samples) -> Iterator[_Named]:
+    lag = 5e-4 * samples.sense * samples.speed
+    yield "servo_mismatch", lag * np.sin(samples.theta), lag * np.cos(samples.theta)
+
+
+def _lost_motion(samples: Samples, axis: str) -> Iterator[_Named]:
     """Yield one column per reversal point where the arc has both, else one column.
 
-    Each end's value holds over its half of the travel: the change falls where the axis is fastest
-    and its lost motion lies across the radius, so that the deviation stays continuous.
+    Each end's value holds over its half of the travel, so that the deviation stays continuous where
+    the axis is fastest. A nuisance allows for a change in proportion to the position instead.
     """
     cos, sin, zero = np.cos(samples.theta), np.sin(samples.theta), np.zeros_like(samples.theta)
     own, lag = (
@@ -175,19 +235,17 @@ def _lost_motion(samples: Samples, axis: str) -> Iterator[CauseColumn]:
         if axis == "first"
         else (sin, -samples.sense * np.sign(cos))
     )
-    parts = (
-        {"_at_positive": own > 0.0, "_at_negative": own < 0.0}
-        if all(samples.reversals(axis))
-        else {"": own == own}
-    )
+    whole = all(samples.reversals(axis))
+    parts = {"_at_positive": own > 0.0, "_at_negative": own < 0.0} if whole else {"": own == own}
     for suffix, half in parts.items():
         moved = 0.5 * UM * lag * half
-        yield _limited(
-            f"backlash_{axis}{suffix}", *((moved, zero) if axis == "first" else (zero, moved))
-        )
+        yield f"backlash_{axis}{suffix}", *((moved, zero) if axis == "first" else (zero, moved))
+    if whole and samples.both_senses:
+        moved = 0.5 * UM * lag * (own - np.sign(own))
+        yield f"_lost_profile_{axis}", *((moved, zero) if axis == "first" else (zero, moved))
 
 
-def _lateral_play(samples: Samples, axis: str) -> Iterator[CauseColumn]:
+def _lateral_play(samples: Samples, axis: str) -> Iterator[_Named]:
     """Yield the mean play and, where both reversal points are seen, how it changes along the axis
     (a nuisance).
     """
@@ -196,44 +254,47 @@ def _lateral_play(samples: Samples, axis: str) -> Iterator[CauseColumn]:
         side, along = -0.5 * UM * samples.sense * np.sign(sin), cos
     else:
         side, along = 0.5 * UM * samples.sense * np.sign(cos), sin
-    yield _limited(f"lateral_play_{axis}", *((zero, side) if axis == "first" else (side, zero)))
+    yield f"lateral_play_{axis}", *((zero, side) if axis == "first" else (side, zero))
     if samples.both_senses and all(samples.reversals(axis)):
-        changing = side * along
-        yield _limited(
-            f"_lateral_change_{axis}", *((zero, changing) if axis == "first" else (changing, zero))
-        )
+        change = side * along
+        yield f"_lateral_change_{axis}", *((zero, change) if axis == "first" else (change, zero))
 
 
-def spike_columns(
-    samples: Samples, axis: str, length: float, height: float
-) -> tuple[CauseColumn, CauseColumn]:
-    """Return the spike of an axis (ISO 230-4:1996, B.3.1) with decay ``length`` mm, h exp(-arc /
-    length) outward, and its change per unit of log length at ``height`` µm, h (arc / length)
-    exp(-arc / length).
+@dataclass(frozen=True, slots=True)
+class SpikeShape:
+    """A deviation that dies out over ``length`` mm of arc: at once, exp(-s), or ``rising`` to its
+    peak at that length, s exp(1 - s), with s = arc / length. Its peak is 1.
+    """
+
+    length: float
+    rising: bool
+
+    def __call__(self, arc: FloatArray) -> FloatArray:
+        """Return the deviation after ``arc`` mm (n,)."""
+        share = arc / self.length
+        shape: FloatArray = share * np.exp(1.0 - share) if self.rising else np.exp(-share)
+        return shape
+
+
+def spike_column(samples: Samples, axis: str, end: str, shape: SpikeShape) -> CauseColumn:
+    """Return 1 um outward after the reversals of an axis at one ``end``, in both directions (ISO
+    230-4:1996, B.3.1).
     """
     arc = since_reversal(samples, axis)
     zero = np.zeros_like(arc)
-    # At a reversal the axis stands across its own motion: outward is the side of the travel on
-    # which it stands.
     start = 0.0 if axis == "first" else 0.5 * np.pi
     turns = np.floor(samples.sense * (samples.theta - start) / np.pi)
-    outward = np.where(np.mod(turns, 2.0) == 0.0, 1.0, -1.0)
-    shape = UM * outward * np.exp(-arc / length)
-    slope = height * shape * arc / length
-    if axis == "first":
-        return _limited("reversal_spike_first", shape, zero), CauseColumn(
-            "_length_first", slope, zero, 1.0
-        )
-    return _limited("reversal_spike_second", zero, shape), CauseColumn(
-        "_length_second", zero, slope, 1.0
-    )
+    side = 0.0 if end == "positive" else 1.0
+    moved = UM * (1.0 - 2.0 * side) * shape(arc) * (np.mod(turns, 2.0) == side)
+    x, y = (moved, zero) if axis == "first" else (zero, moved)
+    return CauseColumn("_spike", x, y, PRIORS["_spike"])
 
 
 def lag_column(samples: Samples, known: Mapping[str, float]) -> CauseColumn:
     """Return what one ``lag_doubt`` of angle does, mm: the slope of the smooth causes as they are
     ``known``, against the motion (the derivatives by θ of the module's table; ISO 230-4:1996, annex
-    B). A sagging axis counts by its third harmonic: k cos²θ sinθ = k/4 (sinθ + sin3θ), and the
-    first belongs to the centre.
+    B) and of the centre. A sagging axis counts by its third harmonic: k cos²θ sinθ = k/4 (sinθ +
+    sin3θ), and the first belongs to the centre.
     """
     double, triple = 2.0 * samples.theta, 3.0 * samples.theta
     slope = (
@@ -241,6 +302,8 @@ def lag_column(samples: Samples, known: Mapping[str, float]) -> CauseColumn:
         - 1e-6 * samples.radius * known.get("squareness", 0.0) * np.cos(double)
         + 0.75 * UM * known.get("straightness_first", 0.0) * np.cos(triple)
         + 0.75 * UM * known.get("straightness_second", 0.0) * np.sin(triple)
+        - known.get("_centre_x", 0.0) * np.sin(samples.theta)
+        + known.get("_centre_y", 0.0) * np.cos(samples.theta)
     )
     moved = -samples.lag_doubt * samples.sense * slope
     return CauseColumn("_lag", moved * np.cos(samples.theta), moved * np.sin(samples.theta), 1.0)
@@ -251,6 +314,8 @@ def cyclic_columns(
 ) -> tuple[CauseColumn, ...]:
     """Return cosine and sine of a cyclic error (ISO 230-4:1996, B.2.3) of ``frequency`` 1/mm along
     an axis, and the change per 1/mm of it at ``amplitudes`` (a, b) µm: a cos(2πfx) - b sin(2πfx).
+    With both directions also cosine and sine with the sign of the direction: a lag moves the phase
+    of one against the other.
     """
     zero = np.zeros_like(samples.theta)
     along = samples.radius * (np.cos(samples.theta) if axis == "first" else np.sin(samples.theta))
@@ -258,11 +323,16 @@ def cyclic_columns(
     cosine, sine = UM * np.cos(phase), -UM * np.sin(phase)
     slope = 2.0 * np.pi * along * (amplitudes[0] * sine - amplitudes[1] * cosine)
     # A frequency off by the inverse of the travel would be another peak of the search.
-    named = (
-        (f"_cyclic_cos_{axis}", cosine, 0.1 / UM),
-        (f"_cyclic_sin_{axis}", sine, 0.1 / UM),
+    named = [
+        (f"_cyclic_cos_{axis}", cosine, PRIORS["_cyclic"]),
+        (f"_cyclic_sin_{axis}", sine, PRIORS["_cyclic"]),
         (f"_frequency_{axis}", slope, 0.5 / samples.radius),
-    )
+    ]
+    if samples.both_senses:
+        named += [
+            (f"_cyclic_cos_change_{axis}", samples.sense * cosine, PRIORS["_cyclic"]),
+            (f"_cyclic_sin_change_{axis}", samples.sense * sine, PRIORS["_cyclic"]),
+        ]
     return tuple(
         CauseColumn(name, *((field, zero) if axis == "first" else (zero, field)), width)
         for name, field, width in named

@@ -172,8 +172,8 @@ def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
     weights[0] *= _WHITE
     level = weights / np.sum(weights) * scale / max(total - 2.0, 1.0)
     density = np.sum(level) + (_RATIOS @ level) @ _correlated(orders / size, lengths)
-    # A millionth of a micrometre: data without any noise keep a finite weight.
-    density = np.maximum(density, 1e-18)
+    # A tenth of a nanometre: data without any noise keep a finite weight.
+    density = np.maximum(density, 1e-14)
     return Spectrum(density, float(density[0] / np.mean(density)))
 
 

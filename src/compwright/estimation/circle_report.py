@@ -1,21 +1,28 @@
-"""From the fit of a circular test to causes in the contract's names and units, and what is to be
-said about them. Standard errors follow the law of propagation, gradient' covariance gradient (JCGM
-100:2008, eq. 13).
+"""From the fit of a circular test to causes in the contract's names and units, each with a standard
+error that holds the choice of the shapes (`circle_reversal`), and the reason where there is none.
 """
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_cyclic import Search
-from compwright.estimation.circle_fit import Fit
-from compwright.estimation.circle_model import AXES, SOFTEST_LOOP, UM, Samples
+from compwright.estimation.circle_findings import findings_of
+from compwright.estimation.circle_model import AXES, ENDS, SOFTEST_LOOP, UM, Samples, prior_of
+from compwright.estimation.circle_path import FULL_CIRCLE
+from compwright.estimation.circle_reversal import SpikeDraws
+from compwright.estimation.circle_solution import Solution
+from compwright.estimation.circle_symptoms import (
+    lobes,
+    positional_tolerance,
+    raw_peak,
+    stick_slip,
+)
+from compwright.estimation.circle_vibration import times
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularTest
@@ -27,50 +34,67 @@ UNITS: Final = {
     "servo_mismatch": "ms",
 }
 _ONE_SIDED: Final = 1.645  # standard errors to the lower end of a one-sided 95 % interval
-#: A standard error so many times that of the cause alone is worth a word when the test is not a
-#: full circle both ways.
-_INFLATED: Final = 2.5
+#: A standard error above this share of the prior's standard deviation: the value is mostly prior.
+_MOSTLY_PRIOR: Final = 0.5
+#: Standard errors of a spike beyond its height and this, um, from which it is not given.
+_NO_SPIKE: Final = 5.0
+#: How slow instrument and drive may be, s: a spike is higher than it shows by this over its decay.
+_RESPONSE: Final = 0.003
+#: How far the bandwidth of the instrument may change the amplitude of a vibration, relative.
+_BANDWIDTH: Final = 0.03
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class _ReportedCause:
-    """One reported value: ``gradient`` (k,) by the fit's columns, ``curve`` (n,) its radial
-    deviation, mm.
+    """One reported value: ``drawn`` (d,) what the data leave open of it, ``curve`` (n,) its radial
+    deviation, mm. ``variance``: beyond that of the draws. ``reason``: why it is not given.
     """
 
     name: str
     value: float
-    gradient: FloatArray
+    drawn: FloatArray
     curve: FloatArray
     detail: bool = False
     positive: bool = False
-    variance: float = 0.0  # beyond what the fit says
+    variance: float = 0.0
+    more: Mapping[str, float | None] = field(default_factory=dict)
+    reason: str = ""
+
+    @property
+    def std_error(self) -> float:
+        return float(np.sqrt(np.var(self.drawn) + self.variance))
 
 
 def effects_of(
-    test: CircularTest, samples: Samples, fitted: Fit, found: Search, undetermined: Container[str]
-) -> tuple[dict[str, CircularEffect], FloatArray, tuple[Finding, ...]]:
-    """Return effects by name, their correlation in that order, and findings.
+    test: CircularTest, solution: Solution, undetermined: Mapping[str, str]
+) -> tuple[dict[str, CircularEffect], FloatArray, dict[str, str], tuple[Finding, ...]]:
+    """Return effects by name, their correlation in that order, reasons of what is not given, and
+    findings.
 
-    The effects of details (each end of a lost motion, scale errors beside the mismatch) are parts
-    of causes that count already: shares are over the sum of the causes, each counted once; causes
-    that are ``undetermined`` have no share. Standard
-    errors and correlation by JCGM 100:2008, eq. 13 and 14; ``low`` is the lower end of a one-sided
+    The effects of details (each end of a lost motion or spike, scale errors beside the mismatch,
+    lobes) are parts of causes that count already: shares are over the sum of the causes, each
+    counted once; causes that are not given have no share. ``low`` is the lower end of a one-sided
     95 % interval.
     """
-    causes = tuple(_causes(test, samples, fitted, found))
-    gradients = np.array([cause.gradient for cause in causes])
-    covariance = gradients @ fitted.covariance @ gradients.T + np.diag(
+    samples = solution.problem.samples
+    causes = tuple(_causes(test, solution))
+    reasons = {
+        cause.name: reason
+        for cause in causes
+        if (reason := undetermined.get(cause.name) or cause.reason or _prior_reason(cause, samples))
+    }
+    drawn = np.array([cause.drawn for cause in causes])
+    covariance = np.atleast_2d(np.cov(drawn, bias=True)) + np.diag(
         [cause.variance for cause in causes]
     )
     shrink = shrink_doubt(samples) / samples.radius * 1e6
     scales = np.array([1.0 if cause.name.startswith("scale_error") else 0.0 for cause in causes])
     covariance += shrink**2 * np.outer(scales, scales)
-    errors = np.sqrt(np.diag(covariance))
+    errors = np.sqrt(np.maximum(np.diag(covariance), 1e-24))
     ranges = (
         _ranges(samples, np.array([cause.curve for cause in causes])) * MICROMETRES_PER_MILLIMETRE
     )
-    counted = [not cause.detail and cause.name not in undetermined for cause in causes]
+    counted = [not cause.detail and cause.name not in reasons for cause in causes]
     total = float(np.sum(ranges[counted]))
     effects = {
         cause.name: CircularEffect(
@@ -78,18 +102,15 @@ def effects_of(
             std_error=float(error),
             unit=UNITS.get(cause.name, "um"),
             effect=float(size),
-            share=float(size / total) if total > 0.0 and cause.name not in undetermined else 0.0,
+            share=float(size / total) if total > 0.0 and cause.name not in reasons else 0.0,
             low=max(0.0, cause.value - _ONE_SIDED * float(error)) if cause.positive else None,
+            more=cause.more,
         )
         for cause, error, size in zip(causes, errors, ranges, strict=True)
     }
     correlation = covariance / np.outer(errors, errors)
-    findings = (
-        *_separation(test, samples, fitted, causes, correlation),
-        *_scale_findings(test, samples, effects),
-        *_shape_findings(test, samples, fitted, found, effects),
-    )
-    return effects, correlation, findings
+    np.fill_diagonal(correlation, 1.0)
+    return effects, correlation, reasons, findings_of(test, solution, effects, correlation)
 
 
 def shrink_doubt(samples: Samples) -> float:
@@ -113,232 +134,281 @@ def _ranges(samples: Samples, curves: FloatArray) -> FloatArray:
     return spread
 
 
-def _causes(
-    test: CircularTest, samples: Samples, fitted: Fit, found: Search
-) -> Iterator[_ReportedCause]:
-    cos, sin = np.cos(samples.theta), np.sin(samples.theta)
-    radial = fitted.x * cos[:, np.newaxis] + fitted.y * sin[:, np.newaxis]
+def _prior_reason(cause: _ReportedCause, samples: Samples) -> str:
+    try:
+        width = prior_of(cause.name, samples.radius)
+    except KeyError:
+        return ""
+    if cause.std_error <= _MOSTLY_PRIOR * width:
+        return ""
+    unit = UNITS.get(cause.name, "um").replace("um", "µm")
+    return (
+        "not determinable: the samples add little to what machines have,"
+        f" ±{width:g} {unit} (standard deviation): {FULL_CIRCLE}"
+    )
 
-    def combined(name: str, parts: dict[str, float], *, detail: bool = False) -> _ReportedCause:
-        """Return the weighted sum of columns; its curve is what those columns do together."""
-        gradient = np.zeros(len(fitted.names))
-        curve = np.zeros_like(samples.theta)
-        for part, weight in parts.items():
-            index = fitted.names.index(part)
-            gradient[index] = weight
-            curve += radial[:, index] * fitted.values[index]
-        return _ReportedCause(name, float(gradient @ fitted.values), gradient, curve, detail=detail)
 
-    yield combined("squareness", {"squareness": 1.0})
-    yield combined("scale_mismatch", {"scale_mismatch": 1.0})
+def _causes(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
+    samples = solution.problem.samples
+
+    def linear(name: str, parts: Mapping[str, float], *, detail: bool = False) -> _ReportedCause:
+        return _linear(solution, name, parts, detail=detail)
+
+    yield linear("squareness", {"squareness": 1.0})
+    yield linear("scale_mismatch", {"scale_mismatch": 1.0})
     if test.calibrated:
-        yield from _scale_errors(samples, fitted)
+        yield from _scale_errors(solution)
+    lost = {axis: _lost_motion_parts(solution, axis) for axis in AXES}
     for axis in AXES:
-        ends = [f"backlash_{axis}_at_positive", f"backlash_{axis}_at_negative"]
-        if ends[0] in fitted.names:
-            yield combined(f"backlash_{axis}", dict.fromkeys(ends, 0.5))
-            for end in ends:
-                yield combined(end, {end: 1.0}, detail=True)
-        else:
-            yield combined(f"backlash_{axis}", {f"backlash_{axis}": 1.0})
-    yield combined("servo_mismatch", {"servo_mismatch": 1.0})
+        yield linear(f"backlash_{axis}", lost[axis])
+        if len(lost[axis]) > 1:
+            yield from (linear(end, {end: 1.0}, detail=True) for end in lost[axis])
+    minus = {name: -weight for name, weight in lost["second"].items()}
+    yield linear("backlash_mismatch", {**lost["first"], **minus}, detail=True)
+    yield linear("servo_mismatch", {"servo_mismatch": 1.0})
     for axis in AXES:
-        yield combined(f"lateral_play_{axis}", {f"lateral_play_{axis}": 1.0})
-        if axis in fitted.shapes.lengths:
-            yield _spike(combined(f"reversal_spike_{axis}", {f"reversal_spike_{axis}": 1.0}))
-        yield from _cyclic(samples, fitted, found, axis, radial)
-        yield combined(f"straightness_{axis}", {f"straightness_{axis}": 1.0})
+        yield linear(f"lateral_play_{axis}", {f"lateral_play_{axis}": 1.0})
+        yield from _spikes(solution, axis)
+        yield from _cyclic(solution, axis)
+        yield linear(f"straightness_{axis}", {f"straightness_{axis}": 1.0})
     if samples.both_senses:
-        yield combined("radius_change", {"radius_change": 1.0})
+        for name in ("radius_change", "offset_change_first", "offset_change_second"):
+            yield linear(name, {name: 1.0})
+    for name in ("spiral", "master_slave"):
+        yield linear(name, {name: 1.0})
+    yield from _symptoms(test, solution)
 
 
-def _scale_errors(samples: Samples, fitted: Fit) -> Iterator[_ReportedCause]:
+def _linear(
+    solution: Solution, name: str, parts: Mapping[str, float], *, detail: bool = False
+) -> _ReportedCause:
+    """Return the weighted sum of columns; its curve is what those columns do together."""
+    gradient = np.zeros(len(solution.problem.names))
+    for part, weight in parts.items():
+        gradient[solution.problem.names.index(part)] = weight
+    mean = np.mean(solution.draws.values, axis=0)
+    curve = solution.problem.slopes @ (mean * (gradient != 0.0))
+    drawn = solution.draws.values @ gradient
+    hidden = solution.draws.least_error.get(name, 0.0)
+    return _ReportedCause(
+        name=name,
+        value=float(gradient @ mean),
+        drawn=drawn,
+        curve=curve,
+        detail=detail,
+        variance=max(hidden**2 - float(np.var(drawn)), 0.0),
+    )
+
+
+def _lost_motion_parts(solution: Solution, axis: str) -> dict[str, float]:
+    ends = [f"backlash_{axis}_at_{end}" for end in ENDS]
+    if ends[0] in solution.problem.names:
+        return dict.fromkeys(ends, 0.5)
+    return {f"backlash_{axis}": 1.0}
+
+
+def _scale_errors(solution: Solution) -> Iterator[_ReportedCause]:
     """Yield e_x and e_y, um/m: the mean radius deviation over R plus and minus a quarter of the
     mismatch over R.
     """
+    samples = solution.problem.samples
     for axis, sign, shape in (
         ("first", 1.0, np.cos(samples.theta) ** 2),
         ("second", -1.0, np.sin(samples.theta) ** 2),
     ):
-        gradient = np.zeros(len(fitted.names))
-        gradient[fitted.names.index("_radius")] = 1e6 / samples.radius
-        gradient[fitted.names.index("scale_mismatch")] = sign * 0.25 * UM * 1e6 / samples.radius
-        value = float(gradient @ fitted.values)
+        parts = {
+            "_radius": 1e6 / samples.radius,
+            "scale_mismatch": sign * 0.25 * UM * 1e6 / samples.radius,
+        }
+        cause = _linear(solution, f"scale_error_{axis}", parts, detail=True)
         yield _ReportedCause(
-            f"scale_error_{axis}",
-            value,
-            gradient,
-            1e-6 * value * samples.radius * shape,
+            name=cause.name,
+            value=cause.value,
+            drawn=cause.drawn,
+            curve=1e-6 * cause.value * samples.radius * shape,
             detail=True,
         )
 
 
-def _spike(cause: _ReportedCause) -> _ReportedCause:
-    """Return a spike with its height not below zero."""
-    inward = cause.value < 0.0
-    curve = np.zeros_like(cause.curve) if inward else cause.curve
-    return _ReportedCause(cause.name, max(cause.value, 0.0), cause.gradient, curve, positive=True)
+def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
+    """Yield the spike of an axis, the mean of its ends, then that of each end, and where both
+    directions are likely to differ that of each direction.
+    """
+    found = [spike for spike in solution.draws.spikes if spike.reversal.axis == axis]
+    if not found:
+        return
+    ends = [_spike(solution, spike) for spike in found]
+    yield _ReportedCause(
+        name=f"reversal_spike_{axis}",
+        value=float(np.mean([end.value for end in ends])),
+        drawn=np.mean([end.drawn for end in ends], axis=0),
+        curve=np.sum([end.curve for end in ends], axis=0),
+        positive=True,
+        variance=float(np.sum([end.variance for end in ends])) / len(ends) ** 2,
+        reason=next((end.reason for end in ends if end.reason), ""),
+    )
+    for spike, end in zip(found, ends, strict=True):
+        yield end
+        if spike.unlike > 0.5:
+            for index, sense in enumerate(("ccw", "cw")):
+                yield _spike(solution, spike, index, f"_{sense}")
 
 
-def _cyclic(
-    samples: Samples, fitted: Fit, found: Search, axis: str, radial: FloatArray
-) -> Iterator[_ReportedCause]:
+def _spike(
+    solution: Solution, spike: SpikeDraws, index: int | None = None, suffix: str = ""
+) -> _ReportedCause:
+    """Return the spike of one reversal point, in both directions or the one of ``index``.
+
+    Its variance holds what the samples cannot tell: how far before the first sample the axis
+    reversed (lag), whether the rise belongs to the spike or to the bandwidth of the instrument, and
+    a spike too small to be found.
+    """
+    samples = solution.problem.samples
+    pick = slice(None) if index is None else slice(index, index + 1)
+    heights = np.mean(spike.heights[:, pick], axis=1)
+    inward = float(np.mean(spike.depths[:, pick])) > 2.0 * float(np.mean(heights))
+    value = 0.0 if inward else float(np.mean(heights))
+    decay = np.where(spike.decay > 0.0, spike.decay, np.inf)
+    late = np.hypot(samples.lag_doubt * samples.radius, _RESPONSE * samples.speed) / decay
+    slow = np.mean(spike.extrapolated[:, pick], axis=1)
+    variance = (
+        float(np.mean((heights * late) ** 2)) / 3.0
+        + float(np.mean((slow - heights) ** 2)) / 12.0
+        + (1.0 - spike.there) * spike.least_error**2
+    )
+    error = float(np.sqrt(np.var(heights) + variance))
+    axis, end = spike.reversal.axis, spike.reversal.end
+    time = 1e3 / samples.speed
+    likely = spike.there > 0.5
+    more = {
+        "decay": time * float(np.median(spike.decay)) if likely else None,
+        "rise": time * float(np.median(spike.rise)) if likely else None,
+        "raw_peak": raw_peak(solution, axis, end),
+    }
+    columns = solution.problem.spikes[:, spike.reversal.alike - len(solution.problem.names)]
+    curve = columns @ np.mean(spike.curve[pick], axis=0)
+    return _ReportedCause(
+        name=f"reversal_spike_{axis}_at_{end}{suffix}",
+        value=value,
+        drawn=heights,
+        curve=curve if value > 0.0 else np.zeros_like(curve),
+        detail=True,
+        positive=True,
+        variance=variance,
+        more=more,
+        reason=(
+            "the samples after the reversal are too few to tell a spike from lost motion: sample"
+            " faster or lower the feed"
+            if error > max(_NO_SPIKE, value)
+            else ""
+        ),
+    )
+
+
+def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
     """Yield the amplitude of a cyclic error, sqrt(a² + b² - σ²), because the root of two squares is
     too large by the noise in them (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995);
     where none was found 0 ± half of what may be hidden.
     """
-    gradient = np.zeros(len(fitted.names))
-    if axis not in fitted.shapes.frequencies:
-        if axis in found.hidden:
-            hidden = 0.5 * found.hidden[axis]
+    count = solution.draws.values.shape[0]
+    name = f"cyclic_{axis}"
+    if axis not in solution.frequencies:
+        if axis in solution.hidden:
             yield _ReportedCause(
-                f"cyclic_{axis}",
-                0.0,
-                gradient,
-                np.zeros_like(samples.theta),
+                name=name,
+                value=0.0,
+                drawn=np.zeros(count),
+                curve=np.zeros_like(solution.problem.samples.theta),
                 positive=True,
-                variance=hidden**2,
+                variance=(0.5 * solution.hidden[axis]) ** 2,
             )
         return
-    pair = [fitted.names.index(f"_cyclic_{part}_{axis}") for part in ("cos", "sin")]
-    values = fitted.values[pair]
-    amplitude = float(np.hypot(*values))
-    gradient[pair] = values / max(amplitude, 1e-12)
-    variance = np.diag(fitted.covariance)[pair]
-    fair = float(np.sqrt(max(amplitude**2 - float(np.mean(variance)), 0.0)))
-    yield _ReportedCause(f"cyclic_{axis}", fair, gradient, radial[:, pair] @ values, positive=True)
+    parts = [f"_cyclic_{part}_{axis}" for part in ("cos", "sin")]
+    change = [f"_cyclic_{part}_change_{axis}" for part in ("cos", "sin")]
+    # The mean square over both directions of a ± b is a² + b².
+    both = change[0] in solution.problem.names
+    value, drawn, curve = _amplitude(solution, [*parts, *(change if both else [])], 1)
+    cosine, sine = (solution.values[part] for part in parts)
+    more = {
+        "period": 1.0 / solution.frequencies[axis],
+        "phase": float(np.degrees(np.arctan2(sine, cosine))),
+    }
+    yield _ReportedCause(name=name, value=value, drawn=drawn, curve=curve, positive=True, more=more)
 
 
-def _separation(
-    test: CircularTest,
-    samples: Samples,
-    fitted: Fit,
-    causes: tuple[_ReportedCause, ...],
-    correlation: FloatArray,
-) -> Iterator[Finding]:
-    """Say which causes the test cannot tell apart: one direction, an arc, a missing reversal
-    point.
+def _amplitude(
+    solution: Solution, parts: list[str], runs: int
+) -> tuple[float, FloatArray, FloatArray]:
+    """Return the root of the sum of squares of ``parts`` over ``runs``, less their variances, its
+    draws and its curve.
     """
-    condition = _condition(fitted)
-    poor = []
-    for index, cause in enumerate(causes):
-        own = np.flatnonzero(cause.gradient)
-        if cause.detail or own.size != 1:
-            continue
-        factor = float(np.sqrt(fitted.covariance[own[0], own[0]] * fitted.information[own[0]]))
-        if factor > _INFLATED:
-            others = np.abs(correlation[index]) * np.array(
-                [not other.detail and other is not cause for other in causes]
-            )
-            poor.append(
-                f"{cause.name} (x {factor:.0f}, with {causes[int(np.argmax(others))].name})"
-            )
-    listed = ", ".join(poor) or "none"
-    tail = f"standard errors that this multiplies: {listed}; condition {condition:.0f}"
-    if not samples.both_senses:
-        message = (
-            "one direction only: what depends on the direction cannot be separated from what"
-            " does not;"
-            f" {tail}"
-        )
-        yield Finding("CW-D001", "warning", message)
-    if not test.full_circle:
-        yield Finding(
-            "CW-D002",
-            "warning",
-            f"an arc of {test.arc[1]:g}° tells the causes apart less well than a circle; {tail}",
-        )
-    for axis, name in zip(AXES, test.axes, strict=True):
-        ends = samples.reversals(axis)
-        if not any(ends):
-            message = (
-                f"the arc holds no reversal point of {name}: its lost motion, lateral play and"
-                " reversal spike are not determined"
-            )
-            yield Finding("CW-D005", "warning", message)
-        elif not all(ends):
-            end = "positive" if ends[0] else "negative"
-            message = (
-                f"the arc holds one reversal point of {name} only: its lost motion is that at the"
-                f" {end} end"
-            )
-            yield Finding("CW-D005", "info", message)
+    index = np.array([solution.problem.names.index(part) for part in parts])
+    mean = np.mean(solution.draws.values, axis=0)[index]
+    power = float(np.sum(mean**2)) / runs
+    noise = float(np.sum(np.var(solution.draws.values[:, index], axis=0))) / runs
+    gradient = mean / max(np.sqrt(power), 1e-12) / runs
+    drawn = (solution.draws.values[:, index] - mean) @ gradient
+    value = float(np.sqrt(max(power - 0.5 * noise, 0.0)))
+    return value, value + drawn, solution.problem.slopes[:, index] @ mean
 
 
-def _condition(fitted: Fit) -> float:
-    """Return the condition of the fit: of the correlation matrix of its linear columns, as a ratio
-    of lengths (Belsley, Kuh and Welsch, Regression Diagnostics, 1980, chapter 3).
-    """
-    linear = [
-        index
-        for index, name in enumerate(fitted.names)
-        if not name.startswith(("_length_", "_frequency_"))
-    ]
-    errors = np.sqrt(np.diag(fitted.covariance)[linear])
-    values = np.linalg.eigvalsh(
-        fitted.covariance[np.ix_(linear, linear)] / np.outer(errors, errors)
+def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
+    samples = solution.problem.samples
+    none, still = np.zeros(solution.draws.values.shape[0]), np.zeros_like(samples.theta)
+
+    def stated(
+        name: str, found: tuple[float, float] | None, reason: str, *, detail: bool
+    ) -> _ReportedCause:
+        value, error = found or (0.0, 0.0)
+        return _ReportedCause(
+            name=name,
+            value=value,
+            drawn=none,
+            curve=still,
+            detail=detail,
+            positive=True,
+            variance=error**2,
+            reason="" if found else reason,
+        )
+
+    yield _vibration(solution)
+    for axis in AXES:
+        reason = f"the arc has too few samples where the {axis} axis reverses: {FULL_CIRCLE}"
+        yield stated(f"stick_slip_{axis}", stick_slip(solution, axis), reason, detail=False)
+    for order in (2, 3):
+        found = lobes(solution, order) if test.full_circle else None
+        reason = f"lobes belong to a closed circle: {FULL_CIRCLE}"
+        yield stated(f"lobes_{order}", found, reason, detail=True)
+    found = positional_tolerance(solution, calibrated=test.calibrated) if test.full_circle else None
+    reason = f"an arc does not show the errors of the whole square: {FULL_CIRCLE}"
+    yield stated("positional_tolerance", found, reason, detail=True)
+
+
+def _vibration(solution: Solution) -> _ReportedCause:
+    """Return the amplitude of the vibration, or 0 ± half of what may be hidden."""
+    samples, found = solution.problem.samples, solution.vibration
+    if found.frequency is None:
+        known = np.isfinite(found.hidden)
+        span = float(np.ptp(times(samples)))
+        return _ReportedCause(
+            name="vibration",
+            value=0.0,
+            drawn=np.zeros(solution.draws.values.shape[0]),
+            curve=np.zeros_like(samples.theta),
+            positive=True,
+            variance=(0.5 * found.hidden) ** 2 if known else 0.0,
+            more={"frequency": None},
+            reason="" if known else f"the {span:.3g} s of the run have too few samples",
+        )
+    runs = np.unique(samples.run)
+    parts = [f"_vibration_{part}_{int(number)}" for number in runs for part in ("cos", "sin")]
+    value, drawn, curve = _amplitude(solution, parts, runs.size)
+    return _ReportedCause(
+        name="vibration",
+        value=value,
+        drawn=drawn,
+        curve=curve,
+        positive=True,
+        variance=(_BANDWIDTH * value) ** 2,
+        more={"frequency": found.frequency},
     )
-    return float(np.sqrt(values[-1] / max(values[0], 1e-16)))
-
-
-def _scale_findings(
-    test: CircularTest, samples: Samples, effects: dict[str, CircularEffect]
-) -> Iterator[Finding]:
-    if not test.calibrated:
-        message = (
-            "the length of the bar was not calibrated: the scale of single axes is not given, only"
-            " their mismatch"
-        )
-        yield Finding("CW-D003", "info", message)
-        return
-    doubt = shrink_doubt(samples) / samples.radius * 1e6
-    if doubt > 0.5 * effects["scale_error_first"].std_error:
-        most = (
-            samples.speed**2 / (2.0 * SOFTEST_LOOP**2 * samples.radius) * MICROMETRES_PER_MILLIMETRE
-        )
-        message = (
-            f"at {test.feed:g} mm/min a soft position loop makes the circle up to {most:.1f} µm"
-            f" smaller: the scale of single axes is uncertain by {doubt:.0f} µm/m for that; a"
-            " second test at a low feed settles it"
-        )
-        yield Finding("CW-D004", "warning", message)
-
-
-def _shape_findings(
-    test: CircularTest,
-    samples: Samples,
-    fitted: Fit,
-    found: Search,
-    effects: dict[str, CircularEffect],
-) -> Iterator[Finding]:
-    for axis, name in zip(AXES, test.axes, strict=True):
-        if axis in fitted.shapes.frequencies and axis not in fitted.shapes.given:
-            pitch = 1.0 / fitted.shapes.frequencies[axis]
-            yield Finding(
-                "CW-D006",
-                "info",
-                f"a cyclic error of {name} was found at a pitch of {pitch:.4g} mm",
-            )
-        elif axis in found.hidden and axis not in fitted.shapes.frequencies:
-            message = (
-                f"no cyclic error of {name} was found; one of less than"
-                f" {significant(found.hidden[axis])} µm may be hidden"
-            )
-            yield Finding("CW-D007", "info", message)
-        key = f"reversal_spike_{axis}"
-        if key in effects:
-            height, error = fitted.value(key), effects[key].std_error
-            if height < -3.0 * error:
-                message = (
-                    f"{name} is {significant(-height)} µm inside after its reversals: its backlash"
-                    " compensation may be too strong"
-                )
-                yield Finding("CW-D008", "warning", message)
-    length = float(np.mean([spectrum.length for spectrum in fitted.spectra]))
-    if length > 0.1 * samples.theta.size / np.unique(samples.run).size:
-        rms = float(np.sqrt(np.mean(fitted.residual**2))) * MICROMETRES_PER_MILLIMETRE
-        message = (
-            f"{significant(rms)} µm of deviation has a shape that no cause explains; the standard"
-            " errors allow for it"
-        )
-        yield Finding("CW-D010", "info", message)

@@ -89,7 +89,9 @@ class CircularEffect:
     radial effect over both runs, µm.
 
     ``share`` is ``effect`` over the sum of all effects. ``low``: lower end of a one-sided 95 %
-    interval where the value cannot be negative; None else.
+    interval where the value cannot be negative; None else. ``more``: what belongs to the value, by
+    JSON name (``frequency`` Hz of a vibration, ``period`` mm and ``phase`` deg of a cyclic error,
+    ``decay`` ms, ``rise`` ms and ``raw_peak`` um of a spike).
     """
 
     value: float
@@ -98,6 +100,7 @@ class CircularEffect:
     effect: float
     share: float
     low: float | None = None
+    more: Mapping[str, float | None] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

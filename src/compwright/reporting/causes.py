@@ -30,7 +30,18 @@ _WORDS: Final = {
     "cyclic": "Cyclic error {axis}",
     "straightness": "Straightness {axis}",
     "scale_error": "Scale error {axis}",
+    "backlash_mismatch": "Lost motion {first} − {second}",
+    "offset_change": "Centre change {axis}, ccw − cw",
+    "spiral": "Spiral (drift during a run)",
+    "master_slave": "Master-slave changeover",
+    "vibration": "Vibration",
+    "stick_slip": "Stick-slip {axis}",
+    "lobes_2": "Two lobes",
+    "lobes_3": "Three lobes",
+    "positional_tolerance": "Positional tolerance",
 }
+#: Values that sum up causes which are listed.
+_SUMMARIES: Final = ("backlash_mismatch", "lobes_2", "lobes_3", "positional_tolerance")
 #: Contract name -> name that Renishaw software prints (A the first axis of the plane, B the
 #: second). Only quantities that are the same thing: spikes and cyclic errors are printed per
 #: reversal and per direction.
@@ -46,7 +57,14 @@ _PRINTED: Final = {
     "straightness": "AF_STRAIGHTNESS_{letter}",
     "scale_error": "AF_SCALE_ERROR_{letter}",
 }
-_PARTS: Final = {"at_positive": "at {axis}+", "at_negative": "at {axis}−"}
+_PARTS: Final = {
+    "at_positive": "at {axis}+",
+    "at_negative": "at {axis}−",
+    "at_positive_ccw": "at {axis}+ ccw",
+    "at_positive_cw": "at {axis}+ cw",
+    "at_negative_ccw": "at {axis}− ccw",
+    "at_negative_cw": "at {axis}− cw",
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -124,7 +142,9 @@ def ranked_causes(result: Mapping[str, Any]) -> list[CircleCause]:
     none without a diagnosis. A cause without a value is left out: ``not_applicable`` says why.
     """
     entries = _given(result)
-    causes = [_cause(name, result) for name in entries if _whole(name) == name]
+    causes = [
+        _cause(name, result) for name in entries if _whole(name) == name and name not in _SUMMARIES
+    ]
     return sorted(
         causes, key=lambda cause: -cause.effect
     )  # stable: equals stay in the order of the document

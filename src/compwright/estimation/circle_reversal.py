@@ -1,0 +1,336 @@
+"""Shape of the deviation after each reversal point: which decays it is made of, averaged over all
+that fit.
+
+After a reversal the axis is off by its lost motion and by a spike of unknown height, rise and decay
+(ISO 230-4:1996, B.3.1). The spike is a sum of up to `SLOTS` decays from a dictionary: one decay is
+a sharp spike, a slow one less a fast one has a rise. Every reversal point has a shape of its own,
+in both directions alike or not. All these are hypotheses with prior probabilities; they are drawn
+in proportion to their evidence, one decay at a time with all others and the causes integrated
+(Gibbs sampling of collapsed models: Liu, Journal of the American Statistical Association 89, 1994;
+George and McCulloch, Statistica Sinica 7, 1997).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.circle_fit import Marginal, Problem, Reversal, Weighted, spacing_of
+from compwright.estimation.circle_model import RARE
+from compwright.estimation.circle_noise import IndexArray
+from compwright.records.axis import FloatArray
+
+#: Decays that a spike may be the sum of.
+SLOTS: Final = 2
+#: Prior probability that a decay is there, and that the two directions differ in it.
+_THERE: Final = 0.5
+_UNLIKE: Final = 0.1
+#: Sweeps over all reversal points to find the likeliest shapes, to forget the start, and to draw.
+_CLIMBS: Final = 4
+_FORGOTTEN: Final = 6
+_SWEEPS: Final = 40
+#: Added to the diagonal of scaled normal equations: readings without noise leave only rounding.
+_ROUNDING: Final = 1e-10
+#: Rare causes are drawn in every so many sweeps.
+_RARELY: Final = 3
+#: Time in which a reversal spike usually dies out, s.
+_USUAL: Final = 0.03
+#: Pairs of draws of the causes for each drawn choice of shapes.
+_PAIRS: Final = 6
+
+
+class Shapes:
+    """The decays in the model: for each reversal point and slot the index of its length, or -1, and
+    whether the directions differ.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        self.present = dict.fromkeys(RARE, True)
+        self.adopt(problem)
+        self.place = np.full((len(self.reversals), SLOTS), -1)
+        self.unlike = np.zeros((len(self.reversals), SLOTS), dtype=bool)
+
+    def adopt(self, problem: Problem) -> None:
+        """Keep the shapes for a problem with other columns."""
+        self.reversals = problem.reversals
+        self.count = len(problem.names)
+        self.always = np.array([i for i, n in enumerate(problem.names) if n not in RARE])
+        self.rare = {n: i for i, n in enumerate(problem.names) if n in RARE}
+
+    def columns(self, reversal: int, slot: int) -> list[int]:
+        """Return the columns of one slot."""
+        place, here = self.place[reversal, slot], self.reversals[reversal]
+        if place < 0:
+            return []
+        own = [int(here.alike[place])]
+        return [*own, int(here.unlike[place])] if self.unlike[reversal, slot] else own
+
+    def chosen(self, but: tuple[int, int] | str | None = None) -> IndexArray:
+        """Return the spikes and rare causes in the model, less those of one slot or name."""
+        rare = [column for name, column in self.rare.items() if self.present[name] and name != but]
+        found = [
+            column
+            for reversal in range(len(self.reversals))
+            for slot in range(SLOTS)
+            if (reversal, slot) != but
+            for column in self.columns(reversal, slot)
+        ]
+        return np.array(rare + found, dtype=np.intp)
+
+    def active(self) -> IndexArray:
+        """Return all columns in the model."""
+        return np.concatenate([self.always, self.chosen()])
+
+    def slots(self) -> Iterator[tuple[int, int]]:
+        """Yield every reversal point and slot."""
+        for slot in range(SLOTS):
+            for reversal in range(len(self.reversals)):
+                yield reversal, slot
+
+
+def likeliest(weighted: Weighted, shapes: Shapes) -> None:
+    """Change the shapes, one at a time, to the likeliest ones until none changes."""
+    marginal = weighted.without(shapes.always)
+    for _ in range(_CLIMBS):
+        before = shapes.place.copy(), shapes.unlike.copy(), dict(shapes.present)
+        for reversal, slot in shapes.slots():
+            _set(
+                shapes, reversal, slot, int(np.argmax(_evidence(marginal, shapes, reversal, slot)))
+            )
+        for name in shapes.rare:
+            shapes.present[name] = _odds(marginal, shapes, name)[0] > 0.0
+        same = np.array_equal(before[0], shapes.place) and np.array_equal(before[1], shapes.unlike)
+        if same and before[2] == shapes.present:
+            break
+
+
+def _set(shapes: Shapes, reversal: int, slot: int, option: int) -> None:
+    count = len(shapes.reversals[reversal].shapes)
+    shapes.place[reversal, slot] = -1 if option == 0 else (option - 1) % count
+    shapes.unlike[reversal, slot] = option > count
+
+
+def _added(
+    marginal: Marginal, chosen: IndexArray, tried: IndexArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return what columns ``tried`` (t,) find left beside the ``chosen`` ones: right side (t,),
+    weight (t,) with their prior, and the inner products (c, t) of what the chosen ones take of them
+    (columns added to a regression with normal priors: Seber and Lee, Linear Regression Analysis,
+    2nd ed. 2003, section 3.7).
+    """
+    prior = marginal.precision[tried]
+    weight = marginal.gram[tried, tried]
+    if not chosen.size:
+        return marginal.right[tried], np.maximum(weight, 0.0) + prior, np.zeros((0, tried.size))
+    normal = marginal.gram[np.ix_(chosen, chosen)]
+    normal.flat[:: chosen.size + 1] += marginal.precision[chosen]
+    unit = 1.0 / np.sqrt(np.diag(normal))
+    root = np.linalg.cholesky(normal * np.outer(unit, unit) + _ROUNDING * np.eye(unit.size))
+    both = np.column_stack([marginal.gram[np.ix_(chosen, tried)], marginal.right[chosen]])
+    inner = np.linalg.solve(root, both * unit[:, np.newaxis])
+    known = inner[:, :-1]
+    weight = np.maximum(weight - np.sum(known**2, axis=0), 0.0) + prior
+    return marginal.right[tried] - known.T @ inner[:, -1], weight, known
+
+
+def _odds(marginal: Marginal, shapes: Shapes, name: str) -> tuple[float, float]:
+    """Return the logarithm of the odds that a rare cause is there, and the standard error that it
+    then has in its unit.
+    """
+    column = shapes.rare[name]
+    rest, weight, _ = _added(marginal, shapes.chosen(name), np.array([column]))
+    gain = 0.5 * rest**2 / weight - 0.5 * np.log(weight / marginal.precision[column])
+    odds = RARE[name] / (1.0 - RARE[name])
+    return float(np.log(odds) + gain[0]), float(1.0 / np.sqrt(weight[0]))
+
+
+def _evidence(marginal: Marginal, shapes: Shapes, reversal: int, slot: int) -> FloatArray:
+    """Return the logarithm of prior times evidence of every option of a slot: no spike, each shape
+    alike in both directions, each shape with a difference (1 + 2 m,); with one direction (1 + m,).
+    """
+    here = shapes.reversals[reversal]
+    tried = np.concatenate([here.alike, here.unlike])
+    rest, weight, known = _added(marginal, shapes.chosen((reversal, slot)), tried)
+    prior = marginal.precision[tried]
+    count = here.alike.size
+    alike = 0.5 * rest[:count] ** 2 / weight[:count] - 0.5 * np.log(weight[:count] / prior[:count])
+    there = np.log(_THERE / count)
+    if not here.unlike.size:
+        return np.concatenate([[np.log(1.0 - _THERE)], there + alike])
+    cross = marginal.gram[here.alike, here.unlike] - np.sum(
+        known[:, :count] * known[:, count:], axis=0
+    )
+    left = np.maximum(weight[count:] - cross**2 / weight[:count], prior[count:])
+    more = rest[count:] - cross / weight[:count] * rest[:count]
+    unlike = alike + 0.5 * more**2 / left - 0.5 * np.log(left / prior[count:])
+    return np.concatenate(
+        [
+            [np.log(1.0 - _THERE)],
+            there + np.log(1.0 - _UNLIKE) + alike,
+            there + np.log(_UNLIKE) + unlike,
+        ]
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Draws:
+    """Causes and spikes drawn from what the data leave open.
+
+    ``values`` (d, p): the columns without decays. ``spikes``: one for each reversal point.
+    ``least_error``: of rare causes by name, the standard error under the model that holds them.
+    """
+
+    values: FloatArray
+    spikes: tuple[SpikeDraws, ...]
+    least_error: dict[str, float]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SpikeDraws:
+    """Drawn spikes of one reversal point: ``heights`` (d, s), outward peak above the lost motion,
+    µm, for both directions (s = 2: ccw, cw) or the one; ``depths`` (d, s), how far they go inward;
+    ``extrapolated`` (d, s): the slowest decay at the reversal; ``decay`` and ``rise`` (to the peak)
+    (d,) mm, 0 without; ``there`` and ``unlike``: probability of a spike, and of different
+    directions; ``curve``: mean amplitude µm of each shape by direction (s, m).
+    """
+
+    reversal: Reversal
+    heights: FloatArray
+    depths: FloatArray
+    extrapolated: FloatArray
+    decay: FloatArray
+    rise: FloatArray
+    there: float
+    unlike: float
+    curve: FloatArray
+    least_error: float
+
+
+def drawn(weighted: Weighted, shapes: Shapes, rng: np.random.Generator) -> Draws:
+    """Return draws over the shapes, from ``shapes``, and of the causes under each of them, in pairs
+    about their mean (antithetic variates: Hammersley and Morton, 1956).
+    """
+    marginal = weighted.without(shapes.always)
+    values, errors = [], dict.fromkeys(shapes.rare, 0.0)
+    recorded = [_Recorder(reversal) for reversal in shapes.reversals]
+    for sweep in range(_FORGOTTEN + _SWEEPS):
+        for reversal, slot in shapes.slots():
+            score = _evidence(marginal, shapes, reversal, slot)
+            chance = np.cumsum(np.exp(score - np.max(score)))
+            option = int(np.searchsorted(chance, rng.random() * chance[-1]))
+            _set(shapes, reversal, slot, min(option, score.size - 1))
+        for name in shapes.rare if sweep % _RARELY == 0 else ():
+            odds, errors[name] = _odds(marginal, shapes, name)
+            shapes.present[name] = bool(np.log(1.0 / max(rng.random(), 1e-300) - 1.0) < odds)
+        if sweep < _FORGOTTEN:
+            continue
+        active = shapes.active()
+        drew = _coefficients(weighted, active, rng)
+        row = np.zeros((drew.shape[0], shapes.count))
+        plain = active < shapes.count
+        row[:, active[plain]] = drew[:, plain]
+        values.append(row)
+        of = {int(column): drew[:, index] for index, column in enumerate(active)}
+        for reversal, recorder in enumerate(recorded):
+            recorder.add(shapes, reversal, of)
+    floors = [_least_error(weighted, marginal, reversal) for reversal in shapes.reversals]
+    return Draws(
+        values=np.concatenate(values),
+        spikes=tuple(
+            recorder.result(floor) for recorder, floor in zip(recorded, floors, strict=True)
+        ),
+        least_error=errors,
+    )
+
+
+def _coefficients(weighted: Weighted, active: IndexArray, rng: np.random.Generator) -> FloatArray:
+    normal = weighted.gram[np.ix_(active, active)] + np.diag(weighted.precision[active])
+    unit = 1.0 / np.sqrt(np.diag(normal))
+    root = np.linalg.cholesky(normal * np.outer(unit, unit) + _ROUNDING * np.eye(unit.size))
+    half = np.linalg.solve(root, unit * weighted.right[active])
+    noise = rng.standard_normal((_PAIRS, active.size))
+    both = np.concatenate([half + noise, half - noise])
+    drew: FloatArray = np.linalg.solve(root.T, both.T).T * unit
+    return drew
+
+
+def _least_error(weighted: Weighted, marginal: Marginal, reversal: Reversal) -> float:
+    """Return the standard error, um, of a single spike that dies out within `_USUAL`: what may be
+    hidden where none was found. A spike that is over before the next sample hides more.
+    """
+    samples = weighted.problem.samples
+    sharp = [i for i, shape in enumerate(reversal.shapes) if not shape.rising]
+    lengths = np.array([reversal.shapes[i].length for i in sharp])
+    usual = _USUAL * samples.speed
+    nearest = int(np.argmin(np.abs(np.log(lengths / usual))))
+    column = reversal.alike[sharp[nearest]]
+    weight = max(marginal.gram[column, column], 0.0) + marginal.precision[column]
+    before = 0.5 * spacing_of(samples)
+    hidden = np.exp(np.clip(before / usual - before / lengths[nearest], 0.0, 20.0))
+    return float(hidden / np.sqrt(weight))
+
+
+class _Recorder:
+    """Spikes of one reversal point, collected draw by draw."""
+
+    def __init__(self, reversal: Reversal) -> None:
+        self.reversal = reversal
+        self.senses = np.array([1.0, -1.0]) if reversal.unlike.size else np.array([1.0])
+        lengths = [shape.length for shape in reversal.shapes]
+        arcs = np.geomspace(0.2 * min(lengths), 5.0 * max(lengths), 48)
+        self.arcs = np.concatenate([[0.0], arcs])
+        self.shapes = np.array([shape(self.arcs) for shape in reversal.shapes])
+        self.parts: list[tuple[FloatArray, ...]] = []
+        self.there = self.unlike = 0
+        self.curve = np.zeros((self.senses.size, len(reversal.shapes)))
+
+    def add(self, shapes: Shapes, index: int, of: dict[int, FloatArray]) -> None:
+        count = next(iter(of.values())).size
+        curve = np.zeros((count, self.senses.size, self.arcs.size))
+        sizes: dict[int, FloatArray] = {}
+        for slot in range(SLOTS):
+            columns = shapes.columns(index, slot)
+            if not columns:
+                continue
+            place = int(shapes.place[index, slot])
+            size = np.repeat(of[columns[0]][:, np.newaxis], self.senses.size, axis=1)
+            if len(columns) > 1:
+                size = size + of[columns[1]][:, np.newaxis] * self.senses
+            self.curve[:, place] += np.mean(size, axis=0)
+            sizes[place] = size
+            curve += size[:, :, np.newaxis] * self.shapes[place]
+        heights = np.maximum(np.max(curve, axis=2), 0.0)
+        depths = np.maximum(-np.min(curve, axis=2), 0.0)
+        decay, rise = np.zeros(count), np.zeros(count)
+        slow = heights
+        if sizes:
+            places = sorted(sizes, key=lambda place: self.reversal.shapes[place].length)
+            longest = self.reversal.shapes[places[-1]]
+            decay += longest.length
+            rise += self.arcs[int(np.argmax(np.mean(curve, axis=(0, 1))))]
+            if len(places) > 1 and not longest.rising and np.mean(sizes[places[0]]) < 0.0:
+                slow = sizes[places[-1]]
+        self.parts.append((heights, depths, slow, decay, rise))
+        self.there += bool(sizes)
+        self.unlike += bool(np.any(shapes.unlike[index] & (shapes.place[index] >= 0)))
+
+    def result(self, least_error: float) -> SpikeDraws:
+        count = len(self.parts)
+        heights, depths, slow, decay, rise = (
+            np.concatenate(part) for part in zip(*self.parts, strict=True)
+        )
+        return SpikeDraws(
+            reversal=self.reversal,
+            heights=heights,
+            depths=depths,
+            extrapolated=slow,
+            decay=decay,
+            rise=rise,
+            there=self.there / count,
+            unlike=self.unlike / count,
+            curve=self.curve / count,
+            least_error=least_error,
+        )

@@ -1,0 +1,61 @@
+"""What the fit of a circular test found, before it is put into the contract's names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.estimation.circle_fit import Fit, Problem
+from compwright.estimation.circle_reversal import Draws
+from compwright.estimation.circle_vibration import Vibration
+from compwright.records.axis import FloatArray
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Solution:
+    """``fitted``: the likeliest shapes; ``draws``: causes and spikes over all shapes.
+
+    ``frequencies`` 1/mm of cyclic errors by axis, ``given`` those that were not sought, ``hidden``
+    um that may have been missed, by axis.
+    """
+
+    problem: Problem
+    fitted: Fit
+    draws: Draws
+    frequencies: Mapping[str, float]
+    given: frozenset[str]
+    hidden: Mapping[str, float]
+    vibration: Vibration
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Return the means of the columns that are always in the model, by name."""
+        mean = np.mean(self.draws.values, axis=0)
+        return dict(zip(self.problem.names, (float(value) for value in mean), strict=True))
+
+    @property
+    def spikes(self) -> FloatArray:
+        """Return what the mean spikes do to every sample, mm (n,)."""
+        samples, shapes = self.problem.samples, self.problem.spikes
+        total = np.zeros(samples.theta.size)
+        first = len(self.problem.names)
+        for spike in self.draws.spikes:
+            columns = shapes[:, spike.reversal.alike - first]
+            for sense, curve in zip((1.0, -1.0), spike.curve, strict=False):
+                mine = samples.sense == sense if len(spike.curve) == 2 else slice(None)
+                total[mine] += columns[mine] @ curve
+        return total
+
+    @property
+    def smooth(self) -> FloatArray:
+        """Return the deviations without spikes, as the mean of the model has them, mm (n,)."""
+        fitted: FloatArray = self.problem.slopes @ np.mean(self.draws.values, axis=0)
+        return fitted
+
+    @property
+    def residual(self) -> FloatArray:
+        """Return what the model leaves of every sample, mm (n,)."""
+        rest: FloatArray = self.problem.target - self.smooth - self.spikes
+        return rest

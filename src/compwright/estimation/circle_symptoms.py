@@ -1,0 +1,137 @@
+"""Symptoms of a circular test that follow from the fit or its residuals: raw peaks, stick-slip,
+lobes and positional tolerance.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.circle_model import UM
+from compwright.estimation.circle_solution import Solution
+from compwright.records.axis import FloatArray
+
+#: Arc, rad, after a reversal in which its peak lies, and about it in which an axis is slow.
+_PEAK: Final = np.radians(10.0)
+_SLOW: Final = np.radians(12.0)
+_MOST_DRAWS: Final = 64
+
+
+def raw_peak(solution: Solution, axis: str, end: str) -> float | None:
+    """Return the highest reading after the reversals of an axis at one end above the path without
+    spikes, um: the mean of the runs. None where no sample is near.
+    """
+    samples = solution.problem.samples
+    start = (0.0 if axis == "first" else 0.5 * np.pi) + (0.0 if end == "positive" else np.pi)
+    since = np.mod(samples.sense * (samples.theta - start), 2.0 * np.pi)
+    above = (solution.problem.target - solution.smooth) / UM
+    peaks = [
+        float(np.max(above[mine]))
+        for number in np.unique(samples.run)
+        if np.any(mine := (samples.run == number) & (since < _PEAK))
+    ]
+    return float(np.mean(peaks)) if peaks else None
+
+
+def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
+    """Return the amplitude of irregular motion, um, where an axis is slow (within 12° of its
+    reversals), and its standard error: the root of twice the variance of the residuals there less
+    that of the other samples. None where the arc has no reversal of the axis.
+
+    Standard errors by the chi-square law of a variance, with as many independent samples as the
+    correlation length of the residuals leaves (Bartlett, J. Royal Statistical Society Suppl. 8,
+    1946).
+    """
+    problem = solution.problem
+    samples, residual = problem.samples, solution.residual / UM
+    if not any(samples.reversals(axis)):
+        return None
+    own, other = np.sin(samples.theta), np.cos(samples.theta)
+    if axis == "second":
+        own, other = other, own
+    slow, fast = np.abs(own) < np.sin(_SLOW), np.abs(other) >= np.sin(_SLOW)
+    fast &= ~slow
+    length = max(float(np.mean([s.length for s in solution.fitted.spectra])), 1.0)
+    counts = [float(np.sum(part)) / length for part in (slow, fast)]
+    if min(counts) < 8.0:
+        return None
+    variances = [float(np.mean(residual[part] ** 2)) for part in (slow, fast)]
+    error = np.sqrt(sum(2.0 * v**2 / n for v, n in zip(variances, counts, strict=True)))
+    excess = max(variances[0] - variances[1], 0.0)
+    amplitude = float(np.sqrt(2.0 * excess))
+    # Near zero the root is not straight: there the amplitude of one standard error counts.
+    return amplitude, float(min(error / max(amplitude, 1e-12), np.sqrt(2.0 * error)))
+
+
+def lobes(solution: Solution, order: int) -> tuple[float, float]:
+    """Return the amplitude of ``order`` lobes in the mean of both directions, um, and its standard
+    error: sqrt(a² + b² - σ²) of the harmonic a cos nθ + b sin nθ of the readings (Gudbjartsson and
+    Patz, Magnetic Resonance in Medicine 34, 1995), σ from the spectrum of the residuals at that
+    order. Lobes of order 2: scale and squareness, of order 3: straightness (ISO 230-4:1996, annex
+    B).
+    """
+    problem = solution.problem
+    samples = problem.samples
+    rows = [np.ones_like(samples.theta)]
+    for each in range(1, 6):
+        rows += [np.cos(each * samples.theta), np.sin(each * samples.theta)]
+    matrix = np.column_stack([*rows, *(samples.sense * row for row in rows)])
+    if not samples.both_senses:
+        matrix = matrix[:, : len(rows)]
+    solved = np.linalg.solve(matrix.T @ matrix, matrix.T @ (problem.target / UM))
+    power = float(solved[2 * order - 1] ** 2 + solved[2 * order] ** 2)
+    density = float(solution.fitted.spectra[0].density[2 * order]) / UM**2
+    variance = 2.0 * density / samples.theta.size
+    return float(np.sqrt(max(power - variance, 0.0))), float(np.sqrt(variance))
+
+
+def positional_tolerance(solution: Solution, *, calibrated: bool) -> tuple[float, float]:
+    """Return the largest distance between the errors of two points of the square around the
+    circle, um, and its standard error: errors of position that do not depend on the feed (scale,
+    squareness, straightness, lost motion, lateral play, cyclic errors), at the corners, the middles
+    of the sides and the centre, approached from either side by both axes.
+
+    With a bar of unknown length only the mismatch of the scales counts. A definition of this
+    project: the formula of instrument makers is not published.
+    """
+    draws = solution.draws.values[:: max(solution.draws.values.shape[0] // _MOST_DRAWS, 1)]
+    spread = np.array([_spread(solution, draw, calibrated=calibrated) for draw in draws])
+    return float(np.mean(spread)), float(np.std(spread))
+
+
+def _spread(solution: Solution, draw: FloatArray, *, calibrated: bool) -> float:
+    values = dict(zip(solution.problem.names, (float(value) for value in draw), strict=True))
+    radius = solution.problem.samples.radius
+    mean = values["_radius"] / UM / radius if calibrated else 0.0
+    mismatch = 0.25 * values["scale_mismatch"] / radius
+    grid = np.array(np.meshgrid([-1.0, 0.0, 1.0], [-1.0, 0.0, 1.0], [-1.0, 1.0], [-1.0, 1.0]))
+    x, y, toward_x, toward_y = grid.reshape(4, -1)
+    sides = {}
+    for axis, place in (("first", x), ("second", y)):
+        both = values.get(f"backlash_{axis}", 0.0)
+        positive = values.get(f"backlash_{axis}_at_positive", both)
+        negative = values.get(f"backlash_{axis}_at_negative", both)
+        sides[axis] = 0.5 * (positive + negative) + 0.5 * (positive - negative) * place
+    error_x = (
+        (mean + mismatch) * radius * x
+        - 0.5e-3 * values["squareness"] * radius * y  # half each: a rotation is no error
+        + values["straightness_second"] * y**2
+        - 0.5 * sides["first"] * toward_x
+        + 0.5 * values["lateral_play_second"] * toward_y
+    )
+    error_y = (
+        (mean - mismatch) * radius * y
+        - 0.5e-3 * values["squareness"] * radius * x
+        + values["straightness_first"] * x**2
+        - 0.5 * sides["second"] * toward_y
+        + 0.5 * values["lateral_play_first"] * toward_x
+    )
+    cyclic = [
+        math.hypot(*(values.get(f"_cyclic_{part}_{axis}", 0.0) for part in ("cos", "sin")))
+        for axis in ("first", "second")
+    ]
+    wide = np.abs(error_x[:, np.newaxis] - error_x) + 2.0 * cyclic[0]
+    high = np.abs(error_y[:, np.newaxis] - error_y) + 2.0 * cyclic[1]
+    return float(np.max(np.hypot(wide, high)))
