@@ -143,8 +143,8 @@ def _prior_reason(cause: _ReportedCause, samples: Samples) -> str:
         return ""
     unit = UNITS.get(cause.name, "um").replace("um", "µm")
     return (
-        "not determinable: the samples add little to what machines have,"
-        f" ±{width:g} {unit} (standard deviation): {FULL_CIRCLE}"
+        f"{cause.value:+.3g} ± {2.0 * cause.std_error:.2g} {unit} is not known well enough: the"
+        f" samples add little to what machines have (±{width:g}, standard deviation): {FULL_CIRCLE}"
     )
 
 
