@@ -176,7 +176,7 @@ def _evidence(marginal: Marginal, shapes: Shapes, reversal: int, slot: int) -> F
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Draws:
+class CircleDraws:
     """Causes and spikes drawn from what the data leave open.
 
     ``values`` (d, p): the columns without decays. ``spikes``: one for each reversal point.
@@ -209,7 +209,7 @@ class SpikeDraws:
     least_error: float
 
 
-def drawn(weighted: Weighted, shapes: Shapes, rng: np.random.Generator) -> Draws:
+def drawn(weighted: Weighted, shapes: Shapes, rng: np.random.Generator) -> CircleDraws:
     """Return draws over the shapes, from ``shapes``, and of the causes under each of them, in pairs
     about their mean (antithetic variates: Hammersley and Morton, 1956).
     """
@@ -237,7 +237,7 @@ def drawn(weighted: Weighted, shapes: Shapes, rng: np.random.Generator) -> Draws
         for reversal, recorder in enumerate(recorded):
             recorder.add(shapes, reversal, of)
     floors = [_least_error(weighted, marginal, reversal) for reversal in shapes.reversals]
-    return Draws(
+    return CircleDraws(
         values=np.concatenate(values),
         spikes=tuple(
             recorder.result(floor) for recorder, floor in zip(recorded, floors, strict=True)

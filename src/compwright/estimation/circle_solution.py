@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.estimation.circle_fit import Fit, Problem
-from compwright.estimation.circle_reversal import Draws
+from compwright.estimation.circle_reversal import CircleDraws
 from compwright.estimation.circle_vibration import Vibration
 from compwright.records.axis import FloatArray
 
@@ -23,7 +23,7 @@ class Solution:
 
     problem: Problem
     fitted: Fit
-    draws: Draws
+    draws: CircleDraws
     frequencies: Mapping[str, float]
     given: frozenset[str]
     hidden: Mapping[str, float]
