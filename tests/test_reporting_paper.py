@@ -31,6 +31,7 @@ from compwright.records.axis import AxisKind
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.job import Job, Logo, ReportHead
 from compwright.records.positioning import PositioningTest
+from compwright.reporting.circles import circle_blocks
 from compwright.reporting.evaluation_report import evaluation_report
 from compwright.reporting.paper import conformity, css_string, head
 from compwright.reporting.report_items import BASIS, ITEMS, READ_EDITION, items_of
@@ -418,3 +419,17 @@ def test_a_faulty_logo_is_refused_by_name(tmp_path: Path, content: bytes) -> Non
     with pytest.raises(InputError) as caught:
         read_logo(Session(), "logo.png", tmp_path)
     assert "logo.png" in str(caught.value)
+
+
+def test_conditions_of_a_circle_are_stated_too() -> None:
+    circle = {
+        "kind": "circular", "name": "xy", "standard": "iso230-4:2005", "nominal_radius": 150.0,
+        "axes": ["X", "Y"], "arc": {"start": 0.0, "extent": 360.0}, "header": {"date": "today"},
+    }  # fmt: skip
+    stated = {"xy": {"compensation": "off (job)"}}
+    (block,) = circle_blocks({"xy": {}}, {"results": [circle]}, stated=stated)
+    rows = {row["key"]: (row["value"], row["clause"]) for row in block["sheet"]["rows"]}
+    assert rows["compensation"] == ("off (job)", "4.4 h")
+    assert rows["diameter"] == ("radius 150 mm", "4.4 a")
+    assert rows["range"] == ("from 0° to 360°, 360°", "4.4 g")
+    assert rows["warm_up"] == (NOT_STATED, "")

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final
 
-from compwright.reporting import sections
+from compwright.reporting import paper, sections
 from compwright.reporting.causes import ranked_causes
 from compwright.reporting.numbers import number, plain, symbol
 from compwright.reporting.page import inline_figure
@@ -30,12 +30,16 @@ _MOST_CAUSES: Final = 8
 
 
 def circle_blocks(
-    circles: Mapping[str, Document], before: Document | None, after: Document | None = None
+    circles: Mapping[str, Document],
+    before: Document | None,
+    after: Document | None = None,
+    *,
+    stated: Mapping[str, Mapping[str, str]] | None = None,
 ) -> list[dict[str, Any]]:
     """Return a block for each circle of a prediction or verification document.
 
-    ``before`` and ``after``: the evaluation documents with their results; the picture is that of
-    the last test.
+    ``before`` and ``after``: the evaluation documents with their results; picture and conditions
+    are those of the last test. ``stated``: what the job says of its circles, by name.
     """
     results = {"before": _by_name(before), "after": _by_name(after)}
     blocks = []
@@ -48,6 +52,9 @@ def circle_blocks(
                 "anchor": f"circle-{index}",
                 "figure": (None if shown is None else circle_figure(shown, f"circle{index}", name)),
                 "table": _table(circle, result),
+                "sheet": (
+                    None if shown is None else paper.sheet(shown, (stated or {}).get(name) or {})
+                ),
                 "rule": rules(circle),
                 "findings": sections.findings(
                     circle.get("findings") or (result or {}).get("findings")

@@ -58,7 +58,11 @@ def run_report(view: Document, each: Each = in_turn) -> bytes:
             "verdict": _run_verdict(view, axes, predicted, prediction.get("circles") or {}),
             "axes": blocks,
             "findings": remaining(view, blocks, view.get("evaluation")),
-            "circles": circle_blocks(prediction.get("circles") or {}, view.get("evaluation")),
+            "circles": circle_blocks(
+                prediction.get("circles") or {},
+                view.get("evaluation"),
+                stated=(view.get("stated") or {}).get("circles"),
+            ),
             "cross": [_cross(entry) for entry in prediction.get("cross") or []],
             "changes": changes_content(view.get("changes")),
             "assumed": sections.assumed(view.get("assumed")),

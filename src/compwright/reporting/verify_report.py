@@ -40,7 +40,12 @@ def verify_report(view: Document) -> bytes:
         _verify_axis(index, name, axis, view) for index, (name, axis) in enumerate(axes.items(), 1)
     ]
     evaluations = (view.get("evaluation_before"), view.get("evaluation_after"))
-    circled = circle_blocks(circles, *evaluations)
+    stated = (view.get("stated") or {}).get("circles") or {}
+    circled = circle_blocks(
+        circles,
+        *evaluations,
+        stated={name: {**of_job, "compensation": AFTER_LOADING} for name, of_job in stated.items()},
+    )
     return render_page(
         "verify.html",
         {
