@@ -248,6 +248,58 @@ def test_table_of_edges_is_that_of_the_page() -> None:
     }
 
 
+#: A file and a function of it, as the page names them.
+PLACE = re.compile(r"`([\w/]+)\.py` `([\w.]+)`")
+
+
+def walk() -> list[list[tuple[str, str]]]:
+    """Return the places of each step of a job through `run`, as the page has them (module,
+    function): its own first, then those that it asks.
+    """
+    page = (PROJECT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    _, _, rest = page.partition("## The walk of a job through `run`")
+    steps = re.findall(r"^[0-9]+\. (.*)$", rest.partition("\n## ")[0], re.MULTILINE)
+    return [
+        [
+            (file.removesuffix("/__init__").replace("/", "."), name)
+            for file, name in PLACE.findall(step)
+        ]
+        for step in steps
+    ]
+
+
+def defined_in(module: str) -> set[str]:
+    """Return the functions of a module, methods as Class.method, and what a package hands on."""
+    found = {found.name for found in all_imports_of(module)} if module == STORAGE else set()
+    for node in trees()[module].body:
+        if isinstance(node, ast.FunctionDef):
+            found.add(node.name)
+        elif isinstance(node, ast.ClassDef):
+            found |= {f"{node.name}.{n.name}" for n in node.body if isinstance(n, ast.FunctionDef)}
+    return found
+
+
+def test_each_place_of_the_walk_exists() -> None:
+    places = [place for step in walk() for place in step]
+    assert (len(walk()), len(places) > 24) == (12, True)
+    assert [place for place in places if place[1] not in defined_in(place[0])] == []
+
+
+def test_no_room_of_the_walk_comes_twice() -> None:
+    """The rooms of `workflow` count by themselves."""
+    rooms = [step[0][0].split(".")[: 1 + in_workflow(step[0][0])] for step in walk()]
+    changes = [room for room, before in zip(rooms, [[], *rooms], strict=False) if room != before]
+    assert [changes.count(room) for room in changes] == [1] * 5
+
+
+def test_each_step_of_the_walk_is_called_from_one_before() -> None:
+    first, *others = [step[0] for step in walk()]
+    known = {found.name for found in all_imports_of(first[0])}
+    for module, name in others:
+        assert name in known, module
+        known |= {found.name for found in all_imports_of(module)}
+
+
 def test_rooms_import_only_what_the_table_allows() -> None:
     wrong = []
     for found in all_imports():
