@@ -1,7 +1,7 @@
 """Some hundred jobs on variations of a real SINUMERIK archive, before a virtual control that shares
 nothing with the package: half of them the older deal, half the wider one.
 
-python benchmarks/bench_backups_sinumerik.py [COUNT]        (default 300)
+python benchmarks/bench_backups_sinumerik.py [COUNT [FIRST]]        (default 300 from seed 0)
 
 Prints every harm, and how many were written and refused. Exit 1: a job did harm, a plain one was
 refused, or below 60 % written.
@@ -53,15 +53,17 @@ def judged(case: Case) -> Outcome:
     return outcome
 
 
-def main(count: int) -> int:
+def main(count: int, first: int) -> int:
     if not ARCHIVE.is_file():
         print(f"skipped: {ARCHIVE} is not there")
         return 0
     half = count // 2
-    deals = itertools.chain(map(case_of, range(half)), map(dealt, range(count - half)))
+    deals = itertools.chain(
+        map(case_of, range(first, first + half)), map(dealt, range(first, first + count - half))
+    )
     tally: Counter[tuple[str, str]] = Counter()
     jobs = harms = inside = worse = 0
-    for case in itertools.chain([whole()], deals):
+    for case in itertools.chain([] if first else [whole()], deals):
         outcome = judged(case)
         jobs += 1
         tally[outcome.case.mark, "written" if outcome.written else "refused"] += 1
@@ -81,4 +83,5 @@ def main(count: int) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 300))
+    words = [int(word) for word in sys.argv[1:]]
+    sys.exit(main(words[0] if words else 300, words[1] if words[1:] else 0))
