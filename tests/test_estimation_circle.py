@@ -112,7 +112,11 @@ def test_a_spike_inwards_is_no_spike_but_a_finding() -> None:
     )
     assert found.effects["reversal_spike_first"].value == 0.0
     assert found.effects["reversal_spike_first"].low == 0.0
-    assert "CW-D008" in codes(found)
+    for end in ("positive", "negative"):
+        assert found.effects[f"reversal_spike_first_at_{end}"].std_error > 0.02  # um
+    (message,) = [f.message for f in found.findings if f.code == "CW-D008"]
+    # -5 exp(-s / 4 mm) half a sample (0.31 mm) after the reversal, or at the next one of the two.
+    assert float(message.split()[4]) == pytest.approx(4.6, abs=0.3)
 
 
 @pytest.mark.parametrize("axis", ["first", "second"])

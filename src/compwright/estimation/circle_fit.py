@@ -39,7 +39,7 @@ from compwright.records.axis import FloatArray
 _SHORTEST: Final = 0.4
 _QUICKEST: Final = 0.004
 _LONGEST: Final = 0.25
-_RATIO: Final = 1.4
+_RATIO: Final = 1.3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -274,7 +274,7 @@ def _spike(
     variance = (
         float(np.mean((heights * late) ** 2)) / 3.0
         + float(np.mean((slow - heights) ** 2)) / 12.0
-        + (1.0 - spike.there) * spike.least_error**2
+        + (1.0 if inward else 1.0 - spike.there) * spike.least_error**2
     )
     error = float(np.sqrt(np.var(heights) + variance))
     axis, end = spike.reversal.axis, spike.reversal.end

@@ -191,9 +191,9 @@ class CircleDraws:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SpikeDraws:
     """Drawn spikes of one reversal point: ``heights`` (d, s), outward peak above the lost motion,
-    µm, for both directions (s = 2: ccw, cw) or the one; ``depths`` (d, s), how far they go inward;
-    ``extrapolated`` (d, s): the slowest decay at the reversal; ``decay`` and ``rise`` (to the peak)
-    (d,) mm, 0 without; ``there`` and ``unlike``: probability of a spike, and of different
+    µm, for both directions (s = 2: ccw, cw) or the one; ``depths`` (d, s), how far samples go
+    inward; ``extrapolated`` (d, s): the slowest decay at the reversal; ``decay`` and ``rise`` (to
+    the peak) (d,) mm, 0 without; ``there`` and ``unlike``: probability of a spike, and of different
     directions; ``curve``: mean amplitude µm of each shape by direction (s, m).
     """
 
@@ -214,8 +214,9 @@ def drawn(weighted: Weighted, shapes: Shapes, rng: np.random.Generator) -> Circl
     about their mean (antithetic variates: Hammersley and Morton, 1956).
     """
     marginal = weighted.without(shapes.always)
+    spacing = spacing_of(weighted.problem.samples)
     values, errors = [], dict.fromkeys(shapes.rare, 0.0)
-    recorded = [_Recorder(reversal) for reversal in shapes.reversals]
+    recorded = [_Recorder(reversal, spacing) for reversal in shapes.reversals]
     for sweep in range(_FORGOTTEN + _SWEEPS):
         for reversal, slot in shapes.slots():
             score = _evidence(marginal, shapes, reversal, slot)
@@ -276,12 +277,13 @@ def _least_error(weighted: Weighted, marginal: Marginal, reversal: Reversal) -> 
 class _Recorder:
     """Spikes of one reversal point, collected draw by draw."""
 
-    def __init__(self, reversal: Reversal) -> None:
+    def __init__(self, reversal: Reversal, spacing: float) -> None:
         self.reversal = reversal
         self.senses = np.array([1.0, -1.0]) if reversal.unlike.size else np.array([1.0])
         lengths = [shape.length for shape in reversal.shapes]
         arcs = np.geomspace(0.2 * min(lengths), 5.0 * max(lengths), 48)
         self.arcs = np.concatenate([[0.0], arcs])
+        self.seen = self.arcs >= 0.5 * spacing
         self.shapes = np.array([shape(self.arcs) for shape in reversal.shapes])
         self.parts: list[tuple[FloatArray, ...]] = []
         self.there = self.unlike = 0
@@ -303,7 +305,7 @@ class _Recorder:
             sizes[place] = size
             curve += size[:, :, np.newaxis] * self.shapes[place]
         heights = np.maximum(np.max(curve, axis=2), 0.0)
-        depths = np.maximum(-np.min(curve, axis=2), 0.0)
+        depths = np.maximum(-np.min(curve[:, :, self.seen], axis=2), 0.0)
         decay, rise = np.zeros(count), np.zeros(count)
         slow = heights
         if sizes:
