@@ -139,8 +139,8 @@ class Counts:
         """Return all counts as text."""
         columns = list(dict.fromkeys(KINDS))
         rows = [row for row in dict.fromkeys(row for row, _ in self.cells) if row in self.known]
-        lines = [f"{'':22}" + "".join(f"{column:>16}" for column in columns)]
-        lines.append(f"{'':22}" + "".join(f"{'in null  ×':>16}" for _ in columns))
+        lines = [f"{'':22}" + "".join(f"{column:>18}" for column in columns)]
+        lines.append(f"{'':22}" + "".join(f"{'in null  ×':>18}" for _ in columns))
         for row in [*rows, "all"]:
             cells = []
             for column in columns:
@@ -150,10 +150,10 @@ class Counts:
                     if its == column and name in self.known and row in {name, "all"}
                     for one in each
                 ]
-                cells.append(f"{_cell(found):>16}")
+                cells.append(f"{_cell(found):>18}")
             lines.append(f"{row:22}" + "".join(cells))
         lines.append(
-            f"{'spike by raw peak':22}" + "".join(f"{_share(self.peaks[c]):>16}" for c in columns)
+            f"{'spike by raw peak':22}" + "".join(f"{_share(self.peaks[c]):>18}" for c in columns)
         )
         counts = ", ".join(f"{name} {count}" for name, count in self.squareness.items())
         lines.append(f"squareness: {counts}")
