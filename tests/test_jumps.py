@@ -165,6 +165,22 @@ def test_the_estimate_is_never_worse_than_straight_lines_between_the_means(
     assert max(ours) < 1.5
 
 
+def test_a_small_jump_between_few_targets_brings_no_short_waves_into_the_table() -> None:
+    """5 µm, not found: several periods explain it as badly. None is probable, none is in the mean;
+    the band holds them.
+    """
+    targets = dithered(8, 55)
+    posterior = estimated(jumping(55, (float(targets[2]) + 20.0, 5.0)), targets, 55)
+    assert sum(one.probability for one in posterior.periods) < 0.5
+    where = np.arange(targets[0], targets[-1], 1.0)
+    summary = posterior.summary(where)
+    bends = np.diff(summary.mean_positive, 2) / UM  # a wave of 6 mm and 0.1 µm: 0.1 µm
+    assert np.max(np.abs(bends)) < 0.02
+    drawn = posterior.draw(where[20::40], 4000, np.random.default_rng(1)).positive
+    about = np.sqrt(np.mean((drawn - summary.mean_positive[20::40]) ** 2, axis=0))
+    assert about == pytest.approx(summary.std_positive[20::40], rel=0.07)
+
+
 def test_the_gap_is_as_uncertain_as_the_jump() -> None:
     """Half of the draws have it in the middle of the gap, half do not: 100 µm apart."""
     targets = np.linspace(0.0, LENGTH, 17)

@@ -105,17 +105,21 @@ class AxisPosterior:
         """Return mean and standard deviation of the deviation at ``positions`` (g,) strictly
         ascending, mm or deg.
 
-        Mean and variance of the mixture over all draws: mean of the variances plus variance of the
-        means (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section 1.8). The mean leaves
-        out the local part (no table can hold it); the standard deviation contains it.
+        Mean and variance of the mixture: mean of the variances plus variance of the means (Gelman
+        et al., Bayesian Data Analysis, 3rd ed. 2013, section 1.8). The mean is what tables hold: it
+        leaves out the local part, and periods that are less probable than not (a wave of a wrong
+        length adds to the error as often as it takes away); the standard deviation, about this
+        mean, contains both.
         """
         where = np.asarray(positions, dtype=np.float64)
         scale = self.cells.data.scale
         means, variances = self._moments(where)
+        held = self._held
         mean, std = [], []
         for line, mine, variance in zip(self.cells.line_at(where), means, variances, strict=True):
-            mean.append(settled(line + scale * mine.mean(axis=0)))
-            square = scale**2 * (variance + mine.var(axis=0))
+            own = mine[held].mean(axis=0)
+            mean.append(settled(line + scale * own))
+            square = scale**2 * (variance + np.mean((mine - own) ** 2, axis=0))
             for jump in self.cells.jumps:
                 square = square + jump.variance(where)
             std.append(settled(np.sqrt(square)))
@@ -132,6 +136,15 @@ class AxisPosterior:
             findings=self.findings,
             periods=self.periods,
         )
+
+    @property
+    def _held(self) -> NDArray[np.bool_]:
+        """Which draws (n,) have no more periods than half of all."""
+        periods = np.repeat(
+            [len(part.basis.periods) for part in self.parts],
+            [part.draws.size for part in self.parts],
+        )
+        return np.asarray(periods <= np.sort(periods)[(periods.size - 1) // 2])
 
     def _moments(self, where: FloatArray) -> tuple[list[FloatArray], list[FloatArray]]:
         """Return by direction the means (draws, g) and the mean of the variances (g,), in units of
