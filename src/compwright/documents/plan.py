@@ -27,7 +27,6 @@ from compwright.records.plan import (
     Plan,
     PlannedAxis,
     PlannedCircle,
-    PlannedCross,
     Texts,
 )
 from compwright.records.positioning import PositioningTest
@@ -61,7 +60,7 @@ def plan_document(plan: Plan) -> dict[str, Any]:
         "active": dict(plan.active),
         "sources": [asdict(source) for source in plan.sources],
         "assumed": [asdict(entry) for entry in plan.assumed],
-        "cross": [_cross_out(entry) for entry in plan.cross],
+        "cross": [{**asdict(entry), "added": _arrays_out(entry.added)} for entry in plan.cross],
         "circles": {name: _circle_out(circle) for name, circle in plan.circles.items()},
         "results": dict(plan.results),
         **({"untested": untested} if untested else {}),
@@ -124,10 +123,6 @@ def read_plan(content: bytes, file: str) -> Plan:
         for name, files in plan.states.items()
     }
     return replace(plan, states=states)
-
-
-def _cross_out(cross: PlannedCross) -> dict[str, Any]:
-    return {**asdict(cross), "added": _arrays_out(cross.added)}
 
 
 def _circle_out(circle: PlannedCircle) -> dict[str, Any]:

@@ -96,13 +96,13 @@ def elsewhere(record: Mapping[str, Any]) -> dict[str, Any]:
 def files_listed(files: Mapping[str, bytes]) -> list[dict[str, Any]]:
     """Return the files of a result folder by relative name, with hash and size."""
     return [
-        {"file": _text(name), "sha256": fingerprint(content), "size": len(content)}
+        {
+            "file": encoded(name).decode("utf-8"),
+            "sha256": fingerprint(content),
+            "size": len(content),
+        }
         for name, content in sorted(files.items())
     ]
-
-
-def _text(name: str) -> str:
-    return encoded(name).decode("utf-8")
 
 
 def _decided(axis: Mapping[str, Any]) -> dict[str, Any]:

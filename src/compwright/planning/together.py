@@ -89,7 +89,8 @@ def counted_together(
 
     @cache
     def alone(place: int) -> MeasuredError:
-        return measured_error(_only(tests, place), observed, axis, active)
+        others = set(range(len(tests))) - {place}
+        return measured_error(_counted_out(tests, others), observed, axis, active)
 
     doubts = dict(_disagreeing(tests, alone))
     counted = _counted_out(tests, doubts)
@@ -171,8 +172,3 @@ def _counted_out(tests: Sequence[PlannedTest], places: Container[int]) -> tuple[
     return tuple(
         replace(test, acted=None) if place in places else test for place, test in enumerate(tests)
     )
-
-
-def _only(tests: Sequence[PlannedTest], place: int) -> tuple[PlannedTest, ...]:
-    """Return the tests with a single one left in the count."""
-    return _counted_out(tests, set(range(len(tests))) - {place})

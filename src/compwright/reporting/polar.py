@@ -252,7 +252,7 @@ class _Place:
         )
 
     def circle(self, radial: float) -> tuple[list[float], list[float]]:
-        around = _circle()
+        around = [math.radians(step) for step in range(361)]
         return self(around, [radial] * len(around))
 
 
@@ -265,10 +265,6 @@ def _base(result: Document, values: Sequence[float]) -> float:
     mean = float(next((value for value in given if value is not None), 0.0))
     near = abs(mean) <= _FAR * max(max(values) - min(values), 0.1)
     return 0.0 if near and result["calibrated"] else mean
-
-
-def _circle() -> list[float]:
-    return [math.radians(step) for step in range(361)]
 
 
 def _rings(panel: Any, place: _Place, most: float, least: float) -> None:

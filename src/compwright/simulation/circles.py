@@ -53,7 +53,10 @@ class VirtualCircle:
 
 def circles_schema(data: Mapping[str, Any]) -> cs.CoreSchema:
     """Return the schema of the circles by name."""
-    each = {name: (name, _circle(name, _planes(own))) for name, own in data.items()}
+    each = {
+        name: (name, _circle(name, CirclePlan(**usable(_PLAN, own)).axes))
+        for name, own in data.items()
+    }
     return record(dict, each, each)
 
 
@@ -90,10 +93,6 @@ def _outside(path: KeyPath, plan: CirclePlan, axes: Mapping[str, Axis]) -> Itera
         elif low < high and not low <= centre - plan.radius <= centre + plan.radius <= high:
             span = f"{low:g} to {high:g} mm of {name} around the whole circle of {plan.radius:g} mm"
             yield KeyFault((*path, "centre"), "puts the circle outside the travel", span)
-
-
-def _planes(own: Any) -> tuple[str, str]:
-    return CirclePlan(**usable(_PLAN, own)).axes
 
 
 def _plane(letters: str) -> tuple[str, str]:

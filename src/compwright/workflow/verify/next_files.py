@@ -110,7 +110,11 @@ def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str
                 name: _axis(session, data["axes"][name], job, after, was, paths, copies)
                 for name, after in then.axes.items()
             },
-            **{name: _untested(data["axes"][name], job, name) for name in then.beside},
+            # Axes that keep what is in the control, and that circles speak of.
+            **{
+                name: NextAxis(before=(), settled=_settled(data["axes"][name], job, name))
+                for name in then.beside
+            },
         },
         circles=_circles(session, job, plan, then, was, copies),
         squareness=then.squareness,
@@ -217,11 +221,6 @@ def _settled(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]:
         found["reference"] = axis.reference
         found["reference_return"] = axis.reference_return.value
     return found
-
-
-def _untested(section: Mapping[str, Any], job: Job, name: str) -> NextAxis:
-    """Return an axis that keeps what is in the control, and that circles speak of."""
-    return NextAxis(before=(), settled=_settled(section, job, name))
 
 
 def _circles(
