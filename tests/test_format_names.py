@@ -41,8 +41,12 @@ def asked(capsys: pytest.CaptureFixture[str]) -> set[str]:
             ["--format", "fanuc-30i", "--travel", "0:400", "--state", "none"],
             {"address", "detection_unit", "first_point"},
         ),
+        (["--format", "fanuc-30i"], {"address", "detection_unit", "first_point", "travel"}),
         # without a state there is no table, and no number of its first point
-        (["--format", "fanuc-30i"], {"address", "detection_unit", "travel"}),
+        (
+            ["--format", "fanuc-30i", "--travel", "0:400", "--option", "address=1"],
+            {"detection_unit"},
+        ),
         (
             [
                 *("--format", "fanuc-15i", "--travel", "0:400", "--state", "none"),

@@ -173,9 +173,8 @@ def _questions(axes: object, control: Control, *, files: bool, stated: bool) -> 
             options=options if isinstance(options, dict) else {},
         )
         found = list(control.format.questions(axis, files=files, given=given))
-        for fault in found:
-            if not stated and fault.place != "address":
-                continue  # no table is made
+        # without a state no table is made; what stops the run anyway asks for the rest too
+        for fault in found if stated or any(one.place == "address" for one in found) else ():
             own = ("axes", str(name)) if fault.place == "address" else ("controller", "options")
             yield KeyFault((*own, fault.place), fault.message, fault.expected, fault.found)
 
