@@ -440,7 +440,13 @@ def test_an_arc_widens_the_errors_and_keeps_the_truth_inside() -> None:
     # 250° by 0° to 110° holds 270°, 0° and 90°: both ends of the second axis, the positive end of
     # the first.
     assert "backlash_second_at_negative" in found.effects
-    assert not any(name.startswith("backlash_first_at") for name in found.effects)
+    assert "backlash_first_at_negative" not in found.effects
+    # The mean of both ends is as uncertain as the end that was not seen (1 um).
+    one, both = found.effects["backlash_first_at_positive"], found.effects["backlash_first"]
+    assert one.value == both.value
+    assert both.std_error == pytest.approx(np.hypot(one.std_error, 1.0), abs=1e-6)
+    assert "reversal_spike_first" in found.undetermined
+    assert "reversal_spike_first_at_positive" not in found.undetermined
 
 
 def test_an_arc_without_a_reversal_point_does_not_determine_lost_motion() -> None:
@@ -453,7 +459,7 @@ def test_an_arc_without_a_reversal_point_does_not_determine_lost_motion() -> Non
         abs(found.effects["backlash_second"].value - 5.0)
         < 4.0 * found.effects["backlash_second"].std_error
     )
-    assert found.effects["backlash_second"].std_error < 1.0
+    assert found.effects["backlash_second_at_positive"].std_error < 1.0
     assert "reversal_spike_first" not in found.effects
     assert "CW-D005" in codes(found)
 

@@ -5,7 +5,7 @@ error that holds the choice of the shapes (`circle_reversal`), and the reason wh
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 import numpy as np
@@ -36,6 +36,8 @@ UNITS: Final = {
 _ONE_SIDED: Final = 1.645  # standard errors to the lower end of a one-sided 95 % interval
 #: A standard error above this share of the prior's standard deviation: the value is mostly prior.
 _MOSTLY_PRIOR: Final = 0.5
+#: Standard deviation of the lost motion of one end about the mean of both, um.
+_ENDS_DIFFER: Final = 1.0
 #: Standard errors of a spike beyond its height and this, um, from which it is not given.
 _NO_SPIKE: Final = 5.0
 #: How slow instrument and drive may be, s: a spike is higher than it shows by this over its decay.
@@ -160,11 +162,16 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
         yield from _scale_errors(solution)
     lost = {axis: _lost_motion_parts(solution, axis) for axis in AXES}
     for axis in AXES:
-        yield linear(f"backlash_{axis}", lost[axis])
+        cause = linear(f"backlash_{axis}", lost[axis])
+        yield replace(cause, variance=_unseen_end(samples, axis))
         if len(lost[axis]) > 1:
             yield from (linear(end, {end: 1.0}, detail=True) for end in lost[axis])
+        elif any(samples.reversals(axis)):
+            end = ENDS[samples.reversals(axis).index(True)]
+            yield replace(cause, name=f"{cause.name}_at_{end}", detail=True)
     minus = {name: -weight for name, weight in lost["second"].items()}
-    yield linear("backlash_mismatch", {**lost["first"], **minus}, detail=True)
+    mismatch = linear("backlash_mismatch", {**lost["first"], **minus}, detail=True)
+    yield replace(mismatch, variance=sum(_unseen_end(samples, axis) for axis in AXES))
     yield linear("servo_mismatch", {"servo_mismatch": 1.0})
     for axis in AXES:
         yield linear(f"lateral_play_{axis}", {f"lateral_play_{axis}": 1.0})
@@ -198,6 +205,13 @@ def _linear(
         detail=detail,
         variance=max(hidden**2 - float(np.var(drawn)), 0.0),
     )
+
+
+def _unseen_end(samples: Samples, axis: str) -> float:
+    """Return the variance, um², of the mean lost motion of both ends about that of the one end that
+    the arc holds; 0 where it holds both.
+    """
+    return 0.0 if all(samples.reversals(axis)) else _ENDS_DIFFER**2
 
 
 def _lost_motion_parts(solution: Solution, axis: str) -> dict[str, float]:
@@ -245,7 +259,12 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
         curve=np.sum([end.curve for end in ends], axis=0),
         positive=True,
         variance=float(np.sum([end.variance for end in ends])) / len(ends) ** 2,
-        reason=next((end.reason for end in ends if end.reason), ""),
+        reason=next((end.reason for end in ends if end.reason), "")
+        or (
+            ""
+            if len(ends) > 1
+            else f"the arc holds one reversal point of the axis only: {FULL_CIRCLE}"
+        ),
     )
     for spike, end in zip(found, ends, strict=True):
         yield end

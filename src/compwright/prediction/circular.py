@@ -185,12 +185,11 @@ def _shapes(
     if diagnosis is None:
         return [np.zeros((draws, run.angles.size)) for run in test.runs]
     known = _columns(test, test.runs[0])
+    by_end = {name.split("_at_")[0] for name in diagnosis.names if "_at_" in name}
     names = [
         name
         for name in diagnosis.names
-        if name in known
-        and name not in diagnosis.undetermined
-        and f"{name}_at_positive" not in diagnosis.names
+        if name in known and name not in diagnosis.undetermined and name not in by_end
     ]
     order = [diagnosis.names.index(name) for name in names]
     errors = np.array([diagnosis.effects[name].std_error for name in names])
