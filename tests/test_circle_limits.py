@@ -19,14 +19,14 @@ from compwright.cli import run as command
 from compwright.evaluation.circular import evaluate_circle
 from compwright.evaluation.circular_uncertainty import circular_uncertainties
 from compwright.foundations.findings import Finding
-from compwright.planning.circles import with_uncertainty
+from compwright.planning.circles import undecided_circles, with_uncertainty
 from compwright.planning.doubts import Noticed, doubts_among
 from compwright.planning.limits import (
     circle_decisions,
     lacking_circle_guard,
     measured_circle_decisions,
 )
-from compwright.records.circular import CircularResult
+from compwright.records.circular import CircularResult, Diagnosis
 from compwright.records.conditions import CircularBudget, Thermal
 from compwright.records.job import Acceptance
 from compwright.records.prediction import CirclePrediction, Quantiles
@@ -99,8 +99,18 @@ def test_what_the_test_does_not_have_has_no_uncertainty() -> None:
 # ---- decisions ----
 
 
+DIAGNOSIS = Diagnosis(
+    effects={},
+    plain={},
+    names=(),
+    correlation=np.empty((0, 0)),
+    residual=0.0,
+    correlation_length=1.0,
+)
+
+
 def prediction(p05: float, p95: float, budget: CircularBudget | None) -> CirclePrediction:
-    before = with_uncertainty(RESULT, budget, None)
+    before = replace(with_uncertainty(RESULT, budget, None), diagnosis=DIAGNOSIS)
     band = Quantiles((p05 + p95) / 2 * UM, p05 * UM, p95 * UM)
     return CirclePrediction(before=before, expected=before, predicted={"D": band}, causes={})
 
@@ -134,6 +144,21 @@ def test_a_guard_of_nothing_decides_nothing() -> None:
     (finding,) = lacking_circle_guard("xy", accept)
     assert (finding.code, "uncertainty.circular" in finding.message) == ("CW-P132", True)
     assert circle_decisions(None, prediction(0.0, 1.0, None), "guarded") == {}
+
+
+def test_a_circle_of_unknown_causes_is_not_decided() -> None:
+    """Its band holds the noise of the samples alone, and is too narrow either way."""
+    limits = Acceptance(limits={"D": 5.0})
+    known = prediction(1.0, 2.0, None)
+    reasons = {"diagnosis": "too short an arc"}
+    unknown = replace(known, before=replace(known.before, diagnosis=None, not_applicable=reasons))
+    decided = circle_decisions(limits, unknown, "simple")
+    assert decided["D"].decision == "undecided"
+    assert undecided_circles({"xy": unknown}) == ()  # no limits: nothing is left open
+    (finding,) = undecided_circles({"xy": replace(unknown, accept=decided), "yz": known})
+    assert finding.code == "CW-P134"
+    assert "Circle xy" in finding.message
+    assert "too short an arc" in finding.message
 
 
 def after(D: float) -> CircularResult:

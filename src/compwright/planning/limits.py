@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Literal
 
 from compwright.evaluation.decision import decide
@@ -55,13 +56,16 @@ def circle_decisions(
 ) -> Mapping[str, AcceptDecision]:
     """Return the decision about each tolerance of a circle from the predicted values (limits in
     µm), as `accept_decisions` does; its U is that of the measured circle, whose size the tables
-    hardly change.
+    hardly change. Undecided where the causes in the circle are not known (CW-P134).
     """
     if accept is None:
         return {}
-    return _predicted(
+    decisions = _predicted(
         accept, circle.predicted, circle.before.uncertainty, rule, MICROMETRES_PER_MILLIMETRE
     )
+    if circle.before.diagnosis is not None:
+        return decisions
+    return {name: replace(entry, decision="undecided") for name, entry in decisions.items()}
 
 
 def _predicted(

@@ -9,7 +9,7 @@ from compwright import __version__
 from compwright.foundations.findings import RESULTS, Finding, doubts_of
 from compwright.jobs.idle_keys import unused_acknowledgements
 from compwright.planning.axes import AxisWork
-from compwright.planning.circles import worse_circles
+from compwright.planning.circles import undecided_circles, worse_circles
 from compwright.planning.doubts import Doubts, Noticed, doubts_among, undecided
 from compwright.planning.limits import lacking_circle_guard
 from compwright.records.correction import Assumption
@@ -113,6 +113,7 @@ class Finished:
             *map(Noticed, self.written.findings),
             *map(self._of_control, self.predicted.findings),
             *map(Noticed, worse_circles(self.predicted.circles)),
+            *map(Noticed, undecided_circles(self.predicted.circles)),
             *(
                 Noticed(finding, frozenset(circle.before.test.axes), name)
                 for name, circle in self.predicted.circles.items()
