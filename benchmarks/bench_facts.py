@@ -2,8 +2,8 @@
 
 python benchmarks/bench_facts.py
 
-The tests turn one fact in six (tests/test_siemens_facts.py). Prints the facts that nothing notices;
-exit 1 where there is one.
+The tests turn one fact in six (tests/formats/test_siemens_facts.py). Prints the facts that nothing
+notices; exit 1 where there is one.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "formats"))
 
 from test_siemens_facts import silent_facts, turned_facts
 

@@ -18,9 +18,13 @@ from pathlib import Path
 from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "instruments"))
 
 import numpy as np
 from mutated import mutated
+from test_instruments_circular_b5r import document as ballbar
+from test_instruments_target_data import COMPLETE
+from test_instruments_workbook import workbook
 
 from compwright.cli import run
 from compwright.documents.plan import read_plan
@@ -49,9 +53,6 @@ from damage import SAMPLES, damaged, read
 from format_samples import CONTENT
 from laser_files import compensation_file, laser_file, mean_file
 from profile_samples import LONG, LONG_PROFILE, WIDE, WIDE_PROFILE
-from test_instruments_circular_b5r import document as ballbar
-from test_instruments_target_data import COMPLETE
-from test_instruments_workbook import workbook
 
 #: Readings that somebody who looks at a text without its reader counts in it.
 Judge = Callable[[bytes], int]

@@ -47,8 +47,8 @@ _MOST_ORDERED: Final = 100
 _MOST_TRAVERSES: Final = 20
 #: A traverse is suspect when its median shift exceeds so many robust standard deviations of a
 #: reading. The medians of sound traverses seldom reach one of them; shifts of whole runs that are
-#: themselves random must not be called suspect one by one (tests/test_evaluation_readings.py holds
-#: both rates).
+#: themselves random must not be called suspect one by one
+#: (tests/evaluation/test_evaluation_readings.py holds both rates).
 TRAVERSE_LIMIT: Final = 5.0
 #: Ends of the travel, in root mean squares of evenly spaced places about its middle.
 _STEEPEST: Final = math.sqrt(3.0)

@@ -1,0 +1,169 @@
+"""A limit is accepted only where fresh tests at new targets keep it too: periods that may be in the
+error, and those that the targets cannot show. Readings from a machine with a known error.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from test_estimation_periods import Curve, made, smooth_basis
+from test_planning_limits import entry_of, predicted
+
+from compwright.cli import run as compwright
+from compwright.estimation.hidden_periods import hidden_periods
+from compwright.estimation.periods import search_periods
+from compwright.planning.limits import accept_decisions
+from compwright.records.axis import AxisKind
+from compwright.records.prediction import Quantiles
+from loop import Floats, Machine, accuracy, csv_of
+from planning_samples import UM
+
+pytestmark = pytest.mark.remembered
+
+#: Eleven targets that leave 19.96 and 39.92 mm open.
+BUMPS = Machine().targets(11, seed=18)
+
+
+@dataclass(frozen=True)
+class Waving(Machine):
+    """A machine whose screw wobbles: (lead in mm, amplitude in mm, phase) of each ``waves``."""
+
+    waves: tuple[tuple[float, float, float], ...] = ()
+
+    def error(self, x: Floats, sign: int) -> Floats:
+        turns = [size * np.sin(2 * np.pi * x / lead + phase) for lead, size, phase in self.waves]
+        return np.asarray(super().error(x, sign) + np.sum(turns, axis=0), dtype=np.float64)
+
+
+def run(folder: Path, machine: Machine, targets: Floats, limit: float) -> tuple[int, Any]:
+    (folder / "x.csv").write_text(csv_of(targets, machine.measure(targets, 1)))
+    (folder / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found: none}\n"
+        "axes:\n  X: {travel: [0, 800], address: AX1, before: [x.csv], table: {spacing: 10},"
+        f" accept: {{A: {limit}}}}}\n"
+    )
+    code = compwright(["run", str(folder / "job.yaml")])
+    return code, json.loads((folder / "job" / "prediction.json").read_text())["axes"]["X"]
+
+
+@pytest.mark.parametrize(
+    ("new", "limit", "decision"),
+    [(7.9, 8.0, "accept"), (8.1, 8.0, "undecided"), (99.0, 0.5, "reject")],
+)
+def test_new_targets_have_to_keep_a_limit_too(new: float, limit: float, decision: str) -> None:
+    shown = {"A": Quantiles(2.0 * UM, 1.0 * UM, new * UM)}
+    found = accept_decisions(entry_of({"A": limit}), (predicted(1.0, 2.0),), "simple", shown)
+    assert found["A"].decision == decision
+
+
+@pytest.mark.parametrize(("count", "code"), [(6, 1), (25, 0)])
+def test_six_targets_tell_nothing_of_a_period(tmp_path: Path, count: int, code: int) -> None:
+    """4 µm are 1.5 µm more than the noise alone needs (R of 0.4 µm: 6 sigma)."""
+    machine = Machine(bow=0.0005)
+    found, axis = run(tmp_path, machine, machine.targets(count), 4.0)
+    assert axis["predicted"]["A"]["p95"] < 4.0
+    assert found == code
+    codes = {finding["code"] for finding in axis["findings"]}
+    assert ("CW-P133" in codes) is (code == 1)
+
+
+def test_an_interval_that_is_a_multiple_of_the_lead_hides_it(tmp_path: Path) -> None:
+    """Every 50 mm a wave of 10 mm is always the same; a test at other targets shows 6 µm of it."""
+    targets = np.arange(0.0, 801.0, 50.0)
+    machine = Waving(bow=0.0005, waves=((10.0, 0.003, 0.0),))
+    found, axis = run(tmp_path, machine, targets, 4.0)
+    assert axis["predicted"]["A"]["p95"] < 4.0
+    assert (found, axis["accept"]["A"]["decision"]) == (1, "undecided")
+    between = machine.measure(np.sort(targets[:-1] + np.tile([2.0, 8.0], 8)), 2)
+    assert np.ptp(np.mean(between[1], axis=1) - np.arange(16) * 50 * 25e-6) > 0.004
+
+
+def left_open(
+    targets: Floats, error: Curve = np.zeros_like, *, known: tuple[float, ...] = ()
+) -> tuple[float, Floats]:
+    """What the middles of five readings of 0.4 µm leave open, with a bow of 2 µm beside the error:
+    probability, and what it adds in 2000 tests at 41 new targets, peak to peak, mm.
+    """
+    rng = np.random.default_rng(1)
+    basis = smooth_basis(800.0)
+    middles = made(targets, lambda x: error(x) + 0.001 * np.sin(x / 210.0), rng, 0.0004)
+    search = search_periods(middles, basis, AxisKind.LINEAR, known=known)
+    found = hidden_periods(middles, basis, AxisKind.LINEAR, search, known)
+    new = Machine().targets(41, seed=8)
+    return found.probability, np.ptp(found.waves(new, 2000, rng), axis=1)
+
+
+def test_targets_with_a_random_part_leave_nothing_open() -> None:
+    probability, size = left_open(Machine().targets(25))
+    assert probability < 0.05
+    assert np.quantile(size, 0.95) < 0.0003
+
+
+def test_what_no_target_shows_is_the_prior() -> None:
+    """Every 50 mm a wave of 2, 5, 10 or 25 mm is the same everywhere: its amplitude is half of a
+    normal law of 2.5 µm, whose mean is 2.0 µm; of others a little shows. Many axes have none.
+    """
+    every = np.arange(0.0, 801.0, 50.0)
+    probability, size = left_open(every)
+    assert 0.3 < probability < 0.75
+    there = size[size > 1e-9]
+    assert there.size / size.size == pytest.approx(probability, abs=0.03)
+    assert 0.7 < np.mean(there) / (2.0 * 2.5e-3 * np.sqrt(2 / np.pi)) < 1.1
+    assert left_open(every, known=(60.0,))[0] < probability
+
+
+def test_equal_targets_fold_a_wave_to_a_longer_one() -> None:
+    """Every 71.3 mm a lead of 25 mm looks like a wave of 487 mm, which the smooth part follows: a
+    test at other targets shows both, up to four times the amplitude of 3.4 µm. It may be a long
+    wave as well.
+    """
+    targets = np.linspace(8.0, 792.0, 12)
+
+    def screw(x: Floats) -> Floats:
+        return np.asarray(0.0034 * np.sin(2 * np.pi * x / 25.0 + 1.0))
+
+    alias = 1.0 / abs(1.0 / 25.0 - 3.0 / (targets[1] - targets[0]))
+    new = Machine().targets(41, seed=8)
+    same, other = (
+        np.column_stack([wave(2 * np.pi * x / length) for wave in (np.cos, np.sin)])
+        for x, length in ((targets, alias), (new, alias))
+    )
+    followed = other @ np.linalg.lstsq(same, screw(targets), rcond=None)[0]
+    shown = np.ptp(screw(new) - followed)
+    probability, size = left_open(targets, screw)
+    assert probability > 0.5
+    assert np.quantile(size, 0.95) > 0.8 * shown
+    assert left_open(Machine().targets(25), screw)[0] < 0.2  # these show it as it is
+
+
+@pytest.mark.parametrize(
+    ("targets", "waves", "limit"),
+    [
+        (8.0 + 112.0 * np.arange(8), ((16.0, 0.002, 1.0),), 6.0),
+        (np.linspace(8.0, 792.0, 12), ((25.0, 0.0034, 1.0),), 9.0),
+        (BUMPS, ((39.92, 0.0007, 3.0), (19.96, 0.002, 1.0)), 5.0),
+    ],
+)
+def test_no_limit_is_accepted_that_fresh_tests_break(
+    tmp_path: Path, targets: Floats, waves: tuple[tuple[float, float, float], ...], limit: float
+) -> None:
+    """A lead of 16 mm every 112 mm; one that looks like a longer wave; and one of 39.92 mm that
+    bumps twice in a turn, which may also be one of 19.96 mm. Fresh tests take the error out as it
+    is at the measured targets, by straight lines.
+    """
+    machine = Waving(bow=0.0005, waves=waves)
+    _, axis = run(tmp_path, machine, targets, limit)
+    before = {sign: machine.error(targets, sign) for sign in (1, -1)}
+    broken = []
+    for seed in range(60):
+        new = machine.targets(targets.size, seed)
+        readings = machine.measure(new, seed, lambda x, sign: -np.interp(x, targets, before[sign]))
+        broken.append(accuracy(readings) > limit * UM)
+    assert np.mean(broken) > 0.05
+    assert axis["predicted"]["A"]["p95"] < limit
+    assert axis["accept"]["A"]["decision"] == "undecided"

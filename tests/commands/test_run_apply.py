@@ -1,0 +1,454 @@
+"""What a job asks to be corrected between axes or from circles: done, not needed, or an error that
+leaves exit 1; never silence.
+
+Squareness is 40 µm/m, more than 90° (`test_run_circles.Bent`): Y is bent by + 40 µm/m times the
+distance of X from its reference.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+import shutil
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from test_run_circles import AXIS_X, CEC, SIEMENS, Bent, codes, judge_of, measure, write_circle
+
+from compwright.cli import run as compwright
+from compwright.records.axis import Direction
+
+pytestmark = pytest.mark.brief
+
+#: What the option cec of the SINUMERIK needs to be written at all; whole jobs differ in the rest.
+ADDRESSES = {SIEMENS: ("AX1", "AX2"), "linuxcnc": ("0", "1"), "fanuc-30i": ("1", "2")}
+
+
+@pytest.fixture(scope="module")
+def measured(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("measured")
+    measure(folder, Bent())
+    return folder
+
+
+@pytest.fixture
+def folder(tmp_path: Path, measured: Path) -> Path:
+    for file in measured.iterdir():
+        shutil.copy(file, tmp_path)
+    return tmp_path
+
+
+def run(
+    folder: Path,
+    control: str,
+    *,
+    options: str = "{}",
+    apply: str = "{squareness: {XY: Y}}",
+    x: str = "before: []",
+    y: str = "before: []",
+    states: str = "none",
+    circles: str = "[{file: xy.csv, name: xy-150, centre: [400, -250]}]",
+) -> int:
+    first, second = ADDRESSES.get(control, ("X", "Y"))
+    (folder / "job.yaml").write_text(
+        f"compwright: 1\ncontroller: {{format: {control}, options: {options}}}\nstates: {{as_found:"
+        f" {states}}}\naxes:\n"
+        f'  X: {{travel: [0, 800], address: "{first}", {x}}}\n  Y: {{travel: [-500, 0], address:'
+        f' "{second}", {y}}}\n'
+        f"circles: {circles}\napply: {apply}\n"
+    )
+    return compwright(["run", str(folder / "job.yaml"), "--force"])
+
+
+def card(folder: Path) -> str:
+    return (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
+
+
+def typed(folder: Path) -> tuple[str, list[float]]:
+    """The meaning that the sheet of the column states, and its values, mm."""
+    lines = (folder / "job" / "card" / "cross_X_Y.csv").read_text(encoding="utf-8").splitlines()
+    return lines[1].removeprefix("# value: "), [float(row[1]) for row in csv.reader(lines[3:])]
+
+
+def prediction(folder: Path) -> Any:
+    return json.loads((folder / "job" / "prediction.json").read_text(encoding="utf-8"))
+
+
+def test_a_test_of_an_axis_that_had_none_is_refused_in_words(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(folder, "heidenhain-nck", x="before: [x.csv]") in (0, 1)
+    capsys.readouterr()
+    (folder / "y_after.csv").write_text(
+        (folder / "x.csv").read_text(encoding="utf-8").replace("# axis: X", "# axis: Y")
+    )
+    code = compwright(["verify", str(folder / "job.yaml"), "--after", str(folder / "y_after.csv")])
+    assert code == 2
+    assert "the job has no test of axis Y to compare it with" in capsys.readouterr().err
+
+
+# --- squareness alone
+
+
+def test_squareness_alone_goes_into_a_table_between_the_axes_and_can_be_the_state_of_the_next_job(
+    folder: Path,
+) -> None:
+    options = CEC
+    assert run(folder, SIEMENS, options=options) == 0
+    judge = judge_of(folder / "job" / "tables" / SIEMENS)
+    assert judge.addresses() == () or not np.any(
+        judge.correction("AX2", np.array([-500.0, 0.0]), Direction.POSITIVE)
+    )
+    # 40 µm/m over 0.8 m, known to 1 µm/m
+    assert judge.cross_correction(
+        "AX1", "AX2", np.array([0.0, 800.0]), Direction.POSITIVE
+    ) == pytest.approx([0, 0.032], abs=8e-4)
+    assert "X" in card(folder).splitlines()[0]
+    assert prediction(folder)["circles"]["xy-150"]["predicted"]["squareness"][
+        "median"
+    ] == pytest.approx(0, abs=1)  # µm/m
+    shutil.copytree(folder / "job" / "tables", folder / "loaded")
+    loaded = f"[loaded/{SIEMENS}]"
+    assert (
+        run(folder, SIEMENS, options=options, states=loaded) == 2
+    )  # the circle was measured before: twice the squareness
+    words = [
+        "export",
+        str(folder / "job" / "plan.json"),
+        "--format",
+        SIEMENS,
+        "--out",
+        str(folder / "again"),
+    ]
+    assert compwright([*words, "--state", str(folder / "loaded" / SIEMENS)]) == 2
+    write_circle(folder / "xy.csv", Bent().circle(8, judge_of(folder / "loaded" / SIEMENS)))
+    assert run(folder, SIEMENS, options=options, states=loaded) == 0  # CW-P107: nothing is left
+
+
+def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    options = CEC
+    assert run(folder, SIEMENS, options=options) == 0
+    shutil.copytree(folder / "job" / "tables", folder / "loaded")
+    capsys.readouterr()
+    assert (
+        run(folder, SIEMENS, options=options, states=f"[loaded/{SIEMENS}]", apply="{scale: [Y]}")
+        == 3
+    )
+    assert "say nothing of axis Y" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("control", ["heidenhain-nck", "heidenhain-itnc530"])
+def test_squareness_alone_comes_with_a_card_where_it_is_typed_in(
+    folder: Path, control: str
+) -> None:
+    assert run(folder, control) == 0
+    assert "type in" in card(folder)
+    assert typed(folder) == ("error", [0.0, pytest.approx(-0.032, abs=8e-4)])
+
+
+# --- the values of one table, stated once
+
+
+@pytest.mark.parametrize(
+    ("control", "whole", "own", "expected"),
+    [
+        ("heidenhain-nck", "error", "correction", "correction"),
+        ("heidenhain-nck", "correction", "error", "error"),
+        ("heidenhain-itnc530", "error", "correction", "correction"),
+    ],
+)
+def test_the_column_of_another_axis_has_the_sign_of_the_table_in_which_it_stands(
+    folder: Path, control: str, whole: str, own: str, expected: str
+) -> None:
+    """X.COM holds X = F(X) and Y = F(X): one table, one meaning, whichever way it was stated."""
+    x = "before: [x.csv]" + f", options: {{table_values: {own}}}"
+    assert run(folder, control, options=f"{{table_values: {whole}}}", x=x) == 0
+    sheet = (folder / "job" / "tables" / control / "entry_X.csv").read_text(encoding="utf-8")
+    assert f"# value: {expected}\n" in sheet
+    sign = 1 if expected == "correction" else -1
+    assert typed(folder) == (expected, [0.0, pytest.approx(sign * 0.032, abs=8e-4)])
+    assert f"values are {expected}s" in card(folder)
+
+
+SHEET = """# axis: {0}
+# address: {0}
+# format: heidenhain-nck
+# value: {1}
+# points: 2
+point,position,value,unit
+0,0.0000,0.0000,mm
+1,800.0000,0.0000,mm
+backLash,,0.0000,mm
+"""
+
+
+@pytest.mark.parametrize(
+    ("whole", "moving", "bent", "sheets", "expected", "tested"),
+    [
+        ("{table_values: correction}", "{}", "{}", (), "correction", False),
+        ("{}", "{table_values: correction}", "{}", (), "correction", True),
+        ("{}", "{table_values: correction}", "{}", (), "correction", False),
+        ("{}", "{}", "{table_values: correction}", (), "error", True),  # Y.COM is another table
+        ("{table_values: correction}", "{table_values: error}", "{}", (), "error", False),
+        ("{}", "{}", "{}", ("correction", "error"), "correction", True),
+        ("{}", "{}", "{}", ("correction", "error"), "correction", False),
+        ("{}", "{}", "{}", ("error", "correction"), "error", False),
+    ],
+)
+def test_run_and_export_type_in_a_column_with_one_sign(
+    *,
+    folder: Path,
+    capsys: pytest.CaptureFixture[str],
+    whole: str,
+    moving: str,
+    bent: str,
+    sheets: tuple[str, ...],
+    expected: str,
+    tested: bool,
+) -> None:
+    """Whoever says what the values of X.COM are: the table of X, its column of Y, and the plan that
+    is written again, with and without a test of X.
+    """
+    control, states = "heidenhain-nck", "none"
+    for axis, values in zip("XY", sheets, strict=False):
+        (folder / f"typed_{axis}.csv").write_text(SHEET.format(axis, values))
+        states = "[typed_X.csv, typed_Y.csv]"
+    x, y = (f"before: {test}, options: {own}" for test, own in (("[x.csv]", moving), ("[]", bent)))
+    x = x if tested else x.replace("x.csv", "")
+    assert run(folder, control, options=whole, x=x, y=y, states=states) == 0
+    capsys.readouterr()
+    sign = 1 if expected == "correction" else -1
+    assert typed(folder) == (expected, [0.0, pytest.approx(sign * 0.032, abs=8e-4)])
+    plan, out = folder / "job" / "plan.json", folder / "again"
+    assert compwright(["export", str(plan), "--format", control, "--out", str(out)]) == 0
+    said = re.search(r"([+-][\d.]+) mm at 800 \(values are (\w+)s\)", capsys.readouterr().err)
+    assert said is not None
+    assert said[2] == expected
+    assert float(said[1]) == pytest.approx(sign * 0.032, abs=8e-4)
+    for written in (*(folder / "job" / "tables").rglob("entry_X.csv"), *out.glob("entry_X.csv")):
+        assert f"# value: {expected}\n" in written.read_text(encoding="utf-8")
+    assert (out / "entry_X.csv").exists() is tested
+
+
+def test_a_plan_of_another_control_takes_the_meaning_of_values_from_the_sheet_in_this_one(
+    folder: Path,
+) -> None:
+    assert run(folder, "linuxcnc", x="before: [x.csv]", apply="{}") == 0
+    (folder / "typed.csv").write_text(SHEET.format("X", "correction"))
+    command = ["export", str(folder / "job" / "plan.json"), "--format", "heidenhain-nck"]
+    out = folder / "out"
+    assert compwright([*command, "--state", str(folder / "typed.csv"), "--out", str(out)]) == 0
+    lines = (out / "entry_X.csv").read_text(encoding="utf-8").splitlines()
+    assert "# value: correction" in lines
+    comp = (folder / "job" / "tables" / "linuxcnc" / "joint_0.comp").read_text().splitlines()
+    position, actual = (float(word) for word in comp[-1].split()[:2])
+    values = {float(row[1]): float(row[2]) for row in csv.reader(lines) if row[0].isdigit()}
+    # a joint's table holds positions less the correction; half of 0.0001 mm, and backlash by half
+    assert position - actual == pytest.approx(values[position], abs=0.003)
+    assert abs(values[position]) > 0.01
+
+
+def test_an_option_of_the_whole_control_is_none_of_one_axis(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for control, option in (
+        ("linuxcnc", "units: inch"),
+        (SIEMENS, "cec_sign: error"),
+        ("fanuc-30i", "straightness: available, detection_unit: 0.001"),
+    ):
+        assert run(folder, control, x=f"before: [x.csv], options: {{{option}}}") == 2
+        assert "holds for the whole control" in capsys.readouterr().err
+
+
+# --- HEIDENHAIN: a column acts where tables are selected, and the linear error only where they are
+# not
+
+
+@pytest.mark.parametrize(
+    ("y", "state", "why"),
+    [
+        ("before: [y.csv], options: {method: line}", "none", "method: line"),
+        ("before: []", "[MP.TXT]", "MP720 acts on Y"),
+    ],
+)
+def test_a_column_beside_the_linear_error_of_its_axis_is_refused(
+    folder: Path, y: str, state: str, why: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "MP.TXT").write_text(
+        "MP710.0 : 0.0000\nMP710.1 : 0.0000\nMP720.1 : 0.0200\nMP730 : %00000\n"
+    )
+    assert run(folder, "heidenhain-itnc530", y=y, states=state) == 1
+    said = codes(capsys)
+    assert "error CW-P113" in said
+    assert why in said
+    assert not (folder / "job" / "card" / "cross_X_Y.csv").exists()
+
+
+# --- what apply asks for and cannot be had
+
+
+@pytest.mark.parametrize(
+    ("control", "options", "apply", "code"),
+    [
+        ("linuxcnc", "{}", "{squareness: {XY: Y}}", "CW-P113"),
+        (SIEMENS, "{}", "{squareness: {XY: Y}}", "CW-P113"),
+        (
+            "fanuc-30i",
+            "{detection_unit: 0.001, first_point: 1}",
+            "{squareness: {XY: X}}",
+            "CW-P113",
+        ),
+        ("linuxcnc", "{}", "{squareness: {ZX: X}}", "CW-J004"),
+        ("linuxcnc", "{}", "{scale: [Z]}", "CW-J004"),
+        ("linuxcnc", "{}", "{scale: [Y]}", "CW-P119"),
+        ("linuxcnc", "{}", "{backlash_from: circle}", "CW-P130"),
+    ],
+)
+def test_a_correction_that_cannot_be_made_is_an_error(
+    folder: Path,
+    control: str,
+    options: str,
+    apply: str,
+    code: str,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Neither axis has a positioning test here: one fast circle tells no scale, and there is no
+    table for a lost motion.
+    """
+    assert run(folder, control, options=options, apply=apply) == 1
+    assert f"error {code}" in codes(capsys)
+
+
+def test_the_rest_of_the_job_is_done_all_the_same(folder: Path) -> None:
+    (folder / "zx.csv").write_text(
+        (folder / "xy.csv").read_text().replace("plane: XY", "plane: ZX")
+    )
+    circles = "[{file: zx.csv, name: zx-150, centre: [0, 400]}]"
+    assert (
+        run(folder, "linuxcnc", x="before: [x.csv]", circles=circles, apply="{squareness: {XY: Y}}")
+        == 1
+    )
+    assert prediction(folder)["axes"]["X"]["table"] is not None
+
+
+def test_what_is_not_needed_is_no_failure(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    measure(tmp_path, Bent(squareness=0.0))
+    assert (
+        run(tmp_path, "linuxcnc", x="before: [x.csv]", apply="{squareness: {XY: Y}, scale: [X]}")
+        == 0
+    )
+    said = codes(capsys)
+    assert "info CW-P107" in said
+    assert "info CW-P118" in said
+
+
+# --- a circle that the tables make worse
+
+
+def test_a_circle_that_gets_worse_leaves_the_result_undecided(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Both axes travel 25 µm/m too far: a round circle. With X corrected alone the scales differ by
+    25 µm/m, 7.5 µm over 300 mm.
+    """
+    machine = Bent(y=replace(AXIS_X, low=-500.0, high=0.0), squareness=0.0)
+    measure(tmp_path, machine)
+    for x, y, code in (
+        ("before: [x.csv], accept: {A: 20}", "before: []", 1),
+        ("before: [x.csv], accept: {A: 20}", "before: [y.csv]", 0),
+    ):
+        assert run(tmp_path, "linuxcnc", x=x, y=y, apply="{}") == code
+        said = codes(capsys)
+        doubts = [doubt["code"] for doubt in prediction(tmp_path)["doubts"]]
+        page = (tmp_path / "job" / "report.html").read_text(encoding="utf-8")
+        assert (
+            ("CW-P131" in said)
+            == ("CW-P131" in doubts)
+            == ("is predicted to get worse" in page)
+            == (code == 1)
+        )
+        assert ("All limits are predicted to be met" in page) == (code == 0)
+        assert ("predicted to grow from" in card(tmp_path)) == (code == 1)
+
+
+@pytest.mark.parametrize(
+    ("mask", "option", "word"),
+    [("%00000", "", "would wake"), ("%00001", ", options: {method: line}", "would switch off")],
+)
+def test_the_bit_of_an_axis_is_not_changed_where_the_table_of_another_axis_hangs_on_it(
+    folder: Path, mask: str, option: str, word: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Y.COM holds X = F(Y), 50 µm. The bit of X in MP730 selects it together with the table of
+    X.
+    """
+    rows = (
+        "BEGIN {0} .COM MM DATUM:{1} DIST:400\nNR   1=F()     2=F()\n0    {2}\n1    {3}\n2   "
+        " {3}\nEND {0} .COM\n"
+    )
+    (folder / "Y.COM").write_text(rows.format("Y", "-600", "0     ", "0.0500"))
+    (folder / "X.COM").write_text(rows.format("X", "0", "0     ", "0.0000"))
+    (folder / "C.CMA").write_text(
+        "BEGIN C .CMA MM\nNR   1         2\n0    X         Y\nEND C .CMA\n"
+    )
+    (folder / "MP.TXT").write_text(f"MP710.0 : 0.0000\nMP720.0 : 0.0000\nMP730 : {mask}\n")
+    x = f"before: [x.csv]{option}" + (
+        "" if option else ", table: {start: 0, end: 800, spacing: 400}"
+    )
+    assert (
+        run(folder, "heidenhain-itnc530", x=x, states="[X.COM, Y.COM, C.CMA, MP.TXT]", apply="{}")
+        == 4
+    )
+    said = capsys.readouterr().err
+    assert word in said
+    assert "MP730" in said
+    assert "Y.COM" in said
+
+
+# --- tables between axes that differ between the states
+
+
+@pytest.mark.parametrize(
+    ("step", "stated", "code"), [(250, False, 3), (250, True, 1), (300, True, 3), (300, False, 3)]
+)
+def test_a_circle_taken_with_other_tables_between_the_axes_is_no_word_on_what_is_there_now(
+    folder: Path, step: int, stated: bool, code: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The control's table bends Y over X by 100 µm; the circle was taken with another one: without
+    the sign of CEC values, and with a table that is no curve (its range no multiple of STEP, and
+    other values on both sides of its end), nobody can take the one out and put the other in.
+    """
+    bent = (1,) if step == 250 else (1, 4)
+
+    def written(value: str) -> str:
+        values = "".join(f"$AN_CEC[3,{n}]={value if n in bent else 0}\n" for n in range(5))
+        grid = f"$AN_CEC_STEP[3]={step}\n$AN_CEC_MIN[3]=0\n$AN_CEC_MAX[3]=1000\n"
+        pair = "$AN_CEC_INPUT_AXIS[3]=(AX1)\n$AN_CEC_OUTPUT_AXIS[3]=(AX2)\n$AN_CEC_DIRECTION[3]=0\n$SN_CEC_TABLE_ENABLE[3]=1\n"
+        points = "".join(f"$MA_MM_ENC_COMP_MAX_POINTS[0,AX{n}]=0\n" for n in (1, 2))
+        return f"{points}$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\n$MA_CEC_ENABLE[AX2]=1\n{values}{pair}{grid}M17\n"
+
+    (folder / "NOW.INI").write_text(written("0.1"))
+    (folder / "THEN.INI").write_text(written("0"))
+    sign = "{cec_sign: error}" if stated else "{}"
+
+    def tried(then: str) -> int:
+        circles = f"[{{file: xy.csv, name: xy-150, centre: [400, -250], measured_in: {then}}}]"
+        return run(
+            folder,
+            SIEMENS,
+            options=sign,
+            apply="{}",
+            states="[NOW.INI], then: [THEN.INI]",
+            circles=circles,
+        )
+
+    assert tried("then") == code
+    assert ("cannot be counted with" in capsys.readouterr().err) is (code == 3)
+    assert tried("as_found") == 0
