@@ -522,5 +522,5 @@ def test_what_was_taken_out_is_counted_in_words() -> None:
     one = RedactedFile(file=Path("a"), copy=Path("b"), taken_for="measurement", removed=removed)
     first, *_ = redaction_lines(RedactOutcome(files=(one,), faults=(), written=()))
     assert first.endswith(
-        "taken out: 1 comment, 3 rows beside the table, 2 serial numbers, 1 text behind a value"
+        "taken out: 1 comment, 3 rows next to the table, 2 serial numbers, 1 text behind a value"
     )

@@ -303,7 +303,7 @@ def test_a_state_in_which_it_differs_is_refused_by_name(
         assert compwright(["run", str(other)]) == 3
         told = capsys.readouterr().err
         assert "parameter 5871 of axis 1 = -90" in told
-        assert "beside its table" in told
+        assert "in addition to its table" in told
 
 
 def smooth(first: int, start: int, end: int) -> Edits:

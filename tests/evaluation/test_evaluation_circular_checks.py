@@ -164,7 +164,7 @@ def test_large_offset(offset: float, told: bool) -> None:
     messages = found(measured(perfect, offset=(0.0, -offset)), "CW-C011")
     assert bool(messages) == told
     if told:
-        assert "lies 101.00 µm beside" in messages[0]
+        assert "lies 101.00 µm from" in messages[0]
         assert "up to 0.10 µm" in messages[0]
 
 

@@ -160,7 +160,7 @@ def test_a_turn_is_told_from_the_reference() -> None:
 @pytest.mark.parametrize(
     ("there", "reference", "why"),
     [
-        (tuple(range(0, 361, 45)), 10.0, "no point lies there"),
+        (tuple(range(0, 361, 45)), 10.0, "no point is there"),
         (tuple(range(0, 181, 45)), 0.0, "does not span the turn"),
     ],
 )

@@ -23,6 +23,7 @@ from compwright.estimation.circle_symptoms import (
 )
 from compwright.estimation.circle_vibration import times
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularTest
@@ -145,7 +146,8 @@ def _prior_reason(cause: _ReportedCause, samples: Samples) -> str:
         return ""
     unit = UNITS.get(cause.name, "um").replace("um", "µm")
     return (
-        f"{cause.value:+.3g} ± {2.0 * cause.std_error:.2g} {unit} is not known well enough: the"
+        f"{significant(cause.value, 3, signed=True)} ± {significant(2.0 * cause.std_error)} {unit}"
+        " is not known well enough: the"
         f" samples add little to what machines have (±{width:g}, standard deviation): {FULL_CIRCLE}"
     )
 
@@ -417,7 +419,7 @@ def _vibration(solution: Solution) -> _ReportedCause:
             positive=True,
             variance=(0.5 * found.hidden) ** 2 if known else 0.0,
             more={"frequency": None},
-            reason="" if known else f"the {span:.3g} s of the run have too few samples",
+            reason="" if known else f"the {significant(span, 3)} s of the run have too few samples",
         )
     runs = np.unique(samples.run)
     parts = [f"_vibration_{part}_{int(number)}" for number in runs for part in ("cos", "sin")]

@@ -1,7 +1,8 @@
 """Jumps of the error between two targets: a damaged scale, a joint of two scales, a wrong number of
 encoder lines. A stationary prior smears them over its length, and overshoots on both sides.
 
-Sets of jumps and outliers are compared by the evidence of the means (`step_evidence`). Between its
+Sets of jumps and outliers are compared by the evidence of the means (`step_evidence`; Kass and
+Raftery, Bayes Factors, J. Am. Stat. Assoc. 90, 1995). Between its
 targets a jump that counts makes the mean of the error nearly a straight line, which does no harm
 where none is there.
 """

@@ -27,7 +27,7 @@ from compwright.workflow.results.single_files import refuse_other_kinds
 
 SCHEMA: Final = "compwright/redaction/1"
 #: Before the words that say where texts of a kind stood.
-_WHERE: Final = re.compile(r"(?= (?:behind|beside) )")
+_WHERE: Final = re.compile(r"(?= (?:behind|next to) )")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -280,7 +280,7 @@ def _told(
 
 
 def _counted(count: int, kind: str) -> str:
-    """Return how many texts of a kind were taken out: "1 comment", "3 rows beside the table"."""
+    """Return how many texts of a kind were taken out: "1 comment", "3 rows next to the table"."""
     noun, *where = _WHERE.split(kind, maxsplit=1)
     return f"{count} {noun}{'s' * (count != 1)}{''.join(where)}"
 
