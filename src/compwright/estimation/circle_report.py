@@ -394,7 +394,11 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause
 
     yield _vibration(solution)
     for axis in AXES:
-        reason = f"the arc has too few samples where the {axis} axis reverses: {FULL_CIRCLE}"
+        reason = (
+            f"too few samples near the reversals of the {axis} axis: measure at a lower feed"
+            if test.full_circle
+            else f"the arc has too few samples where the {axis} axis reverses: {FULL_CIRCLE}"
+        )
         yield stated(f"stick_slip_{axis}", stick_slip(solution, axis), reason, detail=False)
     for order in (2, 3):
         found = lobes(solution, order) if test.full_circle else None
