@@ -79,6 +79,15 @@ def test_a_table_that_was_asked_for_otherwise() -> None:
     assert told(edited) == [("axis X: table.spacing", "25", "not given")]
 
 
+def test_a_goal_whose_table_did_not_gain_is_the_same_job() -> None:
+    """The plan then holds the usual table, and says so by its goal."""
+    for_m = TableRequest(goal="M")
+    assert told(with_axis(table=for_m)) == []
+    planned = replace(PLAN, axes={"X": replace(PLANNED, request=for_m)})
+    assert told(plan=planned) == [("axis X: table.goal", "expected", "M")]
+    assert told(with_axis(table=for_m), plan=planned) == []
+
+
 def test_axes_that_came_or_went() -> None:
     assert told(job_of(axis_of(), axis_of("Y"), options=JOB.options, states=JOB.states)) == [
         ("axes", "X, Y", "X")
