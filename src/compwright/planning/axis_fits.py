@@ -130,7 +130,7 @@ def _fit_as_asked(
     """
     planned = work.planned
     if planned.active is None:
-        raise TypeError("nobody said what is in the control")
+        raise TypeError("the state of the control is not given")
     axis, request = planned.axis, planned.request
     wanted = wanted_correction(
         planned.estimate, planned.active, axis, reversal_log_odds=work.posterior.reversal_log_odds

@@ -232,7 +232,7 @@ class _Script:
                     message = f"in another branch than the same in line {earlier.line}"
                     self.card.faults.append(place.fault(f"{what}: {message}"))
                     return False
-                message = f"{what} stands in another branch than line {earlier.line}"
+                message = f"{what} is in a different branch than line {earlier.line}"
                 self.card.not_both.append((motor, place, message))
         self.done.setdefault((what, motor), []).append((here, place))
         if here:

@@ -118,7 +118,7 @@ def _unclear(found: Found) -> Iterator[Fault]:
     """Yield the faults of jumps to a label that there is more than once."""
     for line in found.ways.unclear if found.forks else ():
         yield Fault(
-            message="the label of this line stands in the program more than once where it may lead",
+            message="the label of this line is in the program more than once where it may lead",
             file=found.file,
             place=f"line {line}",
             expected=EXPORTED,

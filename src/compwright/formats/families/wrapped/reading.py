@@ -160,7 +160,7 @@ class _WrappedStateReader:
             for motor, word, earlier in self.script.apart:
                 if concerns(motor):
                     message = (
-                        "active: yes, but this stands in another branch of a conditional block than"
+                        "active: yes, but this is in a different branch of a conditional block than"
                         f" line {earlier.line}: not both are sent"
                     )
                     expected = "the script as it was sent, without conditional blocks"
