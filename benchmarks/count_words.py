@@ -1,0 +1,115 @@
+"""Count the words that the project's guide to plain English replaces, room by room: in messages
+(texts with a space in them), docstrings, comments and names of `src/compwright`, and in `docs/`.
+
+    python benchmarks/count_words.py            a line for each room
+    python benchmarks/count_words.py --list messages [ROOM]     every place, to work through
+"""
+
+from __future__ import annotations
+
+import ast
+import io
+import re
+import sys
+import tokenize
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[1]
+SOURCE = PROJECT / "src" / "compwright"
+KINDS = ("messages", "docstrings", "comments", "names")
+#: What a text should not say, and parts of names.
+WORDS = re.compile(
+    r"\b(?:told|said|acts|acting|acted|beside|another than|as such|for sure|so is|nobody"
+    r"|stands? (?:in|beside|there|here)|hangs? on|settled? first|what you saw|a test in which"
+    r"|(?:lies?|far) off|(?:holds?|held) (?:\w+ ){0,4}against)\b",
+    re.IGNORECASE,
+)
+PARTS = {
+    *("told", "said", "asked", "acted", "acts", "acting", "beside", "settled", "settle"),
+    *("stands", "standing", "nobody"),
+}
+
+
+def _names(tree: ast.AST) -> Iterator[tuple[int, str]]:
+    """Yield each name where it is defined: functions, classes, arguments, variables, fields."""
+    seen = set()
+    for node in ast.walk(tree):
+        name = None
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+            name = node.name
+        elif isinstance(node, ast.arg):
+            name = node.arg
+        elif isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store):
+            name = node.id if isinstance(node, ast.Name) else node.attr
+        if name is not None and name not in seen:
+            seen.add(name)
+            yield node.lineno, name
+
+
+def parts(name: str) -> set[str]:
+    """Return the words of a name, in small letters."""
+    return set(re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower().split("_"))
+
+
+def _texts(tree: ast.AST) -> Iterator[tuple[str, int, str]]:
+    """Yield kind, line and text of docstrings and of constants with a space in them."""
+    documents = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
+            first = node.body[0] if node.body else None
+            if isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant):
+                documents.add(id(first.value))
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+            if id(node) in documents:
+                yield "docstrings", node.lineno, node.value
+            elif " " in node.value.strip():
+                yield "messages", node.lineno, node.value
+
+
+def places(path: Path) -> Iterator[tuple[str, int, str]]:
+    """Yield kind, line and text of every hit in a module."""
+    text = path.read_text(encoding="utf-8")
+    tree = ast.parse(text)
+    comments = [
+        ("comments", token.start[0], token.string)
+        for token in tokenize.generate_tokens(io.StringIO(text).readline)
+        if token.type == tokenize.COMMENT
+    ]
+    for kind, line, words in [*_texts(tree), *comments]:
+        for _ in WORDS.findall(words):
+            yield kind, line, " ".join(words.split())
+    for line, name in [(1, path.stem), *_names(tree)]:
+        if parts(name) & PARTS:
+            yield "names", line, name
+
+
+def room(path: Path) -> str:
+    """Return the first folder below the source."""
+    inside = path.relative_to(SOURCE).parts
+    return inside[0] if len(inside) > 1 else "(top)"
+
+
+def main() -> None:
+    """Print the counts, or every place of one kind."""
+    wanted = sys.argv[2:] if sys.argv[1:2] == ["--list"] else []
+    counts: Counter[tuple[str, str]] = Counter()
+    for path in sorted(SOURCE.rglob("*.py")):
+        for kind, line, text in places(path):
+            counts[room(path), kind] += 1
+            if wanted and kind == wanted[0] and room(path) in (wanted[1:] or [room(path)]):
+                print(f"{path.relative_to(SOURCE)}:{line}: {text}")
+    if wanted:
+        return
+    print(f"{'room':<14}" + "".join(f"{kind:>12}" for kind in KINDS))
+    for one in sorted({where for where, _ in counts}):
+        print(f"{one:<14}" + "".join(f"{counts[one, kind]:>12}" for kind in KINDS))
+    whole = [sum(n for (_, of), n in counts.items() if of == kind) for kind in KINDS]
+    print(f"{'all':<14}" + "".join(f"{n:>12}" for n in whole))
+    pages = [PROJECT / "README.md", *sorted((PROJECT / "docs").rglob("*.md"))]
+    print("docs", sum(len(WORDS.findall(page.read_text(encoding="utf-8"))) for page in pages))
+
+
+if __name__ == "__main__":
+    main()
