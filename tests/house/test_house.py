@@ -85,6 +85,7 @@ OTHERS: dict[str, set[str]] = {
     "rich": {"reporting"},
     "matplotlib": {"reporting"},
     "jinja2": {"reporting"},
+    "typst": {"reporting"},
     "openpyxl": {"instruments", "reporting"},
 }
 SLOW_TO_IMPORT = {

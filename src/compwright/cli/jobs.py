@@ -20,6 +20,7 @@ from compwright.cli.words import (
     json_option,
     pairs,
     profile_option,
+    report_option,
     state_option,
 )
 
@@ -49,6 +50,7 @@ from compwright.cli.words import (
 @click.option(
     "--accept-worse", is_flag=True, help="Write a table even if it would not improve the axis."
 )
+@report_option
 @json_option
 @force_option
 @exiting
@@ -66,7 +68,9 @@ def run_command(
     from compwright.workflow.inputs.jobs import job_of
     from compwright.workflow.ready import ready_for_axes
     from compwright.workflow.results.answers import run_summary
+    from compwright.workflow.results.report_file import require_report_form
 
+    require_report_form(words["report"], ".pdf")
     asked = job_of(
         invocation.session,
         [str(path) for path in inputs],
@@ -89,7 +93,12 @@ def run_command(
             each=each,
         )
     outcome = write_planned(
-        invocation.session, job, asked.out, force=words["force"], json_path=json_file(json_path)
+        invocation.session,
+        job,
+        asked.out,
+        force=words["force"],
+        json_path=json_file(json_path),
+        report=words["report"],
     )
     answer(outcome.prediction, json_path, lambda: run_summary(outcome))
     errors(filter(None, [outcome.no_tables]))
@@ -168,6 +177,7 @@ def new(
     help="Write the next round into next/ below the results; needs --loaded.",
 )
 @profile_option
+@report_option
 @json_option
 @force_option
 @exiting
@@ -182,6 +192,7 @@ def verify(
     out: Path | None,
     profile: Path | None,
     json_path: Path | None,
+    report: Path | None,
     **words: bool,
 ) -> int:
     """Judge the test after loading against the plan."""
@@ -189,7 +200,9 @@ def verify(
     from compwright.workflow.inputs.jobs import default_folder, read_job_file
     from compwright.workflow.ready import ready_for_axes
     from compwright.workflow.results.answers import verify_summary
+    from compwright.workflow.results.report_file import require_report_form
 
+    require_report_form(report, ".pdf")
     folder = default_folder(invocation.session, job_file)
     plan_file = plan_path(invocation.session, plan, folder)
     job = read_job_file(invocation.session, job_file, plan_file)
@@ -203,6 +216,7 @@ def verify(
             loaded=loaded,
             force=words["force"],
             json_path=json_file(json_path),
+            report=report,
             update=words["update"],
             profile=profile,
             each=each,

@@ -61,7 +61,7 @@ _STANDARDS = (
     metavar="PATH",
     help="Write all parameters, a row per test, to a file: .csv or .xlsx.",
 )
-@click.option("--report", type=PATH, metavar="PATH", help="Write the test report: .html.")
+@click.option("--report", type=PATH, metavar="PATH", help="Write the test report: .html or .pdf.")
 @json_option
 @force_option
 @exiting

@@ -180,6 +180,11 @@ profile_option = click.option(
 )
 
 
+report_option = click.option(
+    "--report", type=PATH, metavar="PATH.pdf", help="Write the report as PDF too (extra pdf)."
+)
+
+
 def exiting(command: Callable[P, int]) -> Callable[P, None]:
     """Turn the number that a command returns into its exit code."""
 

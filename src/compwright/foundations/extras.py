@@ -9,7 +9,12 @@ from typing import Any, Final
 from compwright.foundations.errors import Fault, UsageError
 
 #: What installs each extra, whether compwright came from a checkout, a wheel or an index.
-_PACKAGES: Final = {"report": "jinja2 matplotlib", "excel": "openpyxl", "pandas": "pandas"}
+_PACKAGES: Final = {
+    "report": "jinja2 matplotlib",
+    "pdf": "jinja2 matplotlib typst~=0.15.2",
+    "excel": "openpyxl",
+    "pandas": "pandas",
+}
 
 
 def installing(extra: str) -> str:

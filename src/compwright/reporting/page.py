@@ -31,6 +31,15 @@ def render_page(template: str, content: Mapping[str, Any]) -> bytes:
     return encoded(text)
 
 
+def template_text(name: str) -> str:
+    """Return a file of ``templates/`` as it is. Raises UsageError when the report extra is
+    missing.
+    """
+    environment = _environment()
+    text: str = environment.loader.get_source(environment, name)[0]
+    return text
+
+
 @functools.cache
 def _environment() -> Any:
     """Return the template engine, which keeps the templates that it has compiled."""

@@ -4,7 +4,10 @@ test, the budget of the uncertainty, the annexes. Computes nothing.
 
 from __future__ import annotations
 
+import contextlib
+import re
 from collections.abc import Mapping, Sequence
+from datetime import date
 from typing import Any, Final
 
 from compwright.foundations.utf8 import visible_lines
@@ -32,6 +35,7 @@ NO_LIMITS: Final = "No limit was given. This report states values; it does not s
 #: Letters of the report number that fit in a footer.
 _MOST_IN_FOOTER: Final = 60
 _MOST_IN_HEAD: Final = 4
+_DAY: Final = re.compile(r"\b\d{4}-\d{2}-\d{2}|\b\d{8}\b")
 _SOURCES: Final = {
     "device": "Measuring instrument (certificate)",
     "misalignment_mm": "Misalignment of the measuring line",
@@ -48,7 +52,8 @@ _PER: Final = {"length": "over the length", "test": "per test", "reading": "per 
 
 def head(report: Document, evaluations: Sequence[Document]) -> dict[str, Any]:
     """Return the head of a report: ``rows`` of name and text, the ``logo`` (or None), and the
-    ``footer`` of each printed page as a CSS string.
+    ``footer`` of each printed page as a CSS string, ``running`` the same as text, and the ``date``
+    of the last test as ISO 8601 writes it (empty where no test states one).
 
     ``report``: ``number``, ``customer``, ``operator``, ``place`` and ``logo`` (``type``,
     ``base64``) as far as they are given.
@@ -60,7 +65,9 @@ def head(report: Document, evaluations: Sequence[Document]) -> dict[str, Any]:
     return {
         "rows": [(name, plain(text) if text else NOT_STATED) for name, text in rows],
         "logo": report.get("logo"),
+        "running": footer,
         "footer": css_string(footer),
+        "date": _last_day(evaluations),
     }
 
 
@@ -76,6 +83,17 @@ def conformity(decisions: Sequence[str], *, proven: bool) -> str:
     if "undecided" in decisions or not proven:
         return "Conformity is not stated: at least one decision, or what it rests on, is open."
     return "The machine conforms to every limit of the table above."
+
+
+def _last_day(results: Sequence[Document]) -> str:
+    """Return the latest date that a test states and that the calendar has; empty without any."""
+    days = []
+    for result in results:
+        for row in sheet_rows(result, {}):
+            for day in _DAY.findall(row["value"]) if row["key"] == "date" else ():
+                with contextlib.suppress(ValueError):
+                    days.append(date.fromisoformat(day).isoformat())
+    return max(days, default="")
 
 
 def _of_every_test(key: str, results: Sequence[Document]) -> str:

@@ -44,6 +44,7 @@ from compwright.workflow.inputs.measurement_files import (
     load_profile,
     measurement_files,
 )
+from compwright.workflow.results.report_file import as_named, require_report_form
 
 if TYPE_CHECKING:  # positioning tests, the common case, start without the circular records
     from compwright.instruments.profile import Profile
@@ -211,12 +212,13 @@ def write_evaluation(
     force: bool = False,
 ) -> list[Path]:
     """Write the JSON document, the plot (svg, png or pdf by its ending), the table (csv or xlsx)
-    and the report (html; ``command`` repeats it), all or none; returns the paths written.
+    and the report (html or pdf; ``command`` repeats it), all or none; returns the paths written.
 
     Raises StorageError when a file exists (unless ``force``) or cannot be written, UsageError for
     another ending of the plot, the table or the report, one file for two of them, or when there is
     nothing to plot or more than fits in a picture.
     """
+    require_report_form(report_path, ".html", ".pdf")
     files: dict[Path, bytes] = {}
     makers: tuple[tuple[str, Path | None, Callable[[Path], bytes]], ...] = (
         ("--plot", plot_path, lambda path: _plot(document, path)),
@@ -275,21 +277,12 @@ def _table(document: Mapping[str, Any], path: Path) -> bytes:
 def _report(document: Mapping[str, Any], path: Path, command: str) -> bytes:
     from compwright.reporting.evaluation_report import evaluation_report
 
-    if path.suffix.lower() != ".html":
-        raise UsageError(
-            Fault(
-                message="unknown format of a report",
-                expected="a name that ends in .html",
-                found=path.suffix or path.name,
-            )
-        )
     if not document["results"]:
         raise UsageError(
             Fault(message="nothing to report", expected="a test that could be evaluated")
         )
-    return evaluation_report(
-        {"evaluation": document, "report": {}, "command": command, "version": __version__}
-    )
+    view = {"evaluation": document, "report": {}, "command": command, "version": __version__}
+    return as_named(evaluation_report(view), path)
 
 
 def _standards(names: Sequence[str], spread: str) -> tuple[str, str]:

@@ -21,6 +21,7 @@ from compwright.records.job import Job
 from compwright.records.prediction import AxisPrediction, CirclePrediction
 from compwright.workflow.inputs.handed_over import files_of_job, given_job
 from compwright.workflow.results.recorded import folders_of_copies, known_results, recorded_run
+from compwright.workflow.results.report_file import answer_files
 from compwright.workflow.results.result_files import NO_STATE, PLAN, Results, result_files
 from compwright.workflow.results.single_files import refuse_other_kinds
 from compwright.workflow.run.finished import Finished
@@ -110,9 +111,10 @@ def write_planned(
     *,
     force: bool = False,
     json_path: Path | None = None,
+    report: Path | None = None,
 ) -> RunOutcome:
-    """Write the files of a planned job below ``out`` (and the prediction to ``json_path`` too), all
-    of them or none.
+    """Write the files of a planned job below ``out`` (the prediction to ``json_path`` too, the
+    report as PDF to ``report``), all of them or none.
 
     Raises StorageError (5); nothing is written then. Without a state of the control, evaluation,
     prediction and report are written but no table (exit 2).
@@ -127,7 +129,7 @@ def write_planned(
     ]
     recorded, outdated = recorded_run(session, finished, results, given, out, draft=draft)
     files = {**results.files, **recorded, **draft}
-    elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
+    elsewhere = answer_files(files["prediction.json"], json_path, files.get("report.html"), report)
     refuse_other_kinds(session, elsewhere, force=force, results=[out / name for name in files])
     sets = [f"{name}/{finished.measured.control.id}" for name in ("tables", "rollback")]
     any_there = any(storage.is_there(session, path) for path in elsewhere)

@@ -46,6 +46,7 @@ from compwright.workflow.results.recorded import (
     known_results,
     recorded_verification,
 )
+from compwright.workflow.results.report_file import answer_files
 from compwright.workflow.results.single_files import refuse_other_kinds
 from compwright.workflow.results.view import evaluations, verify_view
 from compwright.workflow.verify.next_round import (
@@ -103,6 +104,7 @@ def verify_job(
     loaded: Sequence[Path] = (),
     force: bool = False,
     json_path: Path | None = None,
+    report: Path | None = None,
     update: bool = False,
     profile: Path | None = None,
     each: Each = in_turn,
@@ -112,10 +114,10 @@ def verify_job(
 
     ``after``: ``FILE`` or ``TEST=FILE``, relative to the working directory; ``loaded``:
     what was read back from the control; ``profile``: the mapping profile of the tests after
-    loading, else that of the job; ``json_path``: the verification once more; ``each`` works
-    on the axes of the next round. Raises UsageError (2; ``update`` without ``loaded``), InputError
-    (3) and StorageError (5); nothing is written then. A next round that cannot be made makes the
-    exit code 1.
+    loading, else that of the job; ``json_path``: the verification once more; ``report``: its page
+    as PDF; ``each`` works on the axes of the next round. Raises UsageError (2; ``update`` without
+    ``loaded``), InputError (3) and StorageError (5); nothing is written then. A next round that
+    cannot be made makes the exit code 1.
     """
     if update and not loaded:
         raise UsageError(NOT_READ_BACK)
@@ -148,7 +150,7 @@ def verify_job(
     return VerifyOutcome(
         exit_code=0 if verdict == "good" and (then is None or then.files) else 1,
         document=document,
-        files=_stored(session, out, files, then, json_path, force=force),
+        files=_stored(session, out, files, then, json_path, report, force=force),
         notes=(*notes, *told, *(then.notes if then is not None else ()), *_left_over(out, then)),
     )
 
@@ -235,12 +237,14 @@ def _stored(
     files: Mapping[str, bytes],
     then: Round | None,
     json_path: Path | None,
+    report: Path | None,
     *,
     force: bool,
 ) -> tuple[Path, ...]:
     """Write the verification and the next round, all of it or nothing."""
     below = {} if then is None else then.files
-    answer = {} if json_path is None else {json_path: files[VERIFICATION]}
+    page = files.get("verification.html")
+    answer = answer_files(files[VERIFICATION], json_path, page, report)
     refuse_other_kinds(
         session, answer, force=force, results=[out / name for name in (*files, *below)]
     )

@@ -1,0 +1,61 @@
+"""The report of a command as a file that ``--report`` names."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.utf8 import shown_path
+
+
+def require_report_form(path: Path | None, *forms: str) -> None:
+    """Raise UsageError for a report whose name ends in none of the ``forms``, or for a PDF without
+    the pdf extra: before the work, not after it.
+    """
+    if path is None:
+        return
+    if path.suffix.lower() not in forms:
+        raise UsageError(
+            Fault(
+                message="unknown format of a report",
+                file=shown_path(path),
+                place="--report",
+                expected=f"a name that ends in {' or '.join(forms)}",
+                found=path.suffix or path.name,
+            )
+        )
+    if path.suffix.lower() == ".pdf":
+        from compwright.reporting.pdf import require_pdf
+
+        require_pdf()
+
+
+def as_named(page: bytes, path: Path) -> bytes:
+    """Return the page of a report in the form that the name asks for: HTML or PDF."""
+    if path.suffix.lower() != ".pdf":
+        return page
+    from compwright.reporting.pdf import pdf_of_page
+
+    return pdf_of_page(page)
+
+
+def answer_files(
+    document: bytes, json_path: Path | None, page: bytes | None, report: Path | None
+) -> dict[Path, bytes]:
+    """Return the files of ``--json`` and ``--report``. Raises UsageError for one name of both.
+
+    ``page``: the report as HTML; None where it could not be made.
+    """
+    files: dict[Path, bytes] = {} if json_path is None else {json_path: document}
+    if report is None or page is None:
+        return files
+    if report in files:
+        raise UsageError(
+            Fault(
+                message="is the file of --json too",
+                file=shown_path(report),
+                place="--report",
+                expected="another file",
+            )
+        )
+    return {**files, report: as_named(page, report)}
