@@ -220,7 +220,7 @@ def test_the_evaluate_path_loads_nothing_heavy(tmp_path: Path) -> None:
         " to_json;from compwright.foundations.session import Session;"
         "from compwright.workflow.commands.evaluate import"
         f" evaluate_files;to_json(evaluate_files(Session(), [Path({str(path)!r})]).document);print([m"
-        " for m in ('scipy', 'cvxpy', 'osqp', 'matplotlib', 'pydantic', 'rich') if m in"
+        " for m in ('scipy', 'cvxpy', 'osqp', 'matplotlib', 'pydantic', 'rich', 'numpy.ma') if m in"
         " sys.modules])"
     )
     environment = {**os.environ, "PYTHONPATH": str(PROJECT / "src")}

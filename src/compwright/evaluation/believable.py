@@ -101,7 +101,8 @@ def chance_of_zero(test: PositioningTest) -> float:
     s = s[np.isfinite(s) & (s > _ROUNDING)]
     if not test.step or not s.size:
         return 1.0
-    return min(test.step / (float(np.median(s)) * math.sqrt(2.0 * math.pi)), 1.0)
+    scatter = float(row_medians(s[np.newaxis])[0, 0])  # np.median loads numpy.ma
+    return min(test.step / (scatter * math.sqrt(2.0 * math.pi)), 1.0)
 
 
 def kept(

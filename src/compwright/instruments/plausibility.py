@@ -205,7 +205,9 @@ def _near_targets(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
     if gaps.size <= 1:
         return None
     made = np.isfinite(_all_deviations(grid))
-    near = (gaps < _NEAR_SHARE * np.median(gaps)) & ~np.any(made[:-1] & made[1:], axis=1)
+    # the median; numpy's own loads numpy.ma
+    middle = np.sort(gaps)[[(gaps.size - 1) // 2, gaps.size // 2]].mean()
+    near = (gaps < _NEAR_SHARE * middle) & ~np.any(made[:-1] & made[1:], axis=1)
     pairs = [
         f"{as_text(grid.targets[row])} and {as_text(grid.targets[row + 1])} {kind.unit}"
         for row in np.flatnonzero(near)

@@ -14,7 +14,6 @@ from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.parameters import (
     AxisParameters,
     Parameters,
-    ParameterValue,
 )
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind
@@ -30,28 +29,13 @@ def refusals(own: AxisParameters) -> Iterator[Fault]:
         )
 
 
-def second_tables(parameters: Parameters) -> list[tuple[ParameterValue, range]]:
-    """Return the point numbers of the second (cyclic) tables that are set, whose data they hold,
-    each with the parameter of its first.
-    """
-    ends = [
-        (first, AxisParameters(parameters, str(first.index)).get(known.CYCLIC_LAST))
-        for first in parameters.of([known.CYCLIC_FIRST])
-    ]
-    return [
-        (first, range(first.whole, min(last.whole, first.whole + 10_000) + 1))
-        for first, last in ends
-        if last is not None and (first.acts or last.acts)
-    ]
-
-
 def pointed_numbers(parameters: Parameters) -> frozenset[int]:
     """Return the point numbers to which inclination, straightness and cyclic compensation of any
     axis point.
     """
     numbers = (*known.INCLINATION_POINTS, *known.STRAIGHTNESS_POINTS, *known.STRAIGHTNESS_MORE)
     values = parameters.of(numbers)
-    cyclic = (number for _, numbers in second_tables(parameters) for number in numbers)
+    cyclic = (number for _, numbers in parameters.second_tables for number in numbers)
     return frozenset((*(value.whole for value in values if value.acts), *cyclic))
 
 
@@ -59,8 +43,9 @@ def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
     """Yield a fault for a second table whose points are among the axis' own numbers: both would
     hang on the same data. Inclination and straightness only name sections there.
     """
-    second = second_tables(own.all)
-    users = (value for value, others in second if not set(numbers).isdisjoint(others))
+    users = (
+        value for value, others in own.all.second_tables if not set(numbers).isdisjoint(others)
+    )
     for value in islice(users, 1):
         yield value.fault(
             f"{own.label}: another function uses its point numbers {numbers.start} to"

@@ -7,7 +7,6 @@ from dataclasses import replace
 from decimal import Decimal
 
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.acting import second_tables
 from compwright.formats.families.increments.axis_values import INCH, IncrementAxisValues
 from compwright.formats.families.increments.beside import (
     OPTION_OF,
@@ -94,23 +93,25 @@ def name_of(values: IncrementAxisValues) -> str | None:
 
 def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]) -> AxisFacts:
     """Return the facts with what acts beside the table and is left alone."""
-    told = {OPTION_OF.get(each.words): each.told for each in functions(own)}
+    every = tuple(functions(own))
+    alone = left_alone(every, options)
+    told = {OPTION_OF.get(each.words): each.told for each in every}
     said = replace(
         increments_of(facts),
-        hung=hung(own),
-        foreign=tuple(numbers for _, numbers in second_tables(own.all)),
+        hung=hung(own, every),
+        foreign=tuple(numbers for _, numbers in own.all.second_tables),
         first_stage=first_stage(own),
         inclined=told.get("inclination", ""),
         waved=told.get("cyclic", ""),
     )
-    words = [function.told for function in left_alone(own, options) if function.moves]
+    words = [function.told for function in alone if function.moves]
     if words:  # what it does hangs on the grid
         grid = (
             *(said.reference_number, said.first_number, said.last_number),
             *(said.magnification, said.interval),
         )
         words += [f"{number} = {value}" for number, value in zip(_GRID, grid, strict=True)]
-    pairs = replace(facts.pairs, untold=across(own, options), untold_help=_UNTOLD_HELP)
+    pairs = replace(facts.pairs, untold=across(own, alone), untold_help=_UNTOLD_HELP)
     return replace(facts, beside="; ".join(words), of_family=said, pairs=pairs)
 
 

@@ -18,7 +18,7 @@ from compwright.formats.families.increments.against_job import (
 )
 from compwright.formats.families.increments.axis_values import IncrementAxisValues
 from compwright.formats.families.increments.backlash import acting_backlash
-from compwright.formats.families.increments.beside import left_alone, stays
+from compwright.formats.families.increments.beside import functions, left_alone, stays
 from compwright.formats.families.increments.counted import counted
 from compwright.formats.families.increments.detection_unit import detection_unit, two_systems
 from compwright.formats.families.increments.points import POINTS_FROM
@@ -125,7 +125,7 @@ class IncrementReader:
             notes.faults.extend(acting.unclear_path(own, kind))
         for remark in acting.remarks(own):
             notes.find("CW-S040", "warning", remark)
-        for function in left_alone(own, self.options):
+        for function in left_alone(functions(own), self.options):
             notes.find("CW-S048", "warning", f"{values.label}: {stays(function)}")
         near = smooth_backlash(own)
         if near is not None:

@@ -9,7 +9,7 @@ cyclic table A-78868E pages 3 and 6; further pairs, three-dimensional compensati
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from compwright.formats.families.increments import parameters as known
@@ -64,25 +64,25 @@ def functions(own: AxisParameters) -> Iterator[Function]:
         yield Function("three-dimensional error compensation", spatial, None)
 
 
-def left_alone(own: AxisParameters, options: Mapping[str, object]) -> list[Function]:
+def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list[Function]:
     """Return those functions that compwright neither counts nor writes, by the options."""
     return [
         function
-        for function in functions(own)
+        for function in every
         if options.get(OPTION_OF.get(function.words, "")) != "available"
     ]
 
 
-def hung(own: AxisParameters) -> tuple[Hung, ...]:
+def hung(own: AxisParameters, every: Iterable[Function]) -> tuple[Hung, ...]:
     """Return what hangs on the numbers of the axis' sections, counted or not, for whoever moves
-    them.
+    them; ``every``: its functions.
     """
     return tuple(
         Hung(
             label=f"{function.words}, {function.values[0].place}",
             points=None if function.points is None else tuple(map(_point, function.points)),
         )
-        for function in functions(own)
+        for function in every
         if function.points is None or function.points
     ) + tuple(
         Hung(label=f"perhaps further compensation, {value.place}", points=None)
@@ -92,11 +92,11 @@ def hung(own: AxisParameters) -> tuple[Hung, ...]:
     )
 
 
-def across(own: AxisParameters, options: Mapping[str, object]) -> str:
-    """Return what moves the axis by the positions of others and is left alone, in words that change
-    with its values; empty: nothing.
+def across(own: AxisParameters, alone: Sequence[Function]) -> str:
+    """Return what moves the axis by the positions of others, in words that change with its values,
+    where that is left ``alone``; empty: nothing.
     """
-    if all(each.words != _BENT for each in left_alone(own, options)):
+    if all(each.words != _BENT for each in alone):
         return ""
     numbers = (
         *(*known.STRAIGHTNESS_MOVING, *known.STRAIGHTNESS_BENT),

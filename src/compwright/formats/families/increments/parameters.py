@@ -13,6 +13,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
+from functools import cached_property
 
 from compwright.formats.definition.schema import ParameterRule
 from compwright.formats.families.increments.points import NUMBERED, POINTS_FROM
@@ -178,6 +179,35 @@ class Parameters:
             for number, values in self.values.items()
         }
 
+    @cached_property
+    def second_tables(self) -> tuple[tuple[ParameterValue, range], ...]:
+        """The point numbers of the second (cyclic) tables that are set, whose data they hold, each
+        with the parameter of its first.
+        """
+        ends = [
+            (first, AxisParameters(self, str(first.index)).get(CYCLIC_LAST))
+            for first in self.of([CYCLIC_FIRST])
+        ]
+        return tuple(
+            (first, range(first.whole, min(last.whole, first.whole + 10_000) + 1))
+            for first, last in ends
+            if last is not None and (first.acts or last.acts)
+        )
+
+    @cached_property
+    def contradictions(self) -> tuple[tuple[ParameterValue, ParameterValue], ...]:
+        """Each value that differs from the first one of the same parameter and owner, after that
+        first one.
+        """
+        found = []
+        for values in self.values.values():
+            first: dict[tuple[str, int], ParameterValue] = {}
+            for value in values:
+                known = first.setdefault(value.whose, value)
+                if known is not value and Decimal(value.text) != Decimal(known.text):
+                    found.append((known, value))
+        return tuple(found)
+
     def of(self, numbers: Iterable[int]) -> list[ParameterValue]:
         """Return all values of some parameters, whoever they belong to."""
         return [value for number in numbers for value in self.values.get(number, ())]
@@ -211,7 +241,7 @@ class Parameters:
             (self.unknown if here == "unknown" else self.another).append(value)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class AxisParameters:
     """The watched parameters as they hold for one axis."""
 
@@ -248,12 +278,12 @@ class AxisParameters:
         refused.
         """
         values = self.all.held(number)
-        return next((values[whose] for whose in self._owners() if whose in values), None)
+        return next((values[whose] for whose in self._owners if whose in values), None)
 
     def another(self, number: int) -> ParameterValue | None:
         """Return what stands for the axis under a number that is another parameter here."""
         values = {value.whose: value for value in self.all.another if value.number == number}
-        return next((values[whose] for whose in self._owners() if whose in values), None)
+        return next((values[whose] for whose in self._owners if whose in values), None)
 
     def bit(self, number: int, bit: int) -> bool | None:
         """Return one bit; None where nothing says it."""
@@ -264,13 +294,9 @@ class AxisParameters:
         """Yield a fault for each parameter that holds for the axis and stands in the files twice
         with different values.
         """
-        owners = self._owners()
-        for values in self.all.values.values():
-            first: dict[tuple[str, int], ParameterValue] = {}
-            for value in values:
-                known = first.setdefault(value.whose, value)
-                if value.whose in owners and Decimal(value.text) != Decimal(known.text):
-                    yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
+        for known, value in self.all.contradictions:
+            if value.whose in self._owners:
+                yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
 
     def rivals(self, number: int, bits: Sequence[int]) -> list[ParameterValue]:
         """Return the values of paths that could hold for an axis whose path nobody says (981) and
@@ -301,6 +327,7 @@ class AxisParameters:
         )
         return value.whole > 0 and mates[value.whole - 1 : value.whole] == [self.index]
 
+    @cached_property
     def _owners(self) -> list[tuple[str, int]]:
         return [("A", self.index), ("L", self.path or 1), ("", 0)]
 
