@@ -41,7 +41,8 @@ def test_the_keys_are_the_contracts() -> None:
         == KEYS
     )
     got = document(evaluate_circle(measured(perfect)))
-    assert set(got) == KEYS | {"set_up", "minimum_zone", "runs", "header", "uncertainty"}
+    more = {"set_up", "minimum_zone", "runs", "fitted", "header", "uncertainty"}
+    assert set(got) == KEYS | more
     assert tuple(got["parameters"]) == CIRCULAR_NAMES
 
 

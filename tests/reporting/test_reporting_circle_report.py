@@ -4,13 +4,23 @@ with what to do about them.
 
 from __future__ import annotations
 
+import json
+import math
+from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree as ET
 
 import pytest
+import yaml
 
-from compwright.reporting.causes import _WORDS
+from compwright.cli import run as compwright
+from compwright.reporting.causes import _WORDS, named_in_words, ranked_causes
 from compwright.reporting.circle_report import _causes, _words
-from compwright.reporting.circle_steps import next_step
+from compwright.reporting.circle_steps import job_lines, next_step
+from compwright.reporting.circular_parameters import parameter_words
+from places import REAL, needs_shared
+
+BALLBARS = REAL / "ballbar"
 
 AXES = ("Z", "X")
 
@@ -32,22 +42,26 @@ RESULT: dict[str, Any] = {
 }
 
 
-def test_causes_with_their_ends_and_the_step_of_what_is_significant() -> None:
-    table = _causes(RESULT)
+def test_causes_with_their_ends() -> None:
+    table = _causes(ranked_causes(RESULT))
     lost, end, straight = table["rows"]
-    assert lost[:2] == ["Lost motion X", "4.00 ± 0.20"]
-    assert lost[-2] == "80"
-    assert "X screw" in lost[-1]
-    assert (end[1], end[-1]) == ("5.00 ± 0.30", "")
-    assert (straight[0], straight[-1]) == ("Straightness Z", "")  # 1.0 ± 0.9 says nothing
+    assert lost[:4] == ["Lost motion X", "4.00", "80", "4.00 ± 0.20"]
+    assert end == ["– at X+", "", "", "5.00 ± 0.30", "µm"]
+    assert straight[0] == "Straightness Z"
     assert "Software of the instrument" not in [head["text"] for head in table["heads"]]
 
 
 def test_what_the_software_printed_is_next_to_it() -> None:
-    vendor = {"RENISHAW_DIAGNOSTICS": {"AF_BACKLASH_B_POS": {"value": 4.4, "valid": False}}}
-    table = _causes({**RESULT, "vendor": vendor})
-    assert "Software of the instrument" in [head["text"] for head in table["heads"]]
-    assert [row[2] for row in table["rows"]] == ["", "(4.40)", ""]
+    def row(printed: float, *, valid: bool = True) -> list[str]:
+        vendor = {"RENISHAW_DIAGNOSTICS": {"AF_BACKLASH_B_POS": {"value": printed, "valid": valid}}}
+        table = _causes(ranked_causes({**RESULT, "vendor": vendor}))
+        assert table["heads"][-1]["text"] == "Comparison"
+        cells: list[str] = table["rows"][1][-2:]
+        return cells
+
+    assert row(4.5) == ["4.50", "agrees"]  # 5.0 ± 0.3
+    assert row(4.3) == ["4.30", "differs"]
+    assert row(5.0, valid=False) == ["(5.00)", "not valid"]
 
 
 #: Details of another cause, and values that sum causes up.
@@ -62,8 +76,16 @@ def test_every_cause_has_a_step_in_words(cause: str) -> None:
     assert "_" not in step
 
 
-def test_the_job_that_corrects_squareness_is_named() -> None:
-    assert "apply: {squareness: {ZX: X}}" in next_step("squareness", AXES)
+def test_the_job_that_corrects_what_a_table_can() -> None:
+    result = {**RESULT, "sources": [{"file": "zx.b5r"}]}
+    lines = job_lines(["squareness", "scale_mismatch", "backlash_first", "vibration"], result)
+    (path,) = [yaml.safe_load(line) for line in lines[:1]]
+    assert path == {"circles": [{"file": "zx.b5r"}]}
+    apply = yaml.safe_load(lines[1])["apply"]
+    assert apply == {"squareness": {"ZX": "X"}, "scale": ["Z", "X"], "backlash_from": "circle"}
+    assert job_lines(["vibration", "stick_slip_first"], result) == []
+    two = {**RESULT, "sources": [{"file": "a.csv"}, {"file": "b.csv"}]}
+    assert job_lines(["squareness"], two)[0] == "circles: [{ccw: a.csv, cw: b.csv}]"
 
 
 def test_no_name_of_a_key_is_on_the_page() -> None:
@@ -71,3 +93,59 @@ def test_no_name_of_a_key_is_on_the_page() -> None:
     assert _words("backlash_first_at_positive", RESULT) == "Lost motion Z at Z+"
     assert _words("scale_error_second", RESULT) == "Scale error X"
     assert _words("G_ccw", RESULT) == "G ccw"
+    assert parameter_words("G_bidirectional_lsc") == "G both, least-squares circle"
+    assert parameter_words("F_max_cw_lsc") == "F max cw, least-squares centre"
+    message = "worse: scale_mismatch (x 9, with straightness_second), my_file.b5r"
+    assert named_in_words(message, AXES) == (
+        "worse: Scale mismatch Z − X (x 9, with Straightness X), my_file.b5r"
+    )
+
+
+@needs_shared
+@pytest.mark.parametrize("path", sorted(BALLBARS.glob("*.b5r")), ids=lambda path: path.stem)
+def test_pages_of_real_files(path: Path, tmp_path: Path) -> None:
+    """Numbers are those of the JSON, what the instrument's software printed is next to them, and no
+    key of the JSON is on the page.
+    """
+    report, answer = tmp_path / "out.html", tmp_path / "out.json"
+    words = ["evaluate", str(path), "--report", str(report), "--json", str(answer)]
+    assert compwright(words) == 0
+    (result,) = json.loads(answer.read_text(encoding="utf-8"))["results"]
+    root = ET.fromstring(report.read_text(encoding="utf-8"))  # noqa: S314  our own page
+    body = root.find("body")
+    assert body is not None
+    text = " ".join(" ".join(body.itertext()).split())
+    keys = {*result["diagnosis"], *result["parameters"], *result["not_applicable"]}
+    assert [key for key in keys if "_" in key and key in text] == []
+    rows = [[" ".join("".join(cell.itertext()).split()) for cell in row] for row in body.iter("tr")]
+    cells = {row[0]: row for row in rows if row}
+    for key, column in (("G_ccw", 2), ("G_cw", 3), ("G_bidirectional", 4)):
+        if result["parameters"].get(key) is not None:
+            shown = cells["Circular deviation, minimum zone"][column]
+            assert shown == f"{result['parameters'][key]:.2f}"
+    entry = result["diagnosis"]["squareness"]
+    row = cells[f"Squareness {''.join(result['axes'])}"]
+    assert row[3] == f"{entry['value']:.1f} ± {entry['std_error']:.1f}".replace("-", "−")
+    assert row[2] == f"{100 * entry['share']:.0f}"
+    block = next(b for title, b in result["vendor"].items() if title.startswith("RENISHAW_DIAG"))
+    theirs = block["AF_SQUARENESS"]["value"]
+    assert row[5].strip("()") == f"{theirs:.1f}".replace("-", "−")
+
+
+@needs_shared
+def test_fit_and_residual_add_up_to_the_measured_run(tmp_path: Path) -> None:
+    path, answer = BALLBARS / "ballbar_qc20w_150mm_XY.b5r", tmp_path / "out.json"
+    assert compwright(["evaluate", str(path), "--json", str(answer)]) == 0
+    (result,) = json.loads(answer.read_text(encoding="utf-8"))["results"]
+    assert [run["direction"] for run in result["fitted"]] == ["ccw", "cw"]
+    squares = []
+    for fitted, run in zip(result["fitted"], result["runs"], strict=True):
+        measured = dict(zip(run["angles"], run["deviations"], strict=True))
+        assert 500 < len(fitted["angles"]) <= 1000
+        for angle, value, rest in zip(
+            fitted["angles"], fitted["deviations"], fitted["residuals"], strict=True
+        ):
+            nearest = min(measured, key=lambda place: abs(place - angle))
+            assert value + rest == pytest.approx(measured[nearest], abs=1e-5)
+            squares.append(rest**2)
+    assert math.sqrt(sum(squares) / len(squares)) == pytest.approx(result["residual"], rel=0.1)

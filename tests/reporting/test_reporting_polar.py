@@ -144,11 +144,11 @@ def test_a_path_about_its_centre_has_no_offset_left() -> None:
     name, found = polar.picture_centre(result)
     assert name == "common"
     assert found == pytest.approx((150.0, -100.0), abs=0.001)  # µm, of the evaluation
-    for path in paths_of(result, found):
+    for path in paths_of(result, found, result["runs"]):
         assert (
             max(map(abs, path.radial)) < 0.002
         )  # µm; e²/2R of the offset, 0.16 µm, is taken off too
-    for path in paths_of(result, (150.0, -100.0)):
+    for path in paths_of(result, (150.0, -100.0), result["runs"]):
         assert max(map(abs, path.radial)) < EXACT
 
 
@@ -286,7 +286,7 @@ def test_one_direction_and_further_runs() -> None:
     again["number"] = 2
     again["deviations"] = [deviation + 1.0 for deviation in again["deviations"]]
     both["runs"].insert(0, again)  # not first by its place in the document
-    paths = paths_of(both, (0.0, 0.0))
+    paths = paths_of(both, (0.0, 0.0), both["runs"])
     assert [path.evaluated for path in paths] == [True, False, True]
     assert paths[0].radial == pytest.approx(both["runs"][1]["deviations"], abs=EXACT)
     assert paths[1].radial == pytest.approx(again["deviations"], abs=EXACT)

@@ -32,7 +32,8 @@ def circular_document(result: CircularResult) -> dict[str, Any]:
 
     Beyond the contract: ``set_up`` (where the circle lies in the machine, mm), ``minimum_zone``
     (centre µm, radii minus nominal µm), ``runs`` (angles deg and deviations µm as measured, in
-    their order), ``header``, ``correlation_names``, ``residual`` (rms µm) and
+    their order), ``fitted`` (the same as the causes make it, with ``residuals`` µm, measured minus
+    fitted; samples at equal steps), ``header``, ``correlation_names``, ``residual`` (rms µm) and
     ``correlation_length`` (samples).
     """
     test = result.test
@@ -101,7 +102,7 @@ def _zones(result: CircularResult) -> dict[str, Any]:
 
 def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
     if diagnosis is None:
-        return {"diagnosis": None, "plain": None, "correlation": None}
+        return {"diagnosis": None, "plain": None, "correlation": None, "fitted": None}
     not_given = diagnosis.not_given
     return {
         "diagnosis": {
@@ -116,6 +117,16 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
         "correlation_names": list(diagnosis.names),
         "residual": _micrometres(diagnosis.residual),
         "correlation_length": _number(diagnosis.correlation_length),
+        "fitted": [
+            {
+                "direction": run.sense,
+                "number": run.number,
+                "angles": _numbers(run.angles),
+                "deviations": _numbers(run.deviations * MICROMETRES_PER_MILLIMETRE),
+                "residuals": _numbers(run.residuals * MICROMETRES_PER_MILLIMETRE),
+            }
+            for run in diagnosis.fitted
+        ],
     }
 
 

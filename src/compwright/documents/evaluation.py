@@ -86,7 +86,10 @@ def result_document(result: PositioningResult) -> dict[str, Any]:
 
 #: What an entry holds of single readings, and what was derived from them for pictures.
 _AT_LENGTH = frozenset(
-    {"targets", "header", "runs", "minimum_zone", "correlation", "correlation_names", "vendor"}
+    {
+        *("targets", "header", "runs", "fitted", "minimum_zone"),
+        *("correlation", "correlation_names", "vendor"),
+    }
 )
 
 

@@ -10,7 +10,7 @@ ISO 230-4:1996, annex B.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Final
 
@@ -39,7 +39,8 @@ from compwright.estimation.circle_vibration import Vibration, vibration, vibrati
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
-from compwright.records.circular import CircularRun, CircularTest, Diagnosis
+from compwright.records.axis import FloatArray
+from compwright.records.circular import CircularRun, CircularTest, Diagnosis, FittedRun
 
 #: ISO 230-4 asks for arcs of at least 90°; a shorter one tells hardly anything apart.
 LEAST_ARC: Final = 90.0
@@ -53,6 +54,8 @@ _TUNING_ROUNDS: Final = 4
 #: The noise is estimated again, so often at most, while its density at order zero still changes by
 #: this share.
 _NOISE_ROUNDS: Final = 3
+#: Samples of one run that a fitted run holds at most: for pictures.
+_MOST_FITTED: Final = 1_000
 _NOISE_SETTLED: Final = 0.25
 
 
@@ -70,7 +73,7 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     samples = samples_of(test)
     _refuse_few(test, samples)
     frequencies, findings = _given(test, samples, periods or {})
-    plain, grid = plain_regression(samples), grid_of(samples)
+    measured, plain, grid = samples, plain_regression(samples), grid_of(samples)
     lag = common_lag(samples)
     if lag is not None:
         samples = corrected(samples, lag)
@@ -90,7 +93,24 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
         correlation_length=float(np.mean([s.length for s in solution.fitted.spectra])),
         findings=(*findings, *noticed),
         undetermined=undetermined,
+        fitted=tuple(_fitted_runs(test, measured, solution.residual)),
     )
+
+
+def _fitted_runs(
+    test: CircularTest, measured: Samples, residual: FloatArray
+) -> Iterator[FittedRun]:
+    """Yield the fit of each run; ``measured``: the samples at the angles of their commands."""
+    for index, run in enumerate(test.runs):
+        (mine,) = np.nonzero(measured.run == index)
+        mine = mine[:: -(-mine.size // _MOST_FITTED)]
+        yield FittedRun(
+            sense=run.sense,
+            number=run.number,
+            angles=np.degrees(measured.theta[mine]),
+            deviations=measured.deviations[mine] - residual[mine],
+            residuals=residual[mine],
+        )
 
 
 def _thinned(run: CircularRun) -> CircularRun:

@@ -104,6 +104,20 @@ class CircularEffect:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class FittedRun:
+    """What all causes together make of a run: ``angles`` (n,) deg as measured, ``deviations`` (n,)
+    mm of the fit, ``residuals`` (n,) mm, measured minus fitted. Of a long run only samples at equal
+    steps.
+    """
+
+    sense: Sense
+    number: int
+    angles: FloatArray
+    deviations: FloatArray
+    residuals: FloatArray
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Diagnosis:
     """Causes by their contract names, their correlation (in the order of ``names``), and what the
     data cannot separate.
@@ -111,7 +125,8 @@ class Diagnosis:
     ``plain``: the same quantities by the plain harmonic-and-reversal regression, for comparison
     with other software. ``residual``: rms of what remains, mm. ``correlation_length``: of the
     residuals, in samples. ``undetermined``: reasons of the causes that the path of the test cannot
-    separate at all; their numbers in ``effects`` belong to the fit and are no result.
+    separate at all; their numbers in ``effects`` belong to the fit and are no result. ``fitted``:
+    the runs as the causes make them.
     """
 
     effects: Mapping[str, CircularEffect]
@@ -122,6 +137,7 @@ class Diagnosis:
     correlation_length: float
     findings: tuple[Finding, ...] = ()
     undetermined: Mapping[str, str] = field(default_factory=dict)
+    fitted: tuple[FittedRun, ...] = ()
 
     @property
     def not_given(self) -> Mapping[str, str]:

@@ -1,7 +1,6 @@
-"""Figures of an axis in the pages of ``run`` and ``verify``: a test, before and after, the table,
-the estimate. Each takes plain documents (deviations in µm or arcsec, positions in mm or deg) and
-returns an SVG picture as text, the same for the same input; ``description`` is what a screen reader
-says.
+"""Figures in the pages of tests: a test, its residual, before and after, the table, the estimate.
+Each takes plain documents (deviations in µm or arcsec, positions in mm or deg) and returns an SVG
+picture as text, the same for the same input; ``description`` is what a screen reader says.
 """
 
 from __future__ import annotations
@@ -15,6 +14,7 @@ from compwright.reporting.charts import (
     expected_chart,
     parameter_line,
     prediction_line,
+    residual_charts,
     result_chart,
     reversal_chart,
     table_chart,
@@ -36,6 +36,12 @@ def result_figure(result: Document, description: str) -> str:
 def reversal_figure(result: Document, description: str) -> str:
     """Return the reversal B_i over the targets."""
     return chart_svg([reversal_chart(result)], _LOW, description)
+
+
+def residual_figure(result: Document, description: str) -> str | None:
+    """Return what the causes of a circular result leave of its runs; None without a fit."""
+    charts = residual_charts(result)
+    return chart_svg(charts, _LOW, description) if charts else None
 
 
 def before_after_figure(

@@ -5,6 +5,7 @@ the report.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
@@ -40,6 +41,7 @@ _WORDS: Final = {
     "lobes_3": "Three lobes",
     "positional_tolerance": "Positional tolerance",
 }
+_KEY: Final = re.compile(r"\b[a-z]+(?:_[a-z0-9]+)+\b")
 #: Values that sum up causes which are listed.
 _SUMMARIES: Final = ("backlash_mismatch", "lobes_2", "lobes_3", "positional_tolerance")
 #: Contract name -> name that Renishaw software prints (A the first axis of the plane, B the
@@ -216,6 +218,16 @@ def full_cause_words(name: str, axes: Any) -> str:
     whole = name.removesuffix(f"_{part}") if part else name
     words = cause_words(whole, axes)
     return f"{words} {cause_words(name, axes)}" if part and kind in _WORDS else words
+
+
+def named_in_words(text: str, axes: Any) -> str:
+    """Return a sentence with the causes that it names by their keys in words."""
+
+    def words(found: re.Match[str]) -> str:
+        known = _split(found[0])[0] in _WORDS
+        return full_cause_words(found[0], axes) if known else found[0]
+
+    return _KEY.sub(words, text)
 
 
 def _printed(name: str, vendor: Mapping[str, Any]) -> tuple[float | None, bool]:

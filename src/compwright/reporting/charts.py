@@ -177,6 +177,31 @@ def reversal_chart(result: Document) -> Chart:
     return chart
 
 
+def residual_charts(result: Document) -> list[Chart]:
+    """Return what the causes of a circular result leave of its runs, a panel for each direction:
+    measured minus fitted over the angle. Empty without a fit.
+    """
+    fitted = result.get("fitted") or ()
+    charts = []
+    for key, look in zip(("ccw", "cw"), LOOKS, strict=True):
+        curves = []
+        for run in fitted:
+            if run["direction"] == key:
+                x, y = zip(*sorted(zip(run["angles"], run["residuals"], strict=True)), strict=True)
+                curves.append(ChartCurve(x=x, y=y, look=look, width=0.6, whole=True))
+        if curves:
+            charts.append(
+                Chart(
+                    title=f"Measured minus fit, {key}",
+                    x_label="Angle in deg",
+                    y_label="Radius in µm",
+                    degrees=True,
+                    curves=curves,
+                )
+            )
+    return charts
+
+
 def expected_chart(predicted: Document, coverage: float) -> Chart:
     """Return the expected means of each direction with ± ``coverage`` times the one ``s`` of a
     single reading. ``predicted`` holds ``positions`` (m), ``positive``, ``negative`` (m) or None,

@@ -6,14 +6,14 @@ Common practice of the workshop, in the order in which it costs least; no standa
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Final
+from typing import Any, Final
 
 #: Cause (contract name without its axis) -> sentence; {axis} is the axis, {first} and {second} are
 #: those of the plane.
 _STEPS: Final[Mapping[str, str]] = {
     "squareness": (
-        "Mechanic: check level and alignment of the guideways. Table: a job with the circle and"
-        " apply: {{squareness: {{{first}{second}: {second}}}}} corrects it where the control can."
+        "Mechanic: check level and alignment of the guideways. Table: the job below corrects it"
+        " where the control can."
     ),
     "scale_mismatch": (
         "Check the temperature of both axes. Table: measure {first} and {second} with a laser and"
@@ -62,3 +62,23 @@ def next_step(cause: str, axes: Sequence[str]) -> str:
         if words is not None:
             return words.format(axis=axis, first=first, second=second)
     return ""
+
+
+def job_lines(causes: Sequence[str], result: Mapping[str, Any]) -> list[str]:
+    """Return the lines of a job that corrects what a table can correct of the ``causes``; empty
+    where none of them is for a table.
+    """
+    first, second = result.get("axes") or ("first", "second")
+    applied = []
+    if "squareness" in causes:
+        applied.append(f"squareness: {{{first}{second}: {second}}}")
+    if "scale_mismatch" in causes:
+        applied.append(f"scale: [{first}, {second}]")
+    if {"backlash_first", "backlash_second"} & set(causes):
+        applied.append("backlash_from: circle")
+    if not applied:
+        return []
+    files = [str(source.get("file")) for source in result.get("sources") or ()]
+    keys = ("ccw", "cw") if len(files) > 1 else ("file",)
+    named = ", ".join(f"{key}: {file}" for key, file in zip(keys, files, strict=False))
+    return [f"circles: [{{{named}}}]", f"apply: {{{', '.join(applied)}}}"]

@@ -8,8 +8,9 @@ from collections.abc import Mapping
 from typing import Any, Final
 
 from compwright.reporting import paper, sections
-from compwright.reporting.causes import ranked_causes
-from compwright.reporting.numbers import number, plain, symbol
+from compwright.reporting.causes import named_in_words, ranked_causes
+from compwright.reporting.circular_parameters import parameter_words
+from compwright.reporting.numbers import number, plain
 from compwright.reporting.page import inline_figure
 from compwright.reporting.polar import polar_figure
 from compwright.reporting.sections import Document
@@ -56,9 +57,7 @@ def circle_blocks(
                     None if shown is None else paper.sheet(shown, (stated or {}).get(name) or {})
                 ),
                 "rule": rules(circle),
-                "findings": sections.findings(
-                    circle.get("findings") or (result or {}).get("findings")
-                ),
+                "findings": sections.findings(findings_in_words({**(result or {}), **circle})),
             }
         )
     return blocks
@@ -67,6 +66,15 @@ def circle_blocks(
 def circle_figure(result: Document, prefix: str, name: str) -> Any:
     """Return the picture of a circular result as markup; ``prefix`` makes its ids its own."""
     return inline_figure(polar_figure(result), prefix=prefix, description=f"circular test {name}")
+
+
+def findings_in_words(result: Document) -> list[Document]:
+    """Return the findings of a result with the causes that they name in words."""
+    axes = result.get("axes") or ("first", "second")
+    return [
+        {**finding, "message": named_in_words(str(finding["message"]), axes)}
+        for finding in result.get("findings") or ()
+    ]
 
 
 def limit_rows(circles: Mapping[str, Document]) -> list[dict[str, Any]]:
@@ -93,7 +101,7 @@ def _limit_row(index: int, name: str, circle: Document, key: str) -> dict[str, A
         "axis": f"Circle {plain(name)}",
         "anchor": f"circle-{index}",
         "loading": {"tone": "none", "text": "circular test"},
-        "symbol": symbol(key),
+        "symbol": parameter_words(key),
         "before": f"{number(before)}{unit}",
         "unit": "µm",
         "median": f"{sections.median_text(band)}{unit}",
@@ -126,7 +134,7 @@ def _table(circle: Document, result: Document | None) -> dict[str, Any]:
     limits, stated = circle.get("accept") or {}, (result or {}).get("uncertainty") or {}
     causes = [] if result is None else ranked_causes(result)[:_MOST_CAUSES]
     names = [
-        (name, name.replace("_", " "), "µm")
+        (name, parameter_words(name), "µm")
         for name in dict.fromkeys((*_PARAMETERS, *limits))
         if before.get(name) is not None
     ]

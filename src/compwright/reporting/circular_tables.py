@@ -9,44 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping, Sequence
 from pathlib import PurePath
-from typing import Any, Final
+from typing import Any
 
 from rich.console import Group, RenderableType
 from rich.rule import Rule
 from rich.table import Table
 
 from compwright.reporting.causes import CircleCause, cause_words, ranked_causes
+from compwright.reporting.circular_parameters import parameter_rows, printed_parameters
 from compwright.reporting.numbers import MISSING, number, plain, standard_text
 from compwright.reporting.shown import Text
 from compwright.reporting.summaries import finding_lines
-
-#: Rows of the parameter table: words, letter, keys for ccw, cw and both.
-_ROWS: Final = (
-    ("Circular deviation, minimum zone", "G", ("G_ccw", "G_cw", "G_bidirectional")),
-    ("  by the least-squares circle", "", ("G_ccw_lsc", "G_cw_lsc", "G_bidirectional_lsc")),
-    ("Radial deviation, largest", "F max", ("F_max_ccw", "F_max_cw", "")),
-    ("Radial deviation, smallest", "F min", ("F_min_ccw", "F_min_cw", "")),
-    ("  largest, least-squares centre", "", ("F_max_ccw_lsc", "F_max_cw_lsc", "")),
-    ("  smallest, least-squares centre", "", ("F_min_ccw_lsc", "F_min_cw_lsc", "")),
-    ("Circular hysteresis", "H", ("", "", "H")),
-    ("Mean radial deviation", "D", ("", "", "D")),
-)
-#: What Renishaw software prints under an edition of ISO 230-4: letter, names for ccw, cw and both.
-_PRINTED: Final = (
-    (
-        "G",
-        (
-            "AF_CIRCULAR_DEVIATION_CCW",
-            "AF_CIRCULAR_DEVIATION_CW",
-            "AF_BIDIRECTIONAL_CIRCULAR_DEVIATION",
-            "AF_CIRCULAR_DEVIATION_BIDIRECTIONAL",
-        ),
-    ),
-    ("F max", ("AF_MAX_RADIAL_DEVIATION_CCW", "AF_MAX_RADIAL_DEVIATION_CW")),
-    ("F min", ("AF_MIN_RADIAL_DEVIATION_CCW", "AF_MIN_RADIAL_DEVIATION_CW")),
-    ("H", ("AF_CIRCULAR_HYSTERESIS",)),
-    ("D", ("AF_MEAN_BIDIRECTIONAL_RADIAL_DEVIATION",)),
-)
 
 
 def circular_tables(results: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
@@ -121,15 +94,11 @@ def _parameters(result: Mapping[str, Any]) -> Table:
     table.add_column("", no_wrap=True)
     for heading in ("ccw", "cw", "both"):
         table.add_column(heading, justify="right", no_wrap=True)
-    for words, letter, keys in _ROWS:
-        own = keys[0].removesuffix("_lsc")
-        if all(values.get(key) is None for key in keys) or (
-            own != keys[0] and own[0] == "F" and values[own] == values[keys[0]]
-        ):
-            continue  # why it is missing stands below the table; the same numbers twice say nothing
-        signed = keys[0][:1] == "F" or letter == "D"
+    for row in parameter_rows(result):
         table.add_row(
-            words, letter, *(_deviation(values[key], signed=signed) if key else "" for key in keys)
+            row.words,
+            row.letter,
+            *(_deviation(values[key], signed=row.signed) if key else "" for key in row.keys),
         )
     return table
 
@@ -140,16 +109,7 @@ def _deviation(value: float | None, *, signed: bool) -> str:
 
 def _printed(result: Mapping[str, Any]) -> list[Text]:
     """Return what the instrument's software printed for this edition, in one line."""
-    block = result["vendor"].get(f"ISO230_4 {str(result['standard']).rpartition(':')[2]}")
-    if not isinstance(block, Mapping):
-        return []
-    told = []
-    for letter, names in _PRINTED:
-        found = [
-            plain(block[name]["value"]) for name in names if isinstance(block.get(name), Mapping)
-        ]
-        if found:
-            told.append(f"{letter} {' / '.join(found)}")
+    told = [f"{letter} {values}" for letter, values in printed_parameters(result).items()]
     return [Text(f"Printed in the file: {', '.join(told)} µm", style="dim")] if told else []
 
 

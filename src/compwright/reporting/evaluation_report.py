@@ -12,6 +12,8 @@ from typing import Any, Final
 from compwright.foundations.findings import DOUBTS
 from compwright.reporting import paper, sections
 from compwright.reporting.circle_report import circle_page
+from compwright.reporting.circles import findings_in_words
+from compwright.reporting.circular_parameters import parameter_words
 from compwright.reporting.numbers import number, plain, standard_text, symbol, unit_text
 from compwright.reporting.page import render_page
 from compwright.reporting.page_parts import anchor, paper_content
@@ -74,7 +76,7 @@ def _summary(result: Document, index: int) -> dict[str, Any]:
         "unit": unit_text(result.get("unit")),
         "values": [
             {
-                "symbol": symbol(key),
+                "symbol": symbol(key) if groups is _POSITIONING else parameter_words(key),
                 "value": number(values[key]),
                 "U": f" ± {number(uncertainty[key]['U'])}" if key in uncertainty else "",
             }
@@ -88,7 +90,7 @@ def _page(result: Document, index: int) -> dict[str, Any]:
     shared = {
         "name": _name(result),
         "anchor": anchor(index),
-        "findings": sections.findings(result.get("findings")),
+        "findings": sections.findings(findings_in_words(result)),
     }
     if result.get("kind") == "circular":
         return {**shared, "circle": circle_page(result, index), "measured": None}

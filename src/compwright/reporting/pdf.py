@@ -237,27 +237,34 @@ def _trimmed(parts: list[Any]) -> list[Any]:
     return kept
 
 
-def _columns(rows: list[list[dict[str, Any]]], *, narrow: bool) -> list[int | None]:
-    """Return the share of each column in the width of the page; None for as much as it needs."""
-    lengths: list[int] = []
+def _columns(rows: list[list[dict[str, Any]]], *, narrow: bool) -> list[dict[str, int]]:
+    """Return of each column its ``share`` in the width of the page, or the ``letters`` that it is
+    wide, or neither: as much as it needs. Heads of numbers break between words.
+    """
+    shares: list[int] = []
+    letters: list[int] = []
     for row in rows:
         place = 0
         for cell in row:
-            lengths += [0] * (place + cell["span"] - len(lengths))
+            missing = [0] * (place + cell["span"] - len(shares))
+            shares, letters = shares + missing, letters + missing
             if cell["span"] == 1:
-                lengths[place] = max(lengths[place], _length(cell))
+                text = "".join(_texts(cell["children"]))
+                longest = max(map(len, re.split("[ \u200b]", text)), default=0)
+                if "n" in cell["class"]:
+                    letters[place] = max(letters[place], longest)
+                else:
+                    needed = max(min(len(text), _LONGEST_COLUMN), int(1.4 * longest))
+                    shares[place] = max(shares[place], needed)
             place += cell["span"]
     return [
-        min(length, _LONGEST_COLUMN) if length >= _LONG_COLUMN and not narrow else None
-        for length in lengths
+        {"share": share}
+        if share >= _LONG_COLUMN and not narrow
+        else {"letters": count}
+        if count and not share
+        else {}
+        for share, count in zip(shares, letters, strict=True)
     ]
-
-
-def _length(node: dict[str, Any]) -> int:
-    """Return how many letters a cell holds; those that cannot break do not count."""
-    if "n" in node["class"]:
-        return 0
-    return sum(len(text) for text in _texts(node["children"]))
 
 
 def _texts(children: Iterable[Any]) -> Iterator[str]:

@@ -81,9 +81,9 @@ def polar_figure(result: Document, *, format: str = "svg") -> bytes:  # noqa: A0
 
     ``result`` needs ``runs`` (``direction``, ``number``, ``angles`` deg, ``deviations`` µm as
     measured), ``axes``, ``nominal_radius``, ``arc``, ``calibrated``, ``centre``,
-    ``mean_radius_deviation``, ``parameters``, ``minimum_zone`` and ``diagnosis`` or null. Raises
-    UsageError for an unknown format, when the result holds no runs, or when the report extra is
-    missing.
+    ``mean_radius_deviation``, ``parameters``, ``minimum_zone`` and ``diagnosis`` or null;
+    ``fitted`` (as ``runs``), where it is given, is drawn over the runs. Raises UsageError for an
+    unknown format, when the result holds no runs, or when the report extra is missing.
     """
     kind = known_format(format)
     if not result.get("runs"):
@@ -119,8 +119,8 @@ def draw_test(figure: Any, result: Document) -> None:
 # --------------------------------------------------------------------------------------------------
 
 
-def paths_of(result: Document, centre: tuple[float, float]) -> list[Path]:
-    """Return the runs about ``centre`` (µm from the set-up centre), the first of each direction
+def paths_of(result: Document, centre: tuple[float, float], runs: Sequence[Document]) -> list[Path]:
+    """Return ``runs`` about ``centre`` (µm from the set-up centre), the first of each direction
     marked as evaluated.
 
     A bar measures from its set-up centre; the commanded angle counts about the programmed one. So a
@@ -131,11 +131,11 @@ def paths_of(result: Document, centre: tuple[float, float]) -> list[Path]:
     x, y = (coordinate / _MICROMETRES for coordinate in centre)
     paths = []
     for way in _WAYS:
-        runs = sorted(
-            (run for run in result["runs"] if run["direction"] == way.key),
+        of_way = sorted(
+            (run for run in runs if run["direction"] == way.key),
             key=lambda run: int(run["number"]),
         )
-        for order, run in enumerate(runs):
+        for order, run in enumerate(of_way):
             angles = tuple(math.radians(angle) for angle in run["angles"])
             radial = tuple(
                 _MICROMETRES
@@ -182,7 +182,7 @@ def draw_path(panel: Any, result: Document) -> None:
     magnified.
     """
     name, centre = picture_centre(result)
-    paths = paths_of(result, centre)
+    paths = paths_of(result, centre, result["runs"])
     radius = float(result["nominal_radius"])
     values = [value for path in paths for value in path.radial]
     base = _base(result, values)
@@ -215,6 +215,13 @@ def draw_path(panel: Any, result: Document) -> None:
     _zones(panel, result, centre, place)
     for path in paths:
         _run(panel, path, place, result)
+    label: str | None = "fit: what all causes together make of each run"
+    for path in paths_of(result, centre, result.get("fitted") or ()):
+        if path.evaluated:
+            panel.plot(
+                *place(path.angles, path.radial), color=_INK, linewidth=0.45, label=label, zorder=4
+            )
+            label = None
     panel.plot(
         [0.0],
         [0.0],

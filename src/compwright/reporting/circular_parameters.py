@@ -1,0 +1,98 @@
+"""Parameters of a circular result in words, next to what the instrument's software printed: one way
+for the terminal and the pages.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Final
+
+from compwright.reporting.numbers import plain
+
+#: Rows of the parameter table: words, letter, keys for ccw, cw and both.
+_ROWS: Final = (
+    ("Circular deviation, minimum zone", "G", ("G_ccw", "G_cw", "G_bidirectional")),
+    ("  by the least-squares circle", "", ("G_ccw_lsc", "G_cw_lsc", "G_bidirectional_lsc")),
+    ("Radial deviation, largest", "F max", ("F_max_ccw", "F_max_cw", "")),
+    ("Radial deviation, smallest", "F min", ("F_min_ccw", "F_min_cw", "")),
+    ("  largest, least-squares centre", "", ("F_max_ccw_lsc", "F_max_cw_lsc", "")),
+    ("  smallest, least-squares centre", "", ("F_min_ccw_lsc", "F_min_cw_lsc", "")),
+    ("Circular hysteresis", "H", ("", "", "H")),
+    ("Mean radial deviation", "D", ("", "", "D")),
+)
+#: What Renishaw software prints under an edition of ISO 230-4: letter, names for ccw, cw and both.
+_PRINTED: Final = (
+    (
+        "G",
+        (
+            "AF_CIRCULAR_DEVIATION_CCW",
+            "AF_CIRCULAR_DEVIATION_CW",
+            "AF_BIDIRECTIONAL_CIRCULAR_DEVIATION",
+            "AF_CIRCULAR_DEVIATION_BIDIRECTIONAL",
+        ),
+    ),
+    ("F max", ("AF_MAX_RADIAL_DEVIATION_CCW", "AF_MAX_RADIAL_DEVIATION_CW")),
+    ("F min", ("AF_MIN_RADIAL_DEVIATION_CCW", "AF_MIN_RADIAL_DEVIATION_CW")),
+    ("H", ("AF_CIRCULAR_HYSTERESIS",)),
+    ("D", ("AF_MEAN_BIDIRECTIONAL_RADIAL_DEVIATION",)),
+)
+_OTHER_CENTRE: Final = {
+    "G": "least-squares circle",
+    "F max": "least-squares centre",
+    "F min": "least-squares centre",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterRow:
+    """One line: what it is called, its letter, and the parameters of ccw, cw and both (empty where
+    there is none).
+    """
+
+    words: str
+    letter: str
+    keys: tuple[str, str, str]
+
+    @property
+    def signed(self) -> bool:
+        """Whether the values carry a sign."""
+        return self.keys[0][:1] == "F" or self.letter == "D"
+
+
+def parameter_rows(result: Mapping[str, Any]) -> list[ParameterRow]:
+    """Return the lines that say something: with a value, and not the same numbers twice."""
+    values = result.get("parameters") or {}
+    rows = []
+    for words, letter, keys in _ROWS:
+        own = keys[0].removesuffix("_lsc")
+        twice = own != keys[0] and own[0] == "F" and values.get(own) == values.get(keys[0])
+        if not twice and any(values.get(key) is not None for key in keys):
+            rows.append(ParameterRow(words, letter, keys))
+    return rows
+
+
+def printed_parameters(result: Mapping[str, Any]) -> dict[str, str]:
+    """Return what the instrument's software printed for the edition of the result, µm, by letter:
+    its values for ccw, cw and both, as far as they are there.
+    """
+    edition = str(result.get("standard")).rpartition(":")[2]
+    block = (result.get("vendor") or {}).get(f"ISO230_4 {edition}")
+    if not isinstance(block, Mapping):
+        return {}
+    found = {
+        letter: [
+            plain(block[name]["value"]) for name in names if isinstance(block.get(name), Mapping)
+        ]
+        for letter, names in _PRINTED
+    }
+    return {letter: " / ".join(values) for letter, values in found.items() if values}
+
+
+def parameter_words(key: str) -> str:
+    """Return a parameter as a page names it (``F_max_ccw_lsc`` -> ``F max ccw, least-squares
+    centre``).
+    """
+    name = key.removesuffix("_lsc").replace("_bidirectional", " both").replace("_", " ")
+    letter = name.removesuffix(" both").removesuffix(" ccw").removesuffix(" cw")
+    return f"{name}, {_OTHER_CENTRE[letter]}" if key.endswith("_lsc") else name
