@@ -1,4 +1,6 @@
-"""A whole recalibration of a virtual machine, each command as one types it; see docs/tutorial.md.
+"""A whole recalibration of a virtual machine, each command as one types it.
+
+See docs/tutorials/linuxcnc.md.
 
 Run it in a copy of this folder: python recalibrate.py
 """

@@ -1,4 +1,4 @@
-"""The first tutorial, docs/tutorial.md, played in a copy of its example: its commands answer what
+"""The first tutorial, docs/tutorials/linuxcnc.md, played in a copy of its example: its commands answer what
 the page shows, and the example's script does the same commands.
 """
 
@@ -14,7 +14,7 @@ from test_formats_page import answer, blocks
 
 from places import PROJECT
 
-PAGE = PROJECT / "docs" / "tutorial.md"
+PAGE = PROJECT / "docs" / "tutorials" / "linuxcnc.md"
 EXAMPLE = PROJECT / "examples" / "recalibration"
 
 

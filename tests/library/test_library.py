@@ -1,4 +1,4 @@
-"""The public library: docs/library.md played in a copy of its example, and calls side by side."""
+"""The public library: docs/tutorials/library.md played in a copy of its example, and calls side by side."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ import compwright as cw
 from compwright.cli import run
 from places import PROJECT
 
-PAGE = PROJECT / "docs" / "library.md"
+PAGE = PROJECT / "docs" / "tutorials" / "library.md"
 EXAMPLE = PROJECT / "examples" / "linuxcnc-two-axes"
 
 
@@ -55,7 +55,7 @@ def test_page_is_what_a_reader_gets(tmp_path: Path, monkeypatch: pytest.MonkeyPa
         examples += tried
     assert examples > 15
     for name in cw.__all__:
-        assert f"cw.{name}" in text, f"docs/library.md shows no example of {name}"
+        assert f"cw.{name}" in text, f"docs/tutorials/library.md shows no example of {name}"
 
 
 @pytest.mark.painted

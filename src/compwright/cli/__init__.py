@@ -1,10 +1,19 @@
 """The command line: thin, and quick to start; what a command needs is imported inside it."""
 
-from compwright.cli import controls, histories, jobs, measurements, qualification, redacting
+from compwright.cli import (
+    completing,
+    controls,
+    histories,
+    jobs,
+    measurements,
+    qualification,
+    redacting,
+)
 from compwright.cli.shell import main, run
 from compwright.cli.words import compwright
 
 __all__ = [
+    "completing",
     "compwright",
     "controls",
     "histories",

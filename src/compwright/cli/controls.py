@@ -10,6 +10,7 @@ from compwright.cli.saying import deliver, print_lines, tell
 from compwright.cli.words import (
     PATH,
     Invocation,
+    complete_format,
     compwright,
     control_options,
     exiting,
@@ -21,8 +22,21 @@ from compwright.cli.words import (
 )
 
 
-@compwright.command()
-@click.argument("paths", nargs=-1, required=True, metavar="FILE...", type=PATH)
+@compwright.command(
+    examples=(
+        "compwright decode control --format 840d-sl",
+        "compwright decode control --format 840d-sl --at -600:0:50 --json decoded.json",
+    ),
+    page="docs/commands.md#decode",
+)
+@click.argument(
+    "paths",
+    nargs=-1,
+    required=True,
+    metavar="FILE...",
+    type=PATH,
+    help="Files of the control, or a folder of them.",
+)
 @format_option
 @control_options
 @click.option("--axis", metavar="ADDRESS", help="Only this axis, by the control's own name.")
@@ -46,7 +60,7 @@ def decode(
     json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
-    """Say what a control would do with these files."""
+    """Show the corrections that a control makes from these files."""
     from compwright.workflow.commands.decode import decoded_files
     from compwright.workflow.results.answers import decode_summary
 
@@ -57,8 +71,16 @@ def decode(
     return 0
 
 
-@compwright.command()
-@click.argument("plan", metavar="PLAN.json", type=PATH)
+@compwright.command(
+    examples=(
+        "compwright export job/plan.json --format 840d-sl --out again",
+        "compwright export job/plan.json --format 828d --state none --out other",
+    ),
+    page="docs/commands.md#export",
+)
+@click.argument(
+    "plan", metavar="PLAN.json", type=PATH, help="The plan of a run, or the folder of its results."
+)
 @format_option
 @control_options
 @state_option
@@ -92,8 +114,16 @@ def export(
     return 1 if any(finding.severity == "error" for finding in outcome.findings) else 0
 
 
-@compwright.command()
-@click.argument("plan", metavar="PLAN.json", type=PATH)
+@compwright.command(
+    examples=(
+        "compwright compare job --loaded read_back",
+        "compwright compare job/plan.json --loaded read_back --json compared.json",
+    ),
+    page="docs/commands.md#compare",
+)
+@click.argument(
+    "plan", metavar="PLAN.json", type=PATH, help="The plan of a run, or the folder of its results."
+)
 @click.option(
     "--loaded",
     multiple=True,
@@ -114,7 +144,7 @@ def compare(
     json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
-    """Hold what is really in the control against the plan."""
+    """Compare the control's contents with the plan."""
     from compwright.workflow.commands.compare import compare_plan
     from compwright.workflow.commands.verify import plan_path
     from compwright.workflow.results.answers import compare_summary
@@ -130,8 +160,21 @@ def compare(
     return outcome.exit_code
 
 
-@compwright.command()
-@click.argument("old", nargs=-1, required=True, metavar="OLD...", type=PATH)
+@compwright.command(
+    examples=(
+        "compwright diff control --with read_back --format 840d-sl",
+        "compwright diff control --with read_back --format 840d-sl --json diff.json",
+    ),
+    page="docs/commands.md#diff",
+)
+@click.argument(
+    "old",
+    nargs=-1,
+    required=True,
+    metavar="OLD...",
+    type=PATH,
+    help="The earlier backup; files or folders.",
+)
 @click.option(
     "--with",
     "new",
@@ -157,7 +200,7 @@ def diff(
     json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
-    """Say what differs between two backups of one machine."""
+    """List the differences between two backups of one machine."""
     from compwright.workflow.commands.diff import diff_files
     from compwright.workflow.results.answers import diff_summary
 
@@ -177,19 +220,35 @@ def formats() -> None:
     """List, show and check the definitions of the controls."""
 
 
-@formats.command("list")
+@formats.command(
+    "list",
+    examples=("compwright formats list",),
+    page="docs/controls.md",
+)
 @exiting
 @click.pass_obj
 def formats_list(invocation: Invocation, /) -> int:
-    """List the controls that compwright can write for."""
+    """List the controls by maker, with the names that are understood and the evidence."""
     from compwright.workflow.commands.formats import list_formats
 
     print_lines(list_formats(invocation.session))
     return 0
 
 
-@formats.command("show")
-@click.argument("format_id", metavar="ID|FILE")
+@formats.command(
+    "show",
+    examples=(
+        "compwright formats show 840d-sl",
+        "compwright formats show 840d-sl",
+    ),
+    page="docs/controls.md",
+)
+@click.argument(
+    "format_id",
+    metavar="ID|FILE",
+    shell_complete=complete_format,
+    help="Id of a control, or the file of your own definition.",
+)
 @exiting
 @click.pass_obj
 def formats_show(invocation: Invocation, /, format_id: str) -> int:
@@ -200,8 +259,21 @@ def formats_show(invocation: Invocation, /, format_id: str) -> int:
     return 0
 
 
-@formats.command("check")
-@click.argument("paths", nargs=-1, metavar="[PATH...]", type=PATH)
+@formats.command(
+    "check",
+    examples=(
+        "compwright formats check",
+        "compwright formats check definitions/own.yaml",
+    ),
+    page="docs/formats.md",
+)
+@click.argument(
+    "paths",
+    nargs=-1,
+    metavar="[PATH...]",
+    type=PATH,
+    help="Definitions, or folders of them; default: those that ship.",
+)
 @exiting
 @click.pass_obj
 def formats_check(invocation: Invocation, /, paths: tuple[Path, ...]) -> int:

@@ -10,8 +10,21 @@ from compwright.cli.saying import answer, errors, json_file, tell
 from compwright.cli.words import PATH, Invocation, compwright, exiting, force_option, json_option
 
 
-@compwright.command()
-@click.argument("folders", nargs=-1, required=True, metavar="FOLDER...", type=PATH)
+@compwright.command(
+    examples=(
+        "compwright history job",
+        "compwright history . --plot history.svg --table history.csv",
+    ),
+    page="docs/commands.md#history",
+)
+@click.argument(
+    "folders",
+    nargs=-1,
+    required=True,
+    metavar="FOLDER...",
+    type=PATH,
+    help="Result folders, or folders above them.",
+)
 @click.option("--plot", type=PATH, help="Plot to a file: .svg, .png or .pdf.")
 @click.option("--table", type=PATH, metavar="PATH.csv", help="Every test as a row of a CSV file.")
 @click.option(
@@ -34,9 +47,7 @@ def history(
     json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
-    """Show machines over the years, from the result folders in and below FOLDER, and what changed
-    beyond the uncertainty.
-    """
+    """Show machines over the years, and what changed beyond the uncertainty."""
     from compwright.workflow.commands.history import history_of
     from compwright.workflow.results.answers import history_summary
 

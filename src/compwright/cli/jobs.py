@@ -7,11 +7,12 @@ from typing import Any
 
 import click
 
-from compwright.cli.saying import answer, errors, json_file, print_lines, tell
+from compwright.cli.saying import answer, errors, json_file, print_lines, tell, told_last
 from compwright.cli.words import (
     FILE_WORD,
     PATH,
     Invocation,
+    complete_format,
     compwright,
     control_options,
     exiting,
@@ -25,12 +26,27 @@ from compwright.cli.words import (
 )
 
 
-@compwright.command("run")
-@click.argument("inputs", nargs=-1, required=True, metavar="JOB.yaml|FILE...", type=PATH)
+@compwright.command(
+    "run",
+    examples=(
+        "compwright run job.yaml",
+        "compwright run before/y.csv --format 840d-sl --axis Y --travel -600:0 --state none",
+    ),
+    page="docs/commands.md#run, docs/job-file.md",
+)
+@click.argument(
+    "inputs",
+    nargs=-1,
+    required=True,
+    metavar="JOB.yaml|FILE...",
+    type=PATH,
+    help="The job; or measurement files with --format, --axis, --travel and --state.",
+)
 @click.option(
     "--format",
     "format_id",
     metavar="ID",
+    shell_complete=complete_format,
     help="Without a job file: the control's id (compwright formats list), or your own definition.",
 )
 @click.option("--axis", metavar="NAME", help="Without a job file: the axis that was measured.")
@@ -63,11 +79,12 @@ def run_command(
     json_path: Path | None,
     **words: Any,
 ) -> int:
-    """Evaluate, fit, export, predict and report: the whole job."""
+    """Do the whole job: evaluate, fit, write the tables, predict, report."""
     from compwright.workflow.commands.run import planned, write_planned
     from compwright.workflow.inputs.jobs import job_of
     from compwright.workflow.ready import ready_for_axes
     from compwright.workflow.results.answers import run_summary
+    from compwright.workflow.results.next_step import after_run
     from compwright.workflow.results.report_file import require_report_form
 
     require_report_form(words["report"], ".pdf")
@@ -110,10 +127,22 @@ def run_command(
         for entry in outcome.findings
         if entry["severity"] == "error" and entry["code"] != "CW-P001"
     )
+    told_last(
+        json_path,
+        lambda: after_run(
+            outcome, asked.out / "job.yaml" if asked.stated is not None else inputs[0], asked.out
+        ),
+    )
     return outcome.exit_code
 
 
-@compwright.command()
+@compwright.command(
+    examples=(
+        "compwright new --from control --format 840d-sl --out new.yaml",
+        "compwright new --from 'control/*.INI' --format 840d-sl --out x.yaml",
+    ),
+    page="docs/commands.md#new, docs/job-file.md",
+)
 @click.option(
     "--from",
     "files",
@@ -138,7 +167,7 @@ def new(
     out: Path,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
-    """Write a job prefilled from the control's own files."""
+    """Write a job file, filled in from the control's own files."""
     from compwright.workflow.commands.new import new_job
 
     outcome = new_job(invocation.session, files, format_id, pairs(options), out, force=force)
@@ -150,8 +179,14 @@ def new(
     return 0
 
 
-@compwright.command()
-@click.argument("job_file", metavar="JOB.yaml", type=PATH)
+@compwright.command(
+    examples=(
+        "compwright verify job.yaml --after after/y.csv",
+        "compwright verify job.yaml --after after/y.csv --loaded read_back --update --force",
+    ),
+    page="docs/commands.md#verify, docs/verification.md",
+)
+@click.argument("job_file", metavar="JOB.yaml", type=PATH, help="The job whose tables were loaded.")
 @click.option(
     "--after",
     multiple=True,
@@ -195,11 +230,12 @@ def verify(
     report: Path | None,
     **words: bool,
 ) -> int:
-    """Judge the test after loading against the plan."""
+    """Compare the test after loading with the plan: is the table active, is the axis good?"""
     from compwright.workflow.commands.verify import plan_path, verify_job
     from compwright.workflow.inputs.jobs import default_folder, read_job_file
     from compwright.workflow.ready import ready_for_axes
     from compwright.workflow.results.answers import verify_summary
+    from compwright.workflow.results.next_step import after_verify
     from compwright.workflow.results.report_file import require_report_form
 
     require_report_form(report, ".pdf")
@@ -224,4 +260,8 @@ def verify(
     answer(outcome.document, json_path, lambda: verify_summary(outcome))
     for note in outcome.notes:
         tell(f"note: {note}")
+    told_last(
+        json_path,
+        lambda: after_verify(outcome, job_file, out or folder, after, read_back=bool(loaded)),
+    )
     return outcome.exit_code

@@ -37,8 +37,21 @@ _STANDARDS = (
 )
 
 
-@compwright.command()
-@click.argument("paths", nargs=-1, required=True, metavar="FILE|FOLDER...", type=PATH)
+@compwright.command(
+    examples=(
+        "compwright evaluate before/y.csv",
+        "compwright evaluate before --standard vdi3441 --table values.csv",
+    ),
+    page="docs/commands.md#evaluate, docs/measurement-files.md",
+)
+@click.argument(
+    "paths",
+    nargs=-1,
+    required=True,
+    metavar="FILE|FOLDER...",
+    type=PATH,
+    help="Measurement files, or folders of them.",
+)
 @click.option(
     "--standard",
     "standards",
@@ -80,7 +93,7 @@ def evaluate(
     json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
-    """Evaluate positioning and circular tests to a standard: a page each, of many a line each."""
+    """Evaluate positioning and circular tests to a standard."""
     from compwright.workflow.commands.evaluate import (
         evaluate_files,
         evaluation_renderables,
@@ -170,8 +183,14 @@ def _tell_errors(entries: Sequence[Mapping[str, str]], *, one_each: bool) -> Non
         tell("note: --json PATH names them all")
 
 
-@compwright.command()
-@click.argument("file", metavar="FILE", type=PATH)
+@compwright.command(
+    examples=(
+        "compwright profile sheet.csv --out sheet.yaml",
+        "compwright evaluate sheet.csv --profile sheet.yaml",
+    ),
+    page="docs/commands.md#profile, docs/measurement-files.md",
+)
+@click.argument("file", metavar="FILE", type=PATH, help="The table of the other program.")
 @click.option("--out", required=True, type=PATH, metavar="P.yaml", help="The profile to write.")
 @force_option
 @exiting
@@ -195,8 +214,14 @@ def profile(
     return 0
 
 
-@compwright.command()
-@click.argument("machine", metavar="MACHINE.yaml", type=PATH)
+@compwright.command(
+    examples=(
+        "compwright simulate machine.yaml --out first",
+        "compwright simulate machine.yaml --out after --seed 2 --with-tables read_back",
+    ),
+    page="docs/simulation.md",
+)
+@click.argument("machine", metavar="MACHINE.yaml", type=PATH, help="The virtual machine.")
 @click.option("--out", required=True, type=PATH, help="Folder for the measurement files.")
 @click.option(
     "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the noise."
@@ -216,7 +241,7 @@ def simulate(
     tables: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
-    """Measure a virtual machine; see docs/simulation.md."""
+    """Measure a virtual machine."""
     from compwright.workflow.commands.simulate import load_machine, simulate_files
 
     written = simulate_files(
@@ -232,7 +257,13 @@ def simulate(
     return 0
 
 
-@compwright.command()
+@compwright.command(
+    examples=(
+        "compwright demo",
+        "compwright demo --out demo --force",
+    ),
+    page="docs/README.md",
+)
 @click.option(
     "--out", type=PATH, default=Path("demo"), show_default=True, help="Folder for the demo."
 )

@@ -12,7 +12,13 @@ from compwright.cli.saying import answer_lines, json_file, tell
 from compwright.cli.words import PATH, Invocation, compwright, exiting, force_option, json_option
 
 
-@compwright.command()
+@compwright.command(
+    examples=(
+        "compwright selftest",
+        "compwright selftest --out selftest",
+    ),
+    page="docs/commands.md#selftest",
+)
 @click.option("--out", type=PATH, metavar="DIR", help="Folder for selftest.html and selftest.json.")
 @click.option("--report", type=PATH, metavar="PATH.html", help="Write the page to sign.")
 @json_option
@@ -27,7 +33,7 @@ def selftest(
     json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
-    """Evaluate the reference data that ship with compwright: expected, obtained, limits."""
+    """Test this installation with the reference data that ship with compwright."""
     from compwright.workflow.commands.selftest import selftest as tested
     from compwright.workflow.commands.selftest import write_selftest
 

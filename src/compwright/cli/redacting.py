@@ -10,6 +10,7 @@ from compwright.cli.saying import answer_lines, errors, json_file, tell
 from compwright.cli.words import (
     PATH,
     Invocation,
+    complete_format,
     compwright,
     exiting,
     force_option,
@@ -18,14 +19,28 @@ from compwright.cli.words import (
 )
 
 
-@compwright.command()
-@click.argument("paths", nargs=-1, required=True, metavar="FILE|FOLDER...", type=PATH)
+@compwright.command(
+    examples=(
+        "compwright redact before/y.csv --out sample",
+        "compwright redact control --out sample-control --format 840d-sl --show",
+    ),
+    page="docs/commands.md#redact",
+)
+@click.argument(
+    "paths",
+    nargs=-1,
+    required=True,
+    metavar="FILE|FOLDER...",
+    type=PATH,
+    help="Measurement files, files of a control, or folders of them.",
+)
 @click.option("--out", required=True, type=PATH, metavar="DIR", help="Folder for the copies.")
 @profile_option
 @click.option(
     "--format",
     "format_id",
     metavar="ID",
+    shell_complete=complete_format,
     help="The control that all the files are of; without it their content tells.",
 )
 @click.option("--show", is_flag=True, help="Print the texts that were taken out too.")

@@ -75,6 +75,12 @@ def answer_lines(
         print_lines(map(visible, lines()))
 
 
+def told_last(json_path: Path | None, line: Callable[[], str]) -> None:
+    """Print the last line of an answer for people: what to do next."""
+    if not _on_output(json_path):
+        print_lines([line()])
+
+
 def _on_output(json_path: Path | None) -> bool:
     return json_path is not None and str(json_path) == "-"
 

@@ -10,8 +10,10 @@ from pathlib import Path
 from typing import Any, ParamSpec
 
 import click
+from click.shell_completion import CompletionItem
 
 from compwright import __version__
+from compwright.cli.help_text import HelpfulCommand, OrderedGroup
 from compwright.foundations.command_words import OptionForm, Own, spread
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.session import Session
@@ -40,6 +42,12 @@ class _PathType(click.ParamType[Path]):
 
     name = "path"
 
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
+        del ctx, param
+        return [CompletionItem(incomplete, type="file")]
+
     def convert(
         self, value: object, param: click.Parameter | None, ctx: click.Context | None
     ) -> Path:
@@ -52,6 +60,12 @@ class _FileWord(click.ParamType[str]):
     """A file among words that mean something else: ``none``, or ``TEST=FILE``."""
 
     name = "file"
+
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
+        del ctx, param
+        return [CompletionItem(incomplete, type="file")]
 
     def convert(
         self, value: object, param: click.Parameter | None, ctx: click.Context | None
@@ -76,7 +90,7 @@ def _matched(
         yield from (kind.convert(name, None, None) for name in files_matching(session, text))
 
 
-class _Command(click.Command):
+class _Command(HelpfulCommand):
     """A command whose options take several values at once where their value ends in ``...``; see
     `command_words`.
     """
@@ -107,7 +121,7 @@ class _Command(click.Command):
         return left
 
 
-class _Group(click.Group):
+class _Group(OrderedGroup):
     command_class = _Command
     group_class = type
 
@@ -144,11 +158,23 @@ json_option = click.option(
 force_option = click.option("--force", is_flag=True, help="Replace files that exist already.")
 
 
+def complete_format(
+    ctx: click.Context, param: click.Parameter, incomplete: str
+) -> list[CompletionItem]:
+    """Return the ids of controls that begin so, and the user's own files."""
+    del param
+    from compwright.workflow.commands.formats import shipped_ids
+
+    fitting = [name for name in shipped_ids(ctx.obj.session) if name.startswith(incomplete)]
+    return [*map(CompletionItem, fitting), CompletionItem(incomplete, type="file")]
+
+
 format_option = click.option(
     "--format",
     "format_id",
     required=True,
     metavar="ID",
+    shell_complete=complete_format,
     help="The control: its id, see compwright formats list, or your own definition (*.yaml).",
 )
 
@@ -214,10 +240,12 @@ def pairs(options: Iterable[str]) -> dict[str, object]:
 
 
 @click.group(
-    cls=_Group, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110}
+    cls=_Group, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100}
 )
 @click.version_option(__version__, prog_name="compwright")
 def compwright() -> None:
-    """Bring a machine axis back to accuracy: evaluate tests, fit and export compensation tables,
-    predict, verify.
+    """Bring a machine axis back to accuracy: evaluate tests, write compensation tables for the
+    control, predict the next test, verify what was loaded.
+
+    First steps: compwright demo; then docs/tutorials/.
     """

@@ -4,7 +4,9 @@ evidence.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from textwrap import wrap
 
 from compwright.formats.definition.options import describe_options
 from compwright.formats.definition.schema import (
@@ -29,6 +31,30 @@ _SIGNS = {
     "lost_motion": "lost motion, compensated where positive",
     "half_each_way": "lost motion, one half in each direction",
 }
+
+
+def listing(definitions: Iterable[Definition]) -> Iterator[str]:
+    """Yield controls by maker: id, title, the names that are understood, and how many facts are
+    known how well.
+    """
+    makers: dict[str, list[Definition]] = {}
+    for definition in definitions:
+        makers.setdefault(definition.maker, []).append(definition)
+    for number, maker in enumerate(sorted(makers, key=str.casefold)):
+        yield from [*([""] if number else []), maker]
+        for definition in makers[maker]:
+            states = Counter(note.state for _, note in _evidence(definition))
+            facts = ", ".join(
+                f"{states[state]} {state}" for state in ("confirmed", "inferred", "unconfirmed")
+            )
+            for first, text in (
+                (definition.id, definition.title),
+                ("", f"also: {', '.join(definition.aliases)}"),
+                ("", f"facts: {facts}; proven on {len(definition.proven) or 'no'} machine"),
+            ):
+                yield from wrap(
+                    text, 100, initial_indent=f"  {first:<20}", subsequent_indent=" " * 22
+                )
 
 
 def description(definition: Definition) -> Iterator[str]:

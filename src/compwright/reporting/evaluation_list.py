@@ -13,6 +13,7 @@ from typing import Any, Final
 
 from rich.cells import cell_len, set_cell_size
 from rich.console import ConsoleOptions, RenderableType
+from rich.measure import Measurement
 from rich.rule import Rule
 
 from compwright.foundations.findings import DOUBTS
@@ -90,6 +91,10 @@ class _ListColumns:
     """
 
     columns: Sequence[_ListColumn]
+
+    def __rich_measure__(self, console: object, options: object) -> Measurement:
+        whole = sum(_GAP + column.width for column in self.columns)
+        return Measurement(whole, whole)
 
     def __rich_console__(self, console: object, options: ConsoleOptions) -> Iterable[Text]:
         fixed = sum(_GAP + column.width for column in self.columns if not column.cut)

@@ -14,10 +14,16 @@ from typing import Any
 
 import rich.text
 from rich.console import Console, ConsoleOptions, RenderableType
+from rich.rule import Rule
 from rich.segment import Segment
 from rich.style import Style
+from rich.table import Table
 
 from compwright.foundations.utf8 import visible, visible_lines
+
+_WIDEST = 100_000
+#: What a rule keeps free of its title.
+_RULE_MARGIN = 6
 
 
 class Text(rich.text.Text):
@@ -53,14 +59,35 @@ class _PlainConsole(Console):
 
 
 def print_renderables(renderables: Sequence[RenderableType]) -> None:
-    """Print renderables on standard output: in colour on a terminal, plain and at least 100 columns
-    wide elsewhere.
+    """Print renderables on standard output: in colour on a terminal; plain elsewhere, at least 100
+    columns wide and wide enough that nothing is cut.
     """
     console = _PlainConsole()
-    if not console.is_terminal:
-        console = _PlainConsole(width=max(console.width, 100))
+    if console.is_terminal:
+        for renderable in renderables:
+            console.print(renderable)
+        return
+    width = max(console.width, 100)
     for renderable in renderables:
-        console.print(renderable)
+        _PlainConsole(width=max(width, _uncut_width(renderable, console))).print(renderable)
+
+
+def _uncut_width(renderable: RenderableType, console: Console) -> int:
+    """Return the width at which no word of a renderable is cut or broken."""
+    wide = console.options.update(width=_WIDEST)
+    if isinstance(renderable, Rule):
+        return console.measure(renderable.title, options=wide).maximum + _RULE_MARGIN
+    if not isinstance(renderable, Table):
+        text = renderable.plain if isinstance(renderable, rich.text.Text) else ""
+        indent = len(text) - len(text.lstrip())
+        return console.measure(renderable, options=wide).minimum + indent
+    _, right, _, left = renderable.padding
+    width = 0
+    for column in renderable.columns:
+        cells = [console.measure(cell, options=wide) for cell in (column.header, *column.cells)]
+        sizes = [cell.maximum if column.no_wrap else cell.minimum for cell in cells]
+        width += max(*sizes, column.min_width or 0) + left + right
+    return width
 
 
 def messages_console() -> Console:

@@ -308,7 +308,40 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     ]
 
 
-def _verdict(verdict: str, headline: str) -> RenderableType:
+def demo_tables(
+    steps: Sequence[Any], document: Mapping[str, Any], pages: Sequence[str]
+) -> list[RenderableType]:
+    """Return the steps of the demo with time and size, A of each axis, the verdict, and where to
+    look.
+    """
+    done = plain_table()
+    for right in (False, False, True, True, True):
+        done.add_column(justify="right" if right else "left", no_wrap=True)
+    done.show_header = False
+    for number_of, step in enumerate(steps, 1):
+        done.add_row(
+            f"{number_of}. {step.what}",
+            f"{step.folder}/",
+            f"{step.files} files",
+            f"{step.size / 1000:.0f} kB",
+            f"{step.seconds:.1f} s",
+        )
+    values = _table_of_parameters("A before", "predicted", "5 to 95 %", "after", "limit")
+    for name, axis in document["axes"].items():
+        values.add_row(
+            f"axis {name}, {unit_text(axis['unit'])}",
+            number(axis["before"]["A"]),
+            *_band(axis["predicted"]["A"]),
+            number(axis["after"]["A"]),
+            *_decision(axis["accept"]["A"]),
+        )
+    last = Text.assemble(
+        _verdict(document["verdict"], document["headline"]), f". Open {', '.join(pages)}"
+    )
+    return [done, values, last]
+
+
+def _verdict(verdict: str, headline: str) -> Text:
     """Return the verdict, with its headline where that says more."""
     more = "" if headline.lower().startswith(verdict) else f". {headline}"
     return Text.assemble("Verdict: ", _word(verdict), more)

@@ -194,8 +194,8 @@ _SETTLED: Final = mapping(
 _FORMS: Final[Mapping[type, RecordForm]] = {
     Definition: RecordForm(
         nested={"sample": {"options": "sample_options", "files": "sample_files"}},
-        absent=frozenset({"aliases", "parameters", "look_at"}),
-        constant={"file": "", "text": None, "own": (), "aliases": (), "parameters": {}}
+        absent=frozenset({"maker", "aliases", "parameters", "look_at"}),
+        constant={"file": "", "text": None, "own": (), "maker": "", "aliases": (), "parameters": {}}
         | {"look_at": {}},
         types={
             "proven": listed(mapping(dict.fromkeys(_PROVEN, _TEXT), dict)),

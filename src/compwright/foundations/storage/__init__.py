@@ -22,6 +22,7 @@ from compwright.foundations.storage.looking import (
     named_from,
     relative,
     resolved,
+    size_of,
     way_to,
 )
 from compwright.foundations.storage.reading import (
@@ -53,6 +54,7 @@ __all__ = [
     "refuse_overwriting",
     "relative",
     "resolved",
+    "size_of",
     "state_of",
     "was_read",
     "way_to",

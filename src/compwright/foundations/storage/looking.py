@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from pathlib import Path
 
 from compwright.foundations.session import Identity
@@ -14,6 +15,11 @@ def is_folder(path: Path) -> bool:
         return path.is_dir()
     except (OSError, ValueError):
         return False
+
+
+def size_of(paths: Iterable[Path]) -> int:
+    """Return the size of files together, in bytes. Raises OSError for one that is not there."""
+    return sum(path.stat().st_size for path in paths)
 
 
 def resolved(path: Path) -> Path:

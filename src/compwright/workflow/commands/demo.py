@@ -4,8 +4,10 @@ verify.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from time import perf_counter
 
 from compwright.foundations import storage
 from compwright.foundations.input_sizes import JOB
@@ -20,9 +22,23 @@ from compwright.workflow.results.own_files import write_listed
 
 
 @dataclass(frozen=True, slots=True)
-class DemoOutcome:
-    """The two halves of the demo and where their pages are."""
+class DemoStep:
+    """A step of the demo: what it did, where its files are, how many they are, their size in bytes,
+    and how long it took in seconds.
+    """
 
+    what: str
+    folder: Path
+    files: int
+    size: int
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class DemoOutcome:
+    """The steps of the demo, and its two halves."""
+
+    steps: tuple[DemoStep, ...]
     run: RunOutcome
     verification: VerifyOutcome
     folder: Path
@@ -37,20 +53,26 @@ def run_demo(
     ``crew``: who works on the axes. Raises StorageError when a file exists (unless ``force``) or
     cannot be written.
     """
+    clock = _Clock()
     shipped = storage.demo_files(session)
     files = {name: shipped[name] for name in ("machine.yaml", "job.yaml")}
     machine_file, job_file = write_listed(
         session, out, files, command="demo", force=force, as_set=True
     )
     machine = load_machine(session, machine_file)
-    simulate_files(session, machine, out / "before", seed=1, force=force)
+    before = simulate_files(session, machine, out / "before", seed=1, force=force)
+    measured = clock.step(
+        f"measure a virtual machine of {len(before)} axes", out / "before", before
+    )
     job = read_job(storage.read_bytes(session, job_file, JOB), str(job_file))
     result = out / "job"
     with crew(len(job.axes), ready_for_axes) as each:
         worked = planned(session, job, out, result, each=each)
     run = write_planned(session, worked, result, force=force)
+    written = clock.step("run: tables, prediction, report, card", result, run.files)
     tables = result / "tables" / job.format
     after = simulate_files(session, machine, out / "after", seed=2, tables=tables, force=force)
+    again = clock.step("load the tables, measure again", out / "after", after)
     verification = verify_job(
         session,
         job,
@@ -59,4 +81,19 @@ def run_demo(
         out=result,
         force=force,
     )
-    return DemoOutcome(run=run, verification=verification, folder=out)
+    judged = clock.step("verify: are the tables active?", result, verification.files)
+    steps = (measured, written, again, judged)
+    return DemoOutcome(steps=steps, run=run, verification=verification, folder=out)
+
+
+class _Clock:
+    """Tells how long each step took."""
+
+    def __init__(self) -> None:
+        self._began = perf_counter()
+
+    def step(self, what: str, folder: Path, files: Sequence[Path]) -> DemoStep:
+        """Return what was done since the last step."""
+        now = perf_counter()
+        seconds, self._began = now - self._began, now
+        return DemoStep(what, folder, len(files), storage.size_of(files), seconds)

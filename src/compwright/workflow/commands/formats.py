@@ -11,24 +11,29 @@ from compwright.controls.checked_definitions import checked_definitions
 from compwright.controls.control import READ_BACK
 from compwright.controls.definitions import (
     definition_named,
+    is_base,
     is_path,
     own_definition,
     shipped_definitions,
 )
-from compwright.controls.description import description
+from compwright.controls.description import description, listing
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.session import Session
+from compwright.foundations.storage import definition_files
 
 NOT_JUDGED = "not independently judged: there is no virtual control for it"
 
 
 def list_formats(session: Session) -> tuple[str, ...]:
-    """Return one line per installed control: its id and what it is. Raises InputError for a
-    definition that cannot be read.
+    """Return the installed controls as lines, by maker: id, title, the names that are understood,
+    and how many facts are known how well. Raises InputError for a definition that cannot be read.
     """
-    definitions = shipped_definitions(session)
-    width = max((len(name) for name in definitions), default=0)
-    return tuple(f"{name:<{width}}  {definition.title}" for name, definition in definitions.items())
+    return tuple(listing(shipped_definitions(session).values()))
+
+
+def shipped_ids(session: Session) -> list[str]:
+    """Return the ids of the installed controls; no definition is read."""
+    return [Path(name).stem for name, _ in definition_files(session) if not is_base(Path(name))]
 
 
 def show_format(session: Session, name: str) -> tuple[str, ...]:

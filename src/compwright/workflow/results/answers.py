@@ -117,14 +117,12 @@ def history_summary(document: Mapping[str, Any]) -> list[Any]:
 
 
 def demo_summary(outcome: Any) -> list[Any]:
-    """Return what ``demo`` says: the predictions, the verification, and where the pages are."""
+    """Return what ``demo`` says in ten lines: its steps, each axis, the verdict, and the pages."""
     from compwright.reporting import summaries
 
     pages = [
-        path for path in (*outcome.run.files, *outcome.verification.files) if path.suffix == ".html"
+        str(path)
+        for path in (*outcome.run.files, *outcome.verification.files)
+        if path.suffix == ".html"
     ]
-    return [
-        *summaries.prediction_tables(outcome.run.prediction),
-        *summaries.verification_tables(outcome.verification.document),
-        *summaries.file_lines("Reports", [str(path) for path in pages]),
-    ]
+    return summaries.demo_tables(outcome.steps, outcome.verification.document, pages)

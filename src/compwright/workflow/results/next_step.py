@@ -1,0 +1,71 @@
+"""The last line of ``run`` and ``verify``: the next command to type."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+#: Stands for the folder with the files that were saved from the control after loading.
+READ_BACK = "READ_BACK"
+_AFTER = "AFTER_FILE"
+
+
+def after_run(outcome: Any, job: Path, out: Path) -> str:
+    """Return what comes after a run. ``job``: its job file; ``out``: the folder of its results."""
+    again = _command("run", job, "--force")
+    if outcome.no_tables:
+        return f"Next: state what is in the control (states: as_found), then type: {again}"
+    if outcome.prediction["doubts"]:
+        return (
+            "Next: load nothing yet. Settle what has to be checked first, or acknowledge it in the"
+            f" job, then type: {again}"
+        )
+    card = out / "card" / "card.html"
+    if any(path.is_relative_to(out / "tables") for path in outcome.files):
+        return (
+            f"Next: do the steps of {card}, save the control's files to {READ_BACK}, then type: "
+            + _command("compare", out, "--loaded", READ_BACK)
+        )
+    if any(path.name.startswith("entry_") for path in outcome.files):
+        return f"Next: do the steps of {card}, measure again, then type: " + _command(
+            "verify", job, "--after", _AFTER
+        )
+    return f"Next: there is nothing to load; the reasons are above and in {out / 'report.html'}"
+
+
+def after_verify(
+    outcome: Any, job: Path, out: Path, after: Sequence[str], *, read_back: bool
+) -> str:
+    """Return what comes after a verification. ``after``: its tests; ``read_back``: whether the
+    control's files were given.
+    """
+    document = outcome.document
+    then = document.get("next") or {}
+    if any(axis["table"] for axis in then.get("axes", {}).values()):
+        folder = out / "next"
+        return (
+            f"Next: do the steps of {folder / 'card' / 'card.html'}, save the control's files to"
+            f" {READ_BACK}, then type: " + _command("compare", folder, "--loaded", READ_BACK)
+        )
+    if document["verdict"] == "good":
+        return f"Next: keep the folder {out}. To see the years, type: " + _command("history", out)
+    if not read_back:
+        return f"Next: save the control's files to {READ_BACK}, then type: " + _command(
+            "compare", out, "--loaded", READ_BACK
+        )
+    again = [word for file in after for word in ("--after", file)]
+    if not then and all(
+        axis["loading"]["verdict"] == "loaded" for axis in document["axes"].values()
+    ):
+        return "Next: the table is active, but not enough. For a further table type: " + _command(
+            "verify", job, *again, "--loaded", READ_BACK, "--update", "--force"
+        )
+    return "Next: correct what is named above, measure again, then type: " + _command(
+        "verify", job, "--after", _AFTER, "--loaded", READ_BACK, "--force"
+    )
+
+
+def _command(*words: object) -> str:
+    return shlex.join(["compwright", *map(str, words)])
