@@ -178,8 +178,20 @@ def trees() -> dict[str, ast.Module]:
     return found
 
 
+@cache
+def nodes_below(node: ast.AST) -> tuple[ast.AST, ...]:
+    """Return a node and all below it: many tests ask for those of the same module."""
+    return tuple(ast.walk(node))
+
+
+def statements_of(node: ast.AST) -> Iterator[ast.AST]:
+    """Yield the statements, handlers and cases that stand directly in another one or a module."""
+    for field in ("body", "handlers", "orelse", "finalbody", "cases"):
+        yield from getattr(node, field, ())
+
+
 def imports_in(node: ast.AST, by: str, *, at_load: bool = True) -> Iterator[Import]:
-    for child in ast.iter_child_nodes(node):
+    for child in statements_of(node):
         if isinstance(child, ast.Import):
             for alias in child.names:
                 yield Import(by, alias.name, "", at_load, child.lineno)
@@ -188,14 +200,14 @@ def imports_in(node: ast.AST, by: str, *, at_load: bool = True) -> Iterator[Impo
             for alias in child.names:
                 yield Import(by, child.module or "", alias.name, at_load, child.lineno)
         else:
-            inside = isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+            inside = isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef)
             for_names = isinstance(child, ast.If) and last_name(child.test) == "TYPE_CHECKING"
             yield from imports_in(child, by, at_load=at_load and not (inside or for_names))
 
 
 @cache
 def all_imports() -> tuple[Import, ...]:
-    return tuple(found for name, tree in trees().items() for found in imports_in(tree, name))
+    return tuple(found for name in trees() for found in all_imports_of(name))
 
 
 @cache
@@ -221,7 +233,7 @@ def test_each_class_has_a_name_of_its_own() -> None:
     names = Counter(
         node.name
         for tree in trees().values()
-        for node in ast.walk(tree)
+        for node in nodes_below(tree)
         if isinstance(node, ast.ClassDef)
     )
     assert [name for name, count in names.items() if count > 1] == []
@@ -462,7 +474,7 @@ def test_only_storage_reaches_the_file_system() -> None:
     for name, tree in trees().items():
         if is_storage(name):
             continue
-        for node in ast.walk(tree):
+        for node in nodes_below(tree):
             if isinstance(node, ast.Call):
                 wrong += [f"{name} line {node.lineno}: {call}" for call in reaching(node.func)]
     for found in all_imports():
@@ -670,7 +682,7 @@ def owner_of(node: ast.expr) -> ast.expr:
 
 def changed_in(function: ast.AST) -> Iterator[tuple[str, ast.expr]]:
     """Yield what a function changes: name of the change, and what it is done to."""
-    for node in ast.walk(function):
+    for node in nodes_below(function):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
             if node.func.attr in CHANGES:
                 yield node.func.attr, node.func.value
@@ -685,7 +697,7 @@ def local_names(function: ast.AST) -> set[str]:
     """Return the names that a function, and those in it, bind themselves."""
     return {
         name
-        for node in ast.walk(function)
+        for node in nodes_below(function)
         for name in (
             [node.arg]
             if isinstance(node, ast.arg)
@@ -703,7 +715,7 @@ def test_no_function_changes_a_module_a_class_or_what_they_hold() -> None:
     wrong = []
     for module, tree in trees().items():
         own = {name for name, _, _ in module_level(tree.body)}
-        classes = {node.name for node in ast.walk(tree) if isinstance(node, ast.ClassDef)}
+        classes = {node.name for node in nodes_below(tree) if isinstance(node, ast.ClassDef)}
         imported = {found.name or found.target for found in all_imports_of(module)} | {"np"}
         modules = {found.target for found in all_imports_of(module) if not found.name} | {"np"}
         modules |= {
@@ -714,7 +726,7 @@ def test_no_function_changes_a_module_a_class_or_what_they_hold() -> None:
         for function in outer_functions(tree):
             wrong += [
                 f"{module} line {node.lineno}: {', '.join(node.names)}"
-                for node in ast.walk(function)
+                for node in nodes_below(function)
                 if isinstance(node, ast.Global)
             ]
             known = ((own | imported) - local_names(function)) | classes | {"cls"}
@@ -765,7 +777,7 @@ def test_whoever_reads_or_writes_hands_its_session_on() -> None:
             for found in all_imports_of(module)
             if ((inside(found) or ""), found.name) in functions
         }
-        for node in ast.walk(tree):
+        for node in nodes_below(tree):
             if not isinstance(node, ast.Call):
                 continue
             words = node.args
@@ -786,7 +798,7 @@ def test_whoever_reads_or_writes_hands_its_session_on() -> None:
 def test_what_a_process_has_once_is_changed_only_where_it_may_be() -> None:
     found: dict[str, set[str]] = {}
     for module, tree in trees().items():
-        for node in ast.walk(tree):
+        for node in nodes_below(tree):
             if isinstance(node, ast.Attribute):
                 written = not isinstance(node.ctx, ast.Load)
                 name = ast.unparse(node) if written else node.attr
@@ -805,7 +817,7 @@ def test_what_is_kept_depends_on_its_arguments_alone() -> None:
     """A cache of contents is no state; one of paths, or of a session, would be."""
     unexplained, wrong = [], []
     for module, tree in trees().items():
-        for function in ast.walk(tree):
+        for function in nodes_below(tree):
             if not isinstance(function, ast.FunctionDef):
                 continue
             kinds = {
@@ -918,7 +930,7 @@ def codes() -> dict[str, set[str]]:
     """
     found: dict[str, set[str]] = {}
     for name, tree in trees().items():
-        for node in ast.walk(tree):
+        for node in nodes_below(tree):
             if (
                 isinstance(node, ast.Constant)
                 and isinstance(node.value, str)
@@ -934,9 +946,11 @@ def made() -> dict[str, set[str]]:
     found: dict[str, set[str]] = {}
     for name, tree in trees().items():
         constants = dict(constants_of(tree))
-        for node in ast.walk(tree):
-            called = ast.unparse(node.func).split(".")[-1] if isinstance(node, ast.Call) else ""
-            if not isinstance(node, ast.Call) or called not in ("Finding", "find"):
+        for node in nodes_below(tree):
+            if not isinstance(node, ast.Call):
+                continue
+            called = last_name(node.func)
+            if called not in ("Finding", "find"):
                 continue
             for word in (
                 *node.args[:1],

@@ -9,6 +9,7 @@ import io
 import re
 import tokenize
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -49,12 +50,15 @@ EXPLAINED = re.compile(
     r"|\b(?:19|20)\d\d\b(?!#)"  # years
     r"|\b\d*(?:[05]00|[27]50)\b|\b65536\b"  # round
 )
+#: No parameter has fewer; most texts have none.
+FOUR_DIGITS = re.compile(r"\d{4}")
 #: Not a part of a word, a decimal number or a date; the second of a list or a range is one too.
 NUMBER = re.compile(
     r"(?:(?<![\w.,:+-])|(?<=\b\d{4}[,-])|(?<=\b\d{5}[,-]))\d{4,5}(?!\w|\.\d|-\d\d?(?!\d))"
 )
 
 
+@cache
 def _numbers_of_controls() -> frozenset[str]:
     """Every number of four or five digits that a definition or a family speaks of, no round one."""
     round_ones = re.compile(r"0.*|.*(?:00|50)|9+|32767")
@@ -66,6 +70,8 @@ def _numbers_of_controls() -> frozenset[str]:
 def leaks(source: str, numbers: frozenset[str] = frozenset()) -> Iterator[tuple[int, str]]:
     """Yield line and word of everything in Python source that only a control knows."""
     yield from named(source)
+    if not FOUR_DIGITS.search(source):
+        return
     for token in tokenize.generate_tokens(io.StringIO(source).readline):
         line = token.start[0]
         if token.type == tokenize.NUMBER:
@@ -84,6 +90,8 @@ def named(text: str) -> Iterator[tuple[int, str]]:
 
 def numbered(text: str, first: int = 1) -> Iterator[tuple[int, str]]:
     """Yield line and number of what may be a parameter; ``first``: the line where text begins."""
+    if not FOUR_DIGITS.search(text):
+        return
     text = EXPLAINED.sub(lambda found: re.sub(r"\d", " ", found[0]), text)
     for found in NUMBER.finditer(text):
         yield first + text.count("\n", 0, found.start()), found[0]
