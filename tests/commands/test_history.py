@@ -13,9 +13,11 @@ import math
 import os
 import sqlite3
 from collections.abc import Callable, Iterator
+from datetime import date, timedelta
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
@@ -403,7 +405,7 @@ def other_database(path: Path) -> None:
 def newer_index(path: Path) -> None:
     with sqlite3.connect(path) as database:
         database.execute(f"PRAGMA application_id = {0x63776869}")
-        database.execute("PRAGMA user_version = 2")
+        database.execute("PRAGMA user_version = 99")
         database.execute("CREATE TABLE folder (path TEXT)")
     database.close()
 
@@ -529,6 +531,10 @@ def test_no_edit_of_a_record_ends_as_a_fault_of_our_own(put: Any) -> None:
             "verdict": "good",
             "axes": {"X": {"loading": {"verdict": "loaded"}, "read_back": "equal"}},
         },
+        "decisions": {
+            "axes": {"X": {"accept": {"A": {"limit": 8.0}}}},
+            "circles": {"xy": {"accept": {"G_ccw": {"limit": 8.0}}}},
+        },
     }
     assert faults_of_record(whole) == []
     refused = 0
@@ -539,6 +545,140 @@ def test_no_edit_of_a_record_ends_as_a_fault_of_our_own(put: Any) -> None:
         if not faults:
             entries_of(ResultFolder(Path("a"), edited, (), (), ()))
     assert refused > 20
+
+
+YEAR = 365.25
+
+
+def over_years(
+    top: Path,
+    values: list[float],
+    *,
+    days: int = 91,
+    acted: list[str] | None = None,
+    limit: float | None = None,
+) -> Path:
+    """Result folders of one axis, a test every ``days`` days, with these mean reversal values;
+    ``acted``: the state file of each.
+    """
+    for place, value in enumerate(values):
+        day = date(2021, 1, 10) + timedelta(days=days * place)
+        state = [] if acted is None else [{**STATE, "sha256": acted[place]}]
+        accept = {} if limit is None else {"B": {"limit": limit}}
+        record(
+            top / f"visit-{place}",
+            axis_test(
+                B_mean=value,
+                date=day.isoformat(),
+                std_error={
+                    "B": {"value": 0.1, "dof": 40.0},
+                    "B_mean": {"value": 0.1, "dof": 40.0},
+                },
+            ),
+            inputs=state,
+            decisions={"axes": {"X": {"accept": accept}}},
+        )
+    return top
+
+
+STATE = {"role": "state", "of": "as_found", "file": "f", "copy": None, "by": "run"}
+
+
+def scattered(count: int, seed: int) -> list[float]:
+    return [0.1 * value for value in np.random.default_rng(seed).standard_normal(count)]
+
+
+def trend(document: dict[str, Any], parameter: str = "B_mean") -> dict[str, Any]:
+    found = axis_of(document)["trends"][parameter]
+    assert isinstance(found, dict)
+    return found
+
+
+def test_a_reversal_error_that_grows_by_small_steps_is_reported_with_its_rate(
+    tmp_path: Path, ask: Ask, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """No step alone is beyond the uncertainty: -2.98 to -4.77 um in 13 tests over three years."""
+    grown = [-2.98 - 0.6 * 91 * place / YEAR + e for place, e in enumerate(scattered(13, 1))]
+    over_years(tmp_path, grown)
+    document = ask(tmp_path)
+    assert axis_of(document)["changes"] == []
+    found = trend(document)
+    assert found["clear"]
+    assert abs(found["rate_per_year"] + 0.6) < 3.0 * found["std_error"] < 0.25
+    assert (found["unit"], found["n_tests"], found["first"]) == ("um", 13, grown[0])
+    assert compwright(["history", str(tmp_path)]) == 0
+    assert "µm per year (13 tests, 2021-01 to 2024-01)" in capsys.readouterr().out
+
+
+def test_scatter_and_a_season_are_no_growth(tmp_path: Path, ask: Ask) -> None:
+    for seed in range(4):
+        season = [0.6 * math.sin(2.0 * math.pi * 91 * place / YEAR) for place in range(17)]
+        values = [-3.0 + s + e for s, e in zip(season, scattered(17, seed), strict=True)]
+        found = trend(ask(over_years(tmp_path / str(seed), values)))
+        assert not found["clear"]
+        assert found["jumps"] == []
+
+
+def test_a_repair_is_a_jump_and_no_rate(tmp_path: Path, ask: Ask) -> None:
+    values = [-6.0 + 3.0 * (place >= 7) + e for place, e in enumerate(scattered(13, 2))]
+    found = trend(ask(over_years(tmp_path, values)))
+    assert not found["clear"]
+    (jump,) = found["jumps"]
+    assert (jump["before"], jump["after"]) == (6, 7)
+    assert abs(jump["size"] - 3.0) < 3.0 * jump["std_error"] < 0.6
+
+
+def test_the_rate_is_that_of_the_machine_where_tables_were_loaded(tmp_path: Path, ask: Ask) -> None:
+    """Each yearly visit sets a reversal error back to zero that grows by 1.2 um a year."""
+    scatter = iter(scattered(12, 3))
+    errors = {"B_mean": {"value": 0.1, "dof": 40.0}}
+    for visit in range(5):
+        grown = 1.2 if visit else 3.0
+        record(
+            tmp_path / f"visit-{visit}",
+            axis_test(B_mean=grown + next(scatter), date=f"{2020 + visit}-05-04", std_error=errors),
+            axis_test(
+                B_mean=next(scatter), date=f"{2020 + visit}-05-05", taken="after", std_error=errors
+            ),
+            inputs=[{**STATE, "sha256": f"state {visit}"}],
+            files=[{"file": "tables/t", "sha256": f"table {visit}", "size": 1}],
+            verification={
+                "verdict": "good",
+                "axes": {"X": {"loading": {"verdict": "loaded"}, "read_back": "equal"}},
+            },
+        )
+    found = trend(ask(tmp_path))
+    assert found["clear"]
+    assert abs(found["rate_per_year"] - 1.2) < 3.0 * found["std_error"]
+
+
+def test_the_day_on_which_a_limit_is_reached(tmp_path: Path, ask: Ask) -> None:
+    """B is 3 um at first and grows by 1 um a year: its limit of 8 um is 5 years after the first."""
+    values = [-3.0 - 1.0 * 91 * place / YEAR + e for place, e in enumerate(scattered(13, 4))]
+    found = trend(ask(over_years(tmp_path, values, limit=8.0)), "B")
+    crosses = found["crosses"]
+    assert found["limit"] == 8.0
+    assert crosses["earliest"] < crosses["day"] < crosses["latest"]
+    assert crosses["earliest"] < "2026-01-09" < crosses["latest"]
+    assert crosses["latest"] < "2027-06-01"
+    assert (
+        trend(ask(over_years(tmp_path / "falls", values[::-1], limit=8.0)), "B")["crosses"] is None
+    )
+
+
+def test_two_tests_have_no_rate(tmp_path: Path, ask: Ask) -> None:
+    assert axis_of(ask(over_years(tmp_path, [-3.0, -5.0])))["trends"] == {}
+
+
+def test_the_page_shows_each_axis_with_its_course(tmp_path: Path) -> None:
+    values = [-3.0 - 0.25 * place + e for place, e in enumerate(scattered(9, 5))]
+    over_years(tmp_path / "years", values, limit=9.0)
+    page = tmp_path / "page.html"
+    assert compwright(["history", str(tmp_path / "years"), "--page", str(page)]) == 0
+    text = page.read_text(encoding="utf-8")
+    assert text.count("<circle") == 9
+    assert "µm per year (9 tests" in text
+    assert "B reaches its limit 9.00 µm about" in text
 
 
 def test_what_is_no_folder_with_results(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

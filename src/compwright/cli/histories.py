@@ -13,7 +13,7 @@ from compwright.cli.words import PATH, Invocation, compwright, exiting, force_op
 @compwright.command(
     examples=(
         "compwright history job",
-        "compwright history . --plot history.svg --table history.csv",
+        "compwright history . --page history.html --table history.csv",
     ),
     page="docs/commands.md#history",
 )
@@ -26,6 +26,7 @@ from compwright.cli.words import PATH, Invocation, compwright, exiting, force_op
     help="Result folders, or folders above them.",
 )
 @click.option("--plot", type=PATH, help="Plot to a file: .svg, .png or .pdf.")
+@click.option("--page", type=PATH, help="An HTML page: a row for each axis (extra `report`).")
 @click.option("--table", type=PATH, metavar="PATH.csv", help="Every test as a row of a CSV file.")
 @click.option(
     "--index",
@@ -42,12 +43,13 @@ def history(
     /,
     folders: tuple[Path, ...],
     plot: Path | None,
+    page: Path | None,
     table: Path | None,
     index: Path | None,
     json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
-    """Show machines over the years, and what changed beyond the uncertainty."""
+    """Show machines over the years: what changed, rates per year, and when a limit is reached."""
     from compwright.workflow.commands.history import history_of
     from compwright.workflow.results.answers import history_summary
 
@@ -57,6 +59,7 @@ def history(
         index=index,
         json_path=json_file(json_path),
         plot_path=plot,
+        page_path=page,
         table_path=table,
         force=force,
     )

@@ -13,11 +13,14 @@ from typing import Any
 
 from compwright.foundations.errors import Fault
 from compwright.foundations.utf8 import encoded, visible_lines
-from compwright.records.history import HistoryEntry, NotedChange
+from compwright.records.history import HistoryEntry, NotedChange, NotedTrend
 
 SCHEMA = "compwright/history/1"
 #: Columns of the values, in the order in which they are shown.
-VALUES = ("A", "E", "R", "B", "B_mean", "s", "squareness", "G_bidirectional", "G_ccw", "G_cw")
+VALUES = (
+    *("A", "E", "M", "R", "B", "B_mean", "s", "slope"),
+    *("squareness", "G_bidirectional", "G_ccw", "G_cw"),
+)
 #: A standard normal value beyond which nobody counts.
 _MOST = 99.0
 
@@ -35,6 +38,7 @@ class TestSeries:
     what: str
     entries: tuple[HistoryEntry, ...]
     changes: tuple[NotedChange, ...]
+    trends: tuple[NotedTrend, ...]
 
 
 def history_document(
@@ -56,6 +60,7 @@ def history_document(
         machine[kind][one.what] = {
             "tests": [_entry(entry) for entry in one.entries],
             "changes": [_change(change, one.entries) for change in one.changes],
+            "trends": {trend.parameter: _trend(trend, one.entries) for trend in one.trends},
         }
     return {
         "schema": SCHEMA,
@@ -90,7 +95,7 @@ def _entry(entry: HistoryEntry) -> dict[str, Any]:
 
 
 _OF_KIND = {
-    "positioning": frozenset({"A", "E", "R", "B", "B_mean", "s"}),
+    "positioning": frozenset({"A", "E", "M", "R", "B", "B_mean", "s", "slope"}),
     "circular": frozenset({"squareness", "G_bidirectional", "G_ccw", "G_cw"}),
 }
 
@@ -99,11 +104,40 @@ def _change(change: NotedChange, entries: Sequence[HistoryEntry]) -> dict[str, A
     score = min(abs(change.score), _MOST)
     return {
         **{key: value for key, value in asdict(change).items() if key not in ("score", "chance")},
-        "unit": "um/m" if change.parameter == "squareness" else entries[change.after].unit,
+        "unit": _unit(change.parameter, entries[change.after]),
         "standard_errors": _rounded(change.size / change.std_error if change.std_error else None),
         "score": _rounded(math.copysign(score, change.score)),
         "chance": float(f"{change.chance:.3g}"),
     }
+
+
+def _trend(trend: NotedTrend, entries: Sequence[HistoryEntry]) -> dict[str, Any]:
+    first, last = (entries[trend.tests[end]] for end in (0, -1))
+    return {
+        "rate_per_year": round(trend.rate, 6),
+        "std_error": round(trend.std_error, 6),
+        "unit": _unit(trend.parameter, last),
+        "clear": trend.clear,
+        "first": first.values[trend.parameter],
+        "last": last.values[trend.parameter],
+        "first_day": first.day,
+        "last_day": last.day,
+        "n_tests": len(trend.tests),
+        "jumps": [
+            {**asdict(jump), "size": _rounded(jump.size), "std_error": _rounded(jump.std_error)}
+            for jump in trend.jumps
+        ],
+        "limit": trend.limit,
+        "crosses": (
+            {"day": trend.reached, "earliest": trend.earliest, "latest": trend.latest}
+            if trend.earliest
+            else None
+        ),
+    }
+
+
+def _unit(parameter: str, entry: HistoryEntry) -> str:
+    return "um/m" if parameter in ("squareness", "slope") else entry.unit
 
 
 def _rounded(value: float | None) -> float | None:

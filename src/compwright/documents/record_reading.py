@@ -75,6 +75,7 @@ class _Test:
     sources: tuple[str, ...]
     parameters: Mapping[str, float | None]
     measured_in: str
+    instrument: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -93,6 +94,22 @@ class _CircularTest(_Test):
     kind: Literal["circular"]
     plane: str
     squareness: _Squareness | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Limit:
+    limit: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Decided:
+    accept: Mapping[str, _Limit]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Decisions:
+    axes: Mapping[str, _Decided] = field(default_factory=dict)
+    circles: Mapping[str, _Decided] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -120,6 +137,7 @@ class _Record:
     files: tuple[_File, ...]
     tests: tuple[_AxisTest | _CircularTest, ...]
     verification: _Verification | None
+    decisions: _Decisions = field(default_factory=_Decisions)
 
 
 def _error(error: _Error) -> Iterator[str]:
@@ -144,13 +162,15 @@ def _record(record: _Record) -> Iterator[str]:
 
 _ALONE: Final = RecordForm(others=True)
 _FORMS: Final[Mapping[type, RecordForm]] = {
-    _Record: RecordForm(others=True),
+    _Record: RecordForm(others=True, absent=frozenset({"decisions"})),
     _File: RecordForm(others=True, absent=frozenset({"by"})),
     _RecordInput: RecordForm(others=True, absent=frozenset({"by"})),
-    _AxisTest: RecordForm(others=True, absent=frozenset({"targets", "uncertainty"})),
+    _AxisTest: RecordForm(others=True, absent=frozenset({"targets", "uncertainty", "instrument"})),
+    _CircularTest: RecordForm(others=True, absent=frozenset({"instrument"})),
+    _Decisions: RecordForm(others=True, absent=frozenset({"axes", "circles"})),
     _VerifiedAxis: RecordForm(others=True, absent=frozenset({"read_back"})),
     **dict.fromkeys(
-        (_CircularTest, _Error, _Uncertainty, _Squareness, _Loading, _Verification), _ALONE
+        (_Error, _Uncertainty, _Squareness, _Loading, _Verification, _Limit, _Decided), _ALONE
     ),
 }
 _RULES: Final[Mapping[type, Callable[[Any], Iterator[str]]]] = {

@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
+import numpy as np
+
 #: The instrument of simulated ballbar files.
 _BALLBAR = "virtual ballbar"
 #: What a record tells of the parameters of a test, the rest stands in the evaluation.
@@ -32,6 +34,7 @@ def measured_test(
         "name": result["name"],
         "taken": taken,
         "date": header.get("date", ""),
+        "instrument": header.get("instrument", ""),
         "simulated": "simulated" in header or header.get("instrument") == _BALLBAR,
         "standard": result["standard"],
         "unit": result["unit"],
@@ -51,7 +54,12 @@ def _axis(result: Mapping[str, Any], errors: Errors) -> dict[str, Any]:
         "targets": [target["position"] for target in result["targets"]],
         "n_runs": dict(result["n_runs"]),
         "parameters": {
-            name: result["parameters"][name] for name in PARAMETERS if name in result["parameters"]
+            **{
+                name: result["parameters"][name]
+                for name in PARAMETERS
+                if name in result["parameters"]
+            },
+            **_slope(result),
         },
         "uncertainty": {name: stated[name] for name in PARAMETERS if name in stated},
         "s": pooled(result["targets"]),
@@ -60,6 +68,19 @@ def _axis(result: Mapping[str, Any], errors: Errors) -> dict[str, Any]:
             for name, (error, dof) in errors(result).items()
         },
     }
+
+
+def _slope(result: Mapping[str, Any]) -> dict[str, float]:
+    """Return the slope of the mean deviation of a linear axis, in µm/m, by least squares."""
+    found = []
+    for target in result["targets"]:
+        means = (target.get(name) for name in ("mean", "mean_positive", "mean_negative"))
+        found += [(target["position"], mean) for mean in means if mean is not None][:1]
+    if result["axis_kind"] != "linear" or len({position for position, _ in found}) < 2:
+        return {}
+    positions, means = np.array(found, dtype=np.float64).T
+    centred = positions - positions.mean()
+    return {"slope": round(1000.0 * float(centred @ means / (centred @ centred)), 9)}
 
 
 def _circle(result: Mapping[str, Any]) -> dict[str, Any]:

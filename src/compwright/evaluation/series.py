@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
+from datetime import datetime, timedelta
+from itertools import pairwise
+from typing import Final
 
 import numpy as np
 
@@ -13,12 +17,19 @@ from compwright.evaluation.changed import (
     difference,
     scatter_changed,
 )
-from compwright.records.history import HistoryEntry, NotedChange, SameTable
+from compwright.evaluation.trends import Trend, trend_of
+from compwright.records.history import (
+    HistoryEntry,
+    NotedChange,
+    NotedJump,
+    NotedTrend,
+    SameTable,
+)
 
 #: What is judged. The others follow from these (E, R), or hang on single readings (G).
 JUDGED = ("A", "B", "B_mean", "s", "squareness")
 #: They hang on where was measured: judged only between tests at the same targets, to one standard.
-_OF_TARGETS = frozenset({"A", "B"})
+_OF_TARGETS = frozenset({"A", "E", "M", "R", "B"})
 #: Targets are the same within this share of the measured length.
 _SAME_TARGET = 1e-3
 #: Share of each measured length that has to be common to both.
@@ -55,6 +66,108 @@ def noted_changes(entries: Sequence[HistoryEntry]) -> list[NotedChange]:
     return found
 
 
+#: Parameters whose rate per year is estimated.
+_TRENDS: Final = ("A", "E", "M", "R", "B", "B_mean", "s", "slope", "squareness", "G_bidirectional")
+#: What no compensation table changes: the scatter of the machine.
+_SCATTER: Final = frozenset({"R", "s"})
+#: What depends on the length of the scale, so on temperature and instrument.
+_OF_LENGTH: Final = frozenset({"A", "E", "M", "slope"})
+#: Prior probability of a jump between two tests: the same table, files that do not say, another
+#: instrument.
+_SAME, _UNKNOWN, _INSTRUMENT = 0.02, 0.2, 0.3
+_DAYS: Final = 365.25
+
+
+def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
+    """Yield the rate per year of each parameter, from the dated tests that can be compared with the
+    last one; ``entries`` in their order in time.
+    """
+    for parameter in _TRENDS:
+        having = [
+            place for place, entry in enumerate(entries) if entry.day and parameter in entry.values
+        ]
+        places = [
+            place for place in having if _alike(entries[place], entries[having[-1]], parameter)
+        ]
+        found = [entries[place] for place in places]
+        days = [datetime.fromisoformat(entry.day) for entry in found]
+        if len(days) < 2:
+            continue
+        trend = trend_of(
+            np.array([(day - days[0]).total_seconds() / 86400.0 / _DAYS for day in days]),
+            np.array([entry.values[parameter] for entry in found]),
+            np.array([_known_error(entry, parameter) for entry in found]),
+            [_jump_odds(one, other, parameter) for one, other in pairwise(found)],
+        )
+        if trend is not None:
+            yield _noted(parameter, places, trend, found[-1], days[-1])
+
+
+def _noted(
+    parameter: str, places: Sequence[int], trend: Trend, last: HistoryEntry, day: datetime
+) -> NotedTrend:
+    limit = last.limits.get(parameter)
+    forecast = None if limit is None else trend.reaches(limit)
+    ahead = (
+        (None, None, None)
+        if forecast is None
+        else (forecast.median, forecast.earliest, forecast.latest)
+    )
+    reached, earliest, latest = (
+        "" if years is None else (day + timedelta(days=years * _DAYS)).date().isoformat()
+        for years in ahead
+    )
+    return NotedTrend(
+        parameter=parameter,
+        rate=trend.rate,
+        std_error=trend.std_error,
+        clear=trend.clear,
+        tests=tuple(places),
+        jumps=tuple(
+            NotedJump(
+                before=places[jump.before],
+                after=places[jump.before + 1],
+                size=jump.size,
+                std_error=jump.std_error,
+            )
+            for jump in trend.jumps
+        ),
+        limit=limit,
+        reached=reached,
+        earliest=earliest,
+        latest=latest,
+    )
+
+
+def _known_error(entry: HistoryEntry, parameter: str) -> float:
+    """Return the standard uncertainty that is known of a parameter: of the readings, and of the
+    temperature as far as it is declared, else 1 K of steel on a linear axis.
+    """
+    own = entry.errors.get(parameter, (0.0, 1.0))[0]
+    if entry.kind == "circular" or parameter not in _OF_LENGTH:
+        return own
+    length = max(entry.targets, default=0.0) - min(entry.targets, default=0.0)
+    per_metre = 1000.0 / length if parameter == "slope" and length else 1.0
+    U, coverage = entry.declared.get("E" if parameter == "slope" else parameter, (0.0, 1.0))
+    if U:
+        return math.hypot(own, per_metre * U / coverage)
+    undeclared = 0.0 if entry.rotary else UNDECLARED_SLOPE * length / 1000.0
+    return math.hypot(own, per_metre * undeclared)
+
+
+def _jump_odds(one: HistoryEntry, other: HistoryEntry, parameter: str) -> float:
+    """Return the prior probability that something other than wear lies between two tests."""
+    if parameter not in _SCATTER:
+        table = same_table(one, other)
+        if table == "changed":
+            return 1.0
+        if table == "unknown":
+            return _UNKNOWN
+    if parameter in _OF_LENGTH and one.instrument != other.instrument:
+        return _INSTRUMENT
+    return _SAME
+
+
 def _last_comparable(entries: Sequence[HistoryEntry], of: int, parameter: str) -> int | None:
     for place in reversed(range(of)):
         if _comparable(entries[place], entries[of], parameter):
@@ -63,11 +176,15 @@ def _last_comparable(entries: Sequence[HistoryEntry], of: int, parameter: str) -
 
 
 def _comparable(one: HistoryEntry, other: HistoryEntry, parameter: str) -> bool:
-    if not all(parameter in each.values and parameter in each.errors for each in (one, other)):
-        return False
+    have = all(parameter in each.values and parameter in each.errors for each in (one, other))
+    return have and _alike(one, other, parameter)
+
+
+def _alike(one: HistoryEntry, other: HistoryEntry, parameter: str) -> bool:
+    """Whether a parameter was measured alike in two tests that have it."""
     if one.unit != other.unit:
         return False
-    if parameter == "squareness":
+    if one.kind == "circular":
         return True
     if parameter in _OF_TARGETS:
         return one.standard == other.standard and _same_targets(one.targets, other.targets)

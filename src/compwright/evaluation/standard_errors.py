@@ -54,6 +54,27 @@ def standard_errors(
     return errors
 
 
+def slope_error(
+    positions: FloatArray, positive: FloatArray, negative: FloatArray
+) -> StandardError | None:
+    """Return the standard error of the slope of the mean deviation over ``positions`` (m,), per
+    unit of position; None without two whole runs. As `standard_errors`: from the scatter of single
+    readings, or of the slopes of the runs where these differ more.
+    """
+    blocks = [block for block in (positive, negative) if block.size and np.isfinite(block).any()]
+    scatter = _scatter(blocks)
+    centred = positions - positions.mean()
+    square = float(centred @ centred)
+    if scatter is None or square <= 0.0:
+        return None
+    s, own = scatter
+    width = min(block.shape[1] for block in blocks)
+    runs = np.mean([block[:, :width] for block in blocks], axis=0)
+    whole = np.isfinite(runs).all(axis=0)
+    pooled = s**2 / (len(blocks) * width * square)
+    return _combined([_larger(pooled, own.dof, centred @ runs[:, whole] / square)])
+
+
 def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
     """Return the pooled standard deviation and its error; None without repeats.
 

@@ -17,9 +17,11 @@ class HistoryEntry:
     ``folder``: the result folder; ``number``: the place of the test in it. ``what``: the axis, or
     the plane of a circle. ``date`` as the file says it, ``day`` the same so that it can be sorted
     (ISO 8601), both empty where it says none. ``values`` by parameter in ``unit``, of a circle
-    ``squareness`` in µm/m; ``errors``: standard error and degrees of freedom; ``declared``:
-    expanded uncertainty and coverage factor. ``table``: what acted, in a word; ``acting``: a hash
-    of the files that acted, empty where nobody knows. ``sources``: SHA-256 of the test's files.
+    ``squareness`` in µm/m, as the ``slope`` of a linear axis; ``errors``: standard error and
+    degrees of freedom; ``declared``: expanded uncertainty and coverage factor; ``limits``: by
+    parameter. ``table``: the table that was active, in a word; ``acting``: a hash of its files,
+    empty where it is unknown. ``sources``: SHA-256 of the test's files; ``instrument``: as the file
+    names it.
     """
 
     folder: str
@@ -44,6 +46,8 @@ class HistoryEntry:
     verdict: str
     sources: tuple[str, ...]
     simulated: bool
+    instrument: str
+    limits: Mapping[str, float]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,3 +70,33 @@ class NotedChange:
     chance: float
     table: SameTable
     undeclared: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NotedJump:
+    """A step of a parameter between two entries (by their places in the series)."""
+
+    before: int
+    after: int
+    size: float
+    std_error: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NotedTrend:
+    """How fast a parameter changes, in its unit per year, over the entries ``tests`` (by their
+    places in the series). ``limit``: None where none was given; ``reached``: median day on which it
+    will be reached, ``earliest`` and ``latest`` the ends of 90 % (ISO 8601, empty where it is more
+    than 30 years ahead).
+    """
+
+    parameter: str
+    rate: float
+    std_error: float
+    clear: bool
+    tests: tuple[int, ...]
+    jumps: tuple[NotedJump, ...]
+    limit: float | None
+    reached: str
+    earliest: str
+    latest: str

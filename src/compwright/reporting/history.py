@@ -11,6 +11,7 @@ from rich.console import RenderableType
 from rich.rule import Rule
 from rich.table import Table
 
+from compwright.reporting.history_words import limit_lines, parameter_name, trend_lines
 from compwright.reporting.numbers import MISSING, number, symbol, unit_text
 from compwright.reporting.shown import Text
 
@@ -58,6 +59,7 @@ def _series(title: str, one: Mapping[str, Any], values: Sequence[str]) -> list[R
             Text(_told(change, tests), style="dim" if change["table"] == "changed" else "yellow")
             for change in ordered
         ),
+        *(Text(line, style="yellow") for line in (*trend_lines(one), *limit_lines(one))),
         Text(),
     ]
 
@@ -115,7 +117,7 @@ def _told(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
         else ""
     )
     return (
-        f"{_MARK} {_name(name)} from {number(change['value_before'])} to"
+        f"{_MARK} {parameter_name(name)} from {number(change['value_before'])} to"
         f" {number(change['value_after'])} {unit} between {_when(before)} and"
         f" {_when(after)}: {'+' if size > 0 else ''}{number(size)} {unit}{errors}{slope},"
         f" {_SHOWN.get(name, 'an unchanged machine shows that')} {_odds(change['chance'])}."
@@ -125,12 +127,6 @@ def _told(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
 
 #: Scatter tells of the hall and the instrument as well.
 _SHOWN: Final = {"s": "the same machine, instrument and hall without drift show that"}
-
-
-def _name(parameter: str) -> str:
-    if parameter == "s":
-        return "Scatter s"
-    return parameter.capitalize() if parameter == "squareness" else symbol(parameter)
 
 
 def _when(test: Mapping[str, Any]) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 
 from compwright.documents.history import TestSeries, history_csv, history_document
 from compwright.documents.json_text import to_json
-from compwright.evaluation.series import noted_changes, without_repeats
+from compwright.evaluation.series import noted_changes, noted_trends, without_repeats
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, collect
 from compwright.foundations.session import Session
@@ -41,6 +41,7 @@ def history_of(
     index: Path | None = None,
     json_path: Path | None = None,
     plot_path: Path | None = None,
+    page_path: Path | None = None,
     table_path: Path | None = None,
     force: bool = False,
 ) -> HistoryOutcome:
@@ -50,10 +51,11 @@ def history_of(
     ``index``: a database of what was read, kept between calls. Raises UsageError, InputError where
     nothing can be read or the index is none, and StorageError; nothing is written then.
     """
-    if len({path for path in (json_path, plot_path, table_path, index) if path}) < sum(
-        path is not None for path in (json_path, plot_path, table_path, index)
-    ):
-        raise UsageError("two of --json, --plot, --table and --index name one file")
+    named = [
+        path for path in (json_path, plot_path, page_path, table_path, index) if path is not None
+    ]
+    if len(set(named)) < len(named):
+        raise UsageError("two of --json, --plot, --page, --table and --index name one file")
     folders, faults = result_folders(session, tops)
     with opened(session, index) as database:
         entries, told, read = _read(session, folders, database, faults)
@@ -63,7 +65,7 @@ def history_of(
         raise InputError(*faults)
     series = _series(entries, tops)
     document = history_document(series, told, _notes(series), faults)
-    asked = _asked(document, json_path, plot_path, table_path)
+    asked = _asked(document, json_path, plot_path, page_path, table_path)
     files = _written(session, asked, kept, force=force)
     return HistoryOutcome(
         exit_code=InputError.exit_code if faults else 0,
@@ -132,6 +134,7 @@ def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[TestS
                 what=last.what,
                 entries=tuple(ordered),
                 changes=tuple(noted_changes(ordered)),
+                trends=tuple(noted_trends(ordered)),
             )
         )
     return found
@@ -231,6 +234,7 @@ def _asked(
     document: Mapping[str, Any],
     json_path: Path | None,
     plot_path: Path | None,
+    page_path: Path | None,
     table_path: Path | None,
 ) -> dict[Path, bytes]:
     files: dict[Path, bytes] = {}
@@ -238,6 +242,10 @@ def _asked(
         from compwright.reporting.history_plot import history_plot
 
         files[plot_path] = history_plot(document, format=plot_path.suffix.lower().removeprefix("."))
+    if page_path is not None:
+        from compwright.reporting.history_page import history_page
+
+        files[page_path] = history_page(document)
     if table_path is not None:
         files[table_path] = history_csv(document)
     if json_path is not None:

@@ -56,6 +56,8 @@ def _entries(folder: ResultFolder) -> Iterator[HistoryEntry]:
             verdict=str(verification["verdict"]) if test["taken"] == "after" else "",
             sources=tuple(str(source) for source in test["sources"]),
             simulated=bool(test["simulated"]),
+            instrument=_text(test.get("instrument", "")),
+            limits=_limits(record, test),
         )
 
 
@@ -85,6 +87,16 @@ def _values(test: Mapping[str, Any]) -> dict[str, float]:
     else:
         found["s"] = test["s"]
     return {_text(name): float(value) for name, value in found.items() if value is not None}
+
+
+def _limits(record: Mapping[str, Any], test: Mapping[str, Any]) -> dict[str, float]:
+    """Return the limits that the job gave for the axis or the circle of a test, by parameter."""
+    kind, name = ("circles", "name") if test["kind"] == "circular" else ("axes", "axis")
+    decided = record.get("decisions", {}).get(kind, {}).get(test[name], {})
+    return {
+        _text(parameter): float(entry["limit"])
+        for parameter, entry in decided.get("accept", {}).items()
+    }
 
 
 def _errors(test: Mapping[str, Any]) -> dict[str, tuple[float, float]]:

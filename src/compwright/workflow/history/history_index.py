@@ -24,7 +24,7 @@ from compwright.records.history import HistoryEntry
 
 #: "cwhi", in the header of the file.
 _APPLICATION = 0x63776869
-_VERSION = 1
+_VERSION = 2
 _TABLES = f"""
 CREATE TABLE folder (
     path TEXT PRIMARY KEY, state TEXT NOT NULL, names TEXT NOT NULL, notes TEXT NOT NULL,
@@ -76,8 +76,7 @@ class HistoryIndex:
             ),
         )
         self._database.executemany(
-            "INSERT INTO test VALUES"
-            " (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+            f"INSERT INTO test VALUES ({', '.join('?' * (12 + len(VALUES)))})",  # noqa: S608
             [_row(key, entry) for entry in entries],
         )
         self.changed = True

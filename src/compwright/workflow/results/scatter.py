@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from compwright.evaluation.standard_errors import standard_errors
+from compwright.evaluation.standard_errors import slope_error, standard_errors
 
 
 def errors_of(result: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
@@ -25,4 +25,9 @@ def errors_of(result: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
         for direction in ("positive", "negative")
     )
     errors = standard_errors(positive, negative, result["coverage"])
-    return {name: (error.value, error.dof) for name, error in errors.items()}
+    found = {name: (error.value, error.dof) for name, error in errors.items()}
+    positions = np.array([target["position"] for target in result["targets"]], dtype=np.float64)
+    slope = slope_error(positions, positive, negative) if result["axis_kind"] == "linear" else None
+    if slope is not None:
+        found["slope"] = (1000.0 * slope.value, slope.dof)
+    return found

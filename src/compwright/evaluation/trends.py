@@ -1,0 +1,438 @@
+"""How fast a parameter of an axis changes over the years, where it jumped, and when it will reach
+its limit.
+
+Model of the tests k at times t_k (years) of one parameter:
+
+    y_k = a + r t_k + sum of jumps before k + season(t_k) + e_k
+
+e_k is normal with the variance of the readings, of the declared (or for a linear axis without a
+declaration, assumed) temperature uncertainty, and of a scatter from test to test, which is drawn
+from a half-Cauchy law (Gelman, Bayesian Analysis 1 (2006) 515, section 3.2). A jump may lie between
+any two tests (repair, collision, another instrument); where the table was changed one is certain.
+The season is a sine of one year. Models with and without each jump and the season are averaged by
+their evidence (Kass and Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+
+#: Tests, and years between first and last, below which a rate is not estimated.
+LEAST_TESTS: Final = 3
+LEAST_YEARS: Final = 0.1
+#: Standard deviations of the priors: rate per year, season, jumps (three sizes), certain jumps; in
+#: µm, arcsec or µm/m.
+_RATE: Final = 20.0
+_SEASON: Final = 5.0
+_JUMPS: Final = (0.7, 5.0, 35.0)
+_CERTAIN: Final = 100.0
+_LEVEL: Final = 1e4
+#: Prior probability of a season, and the tests and years that it takes to see one.
+_SEASON_PRIOR: Final = 0.2
+_SEASON_TESTS: Final = 6
+_SEASON_YEARS: Final = 1.0
+#: A jump with this probability is reported.
+_CLEAR_JUMP: Final = 0.9
+_MOST_JUMPS: Final = 8
+#: Prior probability from which jumps are also looked for all together.
+_LIKELY: Final = 0.1
+_SCATTERS: Final = 13
+#: Two-sided 95 % of the normal law, for a standard error whose multiples mean what they say.
+_NORMAL_95: Final = 1.959964
+#: Share of the weight of all models that is kept, the weightiest first.
+_KEPT: Final = 0.9995
+_DRAWS: Final = 4000
+#: Years ahead beyond which no date is given.
+_HORIZON: Final = 30.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TrendJump:
+    """A step between the tests ``before`` and ``before + 1``, and the ``probability`` of it."""
+
+    before: int
+    size: float
+    std_error: float
+    probability: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Forecast:
+    """When a limit is reached, in years after the last test: median, and the ends of a 90 %
+    interval; None: not within 30 years.
+    """
+
+    median: float | None
+    earliest: float | None
+    latest: float | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Trend:
+    """A rate of change per year. ``std_error``: the half width of its 95 % interval divided by
+    1.96, so that three of them mean the same for few tests and many.
+    """
+
+    rate: float
+    std_error: float
+    jumps: tuple[TrendJump, ...]
+    _mixture: _Mixture
+
+    @property
+    def clear(self) -> bool:
+        """Whether the rate exceeds three standard errors."""
+        return abs(self.rate) > 3.0 * self.std_error
+
+    def reaches(self, limit: float) -> Forecast | None:
+        """Return when the parameter without its scatter exceeds ``limit``; None where the trend is
+        not clear or leads away from it.
+        """
+        if not self.clear or self.rate <= 0.0:
+            return None
+        return self._mixture.reaches(limit)
+
+
+def trend_of(
+    years: FloatArray,
+    values: FloatArray,
+    errors: FloatArray,
+    jump_odds: Sequence[float],
+) -> Trend | None:
+    """Return the rate of change of a parameter; None for fewer than three tests or 0.1 years.
+
+    ``years`` (n,): ascending; ``values`` (n,) in any unit of the parameter; ``errors`` (n,): the
+    standard uncertainty of each that is known; ``jump_odds`` (n - 1,): prior probability of a jump
+    after each test, 1 where it is certain.
+    """
+    if len(years) < LEAST_TESTS or years[-1] - years[0] < LEAST_YEARS:
+        return None
+    tests = _Tests(years, values, errors, np.asarray(jump_odds, dtype=np.float64))
+    certain = [place for place, odds in enumerate(jump_odds) if odds >= 1.0]
+    likely = [place for place, odds in enumerate(jump_odds) if _LIKELY <= odds < 1.0]
+    starts = [[], likely] if 0 < len(likely) <= tests.count // 3 else [[]]
+    begun = [_found_jumps(tests, certain, start) for start in starts]
+    chosen = certain + max(begun, key=lambda found: found[1])[0]
+    mixture = _averaged(tests, chosen, frozenset(certain))
+    rate = mixture.mean_rate()
+    low, high = mixture.interval()
+    jumps = [_jump(tests, mixture, chosen, place) for place in chosen if place not in set(certain)]
+    return Trend(
+        rate=rate,
+        std_error=(high - low) / (2.0 * _NORMAL_95),
+        jumps=tuple(jump for jump in jumps if jump.probability > _CLEAR_JUMP),
+        _mixture=mixture,
+    )
+
+
+class _Tests:
+    """The tests of one parameter, with the grid of scatters from test to test."""
+
+    def __init__(
+        self, years: FloatArray, values: FloatArray, errors: FloatArray, odds: FloatArray
+    ) -> None:
+        self.count = len(years)
+        self.years = years - years[-1]
+        self.middle = float(np.median(values))
+        self.values = values - self.middle
+        self.odds = np.clip(odds, 1e-6, 1.0 - 1e-6)
+        differences = np.abs(np.diff(values))
+        usual = float(np.median(errors)) or float(np.median(differences)) / 2.0
+        usual = max(usual, 1e-3 * float(np.max(np.abs(values))), 1e-6)
+        scatter = usual * np.geomspace(0.05, 30.0, _SCATTERS)
+        ratio = scatter / usual
+        self.scatter_prior = np.log(ratio / (1.0 + ratio**2))
+        self.scatter_prior -= np.logaddexp.reduce(self.scatter_prior)
+        self.weights = 1.0 / (errors**2 + scatter[:, None] ** 2)
+        self.solved: dict[tuple[object, ...], _Solution] = {}
+        self.steps = np.tri(self.count, self.count - 1, -1)
+        enough = self.count >= _SEASON_TESTS and years[-1] - years[0] >= _SEASON_YEARS
+        self.seasons = (False, True) if enough else (False,)
+
+    def design(
+        self, jumps: Sequence[int], certain: frozenset[int], size: float, *, season: bool
+    ) -> tuple[FloatArray, FloatArray]:
+        """Return the columns (n, p) level, rate, jumps, season, and their prior deviations."""
+        columns = [np.ones(self.count), self.years, *(self.steps[:, place] for place in jumps)]
+        widths = [_LEVEL, _RATE, *(_CERTAIN if place in certain else size for place in jumps)]
+        if season:
+            angle = 2.0 * math.pi * self.years
+            columns += [np.sin(angle), np.cos(angle)]
+            widths += [_SEASON, _SEASON]
+        return np.stack(columns, axis=1), np.array(widths)
+
+
+@dataclass(frozen=True, slots=True)
+class _Solution:
+    """A linear model for each scatter (s): coefficients (s, p), covariance (s, p, p), logarithm of
+    the evidence (s,) and, for each further jump, what it adds (s, n - 1).
+    """
+
+    coefficients: FloatArray
+    covariance: FloatArray
+    evidence: FloatArray
+    precision: FloatArray  # of a further jump's column, the others given
+    residual: FloatArray
+    loading: FloatArray  # (s, n - 1, p)
+
+
+def _solved(tests: _Tests, design: FloatArray, widths: FloatArray) -> _Solution:
+    weights = tests.weights
+    weighted = weights[:, :, None] * design
+    inverse = np.einsum("np,snq->spq", design, weighted) + np.diag(widths**-2.0)
+    covariance = np.linalg.inv(inverse)
+    right = np.einsum("snp,n->sp", weighted, tests.values)
+    coefficients = np.einsum("spq,sq->sp", covariance, right)
+    left = weights @ tests.values**2 - np.einsum("sp,sp->s", coefficients, right)
+    evidence = 0.5 * (
+        np.log(weights).sum(axis=1)
+        - np.linalg.slogdet(inverse)[1]
+        - 2.0 * np.log(widths).sum()
+        - left
+    )
+    across = np.einsum("nc,snp->scp", tests.steps, weighted)
+    loading = across @ covariance
+    precision = weights @ tests.steps**2 - np.einsum("scp,scp->sc", loading, across)
+    off = tests.values - coefficients @ design.T
+    residual = (weights * off) @ tests.steps
+    return _Solution(coefficients, covariance, evidence, precision, residual, loading)
+
+
+def _further(solution: _Solution, size: float) -> tuple[FloatArray, FloatArray]:
+    """Return what one more jump adds to the logarithm of the evidence, and its precision."""
+    precision = np.maximum(solution.precision, 0.0) + size**-2.0
+    gain = 0.5 * (solution.residual**2 / precision - np.log(precision)) - math.log(size)
+    return gain, precision
+
+
+def _variants(
+    tests: _Tests, jumps: Sequence[int], certain: frozenset[int]
+) -> list[tuple[float, float, _Solution]]:
+    """Return the models with these jumps: size of the free jumps, logarithm of the prior, model."""
+    found = []
+    free = [place for place in jumps if place not in certain]
+    odds = np.log(tests.odds[free] / (1.0 - tests.odds[free])).sum()
+    for season in tests.seasons:
+        chance = _SEASON_PRIOR if season else 1.0 - _SEASON_PRIOR
+        prior = math.log(chance if len(tests.seasons) > 1 else 1.0) - math.log(len(_JUMPS))
+        for size in _JUMPS:
+            key = (*jumps, size if free else None, season)
+            if key not in tests.solved:  # without free jumps the same for each size
+                columns, widths = tests.design(jumps, certain, size, season=season)
+                tests.solved[key] = _solved(tests, columns, widths)
+            found.append((size, prior + float(odds), tests.solved[key]))
+    return found
+
+
+def _found_jumps(
+    tests: _Tests, certain: Sequence[int], start: Sequence[int]
+) -> tuple[list[int], float]:
+    """Return the jumps that are more probable than not and the logarithm of their evidence: from
+    ``start``, one after the other is taken in or out, the best first.
+    """
+    found = list(start)
+    log_odds = np.log(tests.odds / (1.0 - tests.odds))
+    while True:
+        without, added = [], []
+        for size, prior, solution in _variants(tests, [*certain, *found], frozenset(certain)):
+            base = prior + tests.scatter_prior + solution.evidence
+            without.append(base)
+            added.append(base[:, None] + _further(solution, size)[0])
+        now = float(np.logaddexp.reduce(np.concatenate(without)))
+        score = np.logaddexp.reduce(np.concatenate(added), axis=0) + log_odds
+        score[[*certain, *found]] = -math.inf
+        best = int(np.argmax(score))
+        less = {place: _evidence(tests, certain, found, place) for place in found}
+        worst = max(less, key=lambda place: less[place], default=None)
+        if worst is not None and less[worst] > max(now, score[best]):
+            found.remove(worst)
+        elif score[best] > now and len(found) < min(_MOST_JUMPS, tests.count - 2):
+            found.append(best)
+        else:
+            return found, now
+
+
+def _evidence(tests: _Tests, certain: Sequence[int], found: Sequence[int], lacking: int) -> float:
+    """Return the logarithm of the evidence of the jumps ``found`` but one."""
+    jumps = [*certain, *(place for place in found if place != lacking)]
+    return float(
+        np.logaddexp.reduce(
+            np.concatenate(
+                [
+                    prior + tests.scatter_prior + solution.evidence
+                    for _, prior, solution in _variants(tests, jumps, frozenset(certain))
+                ]
+            )
+        )
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Mixture:
+    """Normal laws of level (at the last test) and rate with their weights, one for each model and
+    scatter. ``middle`` is added to the level; ``jumps``: which model has which further jump.
+    """
+
+    weight: FloatArray
+    level: FloatArray
+    rate: FloatArray
+    level_variance: FloatArray
+    rate_variance: FloatArray
+    covariance: FloatArray
+    middle: float
+    lacking: dict[int, float]
+
+    def mean_rate(self) -> float:
+        return float(self.weight @ self.rate)
+
+    def interval(self) -> tuple[float, float]:
+        """Return the ends of the interval of the rate with 95 %."""
+        deviation = np.sqrt(self.rate_variance)
+        low = np.full(2, float(np.min(self.rate - 9.0 * deviation)))
+        high = np.full(2, float(np.max(self.rate + 9.0 * deviation)))
+        wanted = np.array([0.025, 0.975])
+        for _ in range(26):
+            middle = 0.5 * (low + high)
+            below = _normal_law((middle[:, None] - self.rate) / deviation) @ self.weight < wanted
+            low, high = np.where(below, middle, low), np.where(below, high, middle)
+        return float(low[0]), float(high[1])
+
+    def reaches(self, limit: float) -> Forecast:
+        random = np.random.default_rng(0)
+        which = random.choice(len(self.weight), size=_DRAWS, p=self.weight)
+        normal = random.standard_normal((2, _DRAWS))
+        deviation = np.sqrt(self.rate_variance[which])
+        slope = self.covariance[which] / self.rate_variance[which]
+        rest = np.maximum(self.level_variance[which] - slope**2 * self.rate_variance[which], 0.0)
+        rate = self.rate[which] + deviation * normal[0]
+        level = (
+            self.middle
+            + self.level[which]
+            + slope * deviation * normal[0]
+            + np.sqrt(rest) * normal[1]
+        )
+        room = np.maximum(limit - level, 0.0)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            years = np.where(room == 0.0, 0.0, np.where(rate > 0.0, room / rate, np.inf))
+        ends = np.quantile(years, (0.05, 0.5, 0.95), method="inverted_cdf")
+        early, median, late = (float(end) if end <= _HORIZON else None for end in ends)
+        return Forecast(median=median, earliest=early, latest=late)
+
+
+def _averaged(tests: _Tests, chosen: Sequence[int], certain: frozenset[int]) -> _Mixture:
+    """Return the average over the chosen jumps, those without one of them, and those with one
+    more.
+    """
+    parts: list[tuple[FloatArray, ...]] = []
+    logs: list[FloatArray] = []
+    lacks: list[tuple[int | None, int]] = []
+    free = [place for place in chosen if place not in certain]
+    log_odds = np.log(tests.odds / (1.0 - tests.odds))
+    others = [place for place in range(tests.count - 1) if place not in chosen]
+    for lacking in (None, *free):
+        jumps = [place for place in chosen if place != lacking]
+        for size, prior, solution in _variants(tests, jumps, certain):
+            base = prior + tests.scatter_prior + solution.evidence
+            ends = _ends(jumps, solution)
+            parts.append(ends)
+            logs.append(base)
+            lacks.append((lacking, len(base)))
+            if lacking is None and others:
+                gain, precision = _further(solution, size)
+                logs.append((base[:, None] + gain + log_odds)[:, others].ravel())
+                parts.append(_moved(jumps, solution, precision, ends, others))
+                lacks.append((None, len(logs[-1])))
+    log = np.concatenate(logs)
+    weight = np.exp(log - np.logaddexp.reduce(log))
+    joined = [np.concatenate(columns) for columns in zip(*parts, strict=True)]
+    shares: dict[int, float] = {}
+    at = 0
+    for place, count in lacks:
+        if place is not None:
+            shares[place] = shares.get(place, 0.0) + float(weight[at : at + count].sum())
+        at += count
+    order = np.argsort(-weight)
+    kept = order[: 1 + int(np.searchsorted(np.cumsum(weight[order]), _KEPT))]
+    weight = weight[kept] / weight[kept].sum()
+    level, rate, level_variance, rate_variance, covariance = (each[kept] for each in joined)
+    return _Mixture(
+        weight, level, rate, level_variance, rate_variance, covariance, tests.middle, shares
+    )
+
+
+def _functional(jumps: Sequence[int], width: int) -> FloatArray:
+    """Return the columns (p, 2) that make the level at the last test and the rate."""
+    found = np.zeros((width, 2))
+    found[0, 0] = 1.0
+    found[1, 1] = 1.0
+    found[2 : 2 + len(jumps), 0] = 1.0
+    return found
+
+
+def _ends(jumps: Sequence[int], solution: _Solution) -> tuple[FloatArray, ...]:
+    """Return level, rate, their variances and covariance, for each scatter."""
+    functional = _functional(jumps, solution.coefficients.shape[1])
+    means = solution.coefficients @ functional
+    spread = functional.T @ solution.covariance @ functional
+    return means[:, 0], means[:, 1], spread[:, 0, 0], spread[:, 1, 1], spread[:, 0, 1]
+
+
+def _moved(
+    jumps: Sequence[int],
+    solution: _Solution,
+    precision: FloatArray,
+    ends: tuple[FloatArray, ...],
+    others: Sequence[int],
+) -> tuple[FloatArray, ...]:
+    """Return the same as `_ends` with each of the ``others`` as one more jump."""
+    functional = _functional(jumps, solution.coefficients.shape[1])
+    change = np.array([1.0, 0.0]) - solution.loading[:, others] @ functional
+    size = (solution.residual / precision)[:, others]
+    rest = 1.0 / precision[:, others]
+    level, rate, level_variance, rate_variance, covariance = (each[:, None] for each in ends)
+    by_level, by_rate = change[..., 0], change[..., 1]
+    found = (
+        level + by_level * size,
+        rate + by_rate * size,
+        level_variance + by_level**2 * rest,
+        rate_variance + by_rate**2 * rest,
+        covariance + by_level * by_rate * rest,
+    )
+    return tuple(each.ravel() for each in found)
+
+
+def _jump(tests: _Tests, mixture: _Mixture, chosen: Sequence[int], place: int) -> TrendJump:
+    """Return the size of a chosen jump, averaged over the models that have it."""
+    certain = frozenset(each for each in chosen if each not in mixture.lacking)
+    at = 2 + list(chosen).index(place)
+    logs, means, variances = [], [], []
+    for _, prior, solution in _variants(tests, chosen, certain):
+        logs.append(prior + tests.scatter_prior + solution.evidence)
+        means.append(solution.coefficients[:, at])
+        variances.append(solution.covariance[:, at, at])
+    log = np.concatenate(logs)
+    weight = np.exp(log - np.logaddexp.reduce(log))
+    mean = np.concatenate(means)
+    size = float(weight @ mean)
+    variance = float(weight @ (np.concatenate(variances) + (mean - size) ** 2))
+    return TrendJump(
+        before=place,
+        size=size,
+        std_error=math.sqrt(variance),
+        probability=1.0 - mixture.lacking[place],
+    )
+
+
+def _normal_law(score: FloatArray) -> FloatArray:
+    """Return the normal distribution function to 1e-7 (Abramowitz and Stegun 7.1.26)."""
+    size = np.abs(score) / math.sqrt(2.0)
+    step = 1.0 / (1.0 + 0.3275911 * size)
+    factors = (0.254829592, -0.284496736, 1.421413741, -1.453152027, 1.061405429)
+    tail = step * np.polyval(factors[::-1], step) * np.exp(-(size**2))
+    return np.where(score > 0.0, 1.0 - 0.5 * tail, 0.5 * tail)
