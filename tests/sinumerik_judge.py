@@ -588,6 +588,9 @@ def moved_grid(outcome: Outcome, before: VirtualSinumerik, after: VirtualSinumer
         and 2 <= round(count) + 1 <= reserved
         and (high - low == travel if case.modulo else covered > travel / 2)
     )
+    # Zero at the reference is a condition of what is written, and a turn is counted from there.
+    apart = (case.reference - low) / step
+    fits = fits and (not case.modulo or abs(apart - round(apart)) < 1e-3)
     known = case.active not in {"no", "false"}
     return [f"the grid moved: {old} to {new}"] if fits and known else []
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from compwright.cli import run as compwright
+from sinumerik_archive import cec_lines
 
 pytestmark = pytest.mark.brief
 
@@ -73,3 +74,46 @@ def test_the_turn_of_an_endless_axis_is_told_by_its_machine_data(on: str, tmp_pa
     assert "kind: rotary" in axis
     assert "travel: [0.0, 360.0]" in axis
     assert "modulo: 360.0" in axis
+
+
+CEC = "$MA_CEC_ENABLE[AX1]=1\n$SN_CEC_TABLE_ENABLE[3]=1\n$SN_CEC_TABLE_ENABLE[4]=1\n"
+OWN = cec_lines(3, "AX1", "AX1", 0, 200, [0.01, -0.02, 0.03])
+FACTOR = cec_lines(4, "AX1", "AX1", 0, 200, [0.5, 1.0, -0.7])
+#: What no reading of a test can follow, and no job changes: it is the same before and after.
+STAYS = {
+    "a product": OWN.replace("MULT_BY_TABLE[3]=0", "MULT_BY_TABLE[3]=5") + FACTOR,
+    "a product over another axis": (OWN + FACTOR)
+    .replace("INPUT_AXIS[3]=(AX1)", "INPUT_AXIS[3]=(AX2)")
+    .replace("MULT_BY_TABLE[3]=0", "MULT_BY_TABLE[3]=5"),
+    "a step that does not divide": OWN.replace("_STEP[3]=200", "_STEP[3]=150"),
+    "a value added to a point": OWN + "$SN_CEC_0[3]=0.004\n",
+    "a sum that is cut off": OWN + "$MA_CEC_MAX_SUM[AX1]=0.005\n",
+    "inches": OWN + "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=0\n",
+}
+
+
+@pytest.mark.parametrize("beside", ["a table of its own", "nothing else"])
+@pytest.mark.parametrize("what", STAYS)
+def test_an_axis_is_drafted_beside_tables_that_stay(
+    what: str, beside: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`run` works on such an axis, so `new` holds it."""
+    own = GOOD if beside == "a table of its own" else ""
+    code, job = job_of(own + CEC + STAYS[what], tmp_path)
+    told = capsys.readouterr()
+    assert code == 0, told.err
+    assert "address: AX1" in job.read_text()
+    assert "left out" not in told.out + told.err
+
+
+@pytest.mark.parametrize("what", [name for name in STAYS if name != "inches"])
+def test_an_axis_whose_tables_would_be_written_is_left_out(
+    what: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A job with these ``cec_tables`` is refused."""
+    (tmp_path / "AX_EEC.INI").write_text(f"{NAMES}{GOOD}{CEC}{STAYS[what]}M17\n")
+    arguments = ["new", "--from", str(tmp_path / "AX_EEC.INI"), "--format", "siemens-840d-sl"]
+    options = ["--option", "cec_tables=3,4", "--option", "cec=available"]
+    code = compwright([*arguments, *options, "--out", str(tmp_path / "job.yaml")])
+    assert code == 3
+    assert "CEC" in capsys.readouterr().err

@@ -158,6 +158,33 @@ def test_a_pair_leaves_room_for_what_stays() -> None:
         assert capacity.value_range == pytest.approx((-1 + taken, 1 - taken), abs=1e-12)
 
 
+@pytest.mark.parametrize("told", [{}, {"cec_sign": "error"}], ids=["sign not given", "sign given"])
+@pytest.mark.parametrize("other", ["AX1", "AX2"])
+def test_a_sum_that_the_control_cuts_off_stays_too(other: str, told: dict[str, object]) -> None:
+    """MD32720 below what the table reaches, alone or with a table of another axis: the control cuts
+    the sum before and after alike.
+    """
+    both = OWN + cec_lines(4, other, "AX1", 0, 400, [0.02, 0.01, -0.01])
+    on = MD.replace("ENABLE[4]=0", "ENABLE[4]=1").replace("MAX_SUM[AX1]=1", "MAX_SUM[AX1]=0.015")
+    text = files(A__INI=f"METRIC\nCHANDATA(1)\n{EEC}{both}{on}M17\n")
+    state = control_format(SIEMENS, told).read(text, [AXIS])
+    assert not state.cross
+    assert "CEC table 3" in state.facts["AX1"].beside
+    (written,) = control_format(SIEMENS, told, state).write([NEW], [AXIS], text)
+    was, now = control_with(text, -1.0), control_with([written], -1.0)
+    where = np.linspace(-50.0, 900.0, 96)
+    for direction in Direction:
+        step = 1 if direction is Direction.POSITIVE else -1
+        change = now.correction("AX1", where, step) - was.correction("AX1", where, step)
+        old = state.axes["AX1"].at(where, direction)
+        assert change == pytest.approx(NEW.at(where, direction) - old, abs=1e-9)
+        assert np.max(np.abs(was.correction("AX1", where, step) - old)) <= 0.015 + 1e-9
+    with pytest.raises(InputError, match="CEC_MAX_SUM"):
+        control_format(SIEMENS, {"cec_sign": "error", "cec_tables": [4]}).read(text, [AXIS])
+    with pytest.raises(InputError, match="CEC_MAX_SUM"):
+        control_format(SIEMENS, {"cec_sign": "error"}).read(text)
+
+
 def test_what_is_wanted_beside_it_is_zero_at_the_reference_again() -> None:
     (stays,) = read(OWN, cec_sign="error").stays["AX1"]
     nodes = np.linspace(0.0, 800.0, 9)

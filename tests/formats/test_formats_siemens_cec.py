@@ -228,7 +228,6 @@ def test_contradictory_tables_are_refused(what: str, old: str, new: str, says: s
     [
         ("$AN_CEC_INPUT_AXIS[4]=(AX3)", "contradicts"),
         ("$MN_MM_CEC_MAX_POINTS[4]=2", "not reserved"),
-        ("$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=0", "inch"),
         ("$MA_CEC_MAX_SUM[AX1]=0.006", "CEC_MAX_SUM"),
     ],
 )

@@ -196,13 +196,32 @@ def test_md32711_says_their_unit_whatever_the_basic_system_is() -> None:
     control = control_format(SIEMENS, {**CEC, "cec_tables": [3, 20, 21]}, state)
     assert control.capacity(X).curves == 2
     assert control.capacity(X).quantum == pytest.approx(1e-6, rel=1e-12)
-    with pytest.raises(InputError, match="MD32711"):
-        read(
-            md.replace("METRIC[AX1]=1", "METRIC[AX1]=0"),
-            inch(EEC),
-            cec_sign="correction",
-            cec_tables=[3],
-        )
+
+
+@pytest.mark.parametrize("basic", ["inch", "metric"])
+def test_a_table_in_inch_is_read_and_none_is_written(basic: str) -> None:
+    """MD32711 = 0: 0.001 inch over 10 inch, whatever the basic system is."""
+    data = "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=0\n" + ON
+    table = cec_lines(3, "AX1", "AX1", 0, 10, [0, 0.001, 0.0])
+    words = {"inch": (inch(MD), inch(EEC)), "metric": (MD, EEC)}
+    md, eec = words[basic]
+    md = md.replace("M17", table + data + "M17")
+    for options in ({}, {"cec_tables": [3]}):
+        state = read(md, eec, cec_sign="correction", **options)
+        (own,) = state.axes["AX1"].others
+        assert own.positive.tolist() == pytest.approx([0, 0.0254, 0], abs=1e-12)
+        assert own.positions[-1] - own.positions[0] == pytest.approx(508.0)
+    with pytest.raises(CapacityError, match="MD32711"):
+        control_format(SIEMENS, {**CEC, "cec_tables": [3, 20, 21]}, state).capacity(X)
+
+
+def test_tables_of_rotary_axes_know_no_inch() -> None:
+    both = with_cec(("AX4", "AX5")).replace(
+        "M17", "$MA_IS_ROT_AX[AX5]=1\n$MA_CEC_SCALING_SYSTEM_METRIC[AX5]=0\nM17"
+    )
+    state = read(both, inch(EEC), cec_sign="correction")
+    assert state.cross[0].positive.tolist() == [0, 0.001, 0]
+    assert state.cross[0].positions.tolist() == [0, 10, 20]
 
 
 def test_rotary_axes_know_no_inch() -> None:

@@ -381,6 +381,7 @@ def decode(
     active: bool | None = None,
     asking: bool = False,
     carried_out: bool = False,
+    drafting: bool = False,
 ) -> DecodedState:
     """Read control files with both readers and hold them against each other; of a definition of
     one's own with the one that there is.
@@ -389,7 +390,8 @@ def decode(
     a table that does not. ``written``: compwright wrote these files just now. ``active``: what the
     job answers to whether the tables acted, where the files do not say it; ``asking``: that answer
     is needed (UsageError without it). ``carried_out``: the files come from a state of which it is
-    known that all values of its programs were carried out. Raises InputError when the files cannot
+    known that all values of its programs were carried out. ``drafting``: a job is drafted from the
+    files, and tables that no job changes keep no axis out. Raises InputError when the files cannot
     be read, contradict themselves or can be read in two ways: what two readers understand
     differently is not a state to build on. In files of our own making that is a fault of our own
     (CompwrightError).
@@ -410,7 +412,9 @@ def decode(
     if control.definition.limit("no_patching") is not None:
         files = whole(files)
     activity = Activity(said=active, asking=asking, carried_out=carried_out)
-    reading = control.format if axes else control.format.for_a_view()
+    reading = control.format
+    if not axes:
+        reading = reading.for_a_new_job() if drafting else reading.for_a_view()
     files, beside = without_others(control.definition, files)
     given = files
     if active is False:
@@ -442,8 +446,11 @@ def decode(
         modulo={address: axis.modulo for address, axis in named if axis.modulo is not None},
         reference={address: axis.reference for address, axis in named},
         axis_options={
-            address: {**axis.options, **_judged_at(control.definition, axis)}
-            for address, axis in named
+            **{each: {} for each in state.axes if drafting},
+            **{
+                each: {**axis.options, **_judged_at(control.definition, axis)}
+                for each, axis in named
+            },
         },
         options={**reading.options, **({"axis": alone} if alone is not None else {})},
         asked=tuple(state.axes),

@@ -64,7 +64,7 @@ def load_sag(
         return Sag({}, frozenset(), {}, sign)
     if room is not None:
         remarks.faults += loader.beyond(tables, room)
-    counted = _without_products(tables, remarks)
+    counted = loader.without_cut_sums(_without_products(tables, remarks))
     by_pair: dict[Pair, list[SagTable]] = defaultdict(list)
     for table in counted:
         by_pair[table.input, table.output].append(table)
@@ -77,6 +77,7 @@ def load_sag(
         by_pair={pair: tuple(given) for pair, given in by_pair.items()},
         off=frozenset(output for output in of_output if loader.switched_off(output)),
         odd=loader.odd,
+        uncounted=tuple(dict.fromkeys(loader.uncounted)),
         limits={
             output: limit
             for output in of_output

@@ -8,6 +8,8 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 
+import numpy as np
+
 from compwright.controllers.request import Request, by_address
 from compwright.controllers.sinumerik.axes import MachineAxisNames
 from compwright.controllers.sinumerik.lengths import Lengths, inches_in_mm
@@ -22,6 +24,7 @@ from compwright.controllers.sinumerik.tables import (
 )
 from compwright.controllers.sinumerik.text import VariableAssignment
 from compwright.foundations.errors import Fault
+from compwright.records.axis import Direction
 from compwright.records.correction import Assumption
 
 _PREFIX = "AN_CEC"
@@ -43,7 +46,8 @@ _ELSE = {
 
 class CecTableLoader:
     """Builds the tables. ``odd``: axes with a table over themselves that acts and cannot be
-    followed, and why; ``left_out``: indices of tables that are left alone.
+    followed, and why; ``left_out``: indices of tables that are left alone; ``uncounted``: axes with
+    tables over themselves that stay and are not counted.
     """
 
     def __init__(
@@ -60,6 +64,7 @@ class CecTableLoader:
         self.lengths = Lengths(inch=False, rotary={})
         self.odd: dict[str, str] = {}
         self.left_out: list[int] = []
+        self.uncounted: list[str] = []
         self.spelling = spelling
         self.remarks = remarks
         self.by_table: dict[int, list[VariableAssignment]] = defaultdict(list)
@@ -115,6 +120,27 @@ class CecTableLoader:
             for index, table in tables.items()
             if index >= most or table.table.values.size > points
         ]
+
+    def without_cut_sums(self, tables: Sequence[SagTable]) -> list[SagTable]:
+        """Return the tables without those of an output axis whose sum may be larger than MD32720,
+        where no job writes any of them: what is cut off stays the same, and is not counted.
+        """
+        cut = set()
+        for output in {table.output for table in tables}:
+            mine = [table for table in tables if table.output == output and table.acts()]
+            limit = self.of_axis(output, "MA_CEC_MAX_SUM")
+            if limit is None or not mine or not all(table.stays for table in mine):
+                continue
+            if self.of_axis(output, "MA_CEC_ENABLE") == 0.0:
+                continue
+            if any(reach > limit * (1 + 1e-9) for reach in _extremes(mine)):
+                cut.add(output)
+                self.uncounted += [table.output for table in mine if table.input == output]
+                self.remarks.notes.append(
+                    f"{output}: MD32720 $MA_CEC_MAX_SUM cuts the sum of its CEC tables to"
+                    f" {limit:g}; they stay and are not counted"
+                )
+        return [table for table in tables if table.output not in cut]
 
     def of_axis(self, axis: str, name: str) -> float | None:
         """Return the last value of a machine data of an axis, None where the files do not hold
@@ -233,6 +259,8 @@ class CecTableLoader:
         self.left_out.append(index)
         if moved and (own or base.upper() != output.upper()):
             self.remarks.notes.append(f"{label_of(index)}: {why}: it stays and is not counted")
+            if own:
+                self.uncounted.append(self.spelling.setdefault(output.upper(), output))
         elif moved:
             name = self.spelling.setdefault(output.upper(), output)
             self.odd[name] = f"{label_of(index)}: {why}"
@@ -366,3 +394,20 @@ def _ranges(indices: Sequence[int]) -> str:
         else:
             runs.append([index])
     return ", ".join(f"{run[0]} to {run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
+
+
+def _extremes(tables: Sequence[SagTable]) -> tuple[float, float]:
+    """Return how far the sum of ``tables`` may reach up, and down: of tables with one input axis
+    the extremes of their sum, of several the sum of these.
+    """
+    up = down = 0.0
+    for base in {table.input for table in tables}:
+        mine = [table for table in tables if table.input == base]
+        where = np.unique(np.concatenate([table.table.positions() for table in mine]))
+        sums = [
+            sum((table.value(where, direction) for table in mine), np.zeros(where.shape))
+            for direction in Direction
+        ]
+        up += float(np.max(sums))
+        down -= float(np.min(sums))
+    return up, down

@@ -233,9 +233,9 @@ def sinumerik_control(
         room,
     )
     raise_all(InputError, remarks.faults)
-    for base, corrected in sag.pairs():
-        if base == corrected:
-            axes.setdefault(base, _SinumerikAxis())
+    alone = (corrected for base, corrected in sag.pairs() if base == corrected)
+    for name in (*alone, *sag.uncounted):
+        axes.setdefault(name, _SinumerikAxis())
     return SinumerikControl(
         axes=axes, sag=sag, names=names, assumed=tuple(remarks.assumed), notes=tuple(remarks.notes)
     )

@@ -72,7 +72,8 @@ class Sag:
     """All tables that are counted. ``sign`` of the values, +1 or -1, 0: not known.
 
     ``off``: output axes that MD32710 switches off; ``limits``: MD32720 by output axis, mm or deg.
-    ``odd``: axes with a table over themselves that acts and is no curve, and why.
+    ``odd``: axes with a table over themselves that acts and is no curve, and why; ``uncounted``:
+    axes with one that stays as it is and is not counted.
     """
 
     by_pair: Mapping[Pair, tuple[SagTable, ...]]
@@ -80,6 +81,7 @@ class Sag:
     limits: Mapping[str, float]
     sign: int
     odd: Mapping[str, str] = field(default_factory=dict)
+    uncounted: tuple[str, ...] = ()
 
     def pairs(self) -> tuple[Pair, ...]:
         """Return input and output axis of all tables in order of their index, each pair once,

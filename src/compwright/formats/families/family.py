@@ -85,6 +85,8 @@ class Family(Bound, ABC):
     left_open: LeftOpen | None = None
     #: What is written has the limits of the files that are patched, whatever was known before.
     limits_in_files = False
+    #: A job is drafted from the files: as in a job, what no option lists stays as it is.
+    drafting = False
 
     @abstractmethod
     def read(
@@ -185,6 +187,12 @@ class Family(Bound, ABC):
         be assumed, and is said.
         """
         return self
+
+    def for_a_new_job(self) -> Self:
+        """Return the control as it reads files for the draft of a job: what no reading of its tests
+        can depend on keeps no axis out.
+        """
+        return self.for_a_view()
 
     def write(
         self,

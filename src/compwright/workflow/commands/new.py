@@ -123,12 +123,14 @@ def _read(
     Raises InputError where nothing is left.
     """
     try:
-        return decode(control, files, active=active).state, ()
+        return decode(control, files, active=active, drafting=True).state, ()
     except InputError:
         found = axis_by_axis(
             control,
             files,
-            lambda address: decode(control, files, address=address, active=active).state,
+            lambda address: (
+                decode(control, files, address=address, active=active, drafting=True).state
+            ),
         )
         if found.state is None:
             raise
@@ -152,7 +154,11 @@ def _drafts(control: Control, state: ControlState, unsaid: LeftOpen | None) -> I
     acting = [
         address
         for address, axis in state.axes.items()
-        if axis.positions.size or axis.backlash or axis.slope or axis.others
+        if axis.positions.size
+        or axis.backlash
+        or axis.slope
+        or axis.others
+        or state.facts_of(address).beside
     ]
     # A control whose every table repeats says nothing of an axis without ends by it.
     turns = "repeats" in control.definition.bindings

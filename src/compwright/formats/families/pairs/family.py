@@ -64,8 +64,8 @@ def _alone(control: Family, files: Sequence[ControlFile]) -> Sequence[str]:
 
 
 class PairsFamily(GridFamily):
-    """A grid with tables between axes. ``sign_assumed``: its files are only shown, and nobody says
-    the sign of these tables.
+    """A grid with tables between axes. ``sign_assumed``: its files are only shown, and the sign of
+    these tables is unknown.
     """
 
     reader = PairsReader
@@ -94,6 +94,13 @@ class PairsFamily(GridFamily):
         shown = type(self)(self.definition, {**self.options, "cec_sign": "correction"})
         shown.sign_assumed = True
         return shown
+
+    def for_a_new_job(self) -> Self:
+        """See `Family.for_a_new_job`."""
+        shown = self.for_a_view()
+        draft = type(self)(self.definition, shown.options)
+        draft.sign_assumed, draft.drafting = shown.sign_assumed, True
+        return draft
 
     def files_of(
         self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]

@@ -17,6 +17,8 @@ from compwright.foundations.errors import Fault
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import AxisKind
 
+#: Why tables in inch are not written.
+IN_INCH = "its values are in inch (MD32711 $MA_CEC_SCALING_SYSTEM_METRIC = 0)"
 #: Why tables of a control that works in inch are neither read nor written.
 MAYBE_INCH = (
     "the control works in inch (MD10240 = 0), and no file says in which unit its corrections"
@@ -146,9 +148,10 @@ class TableLines(SingleValues):
         return values.known_word(binding, found.text) == "yes"
 
     def acts(self, *, asked: bool, stays: bool) -> bool:
-        """Return whether no file switches the table off, itself or the sum on its output axis; inch
-        data are not read. ``asked``: its output axis is asked for. ``stays``: nobody gave its index
-        to be written; then nothing hangs on whether one that no file switches off acted.
+        """Return whether no file switches the table off, itself or the sum on its output axis;
+        values of an unknown unit are refused. ``asked``: its output axis is asked for. ``stays``:
+        nobody gave its index to be written; then nothing hangs on whether one that no file switches
+        off acted.
         """
         owner = f"axis {self.pair[1]}"
         on_axis = of_axis(self.gathered, self.pair[1])
@@ -172,13 +175,25 @@ class TableLines(SingleValues):
             self._check_unit(owner, on_axis)
         return acts is not False
 
+    def to_millimetres(self) -> tuple[float, float]:
+        """Return by what positions and values are multiplied to stand in mm or deg: MD32711 = 0 of
+        the output axis says that lengths are in inch.
+        """
+        metric = last("cross_metric", of_axis(self.gathered, self.pair[1]))
+        if metric is None or self._ends_on("cross_metric", metric):
+            return 1.0, 1.0
+        base, corrected = (
+            1.0 if self.units.kind(one) is AxisKind.ROTARY else MILLIMETRES_PER_INCH
+            for one in self.pair
+        )
+        return base, corrected
+
     def _check_unit(self, owner: str, on_axis: Places) -> None:
-        """Refuse values that are, or may be, in inch."""
+        """Refuse values that may be in inch."""
         metric = self.values(owner).one("cross_metric", on_axis.get("cross_metric", ()))
-        if metric is not None and self.word(owner, "cross_metric", metric) == "no":
-            message = "corrections between axes in inch are not read (MD32711)"
-            self.notes.refuse(owner, message, metric, expected="1: metric")
-        elif metric is None and self.units.may_be_inch(self.pair):
+        if metric is not None:
+            self.word(owner, "cross_metric", metric)
+        elif self.units.may_be_inch(self.pair):
             self.notes.refuse(
                 owner,
                 f"{self.label}: {MAYBE_INCH}",

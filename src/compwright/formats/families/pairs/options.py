@@ -10,7 +10,7 @@ import numpy as np
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.family import Family
-from compwright.formats.families.pairs.lines import MAYBE_INCH, SAYING_METRIC
+from compwright.formats.families.pairs.lines import IN_INCH, MAYBE_INCH, SAYING_METRIC
 from compwright.formats.families.pairs.places import Pair, as_table
 from compwright.formats.text.scale import NumberScale
 from compwright.foundations.errors import Fault, UsageError
@@ -125,15 +125,14 @@ def unit_unknown(
     control: Family, label: str, output: str, kinds: Iterable[AxisKind]
 ) -> Iterator[Fault]:
     """Yield why a table between axes of these ``kinds`` that corrects ``output`` is not written:
-    the control works in inch, and no file says the unit of its values.
+    its values are in inch, or the control works in inch and no file says their unit.
     """
-    if (
-        control.options.get("units") == "inch"
-        and not control.state.facts_of(output).pairs.metric
-        and any(kind is not AxisKind.ROTARY for kind in kinds)
-    ):
+    metric = control.state.facts_of(output).pairs.metric
+    unknown = metric is None and control.options.get("units") == "inch"
+    if (metric is False or unknown) and any(kind is not AxisKind.ROTARY for kind in kinds):
+        why = MAYBE_INCH if unknown else IN_INCH
         yield Fault(
-            message=f"{label}: a CEC table is not written here: {MAYBE_INCH}",
+            message=f"{label}: a CEC table is not written here: {why}",
             place="option cec",
             expected=f"absent, or {SAYING_METRIC}",
             found="available",

@@ -29,7 +29,7 @@ from compwright.formats.families.pairs.places import (
     places_of,
     print_of,
 )
-from compwright.formats.families.pairs.tables import Cec, CecTable, OddTable
+from compwright.formats.families.pairs.tables import LEFT_ALONE, Cec, CecTable, OddTable
 from compwright.formats.text.gathering import FoundValue, Gathered, same_value
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import NumberScale
@@ -49,19 +49,27 @@ _DIRECTIONS = {"0": tuple(Direction), "1": (Direction.POSITIVE,), "-1": (Directi
 
 @dataclass(frozen=True, slots=True)
 class Writable:
-    """Which tables may be written, by the address of each axis of a job. ``sign_known``: somebody
-    said what a value means.
+    """Which tables may be written, by the address of each axis of a job. ``sign_known``: the
+    meaning of a value is known. ``drafted``: which may be written on any other axis; None where the
+    files are only shown.
     """
 
     indices: Mapping[str, Collection[int]]
     sign_known: bool
+    drafted: Collection[int] | None = None
 
     def stays(self, one: TableLines) -> bool:
         """Return whether a table that acts on an axis of a job by its own position stays as it is:
         nobody gave its index to be written, and it is told that it is on.
         """
-        given = self.indices.get(one.pair[1])
-        return given is not None and one.index not in given and one.told_on()
+        return self.not_ours(one.index, one.pair[1]) and one.told_on()
+
+    def not_ours(self, index: int, output: str) -> bool:
+        """Return whether a job works on the axis ``output``, and nobody gave the index to be
+        written.
+        """
+        given = self.indices.get(output, self.drafted)
+        return given is not None and index not in given
 
 
 def _largest(places: Places) -> float:
@@ -180,7 +188,7 @@ class CecReader(SingleValues):
     def _name_left(self, one: _CrossTableReader, why: str) -> None:
         """Keep a table as it is, name it, and note what it adds at most."""
         acts, product, touched = one.on(), one.times is not None, self._touched(one)
-        largest = _largest(one.places) if acts else 0.0
+        largest = one.to_millimetres()[1] * _largest(one.places) if acts else 0.0
         if one.times is not None:
             largest *= 1.0 + _largest(self.places.get(one.times, {}))
         self.odd.append(OddTable(one.index, *one.pair, why, largest, one.times))
@@ -191,7 +199,7 @@ class CecReader(SingleValues):
             else f"it acts on {corrected} over {base}, the same before and after"
         )
         self.notes.find(
-            "CW-S011" if product else "CW-S050",
+            "CW-S011" if product else LEFT_ALONE,
             "warning" if acts and touched else "info",
             f"{one.label} ({base} on {corrected}) is left alone: {why}; {state}",
         )
@@ -291,7 +299,11 @@ class _CrossTableReader(TableLines):
         turns = repeats is not None and not same_value(repeats.text, "0")
         rows, strict = self.places["cross_value"], turns or is_zero(self.places)
         source = TableSource(self.label, rows, singles, scale, self.notes, strict)
-        return shape_of(self.definition).read(source)
+        table = shape_of(self.definition).read(source)
+        along, up = self.to_millimetres()
+        if table is None or along == up == 1.0:
+            return table
+        return GridTable(along * table.positions, up * table.positive, up * table.negative)
 
     def _period(self, table: GridTable, repeats: FoundValue | None, *, quiet: bool) -> float | None:
         if self.word(self.label, "cross_repeats", repeats, tell=not quiet) != "yes":

@@ -27,10 +27,10 @@ from compwright.formats.families.pairs.places import last, places_of
 from compwright.formats.families.pairs.programs import check_programs
 from compwright.formats.families.pairs.reading import CecReader, Writable
 from compwright.formats.families.pairs.sums import (
-    check_sums,
     cross_tables,
     staying,
     with_own_tables,
+    without_cut_sums,
 )
 from compwright.formats.text.container import is_container
 from compwright.formats.text.gathering import FoundValue, same_value
@@ -79,16 +79,29 @@ class PairsReader(GridReader):
             for one, axis in self.wanted.items()
             if axis is not None
         }
-        self.cec = CecReader(
+        writable = Writable(
+            given,
+            self.sign_known,
+            allowed_tables(self.definition, control.options) if control.drafting else None,
+        )
+        cec = CecReader(
             self.gathered,
             scale,
             self.notes,
             self.wanted,
             activity,
             units,
-            Writable(given, self.sign_known),
+            writable,
         ).read()
-        check_sums(self.cec, self.notes, self.wanted)
+        self.cec = without_cut_sums(
+            cec,
+            self.notes,
+            lambda table: (
+                (table.stays or table.input != table.output)
+                and writable.not_ours(table.index, table.output)
+            ),
+            self.wanted,
+        )
 
     def named(self) -> list[str]:
         """See `GridReader.named`."""

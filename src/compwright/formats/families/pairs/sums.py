@@ -9,32 +9,42 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.families.pairs.tables import Cec, CecTable
+from compwright.formats.families.pairs.tables import LEFT_ALONE, Cec, CecTable
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, CrossCompensation
 
 
-def check_sums(cec: Cec, notes: Notes, wanted: Iterable[str] = ()) -> None:
-    """A control whose sum of corrections runs into its limit stands in alarm: such a state cannot
-    be read as curves.
+def without_cut_sums(
+    cec: Cec,
+    notes: Notes,
+    may_stay: Callable[[CecTable], bool],
+    wanted: Iterable[str] = (),
+) -> Cec:
+    """Return the tables without those whose sum on their output axis reaches beyond the limit of
+    the control, which cuts it off: it is no curve, but the same before and after where all of them
+    ``may_stay``. Otherwise it is a fault of the state.
 
     ``wanted``: the axes that are asked for (none: all); others are left alone.
     """
     asked = tuple(wanted)
     for output, limit in cec.max_sum.items():
-        if asked and output not in asked:
+        mine = [table for table in cec.tables if table.output == output and table.active]
+        low, high = _reach(cec, mine)
+        if (asked and output not in asked) or max(high, -low) <= limit * (1 + 1e-9):
             continue
-        pairs = dict.fromkeys(
-            table.pair for table in cec.tables if table.output == output and table.active
-        )
-        low = high = 0.0
-        for pair in pairs:
-            curves = [curve for _, _, *both in _merged(cec.acting(pair)) for curve in both]
-            low += min(float(np.min(curve)) for curve in curves)
-            high += max(float(np.max(curve)) for curve in curves)
-        if max(high, -low) > limit * (1 + 1e-9):
+        reach = f"{low:g} to {high:g}"
+        if all(map(may_stay, mine)):
+            why = f"their sum is {reach}, and MD32720 $MA_CEC_MAX_SUM limits it to {limit:g}"
+            cec = cec.left_alone(mine, why)
+            indices = ", ".join(str(table.index) for table in mine)
+            message = (
+                f"CEC tables {indices} on {output} are left alone: {why}; they are active, the same"
+                " before and after"
+            )
+            notes.find(LEFT_ALONE, "warning", message)
+        else:
             notes.faults.append(
                 Fault(
                     message=(
@@ -42,9 +52,20 @@ def check_sums(cec: Cec, notes: Notes, wanted: Iterable[str] = ()) -> None:
                         " the control cuts them off"
                     ),
                     expected=f"at most {limit:g}",
-                    found=f"{low:g} .. {high:g}",
+                    found=reach,
                 )
             )
+    return cec
+
+
+def _reach(cec: Cec, tables: Sequence[CecTable]) -> tuple[float, float]:
+    """Return between what the sum of all ``tables`` of one output axis may lie."""
+    low = high = 0.0
+    for pair in dict.fromkeys(table.pair for table in tables):
+        curves = [curve for _, _, *both in _merged(cec.acting(pair)) for curve in both]
+        low += min(float(np.min(curve)) for curve in curves)
+        high += max(float(np.max(curve)) for curve in curves)
+    return low, high
 
 
 def _merged(

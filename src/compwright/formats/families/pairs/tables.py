@@ -4,12 +4,17 @@ direction in which it acts.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
 
 from compwright.formats.families.pairs.places import Pair
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.facts import PairFacts
+
+#: Finding of a table that is left as it is and not counted.
+LEFT_ALONE = "CW-S050"
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +85,15 @@ class Cec:
     max_sum: Mapping[str, float] = field(default_factory=dict)
     metric: Mapping[str, bool] = field(default_factory=dict)
     prints: Mapping[int, str] = field(default_factory=dict)
+
+    def left_alone(self, tables: Sequence[CecTable], why: str) -> Cec:
+        """Return everything with these ``tables`` among the odd ones."""
+        odd = [
+            OddTable(one.index, *one.pair, why, float(np.max(np.abs(one.values)))) for one in tables
+        ]
+        indices = {one.index for one in tables}
+        kept = tuple(one for one in self.tables if one.index not in indices)
+        return replace(self, tables=kept, odd=(*self.odd, *odd))
 
     def own_axes(self) -> list[str]:
         """Return the axes with tables over themselves, switched on or not."""
