@@ -73,7 +73,6 @@ def corrected(samples: Samples, lag: Lag) -> Samples:
         theta=samples.theta - samples.sense * lag.angle,
         lag=lag.angle,
         lag_doubt=lag.doubt,
-        lag_most=lag.angle + lag.doubt,
     )
 
 
@@ -90,7 +89,7 @@ def without_lag(samples: Samples) -> Samples:
     equal = angles[squares <= squares[none] + _EQUAL * unit]
     most = max(float(equal[-1]), 0.0) + 0.5 * spacing
     # Uniform up to that: its standard deviation about zero (JCGM 100:2008, eq. 7).
-    return replace(samples, lag_doubt=max(most / np.sqrt(3.0), 0.5 * spacing), lag_most=most)
+    return replace(samples, lag_doubt=max(most / np.sqrt(3.0), 0.5 * spacing))
 
 
 def _profile(samples: Samples) -> tuple[float, FloatArray, FloatArray, int]:

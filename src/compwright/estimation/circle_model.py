@@ -78,7 +78,7 @@ class Samples:
     """All samples of a test. ``theta`` (n,) rad, commanded; ``sense`` (n,) +1 ccw, -1 cw;
     ``deviations`` (n,) mm; ``run`` (n,) index of the traverse. ``radius`` mm, ``speed`` mm/s,
     ``arc`` start and extent in rad. ``lag`` rad: common lag already taken off ``theta``, 0 where
-    none was found; ``lag_doubt`` how far it may be wrong; ``lag_most`` what it is at most."""
+    none was found; ``lag_doubt`` how far it may be wrong."""
 
     theta: FloatArray
     sense: FloatArray
@@ -89,7 +89,6 @@ class Samples:
     arc: tuple[float, float]
     lag: float = 0.0
     lag_doubt: float = 0.0
-    lag_most: float = np.inf
 
     @property
     def both_senses(self) -> bool:

@@ -121,14 +121,10 @@ def effects_of(
 
 def shrink_doubt(samples: Samples) -> float:
     """Return the standard uncertainty, mm, of the radius by an equal lag of both axes: uniform up
-    to R lag² / 2, at most the softest loop's v² / (2 Kv² R) (the circle shrinks with the
-    acceleration: ISO 230-4:1996, B.3.2), taken as a of the range ±a: a / sqrt(3) (JCGM 100:2008,
-    eq. 7). Where the lag was found the middle of the range is corrected (`_scale_errors`): half.
+    to the softest loop's v² / (2 Kv² R) (the circle shrinks with the acceleration: ISO 230-4:1996,
+    B.3.2), taken as a of the range ±a: a / sqrt(3) (JCGM 100:2008, eq. 7).
     """
     most = samples.speed**2 / (2.0 * SOFTEST_LOOP**2 * samples.radius)
-    if np.isfinite(samples.lag_most):
-        shrunk = 0.5 * samples.radius * samples.lag_most**2
-        most = 0.5 * shrunk if samples.lag else min(most, shrunk)
     return float(most / np.sqrt(3.0))
 
 
@@ -254,10 +250,9 @@ def _scale_mismatch(solution: Solution) -> _ReportedCause:
 
 def _scale_errors(solution: Solution) -> Iterator[_ReportedCause]:
     """Yield e_x and e_y, um/m: the mean radius deviation over R plus and minus a quarter of the
-    mismatch over R, and half of what a lag that was found may have shrunk (`shrink_doubt`).
+    mismatch over R.
     """
     samples = solution.problem.samples
-    shrunk = 0.25e6 * samples.lag**2
     for axis, sign, shape in (
         ("first", 1.0, np.cos(samples.theta) ** 2),
         ("second", -1.0, np.sin(samples.theta) ** 2),
@@ -269,9 +264,9 @@ def _scale_errors(solution: Solution) -> Iterator[_ReportedCause]:
         cause = _linear(solution, f"scale_error_{axis}", parts, detail=True)
         yield _ReportedCause(
             name=cause.name,
-            value=cause.value + shrunk,
+            value=cause.value,
             drawn=cause.drawn,
-            curve=1e-6 * (cause.value + shrunk) * samples.radius * shape,
+            curve=1e-6 * cause.value * samples.radius * shape,
             detail=True,
         )
 
