@@ -37,7 +37,7 @@ def by_writer(files: list[ControlFile], active: bool | None) -> None:
     """The reader of the room that writes."""
     control = control_format(SIEMENS, {})
     if active is False:
-        files = list(control.carried_out(files)[0])
+        files = list(control.listing.carried_out(control.definition, files)[0])
     if files:
         activity = Activity(said=active, asking=True, carried_out=active is True)
         control.read(files, [axis_of("AX1")], activity=activity)

@@ -414,11 +414,13 @@ def decode(
     activity = Activity(said=active, asking=asking, carried_out=carried_out)
     reading = control.format
     if not axes:
-        reading = reading.for_a_new_job() if drafting else reading.for_a_view()
+        listing = reading.listing
+        shown = listing.drafted or listing.shown if drafting else listing.shown
+        reading = shown(reading)
     files, beside = without_others(control.definition, files)
     given = files
     if active is False:
-        files, left_out = control.format.carried_out(files)
+        files, left_out = control.format.listing.carried_out(control.definition, files)
         beside += left_out
     state = ControlState(format=control.id, axes={})
     if files:

@@ -179,7 +179,7 @@ def _viewed(
     try:
         return decode(control, files, address=address).state, ()
     except CompwrightError as error:
-        reading = control.format.for_a_view()
+        reading = control.format.listing.shown(control.format)
         state = reading.read(files, address=address)
         why = "; ".join(str(fault) for fault in error.faults[:1])
         message = f"{name}: corrections are those of one reader alone; the second one says: {why}"
