@@ -190,6 +190,18 @@ def _left_out(found: Found) -> Iterator[Fault]:
             place=f"line {pair[1]}",
             expected=EXPORTED,
         )
+        return
+    line = ways.left_out()
+    if line is not None:
+        yield Fault(
+            message=(
+                "active: yes, but by its conditions no run of the program carries out this line and"
+                " all other values"
+            ),
+            file=found.file,
+            place=f"line {line}",
+            expected=f"{EXPORTED}; or active: no where none of the values was carried out",
+        )
 
 
 def _twice(gathered: Gathered, file: str, program: ProgramFlow) -> Iterator[Fault]:
