@@ -4,7 +4,10 @@ for what differs by axis.
 
 from __future__ import annotations
 
+import json
+import math
 import re
+import statistics
 from html.parser import HTMLParser
 from pathlib import Path
 from types import SimpleNamespace
@@ -87,6 +90,30 @@ def test_the_card_shows_what_the_control_would_add_there(
         expected = np.interp(number(row[0]), rows[:, 0], rows[:, 0] - rows[:, column]) * 1000
         # positions are printed to 0.0005 mm, slopes are below 1e-3, values are printed to 0.0005 µm
         assert number(row[2]) == pytest.approx(expected, abs=0.0011)
+
+
+def test_the_card_says_to_stop_where_the_readings_leave_no_accident(card: Path) -> None:
+    """Five times the scatter of the difference of two readings, as the test itself shows it: from
+    its means and standard deviations, in the unit of the column.
+    """
+    results = json.loads((card / "evaluation.json").read_text(encoding="utf-8"))["results"]
+    scatter = {
+        result["axis"]: math.sqrt(
+            statistics.fmean(
+                target[f"s_{way}"] ** 2
+                for target in result["targets"]
+                for way in ("positive", "negative")
+            )
+        )
+        for result in results
+        if result["kind"] == "positioning"
+    }
+    found = checks((card / "card" / "card.md").read_text(encoding="utf-8"))
+    assert set(found) == {"X", "A"}
+    for axis, rows in found.items():
+        for row in rows:
+            # the mean at a target adds to it, less than one reading does
+            assert 0.6 < number(row[5]) / (5 * math.sqrt(2) * scatter[axis]) < 1.6
 
 
 @pytest.mark.parametrize(

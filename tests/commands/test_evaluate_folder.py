@@ -592,3 +592,43 @@ def test_the_command_knows_no_more_pages_than_ten(folder: Path) -> None:
     files = sorted(folder.glob("t*.csv"))
     assert not evaluate_files(Session(), files[: command._PAGES], whole=False).many
     assert evaluate_files(Session(), files[: command._PAGES + 1], whole=False).many
+
+
+def _test_with_runs(folder: Path, name: str, runs: int) -> Path:
+    """A sound test of 3 targets; of another number of runs than 5 to 10 the range method of GOST
+    27843 has no factor.
+    """
+    rows = "\n".join(
+        f"{target},{way},{number},{target / 100 + 0.3 * ((number * 7 + target) % 5):.2f}"
+        for target in (10, 200, 390)
+        for way in "+-"
+        for number in range(1, runs + 1)
+    )
+    path = folder / name
+    path.write_text(f"# axis: X\ntarget_mm,direction,run,deviation_um\n{rows}\n", encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        ("good", 0),
+        ("good unfit", 2),
+        ("good broken", 3),
+        ("good unfit broken", 3),
+        ("broken unfit good", 3),
+        ("unfit broken", 3),
+    ],
+)
+def test_what_cannot_be_read_is_graver_than_a_method_that_does_not_fit(
+    given: str, expected: int, tmp_path: Path
+) -> None:
+    """Exit 2: all was read, and one test does not go with the method; 3: a file was not read."""
+    (tmp_path / "broken.csv").write_text("target_mm,direction,run,deviation_um\n1,+,1,abc\n")
+    _test_with_runs(tmp_path, "good.csv", 5)
+    _test_with_runs(tmp_path, "unfit.csv", 4)
+    files = [tmp_path / f"{name}.csv" for name in given.split()]
+    outcome = evaluate_files(Session(), files, ["gost27843:2006"], "range")
+    assert outcome.exit_code == expected
+    assert len(outcome.document["results"]) == given.count("good")
+    assert len(outcome.document["errors"]) == len(files) - given.count("good")
