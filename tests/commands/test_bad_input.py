@@ -365,7 +365,7 @@ def test_a_plan_that_is_cut_short_or_of_another_schema(
         ("cut.json", "JSON"),
         ("newer.json", "compwright/plan/1"),
         ("keyless.json", "wanted"),
-        ("none.json", "No such file"),
+        ("none.json", "none.json"),
     ):
         for words in (
             ["export", file, "--format", "linuxcnc", "--state", "none", "--out", "e"],

@@ -350,7 +350,7 @@ def test_tables_of_tools_in_a_backup_are_counted_apart(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("content", "says"), [(b"\x00\x01\x02", "nothing in it"), (b"no data\n", "nothing in it")]
+    ("content", "says"), [(b"\x00\x01\x02", "no data of"), (b"no data\n", "no data of")]
 )
 def test_files_without_data_are_refused(
     content: bytes, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

@@ -102,7 +102,7 @@ def test_another_kind_of_file_is_one_line(
         said = capsys.readouterr().err.strip().splitlines()
         assert (found, len(said)) == (code, 1), (given, said)
         assert words in said[0]
-        assert "expected" in said[0]
+        assert ". Next: give " in said[0]
 
 
 def test_a_folder_of_results_is_one_line_with_the_way_on(
@@ -151,4 +151,4 @@ def test_several_folders_of_files_are_listed(
     assert str(tmp_path / "friday") in said
     (tmp_path / "empty").mkdir()
     assert compwright(["decode", str(tmp_path / "empty"), "--format", "linuxcnc"]) == 3
-    assert "holds no files" in capsys.readouterr().err
+    assert "contains no files" in capsys.readouterr().err

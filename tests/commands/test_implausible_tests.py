@@ -82,7 +82,7 @@ def test_um_read_as_mm_is_named_before_what_the_control_cannot_hold(
     said = capsys.readouterr().err.splitlines()
     doubt = next(n for n, line in enumerate(said) if "1000 times smaller (µm read as mm)" in line)
     assert "x.csv" in said[doubt]
-    assert "beyond what the control holds" in said[-1]
+    assert "larger than the control can store" in said[-1]
     assert doubt < len(said) - 1
 
 

@@ -22,6 +22,7 @@ from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from dying import Process, running
 from loop import Machine, csv_of
+from next_steps import without_hint
 
 pytestmark = pytest.mark.brief
 
@@ -194,7 +195,7 @@ def test_what_was_read_is_not_overwritten(
     if case == "export, state":  # another table than the one that is there
         text = (folder / "control" / "AX1_EEC.INI").read_text()
         (folder / "control" / "AX1_EEC.INI").write_text(text.replace("=0.00", "=-0.00"))
-    assert f"{name}: was read by this command and is not overwritten" in refused(
+    assert f"{name}: is an input of this command and is not overwritten" in refused(
         folder, capsys, *words
     )
 
@@ -217,7 +218,7 @@ def test_what_was_read_is_not_overwritten_under_another_name(
     name: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     other = OTHER_NAMES[name](folder)
-    assert "was read by this command" in refused(
+    assert "is an input of this command" in refused(
         folder, capsys, "evaluate", "x.csv", "--json", other
     )
 
@@ -288,7 +289,9 @@ def test_nothing_is_removed_behind_a_link_that_leads_out(tmp_path: Path) -> None
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "set").symlink_to(tmp_path / "control", target_is_directory=True)
     out, new = tmp_path / "out", {"b.txt": b"new"}
-    with pytest.raises(StorageError, match=r"A\.INI: is no part of what is written"):
+    with pytest.raises(
+        StorageError, match=r"A\.INI: is not one of the files that this command writes"
+    ):
         storage.write_files(Session(), out, new, force=True, whole=["set"])
     storage.write_files(Session(), out, new, force=True, renewed=["set"])
     assert (tmp_path / "control" / "A.INI").read_bytes() == b"mine"
@@ -307,10 +310,10 @@ def test_the_notes_of_the_user_stay(folder: Path, capsys: pytest.CaptureFixture[
     said = refused(folder, capsys, "run", "job.yaml")
     for place in ("tables", "rollback"):
         assert (
-            f"{place}/{CONTROL}/notes.txt: is no part of what is written, and all that lies here is"
-            " handed on" in said
+            f"{place}/{CONTROL}/notes.txt: is not one of the files that this command writes, but"
+            " everything in this folder is passed on" in said
         )
-        assert "expected another place for it" in said
+        assert "move it to another folder" in said
 
 
 def test_results_that_the_user_changed_stay(
@@ -401,7 +404,7 @@ def test_existing_files_are_one_line(folder: Path, capsys: pytest.CaptureFixture
         "error: job: 11 files exist already; expected new files, another folder, or --force to"
         " replace them"
     )
-    assert line.endswith(
+    assert without_hint(line).endswith(
         "found evaluation.json, prediction.json, plan.json, tables/siemens-840d-sl/AX1_EEC.INI and"
         " 7 more"
     )

@@ -32,6 +32,7 @@ from compwright.records.circular import CircularRun
 from compwright.records.correction import ControlFile
 from compwright.records.positioning import PositioningTest
 from format_samples import DEFINITIONS
+from next_steps import without_hint
 from one_test import read_positioning
 
 
@@ -137,7 +138,7 @@ def test_more_than_anything_real_is_refused(
     text = "target_mm,direction,run,deviation_um\n" + "\n".join(rows(*readings(110, 1)))
     with pytest.raises(InputError) as caught:
         read_positioning(text.encode(), "x.csv")
-    assert str(caught.value) == f"x.csv: {words}"
+    assert without_hint(str(caught.value)) == f"x.csv: {words}"
 
 
 def linear(work: Callable[[str], object], unit: str, before: str = "", after: str = "") -> bool:
@@ -176,7 +177,7 @@ def test_a_text_longer_than_any_of_a_control_is_refused(tmp_path: Path) -> None:
     file.write_bytes(b"0 0 0\n" * 1_400_000)
     with pytest.raises(InputError) as caught:
         read_files(Session(), [file])
-    assert str(caught.value) == (
+    assert without_hint(str(caught.value)) == (
         "m.cfg: is too large; expected a text of a control of at most 8 MB, found 8.4 MB"
     )
     file.write_bytes(b"@@MMCIBN." + b"0 0 0\n" * 1_400_000)
@@ -203,7 +204,7 @@ def test_a_job_full_of_keys_is_refused_before_it_is_understood(
     assert len(yaml_reader.read_yaml(b"a: [" + b"1," * 19 + b"]", "j.yaml").data["a"]) == 19
     with pytest.raises(InputError) as caught:
         yaml_reader.read_yaml(b"".join(b"k%d: 1\n" % key for key in range(11)), "j.yaml")
-    assert str(caught.value) == (
+    assert without_hint(str(caught.value)) == (
         "j.yaml: line 11: is too long; expected at most 20 keys and values"
     )
 
@@ -248,8 +249,8 @@ def test_a_number_of_a_million_digits_in_a_control_file_is_refused(tmp_path: Pat
     file.write_bytes(b"DEFINE COMP 4,100\n" + b"9" * 1_000_000)
     with pytest.raises(InputError) as caught:
         read_files(Session(), [file])
-    assert str(caught.value) == (
-        "m.cfg: line 2: holds a number that no control does; expected at most 1000 digits, found"
+    assert without_hint(str(caught.value)) == (
+        "m.cfg: line 2: contains a number that is too long; expected at most 1000 digits, found"
         " more than 1000"
     )
 

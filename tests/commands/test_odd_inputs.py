@@ -93,7 +93,7 @@ def test_an_empty_folder_as_a_test(
     (folder / "empty").mkdir()
     (folder / "job.yaml").write_text(JOB.replace("before: [x.csv]", place))
     assert compwright(["run", "job.yaml"]) == 3
-    assert "error: empty: the folder holds no files" in capsys.readouterr().err
+    assert "error: empty: the folder contains no files" in capsys.readouterr().err
 
 
 def test_an_empty_folder_as_a_circle_and_after_loading(
@@ -104,7 +104,7 @@ def test_an_empty_folder_as_a_circle_and_after_loading(
     assert compwright(["verify", "job.yaml", "--after", "x=empty"]) == 3
     (folder / "job.yaml").write_text(f"{JOB}circles: [{{file: empty}}]\n")
     assert compwright(["run", "job.yaml", "--force"]) == 3
-    assert capsys.readouterr().err.count("error: empty: the folder holds no files") == 2
+    assert capsys.readouterr().err.count("error: empty: the folder contains no files") == 2
 
 
 def test_a_folder_with_its_own_plot_answer_and_job(
@@ -131,7 +131,7 @@ def test_a_folder_with_its_own_plot_answer_and_job(
     shutil.copy("job.yaml", "runs")
     capsys.readouterr()
     assert compwright(["evaluate", "runs"]) == 3
-    assert "error: runs: the folder holds no measurement files" in capsys.readouterr().err
+    assert "error: runs: the folder contains no measurement files" in capsys.readouterr().err
 
 
 def test_a_test_in_a_folder_with_its_plot(folder: Path) -> None:
@@ -235,7 +235,7 @@ def test_pipes_and_devices_are_refused_at_once(
     said = capsys.readouterr().err
     assert any(
         part in said
-        for part in ("an ordinary file, found a", "is no ordinary file", "is no folder")
+        for part in ("cannot be read; expected a", "is not an ordinary file", "is not a folder")
     )
 
 

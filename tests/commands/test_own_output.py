@@ -130,7 +130,7 @@ def test_what_a_run_writes_is_not_what_it_starts_from(
 ) -> None:
     measure(folder, "X", 9, folder / "job" / "tables" / "linuxcnc")
     assert run(folder, "--force", as_found="[job/tables/linuxcnc]") == 2
-    assert "is what this run writes" in capsys.readouterr().err
+    assert "is an output of this run" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("axes", ["XY", "X"])

@@ -66,7 +66,7 @@ def test_the_answer_never_lies_among_the_copies(
     (folder / "x.csv").write_text(_TEST)
     words = ["redact", str(folder), "--out", str(tmp_path / "out"), "--json"]
     assert compwright([*words, str(tmp_path / place)]) == 2
-    assert "names the originals" in capsys.readouterr().err
+    assert "contains the original names" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
     assert compwright([*words, str(tmp_path / "r.json")]) == 0
     assert [entry["renamed"] for entry in json.loads((tmp_path / "r.json").read_text())["files"]]

@@ -990,7 +990,7 @@ def test_export_to_another_control_reads_its_state_by_the_new_addresses(
         assert "$MA_BACKLASH[0,AX1]=0.001" not in written
     else:
         assert code == 3
-        assert "no file says anything about axis AX2" in said.err
+        assert "no given file contains data of axis AX2" in said.err
 
 
 def test_a_wave_that_the_targets_show_as_a_longer_one_is_not_verified_at_the_same_targets(

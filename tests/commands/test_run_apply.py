@@ -140,7 +140,7 @@ def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(
         run(folder, SIEMENS, options=options, states=f"[loaded/{SIEMENS}]", apply="{scale: [Y]}")
         == 3
     )
-    assert "say nothing of axis Y" in capsys.readouterr().err
+    assert "contain no data of axis Y" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("control", ["heidenhain-nck", "heidenhain-itnc530"])
@@ -450,5 +450,5 @@ def test_a_circle_taken_with_other_tables_between_the_axes_is_no_word_on_what_is
         )
 
     assert tried("then") == code
-    assert ("cannot be counted with" in capsys.readouterr().err) is (code == 3)
+    assert ("tables from other axes are active" in capsys.readouterr().err) is (code == 3)
     assert tried("as_found") == 0

@@ -34,7 +34,7 @@ import json, os, sys, time
 from multiprocessing import parent_process
 sys.path.insert(0, {source!r})
 from compwright.foundations import processes
-from compwright.foundations.errors import CapacityError
+from compwright.foundations.errors import CapacityError, Fault
 
 def ready():
     pass
@@ -45,7 +45,7 @@ def square(number):
 
 def refused(number):
     if number in (5, 11):
-        raise CapacityError(f"no room for {{number}}")
+        raise CapacityError(Fault(message=f"no room for {{number}}"))
     return number
 
 def dies_elsewhere(number):

@@ -103,7 +103,7 @@ def test_what_may_be_replaced(
         return
     with pytest.raises(StorageError) as caught:
         refuse_other_kinds(Session(), {tmp_path / name: new}, force=True)
-    assert f"{name}: is no file that this command writes" in str(caught.value)
+    assert f"{name}: was not written by this command" in str(caught.value)
 
 
 def test_a_workbook_is_not_replaced_by_a_document(tmp_path: Path) -> None:
@@ -154,5 +154,5 @@ def test_commands_refuse_it(
     monkeypatch.chdir(tmp_path)
     before = (tmp_path / words[-1]).read_bytes()
     assert compwright([*words, "--force"]) == 5
-    assert "is no file that this command writes" in capsys.readouterr().err
+    assert "was not written by this command" in capsys.readouterr().err
     assert (tmp_path / words[-1]).read_bytes() == before

@@ -399,7 +399,7 @@ def test_where_the_folder_that_decides_is_gone_its_file_is_refused_and_others_ar
     top = stopped(tmp_path / "top", course.last_move + 1)
     shutil.rmtree(top / "out")
     assert storage.read_bytes(Session(), top / "beside" / "notes.txt") == b"mine too"
-    with pytest.raises(InputError, match="the folder that says whether it had finished is gone"):
+    with pytest.raises(InputError, match="the folder with its list of files is missing"):
         storage.read_bytes(Session(), top / JSON)
     with pytest.raises(StorageError, match="belongs to what a stopped command had begun"):
         storage.write_file(Session(), top / JSON, b"", force=True)
@@ -510,7 +510,7 @@ def test_a_link_in_place_of_the_folder_is_not_followed(tmp_path: Path, course: C
     (top / "other" / UNFINISHED).symlink_to(top / "out" / UNFINISHED)
     (top / "other" / "x").write_bytes(b"x")
     before = files(top)
-    with pytest.raises(InputError, match="is no folder"):
+    with pytest.raises(InputError, match="is not a folder"):
         storage.read_bytes(Session(), top / "other" / "x")
     assert files(top) == before
 
@@ -578,7 +578,7 @@ def test_a_file_that_appears_in_the_last_moment_is_not_overwritten(tmp_path: Pat
         (tmp_path / "x").write_bytes(b"of another program")
         return True
 
-    with pytest.raises(StorageError, match="was changed by another program in this moment"):
+    with pytest.raises(StorageError, match="was changed by another program at this moment"):
         storage.write_files(
             Session(), tmp_path, {"x": b"new", "y": b"new"}, force=True, known=changing
         )

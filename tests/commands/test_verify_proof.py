@@ -162,7 +162,7 @@ def test_files_of_one_test_have_to_go_together(
     assert (code, document) == (3, None)
     said = capsys.readouterr().err
     assert "other.csv" in said
-    assert "does not go together with" in said
+    assert "contradicts" in said
     assert not (folder / "job" / "verification.json").exists()
 
 
@@ -363,7 +363,7 @@ def test_a_plan_of_another_job_is_refused(
         3,
     }
     said = capsys.readouterr().err
-    assert "run the job again" in said or "is no test of the job" in said
+    assert "run the job again" in said or "is not a test of the job" in said
 
 
 def test_measurements_that_were_edited_after_the_run_are_noticed(

@@ -546,7 +546,7 @@ class TestContract:
 
     def test_unknown_axis(self) -> None:
         for control in (siemens(EEC), comp(OBSERVED)):
-            with pytest.raises(UsageError, match="nothing about axis AX7"):
+            with pytest.raises(UsageError, match="no data of axis AX7"):
                 control.correction("AX7", np.zeros(1), UP)
 
     def test_reference_return_is_assumed_and_listed(self) -> None:

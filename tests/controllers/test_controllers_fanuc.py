@@ -428,7 +428,7 @@ class TestRotary:
             (
                 WHOLE,
                 {"modulo": {"1": 360.0}, "kinds": {"1": AxisKind.LINEAR}},
-                "is linear but was said to be endless",
+                "is linear but was given as endless",
             ),
         ],
     )
@@ -881,7 +881,7 @@ class TestSheet:
 
     def test_values_that_are_errors_need_the_sign(self) -> None:
         text = SHEET.replace("correction", "error")
-        with pytest.raises(InputError, match="said to be errors"):
+        with pytest.raises(InputError, match="given as errors"):
             sheet(text)
         assert values(sheet(text, options={**UM, "pitch_sign": "-"}), [100], UP) == [-0.003]
 
@@ -966,7 +966,7 @@ class TestRequest:
 
     def test_unknown_axis_and_no_cross_tables(self) -> None:
         box = control(WHOLE)
-        with pytest.raises(UsageError, match="nothing about axis 7"):
+        with pytest.raises(UsageError, match="no data of axis 7"):
             box.correction("7", np.zeros(1), UP)
         crossing = getattr(box, "cross")()  # noqa: B009  # not in the protocol of this version
         assert crossing == ()

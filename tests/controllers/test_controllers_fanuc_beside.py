@@ -139,12 +139,14 @@ class TestInclination:
 
     def test_switched_off_pitch_data(self) -> None:
         off = self.BENT.replace("N03623Q1A1P1", "N03623Q1A1P0")
-        with pytest.raises(InputError, match="3623 = 0: whether it acts is not known"):
+        with pytest.raises(InputError, match="3623 = 0: it is unknown whether it is active"):
             control(off, **self.COUNTED)
         assert um(control(off), (100,)) == [0.0]
         for old, new in (("N03622Q1A1P44", "N03622Q1A1P37"), (grid(40, 37, 44, 50.0), "")):
             other = self.BENT.replace(old, new).replace("%\n", "%\nN01851Q1A1P4\n", 1)
-            with pytest.raises(InputError, match="without a grid: whether it acts is not known"):
+            with pytest.raises(
+                InputError, match="without a grid: it is unknown whether it is active"
+            ):
                 control(other.replace("N03620Q1A1P40", "N03620Q1A1P37"), **self.COUNTED)
 
     def test_turn_has_to_close(self) -> None:
@@ -472,7 +474,7 @@ class TestFamilies:
     def test_15i_at_rapid_traverse(self) -> None:
         text = "%\nN01800P00010000\nN01851A1P4\nN01852A1P9\n%\n"
         rapid: dict[str, Any] = {"form": "fanuc-15i", "options": {**UM, "motion": "rapid"}}
-        with pytest.raises(InputError, match="whether 1852 acts on axis 1"):
+        with pytest.raises(InputError, match="whether 1852 is active on axis 1"):
             control(text, **rapid)
         assert um(control(text.replace("P9", "P4"), **rapid), (0,), DOWN) == [-4]
         assert um(control(text, form="fanuc-15i"), (0,), DOWN) == [-4]

@@ -211,7 +211,7 @@ class TestItncTables:
         loaded = itnc({"X.COM": com(["          +0", "          +0.003"])})
         assert loaded.addresses() == ("Y",)
         assert crossed(loaded, "X", "Y", [10]) == [-0.003]
-        with pytest.raises(UsageError, match="nothing about axis X"):
+        with pytest.raises(UsageError, match="no data of axis X"):
             loaded.correction("X", np.zeros(1), UP)
         with pytest.raises(UsageError, match="no table corrects"):
             crossed(loaded, "Y", "X", [0])
@@ -577,7 +577,7 @@ class TestSheets:
             [-0.0055, -0.003], abs=ROUNDING
         )
         assert any("backLash also" in note for note in loaded.notes)
-        with pytest.raises(UsageError, match="nothing about axis x1"):  # names keep their case
+        with pytest.raises(UsageError, match="no data of axis x1"):  # names keep their case
             values(loaded, "x1", [0])
         linear = nck(
             {

@@ -299,12 +299,14 @@ class TestBacklash:
         assert got == close([value - 12.0 for value in WORKED[UP]])
 
     def test_refused(self) -> None:
-        with pytest.raises(InputError, match=r"line 2: getriebe\[0\]\.lose .* beside a table with"):
+        with pytest.raises(
+            InputError, match=r"line 2: getriebe\[0\]\.lose .* in addition to a table with"
+        ):
             isg(LISTED, LOST_MOTION)
         off = LOST_MOTION.replace("komp 1", "komp 0")
         assert um(isg(LISTED, off), AT, DOWN) == close(WORKED[DOWN])
         assert um(isg(LISTED, LOST_MOTION, active=False), [0], DOWN) == close([-12.0])
-        with pytest.raises(InputError, match="not known which way a negative one acts"):
+        with pytest.raises(InputError, match="the direction of a negative one is unknown"):
             isg(LOST_MOTION.replace("120", "-120"))
         assert um(isg(off.replace("120", "-120")), [0], DOWN) == [0.0]
         for wrong in ("32768", "1.5", "x"):
@@ -312,7 +314,7 @@ class TestBacklash:
                 isg(LOST_MOTION.replace("120", wrong))
         with pytest.raises(InputError, match="0, 1 or 2"):
             isg(LOST_MOTION.replace("komp 1", "komp 3"))
-        with pytest.raises(InputError, match="which gear acts"):
+        with pytest.raises(InputError, match="the active gear"):
             isg(LOST_MOTION + "getriebe[1].lose 50\n")
         assert um(isg(LOST_MOTION + "getriebe[1].lose 120\n"), [0], DOWN) == close([-12.0])
 
@@ -416,7 +418,7 @@ class TestLists:
         assert control.addresses() == ("1", "12")
         assert um(control, [310], UP, "12") == close([-8.5])
         assert um(control, [310], UP) == close([-8.4])
-        with pytest.raises(UsageError, match="nothing about axis 2"):
+        with pytest.raises(UsageError, match="no data of axis 2"):
             control.correction("2", np.zeros(1), UP)
 
     def test_start_up_list(self) -> None:
@@ -435,7 +437,7 @@ class TestLists:
     @pytest.mark.parametrize(
         ("old", "new", "says"),
         [
-            ("kopf.achs_nr                      1", "", "nothing says whose list"),
+            ("kopf.achs_nr                      1", "", "does not show to which axis this list"),
             ("kopf.achs_nr                      1", "kopf.achs_nr X", "a logical axis number"),
             ("kopf.log_achs_name                X", "kopf.log_achs_nr 2", "two axes for one list"),
             ("kw.ssfk.unit                      1", "kw.ssfk.unit 2", "0 or 1"),
@@ -473,7 +475,7 @@ class TestLists:
             ("table[2].pos              30", "table[2.pos 30", "line 17: no statement"),
             ("kw.ssfk.modulo                    0", "kw.ssfk.twist 3", "twist .* not known"),
             ("kw.ssfk.modulo                    0", "kw.temp.offset 3", "temp.* not known"),
-            ("# axis compensation", "/* axis compensation", "line 1: a remark that does not end"),
+            ("# axis compensation", "/* axis compensation", "line 1: a comment has no end"),
         ],
     )
     def test_faults_by_line(self, old: str, new: str, says: str) -> None:

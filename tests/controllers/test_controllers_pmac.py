@@ -353,7 +353,7 @@ class TestScript:
 
     def test_unknown_motor(self) -> None:
         for wrong in ("2", "X", "²", "-1", ""):
-            with pytest.raises(UsageError, match="say nothing about axis"):
+            with pytest.raises(UsageError, match="contain no data of axis"):
                 pmac(WORKED).correction(wrong, np.zeros(1), UP)
 
     def test_binary(self) -> None:

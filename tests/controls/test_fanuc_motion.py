@@ -51,7 +51,9 @@ def test_a_test_at_rapid_traverse_is_taken_with_1852(mode: str, tmp_path: Path) 
         assert left(bench, rapid=True) < SMALL
     card = (tmp_path / "job" / "card" / "card.md").read_text()
     assert f"1851 = {feed}" in card
-    assert f"1852 = {rapid} detection units (at rapid traverse; 1851 acts at cutting feed" in card
+    assert (
+        f"1852 = {rapid} detection units (at rapid traverse; 1851 is active at cutting feed" in card
+    )
     assert "check positions hold at rapid traverse" in card[card.index("## Axis X") :]
 
 
@@ -64,7 +66,7 @@ def test_where_1852_does_not_act_the_motion_makes_no_difference(tmp_path: Path) 
         written.append(bench.written())
         assert (1852, "A1") not in bench.changed()
         card = (bench.folder / "job" / "card" / "card.md").read_text()
-        assert "1852 = 10 detection units (does not act" in card
+        assert "1852 = 10 detection units (is not active" in card
     assert written[0] == written[1]
 
 

@@ -153,7 +153,7 @@ def test_the_same_table_is_the_same(make: type[Bridge], tmp_path: Path) -> None:
     assert all(abs(one(x, d) - other(x, d)) < 2e-4 for x in Skew().places for d in (1, -1))
     if isinstance(bridge, PmacBridge):  # 1 count is 1 µm
         rows = re.findall(
-            r"backlash beside the table \|[^|]*\| *([-\d.]+) µm", card_of(tmp_path / "job")
+            r"backlash in addition to the table \|[^|]*\| *([-\d.]+) µm", card_of(tmp_path / "job")
         )
         assert {float(row) for row in rows} == {round(bridge.play["1"] / 16, 2)}
 

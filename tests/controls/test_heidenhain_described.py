@@ -271,7 +271,7 @@ def test_a_column_of_an_axis_whose_bit_is_0_is_not_filled(
     assert run(folder, ITNC.id, states="[X.COM, MP.TXT]") == 0
     said = " ".join(capsys.readouterr().out.split())
     if bit == "0":
-        assert "the bit of Y in MP730 is 0: no table acts on it" in said
+        assert "the bit of Y in MP730 is 0: no table is active on it" in said
         return
     assert "is in X.COM, column 2=F() (values are errors)" in said
     last = (folder / "job" / "tables" / ITNC.id / "X.COM").read_text().splitlines()[-2].split()
@@ -297,7 +297,7 @@ def test_beside_a_table_of_the_moving_axis_and_an_old_sheet(folder: Path) -> Non
     ("files", "value"),
     [
         ({"X.COM": STRUCT.replace("002", "000").replace("+0.001 ", "+0.000 ")}, "table of zeros"),
-        ({"MP.TXT": "MP710.0 : 0.0\n"}, "0: no table acts"),
+        ({"MP.TXT": "MP710.0 : 0.0\n"}, "0: no table is active"),
         ({"entry_X.csv": "point,position,value,unit\n0,0,0.001,mm\n1,9,0,mm\n"}, "1: its table"),
     ],
 )

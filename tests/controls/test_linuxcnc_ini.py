@@ -163,7 +163,7 @@ def test_a_table_in_inches_is_not_read_as_mm_because_nobody_repeats_the_unit(
     assert write_job(tmp_path, X, states="[loaded]") == 2
     said = capsys.readouterr().err
     assert "controller.options.units" in said
-    assert "the machine's unit is not given" in said
+    assert "the unit of the machine is not given" in said
     assert "mm or inch, or the whole INI file with LINEAR_UNITS among the files" in said
     assert write_job(tmp_path, X, states="[loaded]", options="{units: inch}") == 1  # CW-P160
 
@@ -279,7 +279,7 @@ def test_an_axis_is_not_the_joint_of_another_axis(
     shutil.rmtree(tmp_path / "job")
     assert run(tmp_path, 'B: {address: "4", kind: rotary, ', TABLE_OF_TWO, "deg") == 3
     said = capsys.readouterr().err
-    assert "call this joint by another letter" in said
+    assert "give this joint another axis letter" in said
     assert "XYZBC: joint 4 is C" in said
     assert not (tmp_path / "job").exists()
 
@@ -333,7 +333,9 @@ def test_a_table_that_the_machine_names_is_refused_where_it_is_damaged() -> None
     control = open_control(Session(), "linuxcnc", {})
     with pytest.raises(InputError, match=r"xaxis\.comp: line 1: cannot be read as a row"):
         decode(control, machine(**{"xaxis.comp": "# position + -\n0 0 0\n"}), address="0")
-    with pytest.raises(InputError, match="the table file that it names was not given"):
+    with pytest.raises(
+        InputError, match="the table file that its configuration names was not given"
+    ):
         decode(
             control,
             machine(**{"haas.ini": HAAS.replace("xaxis.comp", "haas.hal_old")}),

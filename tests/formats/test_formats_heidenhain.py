@@ -250,14 +250,14 @@ def test_the_active_line_says_which_table_acts() -> None:
     assert um(state, "X", -384) == pytest.approx(1.2, abs=NM)
     assert any("old.com" in entry.message for entry in state.findings if entry.code == "CW-S012")
     assert any("Y, active for the motion of Y" in entry.message for entry in state.findings)
-    with pytest.raises(InputError, match=r"axis Y: the table that acts was not given; expected Y"):
+    with pytest.raises(InputError, match=r"axis Y: the active table was not given; expected Y"):
         itnc(file("new.com", new), file("c.cma", lines))
-    with pytest.raises(InputError, match="nothing says which axis moves"):
+    with pytest.raises(InputError, match="for which moving axis this table is"):
         itnc(file("new.com", new))
-    with pytest.raises(InputError, match="axis X stands in two columns"):
+    with pytest.raises(InputError, match="axis X is in two columns"):
         itnc(file("new.com", new), file("c.cma", lines.replace("2         3", "1=F()     3")))
     two = lines.replace("END ", "1    OLD\nEND ")
-    with pytest.raises(InputError, match="nothing says which line is active"):
+    with pytest.raises(InputError, match="do not show which line is active"):
         itnc(file("new.com", new), file("c.cma", two))
 
 
@@ -317,11 +317,11 @@ def test_parameters_have_to_agree() -> None:
             file("MP.TXT", MP.replace("%00010", "%00001")),
             axes=(axis_of("X"),),
         )
-    with pytest.raises(InputError, match=r"MP730 says that a table acts, but no file holds it"):
+    with pytest.raises(InputError, match=r"MP730 selects a table, but it is in no file"):
         itnc(file("MP.TXT", MP), axes=(axis_of("Y"),))
     with pytest.raises(InputError, match="two tables"):
         itnc(file("entry_X.csv", SHEET), file("X.COM", COM))
-    with pytest.raises(InputError, match="no file says anything about axis B"):
+    with pytest.raises(InputError, match="no given file contains data of axis B"):
         itnc(file("entry_X.csv", SHEET), axes=(axis_of("B"),))
 
 
@@ -350,7 +350,7 @@ BAD_SHEETS = {
     "kinds mixed": ("MP710,,3,um", "MP710,,0.003,deg", "units of the entry sheet"),
     "implausible value": ("-4.0,um", "-40,mm", "not plausible"),
     "decimal comma": ("0.0020,mm", '"0,0020",mm', "another number of columns"),
-    "an axis that cannot be": ("# address: X", "# address: X-1", "cannot name an axis"),
+    "an axis that cannot be": ("# address: X", "# address: X-1", "no address of an axis"),
 }
 
 

@@ -121,7 +121,7 @@ def test_equal_spacing_one_column_and_a_backlash() -> None:
 
 def test_increments_need_their_length() -> None:
     text = EVEN.replace("unit 1", "unit 0")
-    with pytest.raises(UsageError, match="how long is one"):
+    with pytest.raises(UsageError, match="whose length is unknown"):
         read(X, a=text)
     # 20 000 increments of 0.5 µm are 10 mm; from -454.5 mm, 10 increments are 5 µm
     state = read(X, a=text, options={"encoder_increment": 0.0005})
@@ -180,7 +180,7 @@ def test_what_contradicts_itself_is_refused_by_line(old: str, new: str, said: st
 @pytest.mark.parametrize(
     ("lines", "said"),
     [
-        ("getriebe[0].lose 50", "no list says whether it acts"),
+        ("getriebe[0].lose 50", "no list shows whether it is active"),
         ("lr_param.anwahl_losekomp 1", "getriebe[0].lose is missing"),
         ("lr_param.anwahl_losekomp 1\ngetriebe[0].lose -50", "less than 0"),
         ("lr_param.anwahl_losekomp 1\ngetriebe[0].lose 0.5", "must be whole"),
@@ -196,7 +196,7 @@ def test_a_backlash_that_is_not_clear_is_refused(lines: str, said: str) -> None:
 
 
 def test_a_backlash_beside_two_columns_is_refused_and_one_that_is_off_is_nothing() -> None:
-    with pytest.raises(InputError, match="holds the reversal"):
+    with pytest.raises(InputError, match="contains the reversal"):
         read(X, a=SAMPLE, b=PLAY)
     off = PLAY.replace("losekomp 1", "losekomp 0")
     assert at(read(X, a=SAMPLE, b=off), "1", 0.0) == pytest.approx(WORKED[0.0], abs=1e-9)
@@ -205,7 +205,7 @@ def test_a_backlash_beside_two_columns_is_refused_and_one_that_is_off_is_nothing
 @pytest.mark.parametrize("where", ["kw.ssfk.manual_activation 1", "lr_param.ssfk 0"])
 def test_a_table_that_is_switched_off_acts_only_where_the_job_says_so(where: str) -> None:
     off = f"kopf.achs_nr 1\n{where}\n"
-    with pytest.raises(UsageError, match="did it act"):
+    with pytest.raises(UsageError, match="Was it active"):
         read(X, a=SAMPLE, b=off)
     assert read(a=SAMPLE, b=off).axes["1"].positions.size == 0
     acting = read(X, active=True, a=SAMPLE, b=off)
@@ -244,7 +244,7 @@ def test_a_list_beyond_the_number_of_the_start_up_list_is_refused(start: str, sa
 
 
 def test_what_no_list_says_of_an_axis_is_refused() -> None:
-    with pytest.raises(InputError, match="missing is not zero"):
+    with pytest.raises(InputError, match="missing values do not count as zero"):
         read(axis_of("7"), a=SAMPLE)
 
 
@@ -475,7 +475,7 @@ def test_unit_and_room_of_an_empty_list_hold_for_what_is_written_into_it() -> No
         b"kw.ssfk.max_points 4\nkw.ssfk.bilateral 0\n",
     )
     short = table("1", [0.0, 10.0], [0.001, 0.0])
-    with pytest.raises(UsageError, match="how long is one"):
+    with pytest.raises(UsageError, match="whose length is unknown"):
         written(short, own)
     text = written(short, own, encoder_increment=0.0005)["a.lis"]
     assert "table[1].setpoint    20000\n" in text

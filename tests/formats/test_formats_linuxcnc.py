@@ -197,7 +197,7 @@ def test_a_table_is_found_by_the_key_or_by_its_name() -> None:
 
 
 def test_missing_is_not_zero() -> None:
-    with pytest.raises(InputError, match="anything about axis 5"):
+    with pytest.raises(InputError, match="contains data of axis 5"):
         control_format(LINUXCNC, {}).read(files(x__comp=ACTUAL, m__ini=MACHINE), [axis_of("5")])
     bare = control_format(LINUXCNC, {}).read(
         files(m__ini="[JOINT_5]\nMAX_VELOCITY = 1\n"), [axis_of("5")]
@@ -286,7 +286,7 @@ def test_the_capacity_is_that_of_the_control() -> None:
     [
         ("one row", {"positions": [0.0], "positive": [0.0]}, "too few"),
         ("too many rows", {"positions": range(257), "positive": [0.0] * 257}, "at most 256"),
-        ("backlash beside the table", {"backlash": 0.001}, "backlash"),
+        ("backlash in addition to the table", {"backlash": 0.001}, "backlash"),
         ("another end than the control's", {"below": "zero"}, "below the table"),
         ("a value between the steps", {"positive": [0.00000005, 0.0]}, "multiple"),
         ("a node between the steps", {"positions": [0.0, 1.00000005]}, "multiple"),

@@ -178,7 +178,7 @@ def test_switches(old: str, new: str, positive: float, negative: float) -> None:
 
 def test_whether_tables_acted_is_asked_where_the_script_ends_with_them_off() -> None:
     files = [script(EXAMPLE.replace("I51=1", "I51=0"))]
-    with pytest.raises(UsageError, match="did it act"):
+    with pytest.raises(UsageError, match="Was it active"):
         control().read(files, [axis()], activity=Activity(asking=True))
     state = control().read(files, [axis()], activity=Activity(said=True, asking=True))
     assert at(state, "1", 100, PLUS) == pytest.approx(-2.0)
@@ -258,7 +258,7 @@ def test_a_turn_that_the_length_does_not_divide() -> None:
 
 
 def test_missing_is_not_zero() -> None:
-    assert "anything about motor 2" in str(refused(EXAMPLE, axis("2")))
+    assert "contains data of motor 2" in str(refused(EXAMPLE, axis("2")))
     assert "say nothing" in refused("I130=2000\n")
 
 
@@ -364,10 +364,10 @@ def test_an_endless_axis_has_its_turn_as_length() -> None:
         ({}, axis(reference=50.0), "counts whole spacings from the reference"),
         ({}, axis(reference=300.0), "counts whole spacings from the reference"),
         ({}, axis(options={"counts_per_unit": 10 / 3 / 7}), "no whole number of counts"),
-        ({}, axis(modulo=400.0, travel=(0, 400)), "endless, its table not"),
+        ({}, axis(modulo=400.0, travel=(0, 400)), "endless, but its table is not"),
         ({"period": 300.0}, axis(), "table repeats, the axis does not"),
-        ({"backlash": 0.001}, axis(), "no backlash value beside the table"),
-        ({"slope": 1e-6}, axis(), "put everything into it"),
+        ({"backlash": 0.001}, axis(), "no backlash value in addition to the table"),
+        ({"slope": 1e-6}, axis(), "put everything into one table"),
     ],
 )
 def test_limits_are_refused_by_name(

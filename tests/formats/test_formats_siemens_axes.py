@@ -239,7 +239,7 @@ def test_both_axes_of_a_gantry_are_read_and_patched_and_a_difference_is_told() -
 
 
 def test_a_partner_of_which_the_files_say_nothing_is_missing_not_zero() -> None:
-    with pytest.raises(InputError, match="axis AX5; missing is not zero"):
+    with pytest.raises(InputError, match="axis AX5; missing values do not count as zero"):
         control_format(SIEMENS, {}).read(files(A__INI=straight("AX1")), [gantry()])
 
 

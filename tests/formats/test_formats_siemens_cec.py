@@ -611,7 +611,7 @@ def test_two_axes_take_tables_apart_from_each_other() -> None:
 
 def test_a_sum_that_is_switched_off_is_not_switched_on_for_others_tables() -> None:
     sleeping = cec(1, [0.0, 0.1], (0, 1, 1), ("AX3", "AX1")) + "$MA_CEC_ENABLE[AX1]=0\n"
-    with pytest.raises(CapacityError, match="would wake others too: 1"):
+    with pytest.raises(CapacityError, match="would make others active too: 1"):
         patch(sleeping + MD + "M17\n", TWO, CEC)
 
 
@@ -773,7 +773,7 @@ def test_the_empty_brackets_of_a_blank_table_take_an_axis_over_itself() -> None:
     [
         (
             replace(cross([0.0, 0.1]), below="zero", positive=np.array([0.1, 0.1])),
-            "holds the end value",
+            "keeps the end value",
         ),
         (replace(cross([0.0, 0.1]), positive=np.array([0.0])), "two points"),
         (replace(cross([0.0, 0.1]), positive=np.array([0.0, np.nan])), "not finite"),

@@ -222,7 +222,7 @@ def test_a_measuring_system_that_the_axis_has_not_is_refused() -> None:
 
 @pytest.mark.parametrize("on", ["0", "FALSE", ""])
 def test_a_table_that_may_not_have_acted_is_asked_about(on: str) -> None:
-    with pytest.raises(UsageError, match="did it act during the test"):
+    with pytest.raises(UsageError, match="Was it active during the test"):
         both_readers(eec(on=on), axis_of("AX1"), asking=True)
     acted = both_readers(eec(on=on), axis_of("AX1"), active=True, asking=True)
     assert acted.axes["AX1"].positive.tolist() == [0, -0.004, 0]
@@ -254,7 +254,7 @@ def test_an_answer_never_wakes_a_table_beside_the_one_that_acted(off: str) -> No
     state = both_readers(eec() + SLEEPING + off, axis_of("AX1"), asking=True)
     assert state.axes["AX1"].positive.tolist() == [0, -0.004, 0]
     assert "CW-S034" in codes(state)
-    with pytest.raises(UsageError, match="which of two tables acted"):
+    with pytest.raises(UsageError, match="which of two tables was active"):
         both_readers(
             eec() + SLEEPING + off, axis_of("AX1"), active=True, asking=True, cec_sign="error"
         )
@@ -274,14 +274,14 @@ def test_a_table_that_the_machine_data_switch_off_slept(off: str) -> None:
     for active in (None, True):  # yes is true of the leadscrew table
         assert read(active, (0.0, 0.004, 0.0)).axes["AX1"].positive.tolist() == [0, -0.004, 0]
     assert not read(None, (0.0, 0.0, 0.0)).axes["AX1"].positive.any()
-    with pytest.raises(UsageError, match="which of two tables acted"):
+    with pytest.raises(UsageError, match="which of two tables was active"):
         read(True, (0.0, 0.0, 0.0))
 
 
 @pytest.mark.parametrize(("on", "off"), [("0", OFF[0]), ("", OFF[1]), ("0", "")])
 def test_one_answer_does_not_mean_two_tables(on: str, off: str) -> None:
     text = eec(on=on) + SLEEPING + off
-    with pytest.raises(UsageError, match="which of two tables acted"):
+    with pytest.raises(UsageError, match="which of two tables was active"):
         both_readers(text, axis_of("AX1"), active=True, asking=True, cec_sign="error")
     assert (
         both_readers(text, axis_of("AX1"), active=False, asking=True).axes["AX1"].positions.size
@@ -295,7 +295,7 @@ def test_an_answer_speaks_of_what_the_files_leave_open() -> None:
     """
     text = eec("AX1") + eec("AX2", on="0")
     axes = axis_of("AX1"), axis_of("AX2")
-    with pytest.raises(UsageError, match=r"axis AX2.*did it act"):
+    with pytest.raises(UsageError, match=r"axis AX2.*Was it active"):
         both_readers(text, *axes, asking=True)
     state = both_readers(text, *axes, active=False, asking=True)
     assert state.axes["AX1"].positive.tolist() == [0, -0.004, 0]
@@ -413,7 +413,7 @@ def pair_into(text: str) -> str:
 
 def test_a_sleeping_table_is_never_woken_by_any_name_of_the_axis() -> None:
     text = NAMES + eec() + "$MA_CEC_ENABLE[AX1]=0\n" + cec(0, ("AX2", "X1"), step=85)
-    with pytest.raises(CapacityError, match="would wake others too: 0"):
+    with pytest.raises(CapacityError, match="would make others active too: 0"):
         pair_into(text)
     assert "$MA_CEC_ENABLE[AX1]=1\n" in pair_into(
         text + "$SN_CEC_TABLE_ENABLE[0]=0\n"

@@ -15,6 +15,7 @@ from compwright.foundations import storage
 from compwright.foundations.errors import InputError, StorageError
 from compwright.foundations.input_sizes import ANY, CONTROL, JSON, MEASUREMENT, PROFILE, InputKind
 from compwright.foundations.session import Session
+from next_steps import without_hint
 
 
 def tree(folder: Path) -> dict[str, bytes | None]:
@@ -62,7 +63,7 @@ def test_every_existing_file_is_named_and_nothing_is_touched(tmp_path: Path) -> 
     assert fault.startswith(
         f"{tmp_path}: 2 files exist already; expected new files, another folder, or --force"
     )
-    assert fault.endswith("found x, y")
+    assert without_hint(fault).endswith("found x, y")
     assert tree(tmp_path) == before
 
 
@@ -98,7 +99,7 @@ def test_folder_in_the_place_of_a_file(tmp_path: Path, force: bool) -> None:
 def test_file_in_the_place_of_a_folder(tmp_path: Path) -> None:
     storage.write_file(Session(), tmp_path / "x", b"file")
     (fault,) = faults_of(lambda: storage.write_files(Session(), tmp_path, {"ok": b"", "x/y": b""}))
-    assert fault.startswith(f"{tmp_path / 'x'}: is no folder")
+    assert fault.startswith(f"{tmp_path / 'x'}: is not a folder")
     assert tree(tmp_path) == {"x": b"file"}
 
 
@@ -106,7 +107,7 @@ def test_file_in_the_place_of_a_folder(tmp_path: Path) -> None:
 def test_pipes_and_devices_are_never_replaced(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
     (fault,) = faults_of(lambda: storage.write_file(Session(), tmp_path / "pipe", b"x", force=True))
-    assert "no ordinary file" in fault
+    assert "not an ordinary file" in fault
     assert (tmp_path / "pipe").is_fifo()
 
 
@@ -122,7 +123,7 @@ def test_names_cannot_lead_out_of_the_folder(tmp_path: Path, name: str) -> None:
     (fault,) = faults_of(
         lambda: storage.write_files(Session(), inner, {"ok": b"", name: b"x"}, force=True)
     )
-    assert "leads out of the folder" in fault
+    assert "is outside of the folder" in fault
     assert tree(tmp_path) == {}
 
 
@@ -250,7 +251,7 @@ def test_no_permission() -> None:
 def test_reading_says_why_not(tmp_path: Path) -> None:
     for path, reason in (
         (tmp_path / "missing", os.strerror(errno.ENOENT)),
-        (tmp_path, os.strerror(errno.EISDIR)),
+        (tmp_path, "a folder"),
         (tmp_path / "a\0b", "null byte"),
     ):
         with pytest.raises(InputError) as caught:
@@ -262,7 +263,7 @@ def test_reading_says_why_not(tmp_path: Path) -> None:
 
 @pytest.mark.skipif(not Path("/dev/zero").exists(), reason="no endless device here")
 def test_endless_file_is_refused() -> None:
-    with pytest.raises(InputError, match="expected an ordinary file, found a device"):
+    with pytest.raises(InputError, match="expected a file, found a device"):
         storage.read_bytes(Session(), Path("/dev/zero"))
 
 
@@ -279,7 +280,7 @@ def test_a_file_larger_than_its_kind_is_refused_before_it_is_read(
     monkeypatch.setattr(os, "open", None)
     with pytest.raises(InputError) as caught:
         storage.read_bytes(Session(), large, kind)
-    assert str(caught.value) == (
+    assert without_hint(str(caught.value)) == (
         f"{large}: is too large; expected {kind.name} of at most {kind.most_bytes // 1_000_000} MB,"
         f" found {kind.most_bytes // 1_000_000 + 100} MB"
     )
@@ -340,7 +341,7 @@ def test_a_whole_folder_holds_what_was_written_and_nothing_else(tmp_path: Path) 
     (fault,) = faults_of(
         lambda: storage.write_files(Session(), tmp_path, {"set/e": b"new"}, whole=["set"]) and None
     )[:1]
-    assert "is no part of what is written" in fault
+    assert "is not one of the files that this command writes" in fault
     assert tree(tmp_path) == before
     storage.write_files(Session(), tmp_path, {"set/a": b"new"}, force=True, whole=["set", "none"])
     after = tree(tmp_path)

@@ -284,10 +284,10 @@ BAD: list[tuple[bytes, str]] = [
     (csv(rows(FULL), head=HEAD + "# centre: here\n"), "line 4: key 'centre' is not a position"),
     (
         csv(rows(FULL), head=HEAD + "# compwright: circular 2\n"),
-        "was written for a newer compwright",
+        "was written for a newer version of compwright",
     ),
     (csv(rows(FULL), head=HEAD + "# compwright: positioning 1\n"), "is not a circular test"),
-    (HEAD.encode(), "holds comment lines only"),
+    (HEAD.encode(), "contains comment lines only"),
     (csv(""), "holds no samples"),
     (b"", "is empty"),
     (b"\x00\x01\x02\x00", "is a binary file"),
@@ -408,7 +408,7 @@ def test_what_is_circular() -> None:
     )
     assert not is_circular(b"TGT_DATA[1]=0\n", "a.dat")
     assert not is_circular(b"\x00\xff\xfe<", "a.dat")
-    with pytest.raises(InputError, match="holds a circular test, not a positioning test"):
+    with pytest.raises(InputError, match="contains a circular test, not a positioning test"):
         read_positioning(csv(rows(FULL)), "a.csv")
 
 

@@ -23,7 +23,7 @@ def fault(content: bytes) -> str:
         (b"", "is empty"),
         (b"\xef\xbb\xbf", "is empty"),
         (b" \r\n\t\n,;\n"[:4], "is empty"),
-        (b"# axis: X\n", "holds comment lines only"),
+        (b"# axis: X\n", "contains comment lines only"),
         (b"target_mm,direction,run,deviation_um\n", "holds no readings"),
         (b"# unit: um\ntarget_mm,+1,-1\n0,,\n", "holds no readings"),
         (b"target_mm,direction\x00\n", "is a binary file"),
@@ -44,8 +44,8 @@ def fault(content: bytes) -> str:
         (b"target_mm direction run deviation_um\n0 + 1 2\n", "without comma, semicolon or tab"),
         (b"Messwert;Soll\n1;2\n", "found 'Messwert;Soll' as the first row"),
         (b'"target_mm,direction\n', "line 1: the header row has a quote that is not closed"),
-        (b"direction,angle_deg,radius_mm\nccw,0,100\n", "holds a circular test"),
-        (b"# compwright: circular 1\nx,y\n", "holds a circular test"),
+        (b"direction,angle_deg,radius_mm\nccw,0,100\n", "contains a circular test"),
+        (b"# compwright: circular 1\nx,y\n", "contains a circular test"),
     ],
 )
 def test_other_files(content: bytes, words: str) -> None:
@@ -64,7 +64,7 @@ def test_the_accepted_forms_are_named() -> None:
 @needs_shared
 @pytest.mark.parametrize("name", ["ballbar_demo_100mm_XY.b5r", "ballbar_qc20w_150mm_ZX_220deg.b5r"])
 def test_a_ballbar_file(name: str) -> None:
-    assert "holds a circular test" in fault((REAL / "ballbar" / name).read_bytes())
+    assert "contains a circular test" in fault((REAL / "ballbar" / name).read_bytes())
 
 
 @needs_shared

@@ -14,6 +14,7 @@ from compwright.instruments.circular_csv import read_circular_csv
 from compwright.instruments.profile_reading import read_profile
 from compwright.records.positioning import PositioningTest
 from laser_files import laser_file, mean_file
+from next_steps import without_hint
 from one_test import read_positioning
 from places import PROJECT
 from profile_samples import LONG as FOREIGN
@@ -218,7 +219,7 @@ def test_the_code_page_of_windows_among_readings_is_answered_with_what_to_do() -
     with pytest.raises(InputError) as caught:
         read_positioning(text.encode("cp1252"), "x.csv")
     assert (
-        str(caught.value)
+        without_hint(str(caught.value))
         == "x.csv: line 4: is not text in a known encoding; expected UTF-8: save the file again"
         " with that encoding (editor: save as, encoding UTF-8; spreadsheet: CSV UTF-8), or write"
         " u for µ and deg for °, found '0,–,1,0.5' (Windows-1252)"

@@ -12,6 +12,7 @@ import pytest
 from compwright.foundations.errors import InputError
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
+from next_steps import without_hint
 from one_test import read_positioning
 from places import REAL, needs_shared
 
@@ -40,7 +41,7 @@ def read(text: str) -> PositioningTest:
 def faults(text: str) -> list[str]:
     with pytest.raises(InputError) as caught:
         read(text)
-    return str(caught.value).split("\n")
+    return [without_hint(line) for line in str(caught.value).split("\n")]
 
 
 def one_fault(text: str) -> str:

@@ -108,7 +108,7 @@ def test_a_foreign_sheet_by_a_profile() -> None:
         *((t, {"+": "auf", "-": "ab"}[d], v) for t, d, _, v in READINGS),
     ]
     content = workbook({"X": rows, "Y": rows, "Info": [("a",)]})
-    assert "no sheet of it holds a test" in refused(content)
+    assert "no sheet contains a test" in refused(content)
     proposed = proposed_profile(content, "m.xlsx")
     assert not proposed.open
     profile = read_profile(proposed.text.encode(), "P.yaml")
@@ -120,11 +120,11 @@ def test_a_foreign_sheet_by_a_profile() -> None:
 @pytest.mark.parametrize(
     ("rows", "words"),
     [
-        ([LONG, (0, "+", 1, "=A1*2")], "holds a formula without a result"),
+        ([LONG, (0, "+", 1, "=A1*2")], "contains a formula without a result"),
         ([LONG, (0, "+", 1, "n/a")], "x.xlsx, sheet S: line 2, column deviation_um"),
         ([LONG, ("#DIV/0!", "+", 1, 0.5)], "is not a number"),
         ([("target_mm", 1, -1), (0, 0.1, 0.2)], "are not named by direction and run"),
-        ([("a", "b"), (1, 2)], "no sheet of it holds a test"),
+        ([("a", "b"), (1, 2)], "no sheet contains a test"),
         ([], "empty sheets"),
     ],
 )
@@ -177,8 +177,8 @@ _CLOSE = b"</sheetData>"
 @pytest.mark.parametrize(
     ("part", "edits", "words"),
     [
-        (_SHEET, [(_CLOSE, b'<row s="1"/>', 1_000_001)], "holds too many cells"),
-        (_SHEET, [(_CLOSE, b"<x:c />", 1_000_001)], "holds too many cells"),
+        (_SHEET, [(_CLOSE, b'<row s="1"/>', 1_000_001)], "contains too many cells"),
+        (_SHEET, [(_CLOSE, b"<x:c />", 1_000_001)], "contains too many cells"),
         (_SHEET, [(_CLOSE, b" ", 81_000_000)], "of sheets and texts"),
         ("xl/styles.xml", [(b"</styleSheet>", b" ", 9_000_000)], "of styles and names"),
         (

@@ -11,6 +11,7 @@ from compwright.jobs.command_line import job_from_options
 from compwright.jobs.reading import read_job
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.job import NONE_STATE, Job
+from next_steps import without_hint
 
 
 def from_options(
@@ -103,9 +104,10 @@ def test_values_of_controller_options_stay_text() -> None:
     "travel", ["", "0", "0:", "0:1:2", "1:0", "a:b", "0:1e999", "0:nan", "0:0", "0,5:1"]
 )
 def test_travel_is_two_numbers_in_order(travel: str) -> None:
-    assert faults_of(travel=travel) == [
-        f"--travel: is no travel; expected LO:HI in mm or deg, LO below HI, found {travel!r}"
-    ]
+    (line,) = faults_of(travel=travel)
+    assert without_hint(line).startswith("--travel: must look like 0:800 ")
+    assert line.endswith("such as `--travel 0:800`")
+    assert f"; found {travel!r}." in line
 
 
 @pytest.mark.parametrize(
@@ -116,8 +118,8 @@ def test_travel_is_two_numbers_in_order(travel: str) -> None:
         ({"axis": "../x"}, "--axis: "),
         ({"states": ["none", "a"]}, "--state: "),
         ({"states": [""]}, "--state: "),
-        ({"options": ["spacing"]}, "--option: is not a key with a value"),
-        ({"options": ["=1"]}, "--option: is not a key with a value"),
+        ({"options": ["spacing"]}, "--option: must look like K=V"),
+        ({"options": ["=1"]}, "--option: must look like K=V"),
         ({"options": ["a=1", "a=2"]}, "--option a: is given twice"),
         ({"options": ["spacing=0"]}, "--option spacing: "),
         ({"options": ["mode=both"]}, "--option mode: "),

@@ -17,6 +17,7 @@ from compwright.records.axis import AxisKind, Direction, Encoder, PositionMap
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.fitted import TableRequest
 from compwright.records.job import NONE_STATE, Acceptance, Job, ReportHead
+from next_steps import without_hint
 from places import PROJECT, SHARED, needs_shared
 
 SMALLEST = """
@@ -35,7 +36,7 @@ def faults_of(text: str) -> list[str]:
     with pytest.raises(UsageError) as caught:
         job(text)
     assert caught.value.exit_code == 2
-    return [str(fault) for fault in caught.value.faults]
+    return [without_hint(str(fault)) for fault in caught.value.faults]
 
 
 def axis_faults(keys: str) -> list[str]:

@@ -48,7 +48,7 @@ def test_a_correction_beyond_its_increments_gets_a_new_grid_and_the_reason() -> 
         "in place of the one that is there, 3 points from 0 to 500 mm, every 250 mm"
         in first.message
     )
-    assert "beyond what the control holds (largest increment)" in first.message
+    assert "larger than the control can store (largest increment)" in first.message
 
 
 def test_the_same_distance_insisted_on_is_refused() -> None:

@@ -107,7 +107,7 @@ def judge(
         readings = -readings
     after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
     covariance = np.eye(2 * TARGETS.size) * NOISE**2 / RUNS
-    view = view_of(first, covariance, new, old, read_back=read_back)
+    view = view_of(first, covariance, new, old)
     views = [view, *measurement_views(view)]
     units = unit_views(view, after.sigma / NOISE)
     if read != 1.0:
@@ -118,15 +118,10 @@ def judge(
 
 
 def view_of(
-    first: FloatArray,
-    covariance: FloatArray,
-    new: AxisCompensation,
-    old: AxisCompensation,
-    *,
-    read_back: bool = False,
+    first: FloatArray, covariance: FloatArray, new: AxisCompensation, old: AxisCompensation
 ) -> View:
     others = {"Y": compensation(OTHER, address="Y")}
-    loading = Loading(new=new, old=old, acted=old, others=others, read_back=read_back)
+    loading = Loading(new=new, old=old, acted=old, others=others)
     return View(belief=known(first, covariance), hypotheses=loading_hypotheses(loading, TARGETS))
 
 
@@ -160,27 +155,6 @@ CASES: dict[str, tuple[FloatArray, str]] = {
     "a part": (shown(up_to(9, WAVES, NOTHING), up_to(9, WAVES, NOTHING), LOST), "partial"),
     "the other part": (shown(up_to(9, NOTHING, WAVES), up_to(9, NOTHING, WAVES), LOST), "partial"),
 }
-
-
-EXISTING = np.roll(OTHER, 3)
-WITH_EXISTING: dict[str, tuple[FloatArray, bool, str, str]] = {
-    "the change alone": (shown(WAVES - EXISTING, WAVES - EXISTING, LOST), False, "increment", ""),
-    "on top": (shown(WAVES + EXISTING, WAVES + EXISTING, LOST), False, "on_top", "state"),
-    # the plan is the belief that the existing table was active: what it lacks is the same
-    "it was idle": (shown(WAVES + EXISTING, WAVES + EXISTING, LOST), True, "state", "on_top"),
-    "as planned": (shown(WAVES, WAVES, LOST), False, "loaded", ""),
-    "the existing table": (shown(EXISTING, EXISTING), False, "not_active", ""),
-}
-
-
-@pytest.mark.parametrize("case", WITH_EXISTING)
-def test_faults_with_an_existing_table_are_named(case: str) -> None:
-    acting, read_back, name, equivalent = WITH_EXISTING[case]
-    old = compensation(EXISTING)
-    for seed in range(5):
-        verdict = judge(acting, ONE_TABLE, old, seed=seed, read_back=read_back)
-        assert verdict.verdict == name, verdict.message
-        assert set(verdict.equivalent) == {equivalent} - {""}
 
 
 @pytest.mark.parametrize("case", CASES)

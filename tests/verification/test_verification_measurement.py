@@ -221,20 +221,6 @@ def test_a_factor_with_a_known_cause_is_named(factor: float, words: str, backlas
         assert answer.position == 350.0
 
 
-@pytest.mark.parametrize(("sign", "name"), [(-1.0, "increment"), (1.0, "on_top")])
-def test_the_existing_table_missing_or_twice_is_named(sign: float, name: str) -> None:
-    def existing(where: FloatArray, side: Direction) -> FloatArray:
-        return 4.0 * UM * np.sin(where / 90.0)
-
-    def planned(where: FloatArray, side: Direction) -> FloatArray:
-        return table(positions=where, side=side.sign)
-
-    def loaded(where: FloatArray, side: Direction) -> FloatArray:
-        return planned(where, side) + sign * existing(where, side)
-
-    assert judge_read_back(planned, loaded, existing, NODES, 50.0).verdict == name
-
-
 def rotary(targets: Any, seed: int) -> PositioningTest:
     rng = np.random.default_rng(seed)
     blocks = [rng.standard_normal((targets.size, 5)) / 3600.0 for _ in range(2)]

@@ -110,5 +110,5 @@ def test_a_list_that_leads_out_of_its_folder_removes_nothing(tmp_path: Path) -> 
     digest = hashlib.sha256(b"mine").hexdigest()
     data["files"].append({"file": "../mine.txt", "sha256": digest, "size": 4, "by": "export"})
     (out / LIST).write_text(json.dumps(data))
-    assert "leads out of the folder" in refused(out, {"a.ini": b"new"})
+    assert "is outside of the folder" in refused(out, {"a.ini": b"new"})
     assert (tmp_path / "mine.txt").read_bytes() == b"mine"

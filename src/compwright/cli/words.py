@@ -229,10 +229,22 @@ def pairs(options: Iterable[str]) -> dict[str, object]:
         key, mark, value = text.partition("=")
         if not mark or not key.strip():
             faults.append(
-                Fault(message="cannot be read", place="--option", expected="K=V", found=text)
+                Fault(
+                    message="must look like K=V",
+                    place="--option",
+                    found=text,
+                    hint=("give one key and its value, such as `--option detection_unit=0.001`"),
+                )
             )
         elif key.strip() in given:
-            faults.append(Fault(message="option given twice", place="--option", found=key.strip()))
+            faults.append(
+                Fault(
+                    message="option given twice",
+                    place="--option",
+                    found=key.strip(),
+                    hint="remove one of the two",
+                )
+            )
         given[key.strip()] = value.strip()
     if faults:
         raise UsageError(*faults)

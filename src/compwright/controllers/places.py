@@ -25,4 +25,5 @@ class OfLine:
             place=f"line {self.line}",
             expected=expected,
             found=found or self.shown,
+            hint=("correct this line in a copy of the file, or export it from the control again"),
         )

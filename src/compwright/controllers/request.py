@@ -70,7 +70,12 @@ class Request:
         option = options.get("reference_return", Direction.POSITIVE)
         if option not in ("+", "-"):
             raise UsageError(
-                Fault(message="option reference_return", expected="+ or -", found=repr(option))
+                Fault(
+                    message="option reference_return",
+                    expected="+ or -",
+                    found=repr(option),
+                    hint=("give `--option reference_return=+` or `--option reference_return=-`"),
+                )
             )
         direction = Direction(str(option))
         evidence = "option" if "reference_return" in options else "default"
@@ -92,6 +97,7 @@ class Request:
                     message=f"reference of {address}",
                     expected="a position in mm or deg",
                     found=repr(given),
+                    hint=("give the reference position as one number, such as `reference: 0`"),
                 )
             )
         if known is not None:
@@ -128,8 +134,9 @@ def unknown_axis(address: str, known: tuple[str, ...]) -> UsageError:
     """Return the error for an axis that the files do not speak of."""
     return UsageError(
         Fault(
-            message=f"the control's files say nothing about axis {address}",
+            message=f"the control's files contain no data of axis {address}",
             expected=" or ".join(known) or "an axis",
             found=address,
+            hint=("use one of these addresses, or give the file with the data of this axis"),
         )
     )

@@ -136,14 +136,19 @@ def virtual_control(
     if maker is None:
         raise UsageError(
             Fault(
-                message="no virtual control for this format",
+                message="there is no virtual control for this format",
                 expected=" or ".join(KNOWN),
                 found=format_id,
+                hint="use one of these formats",
             )
         )
     if not files:
         raise InputError(
-            Fault(message="no control files given", expected="the files that the control loads")
+            Fault(
+                message="no control files given",
+                expected="the files that the control loads",
+                hint="give the files that the control loads",
+            )
         )
     request = Request(
         reference_return=dict(reference_return or {}),

@@ -30,6 +30,7 @@ def changed_neighbours(
             place=change.entry,
             expected=change.old or "",
             found=change.new or "nothing",
+            hint=("load nothing of this run, and report this line with the job and its files"),
         )
         for change in compare_files(control.definition, old, new).changes
         if change.old is not None and change.address is not None and change.address not in mine

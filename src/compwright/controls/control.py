@@ -284,11 +284,14 @@ def _endless_number(file: ControlFile) -> Fault | None:
         return None
     line = 1 + file.content.count(b"\n", 0, place)
     return Fault(
-        message="holds a number that no control does",
+        message="contains a number that is too long",
         file=file.name,
         place=f"line {line}",
         expected=f"at most {MOST_DIGITS} digits",
         found=f"more than {MOST_DIGITS}",
+        hint=(
+            "correct this number in a copy of the file, or export the file from the control again"
+        ),
     )
 
 
@@ -301,6 +304,7 @@ def _long_text(file: ControlFile) -> Fault | None:
         file=file.name,
         expected=f"a text of a control of at most {in_words(MOST_CONTROL_TEXT)}",
         found=in_words(len(file.content)),
+        hint="split the file, or give only the part with the compensation data",
     )
 
 
@@ -312,6 +316,7 @@ def _long_together(files: Sequence[ControlFile]) -> Iterator[Fault]:
             message="the texts are too large together",
             expected=f"texts of a control of at most {in_words(MOST_CONTROL_TEXTS)}",
             found=f"{len(sizes)} files of {in_words(sum(sizes))}",
+            hint="give only the files with compensation data and axis parameters",
         )
 
 
@@ -338,7 +343,12 @@ def read_files(session: Session, paths: Sequence[Path]) -> tuple[ControlFile, ..
         except InputError as error:
             faults.extend(error.faults)
     faults.extend(
-        Fault(message="two files of this name were given", file=name, expected="each file once")
+        Fault(
+            message="two files have this name",
+            file=name,
+            expected="each file once",
+            hint="give each file once, or rename one of them",
+        )
         for name, times in Counter(file.name for file in files).items()
         if times > 1
     )
@@ -402,10 +412,14 @@ def decode(
         raise UsageError(
             Fault(
                 message=(
-                    f"active: no is said of a state, but nothing in the files of {control.id}"
-                    " leaves open whether a table acts"
+                    f"active: no is given for a state, but the files of {control.id} "
+                    "do show which tables are active"
                 ),
                 expected="active left out, or the files as they were during the test",
+                hint=(
+                    "leave `active` out of this state, or give the files as they "
+                    "were during the test"
+                ),
             )
         )
     carried_out = carried_out or written or active is True
@@ -414,13 +428,11 @@ def decode(
     activity = Activity(said=active, asking=asking, carried_out=carried_out)
     reading = control.format
     if not axes:
-        listing = reading.listing
-        shown = listing.drafted or listing.shown if drafting else listing.shown
-        reading = shown(reading)
+        reading = reading.for_a_new_job() if drafting else reading.for_a_view()
     files, beside = without_others(control.definition, files)
     given = files
     if active is False:
-        files, left_out = control.format.listing.carried_out(control.definition, files)
+        files, left_out = control.format.carried_out(files)
         beside += left_out
     state = ControlState(format=control.id, axes={})
     if files:
@@ -493,15 +505,18 @@ def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) 
         faults.append(
             Fault(
                 message=(
-                    f"axis {address}: the option {TABLE_VALUES} contradicts the entry sheet among"
-                    " the control's files; if the check of the sign showed the opposite of what"
-                    " the sheet says, change its line `# value`, or take the table out of the"
-                    " control first"
+                    f"axis {address}: the option {TABLE_VALUES} contradicts the entry "
+                    "sheet among the control's files"
                 ),
                 place=control.origin.before_option + TABLE_VALUES,
                 file=control.origin.file,
                 expected=str(said),
                 found=str(given),
+                hint=(
+                    f"set `{TABLE_VALUES}: {said}`; if the check of the sign showed "
+                    "the opposite, change the line `# value` of the sheet or take "
+                    "the table out of the control first"
+                ),
             )
         )
     raise_all(UsageError, faults)

@@ -364,10 +364,13 @@ def _unknown(file: ControlFile) -> InputError:
     what = unknown_container(file.content)
     return InputError(
         Fault(
-            message="is not known, so that nobody could say what in it is a name; it is not copied",
+            message=("is in an unknown form, so its names cannot be found; it is not copied"),
             file=file.name,
-            expected="a measurement file or a text of a control that compwright reads; any other"
-            " table with --profile P.yaml (compwright profile FILE --out P.yaml)",
+            expected="a measurement file or a text of a control that compwright reads",
             found=what.rstrip(","),
+            hint=(
+                "describe its columns with `compwright profile FILE --out "
+                "P.yaml`, then add `--profile P.yaml`"
+            ),
         )
     )

@@ -24,7 +24,7 @@ def control_entries(session: Session, path: Path) -> list[Path]:
     """
     entries = _entries(session, path, _DEEPEST)
     if not entries:  # nothing to read is not "nothing is active": that is the word none
-        raise _fault(path, "the folder holds no files", CONTROL.help)
+        raise _fault(path, "the folder contains no files", CONTROL.help)
     return entries
 
 
@@ -49,4 +49,11 @@ def _entries(session: Session, path: Path, deepest: int) -> list[Path]:
 
 
 def _fault(path: Path, message: str, expected: str) -> InputError:
-    return InputError(Fault(message=message, file=str(path), expected=expected))
+    return InputError(
+        Fault(
+            message=message,
+            file=str(path),
+            expected=expected,
+            hint="give the files themselves, or a folder with nothing else in it",
+        )
+    )

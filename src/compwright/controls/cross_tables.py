@@ -140,6 +140,10 @@ def _wrong(
                         message=message,
                         place=f"direction {direction.value}",
                         found=f"a difference of {worst:.3g}",
+                        hint=(
+                            "load nothing of this run, and report this line with the job and "
+                            "its files"
+                        ),
                     )
                 )
     return faults

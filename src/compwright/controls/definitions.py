@@ -108,7 +108,18 @@ def files_of_definition(texts: Texts) -> dict[str, bytes]:
             break
         if PureWindowsPath(name).anchor or ".." in PureWindowsPath(name).parts:
             message = "extends a definition outside of its folder, which no copy can"
-            raise InputError(Fault(message=message, file=file, place=EXTENDS, found=name))
+            raise InputError(
+                Fault(
+                    message=message,
+                    file=file,
+                    place=EXTENDS,
+                    found=name,
+                    hint=(
+                        "correct `extends` in the definition; `compwright formats list` "
+                        "shows the known ids"
+                    ),
+                )
+            )
     return found
 
 
@@ -118,7 +129,14 @@ def definitions_at(session: Session, path: Path) -> list[tuple[str, bytes, Find]
     """
     if is_base(path):
         message = "is only extended by others, and no control by itself"
-        raise InputError(Fault(message=message, file=str(path), expected="what extends it"))
+        raise InputError(
+            Fault(
+                message=message,
+                file=str(path),
+                expected="what extends it",
+                hint="give the path of the definition that extends it",
+            )
+        )
     return [
         (str(entry), _content(session, entry), _beside(session, entry.parent))
         for entry in storage.list_files(session, path)
@@ -181,7 +199,15 @@ def _shipped(session: Session, format_id: str) -> Definition:
         expected = " or ".join([*definitions, "the path of a file *.yaml"])
         if alike:
             expected = f"{' or '.join(alike)}, the nearest; all are {expected}"
-    raise UsageError(Fault(message=message, place="format", expected=expected, found=format_id))
+    raise UsageError(
+        Fault(
+            message=message,
+            place="format",
+            expected=expected,
+            found=format_id,
+            hint=("use an id of `compwright formats list`, or the path of a definition"),
+        )
+    )
 
 
 def _names(definition: Definition) -> set[str]:

@@ -40,10 +40,12 @@ def deliver(
     small = decode(control, delivery.files, axes, written=True)
     faults = [
         Fault(
-            message=(
-                "the small files do something else than the archive would; please report this"
-            ),
+            message="the small files do not have the same effect as the archive",
             place=f"axis {axis.address}, direction {direction.value}",
+            hint=(
+                "set `files: patched` in the options, and report this line with "
+                "the job and its files"
+            ),
         )
         for axis in axes
         for direction in Direction

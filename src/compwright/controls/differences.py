@@ -143,7 +143,7 @@ def _untold(name: str, what: str, error: InputError | UsageError) -> Finding:
     return Finding(
         "CW-S080",
         "warning",
-        f"{name}: what the control makes of {what} cannot be told, only the entries are compared"
+        f"{name}: what the control makes of {what} is unknown, so only the entries are compared"
         f" ({faults})",
     )
 
@@ -179,7 +179,7 @@ def _viewed(
     try:
         return decode(control, files, address=address).state, ()
     except CompwrightError as error:
-        reading = control.format.listing.shown(control.format)
+        reading = control.format.for_a_view()
         state = reading.read(files, address=address)
         why = "; ".join(str(fault) for fault in error.faults[:1])
         message = f"{name}: corrections are those of one reader alone; the second one says: {why}"
@@ -189,9 +189,10 @@ def _viewed(
 def _nothing(control: Control, files: Sequence[ControlFile]) -> list[Fault]:
     return [
         Fault(
-            message=f"nothing in it is data of {control.id}",
+            message=f"contains no data of {control.id}",
             file=", ".join(file.name for file in files),
             expected="files as the control exports them",
+            hint=("give the files as the control exports them, or correct `--format`"),
         )
     ]
 

@@ -69,6 +69,7 @@ def partner_questions(
                     place=place,
                     expected=_ANSWERS.format(address=axis.gantry),
                     found=f"differing: {', '.join(words)}",
+                    hint=("add `table: same` or `table: change` to `gantry` of the axis, as shown"),
                 )
                 for state, words in own.items()
             ]
@@ -83,6 +84,10 @@ def partner_questions(
                     place=place,
                     expected=f"a first test that was measured in {AS_FOUND}, or table: same",
                     found="table: change",
+                    hint=(
+                        f"set `measured_in: {AS_FOUND}` for the first test if it was "
+                        "taken so, or use `table: same`"
+                    ),
                 )
             )
     return questions, faults
@@ -157,7 +162,13 @@ def check_partners(axes: Sequence[tuple[Axis, FittedTable]], loaded: DecodedStat
         off = difference(meant, back)
         if any(float(np.max(np.abs(off(where, side)))) > SAME for side in Direction):
             message = f"axis {axis.gantry} reads otherwise than it was written; please report this"
-            faults.append(Fault(message=message, place=f"axis {axis.name}"))
+            faults.append(
+                Fault(
+                    message=message,
+                    place=f"axis {axis.name}",
+                    hint="correct `gantry` of this axis in the job",
+                )
+            )
     raise_all(CompwrightError, faults)
 
 

@@ -58,10 +58,11 @@ def named_axes(
         if taken is not None:
             faults.append(
                 Fault(
-                    message=f"axes {taken} and {name} have one address",
+                    message=f"axes {taken} and {name} have the same address",
                     file=job.file,
                     place=f"axes.{name}",
                     found=address,
+                    hint="give one of them another `address`",
                 )
             )
         assumed.extend([assumption] if assumption else [])
@@ -98,11 +99,12 @@ def _unsure_number(control: Control, axis: Axis, by_name: Mapping[str, tuple[str
     quantity = name_of(control.definition, "axis_letters")
     return Fault(
         message=(
-            f"the number of axis {axis.name} is not sure: it is its place among the axes that the"
-            " machine has"
+            f"the number of axis {axis.name} is uncertain: it was derived "
+            "from the order of the machine's axes"
         ),
         expected=f"the number, or the file with {quantity} among those of the state",
         found=f"files that number {names}" if names else "only the letter",
+        hint=(f"set `axis_number` of the axis, or add the file with {quantity} to the state"),
     )
 
 
@@ -207,14 +209,18 @@ def unknown_zeros(job: Job, control: Control, state: ControlState | None) -> Ite
         if state is None or not state.facts_of(entry.axis.address).homing:
             yield Fault(
                 message=(
-                    "is not given, and the files do not say where the axis homes: the fixed"
-                    " positions move by what changes there"
+                    "is not given, and the files do not show where the axis homes; "
+                    "the fixed positions depend on it"
                 ),
                 file=job.file,
                 place=f"axes.{name}.reference",
                 expected=(
                     f"the whole INI among the files of the state, or reference: the {offset} of its"
                     f" joint, and reference_return: the sign of its {latch}"
+                ),
+                hint=(
+                    "add the whole INI to the state, or set `reference` and "
+                    "`reference_return` of the axis as shown"
                 ),
             )
 
@@ -226,11 +232,12 @@ def _other_zero(job: Job, name: str, key: str, axis: Axis, place: float, home: D
     }
     expected, found = words[key]
     return Fault(
-        message="is not where the control's homing counts the correction as zero",
+        message=("is not the position at which the control's homing sets the correction to zero"),
         file=job.file,
         place=f"axes.{name}.{key}",
         expected=f"{expected}, as its files say, or no {key}",
         found=found,
+        hint=f"set `{key}` to {expected}, or leave it out",
     )
 
 
@@ -263,10 +270,11 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
     place, said = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
     if len(axis.name) == 1 and axis.name.upper() in _LETTERS and axis.name.upper() != letter:
         yield Fault(
-            message=f"the files of the state {state} call this joint by another letter",
+            message=(f"the files of the state {state} give this joint another axis letter"),
             place=f"{place}.address",
             expected=f"a joint of {axis.name}",
             found=said,
+            hint=f"set `address` to a joint of {axis.name}",
         )
         return
     others = [
@@ -280,6 +288,7 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
             place=f"{place}.gantry",
             expected=" or ".join(f'gantry: "{other}"' for other in others),
             found=said,
+            hint="add `gantry` to the axis, as shown",
         )
 
 

@@ -43,6 +43,10 @@ def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
                 ),
                 expected=", ".join(unseen),
                 found=", ".join(sorted(judge.addresses())) or "no axis",
+                hint=(
+                    "report this line with the files; until then give the table as "
+                    "an export of another kind"
+                ),
             )
         )
     alone = "the two readers of compwright do not agree on them"
@@ -77,6 +81,10 @@ def _apart(
                 message=f"the files can be read in two ways: {words}",
                 place=f"{table}, position {where[worst]:g}, direction {direction.value}",
                 found=f"a difference of {off[worst]:.3g} {unit}",
+                hint=(
+                    "report this line with the files; until then give the table as "
+                    "an export of another kind"
+                ),
             )
 
 
@@ -98,6 +106,10 @@ def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fau
                 " between axes"
             ),
             place=" on ".join(pair),
+            hint=(
+                "report this line with the files; until then give the table as "
+                "an export of another kind"
+            ),
         )
         for pair in sorted(seen - set(theirs))
     ]

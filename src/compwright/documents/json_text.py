@@ -83,7 +83,15 @@ def read_json(content: bytes, file: str, schema: str, name: str, expected: str) 
         )
     except (ValueError, RecursionError) as error:
         raise InputError(
-            Fault(message="is not JSON", file=file, expected=expected, found=str(error))
+            Fault(
+                message="is not JSON",
+                file=file,
+                expected=expected,
+                found=str(error),
+                hint=(
+                    "give the file as compwright wrote it, or make it again with the same command"
+                ),
+            )
         ) from error
     found = data.get("schema") if isinstance(data, dict) else None
     if found != schema:
@@ -94,6 +102,7 @@ def read_json(content: bytes, file: str, schema: str, name: str, expected: str) 
                 place="schema",
                 expected=schema,
                 found=repr(found),
+                hint="make the file again with this version of compwright",
             )
         )
     return dict(data)

@@ -114,7 +114,12 @@ def read_plan(content: bytes, file: str) -> Plan:
         plan, faults = plan_of(data)
     except RecursionError as error:
         raise InputError(
-            Fault(message="is nested too deeply", file=file, expected="plan.json of a run")
+            Fault(
+                message="is nested too deeply",
+                file=file,
+                expected="plan.json of a run",
+                hint="give plan.json as `compwright run` wrote it",
+            )
         ) from error
     if plan is None:
         raise InputError(*(fault.in_file(file) for fault in faults))

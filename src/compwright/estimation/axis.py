@@ -339,22 +339,34 @@ def _refuse_misuse(
             message="the test is still in the instrument's frame",
             file=each.test.name,
             expected="machine coordinates",
+            hint="give the test a `position_map` first",
         )
         for each in tests
         if each.test.frame != "machine"
     ]
     if not tests:
-        faults.append(Fault(message="an axis without a test", expected="one test or more"))
+        faults.append(
+            Fault(
+                message="an axis without a test",
+                expected="one test or more",
+                hint="give at least one test",
+            )
+        )
     if not (np.all(np.isfinite(travel)) and travel[0] < travel[1]):
         faults.append(
             Fault(
                 message="the travel is empty",
                 expected="low < high",
                 found=f"{travel[0]:g} to {travel[1]:g}",
+                hint="give a travel whose first number is below its second",
             )
         )
     faults += [
-        Fault(message="a period of the error must be positive", found=f"{period:g}")
+        Fault(
+            message="a period of the error must be positive",
+            found=f"{period:g}",
+            hint="give a positive period",
+        )
         for period in periods
         if not (np.isfinite(period) and period > 0.0)
     ]

@@ -126,6 +126,7 @@ def cells_of(
                 file=tests[0].test.name,
                 expected="readings at two targets or more",
                 found=f"readings at {targets.size}",
+                hint="measure at two targets or more",
             )
         )
     line = _line(parts, targets, endless=turn is not None)

@@ -11,7 +11,7 @@ ISO 230-4:1996, annex B.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -21,21 +21,15 @@ from compwright.estimation.circle_fit import (
     Fit,
     Problem,
     Weighted,
-    evidence_of,
     fit,
-    path_of,
     problem_of,
+    residual_of,
     spectra_of,
     white,
 )
-from compwright.estimation.circle_lag import Lag, common_lag, corrected, without_lag
+from compwright.estimation.circle_lag import Lag, common_lag, corrected, unseen_lag
 from compwright.estimation.circle_model import AXES, Samples, cyclic_columns, samples_of
-from compwright.estimation.circle_noise import (
-    AngleGrid,
-    Spectrum,
-    grid_of,
-    inverse_cosine_transform,
-)
+from compwright.estimation.circle_noise import Spectrum, grid_of
 from compwright.estimation.circle_path import undetermined_causes
 from compwright.estimation.circle_plain import plain_regression
 from compwright.estimation.circle_report import effects_of
@@ -46,13 +40,7 @@ from compwright.foundations.errors import Fault, InputError, UsageError, raise_a
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
 from compwright.records.axis import FloatArray
-from compwright.records.circular import (
-    CircularRun,
-    CircularTest,
-    Diagnosis,
-    FittedRun,
-    FreshRun,
-)
+from compwright.records.circular import CircularRun, CircularTest, Diagnosis, FittedRun
 
 #: ISO 230-4 asks for arcs of at least 90°; a shorter one tells hardly anything apart.
 LEAST_ARC: Final = 90.0
@@ -86,11 +74,13 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     _refuse_few(test, samples)
     frequencies, findings = _given(test, samples, periods or {})
     measured, plain, grid = samples, plain_regression(samples), grid_of(samples)
-    start, lag = _started(samples, grid)
-    samples = start.problem.samples
+    lag = common_lag(samples)
     if lag is not None:
+        samples = corrected(samples, lag)
         findings.append(_lag_finding(samples, lag))
-    solution = _solution(start, frequencies)
+    else:
+        samples = replace(samples, lag_doubt=unseen_lag(samples))
+    solution = _solution(problem_of(samples, grid), frequencies)
     effects, correlation, undetermined, noticed = effects_of(
         test, solution, undetermined_causes(test, samples)
     )
@@ -104,50 +94,7 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
         findings=(*findings, *noticed),
         undetermined=undetermined,
         fitted=tuple(_fitted_runs(test, measured, solution.residual)),
-        fresh=_fresh(test, solution),
     )
-
-
-def _fresh(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
-    """Return what a fresh test shows, by run. Samples exactly at a reversal point have no model and
-    are put between their neighbours. The noise has the spectra of the residuals: normal ordinates,
-    and in both directions the sum and the difference of the halves.
-    """
-    problem = solution.problem
-    readings = problem.samples.deviations - problem.target + solution.draws.paths
-    # The angles as they were commanded, before a lag was taken off.
-    theta = problem.samples.theta + problem.samples.sense * problem.samples.lag
-    rng = np.random.default_rng(problem.target.size)
-    where = (np.arange(problem.grid.size) + 0.5) * test.arc[1] / problem.grid.size
-    drawn_halves = {
-        number: [
-            [
-                inverse_cosine_transform(
-                    np.sqrt(spectrum.density) * rng.standard_normal(problem.grid.size)
-                )
-                for spectrum in solution.fitted.spectra
-            ]
-            for _ in readings
-        ]
-        for number in dict.fromkeys(run.number for run in test.runs)
-    }
-    runs = []
-    for index, run in enumerate(test.runs):
-        mine = np.flatnonzero(problem.samples.run == index)
-        at = mine[np.argsort(theta[mine])]
-        paths = [np.interp(run.angles, np.degrees(theta[at]), each[at]) for each in readings]
-        sign = 1.0 if run.sense == "ccw" else -1.0
-        place = np.mod(run.angles - test.arc[0], 360.0)
-        noise = [
-            np.interp(
-                place,
-                where,
-                halves[0] if len(halves) == 1 else (halves[0] + sign * halves[1]) / np.sqrt(2.0),
-            )
-            for halves in drawn_halves[run.number]
-        ]
-        runs.append(FreshRun(run.angles, np.array(paths), np.array(noise)))
-    return tuple(runs)
 
 
 def _fitted_runs(
@@ -183,7 +130,13 @@ def _thinned(run: CircularRun) -> CircularRun:
 
 def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
     faults = [
-        Fault(message="a period must be positive", place=axis, found=f"{period:g}", expected="mm")
+        Fault(
+            message="a period must be positive",
+            place=axis,
+            found=f"{period:g}",
+            expected="mm",
+            hint="give a positive period",
+        )
         for axis, period in periods.items()
         if not (np.isfinite(period) and period > 0.0)
     ]
@@ -192,35 +145,52 @@ def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
             message="a period is given for an axis that the test does not have",
             found=axis,
             expected=" or ".join(test.axes),
+            hint="remove the period, or correct its axis",
         )
         for axis in periods
         if axis not in test.axes
     ]
     raise_all(UsageError, faults)
     wrong = []
-    # Samples between which 90° lie span one of their distances less.
-    count = max((run.angles.size for run in test.runs), default=0)
-    if not test.arc[1] * (1.0 + 1.0 / max(count - 1, 1)) >= LEAST_ARC - 1e-6:
+    if not test.arc[1] >= LEAST_ARC:
         wrong.append(
             Fault(
                 message="the arc is too short",
                 file=test.name,
                 expected="90 deg or more",
                 found=f"{test.arc[1]:g} deg",
+                hint="measure an arc of 90 deg or more",
             )
         )
     for name, value in (("nominal radius", test.nominal_radius), ("feed", test.feed)):
         if not (np.isfinite(value) and value > 0.0):
             wrong.append(
-                Fault(message=f"the {name} must be positive", file=test.name, found=f"{value:g}")
+                Fault(
+                    message=f"the {name} must be positive",
+                    file=test.name,
+                    found=f"{value:g}",
+                    hint=f"correct the {name} in the test",
+                )
             )
     if not test.runs:
-        wrong.append(Fault(message="the test has no run", file=test.name))
+        wrong.append(
+            Fault(
+                message="the test has no run",
+                file=test.name,
+                hint="give a test with at least one run",
+            )
+        )
     raise_all(InputError, wrong)
     if not all(
         np.all(np.isfinite(run.angles)) and np.all(np.isfinite(run.deviations)) for run in test.runs
     ):
-        raise InputError(Fault(message="a run has readings that are not numbers", file=test.name))
+        raise InputError(
+            Fault(
+                message="a run has readings that are not numbers",
+                file=test.name,
+                hint="remove these samples, or measure again",
+            )
+        )
 
 
 def _refuse_few(test: CircularTest, samples: Samples) -> None:
@@ -234,6 +204,7 @@ def _refuse_few(test: CircularTest, samples: Samples) -> None:
                 place=f"{run.sense} run {run.number}",
                 expected=f"{LEAST_SAMPLES} or more",
                 found=str(count),
+                hint="measure with more samples per run, or a larger arc",
             )
             for run, count in zip(test.runs, counts, strict=True)
             if count < LEAST_SAMPLES
@@ -271,50 +242,16 @@ def _lag_finding(samples: Samples, lag: Lag) -> Finding:
     return Finding("CW-D011", "info", message)
 
 
-@dataclass(frozen=True, slots=True)
-class _Start:
-    """A problem with the likeliest shapes of its reversals and their fit."""
-
-    problem: Problem
-    shapes: Shapes
-    fitted: Fit
-
-
-def _started(samples: Samples, grid: AngleGrid) -> tuple[_Start, Lag | None]:
-    """Return the start with the common lag that explains the samples better, or without one.
-
-    Lost motion that is taken up while an axis stands still looks like a lag beside the reversal
-    points: the evidence of the whole model decides.
-    """
-
-    def started(of: Samples) -> _Start:
-        problem = problem_of(of, grid)
-        shapes = Shapes(problem)
-        return _Start(problem, shapes, _settled(problem, shapes, white(problem)))
-
-    without = started(without_lag(samples))
-    lag = common_lag(samples)
-    if lag is None:
-        return without, None
-    late = started(corrected(samples, lag))
-    better, worse = (
-        evidence_of(each.fitted, each.shapes.precision) + each.shapes.log_prior
-        for each in (late, without)
-    )
-    return (late, lag) if better > worse else (without, None)
-
-
-def _solution(start: _Start, given: dict[str, float]) -> Solution:
+def _solution(problem: Problem, given: dict[str, float]) -> Solution:
     """Return the solution after everything was sought: noise, shapes of the reversals, cyclic
     errors, vibration, and the noise again.
     """
     frequencies = dict(given)
-    problem, shapes, fitted = start.problem, start.shapes, start.fitted
     for axis, frequency in given.items():
         columns = cyclic_columns(problem.samples, axis, frequency, (0.0, 0.0))
         problem = problem.with_columns([c for c in columns if not c.name.startswith("_frequency")])
-    if given:
-        fitted = _settled(problem, shapes, fitted.spectra)
+    shapes = Shapes(problem)
+    fitted = _settled(problem, shapes, white(problem))
     found = search(problem, fitted, [axis for axis in AXES if axis not in frequencies])
     while found.found:
         for axis, frequency in found.found.items():
@@ -347,7 +284,7 @@ def _settled(problem: Problem, shapes: Shapes, spectra: tuple[Spectrum, ...]) ->
     for _ in range(_NOISE_ROUNDS):
         weighted = Weighted(problem, spectra)
         likeliest(weighted, shapes)
-        fitted = fit(weighted, shapes.active(), shapes.precision)
+        fitted = fit(weighted, shapes.active())
         last, spectra = spectra, spectra_of(fitted)
         changes = [
             abs(np.log(new.density[0] / old.density[0]))
@@ -371,8 +308,7 @@ def _tuned(
         problem = problem.with_columns(fixed)
         shapes.adopt(problem)
         active = shapes.active()
-        weighted = Weighted(problem, fitted.spectra, active)
-        values = fit(weighted, active, shapes.precision).values
+        values = fit(Weighted(problem, fitted.spectra, active), active).values
         found = dict(zip(active.tolist(), values.tolist(), strict=True))
         value = {name: found.get(index, 0.0) for index, name in enumerate(problem.names)}
         amplitudes = value[f"_cyclic_cos_{axis}"], value[f"_cyclic_sin_{axis}"]
@@ -384,8 +320,7 @@ def _without_vibration(
     problem: Problem, shapes: Shapes, fitted: Fit
 ) -> tuple[Problem, Fit, Vibration]:
     """Return problem and fit with the clearest vibration, if one was found."""
-    rest = problem.target - path_of(problem, fitted.active, fitted.values)
-    found = vibration(problem, rest)
+    found = vibration(problem, residual_of(problem, fitted))
     if found.frequency is not None:
         problem = problem.with_columns(vibration_columns(problem.samples, found.frequency))
         fitted = _settled(problem, shapes, fitted.spectra)

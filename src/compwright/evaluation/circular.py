@@ -258,12 +258,25 @@ def _require_sound(test: CircularTest) -> None:
                 message="nominal radius",
                 expected="more than 0 mm",
                 found=f"{test.nominal_radius:g}",
+                hint="correct the nominal radius in the file",
             )
         )
     if not 0.0 < test.arc[1] <= 360.0:
-        faults.append(Fault(message="arc", expected="at most 360°", found=f"{test.arc[1]:.6g}°"))
+        faults.append(
+            Fault(
+                message="arc",
+                expected="at most 360°",
+                found=f"{test.arc[1]:.6g}°",
+                hint="correct `arc` in the file",
+            )
+        )
     if not test.runs:
-        faults.append(Fault(message="the test holds no run"))
+        faults.append(
+            Fault(
+                message="the test contains no run",
+                hint="give a file with samples of at least one run",
+            )
+        )
     for run in test.runs:
         faults += [
             fault.within(f"{run.sense} run {run.number}")
@@ -281,18 +294,33 @@ def _run_faults(run: CircularRun, nominal_radius: float) -> list[Fault]:
                 message="angles and deviations do not fit together",
                 expected="one deviation per angle",
                 found=found,
+                hint="give one deviation per angle",
             )
         ]
     if run.angles.size < 4:
-        return [Fault(message="too few samples", expected="at least 4", found=str(run.angles.size))]
+        return [
+            Fault(
+                message="too few samples",
+                expected="at least 4",
+                found=str(run.angles.size),
+                hint="measure again with more samples",
+            )
+        ]
     if not (np.all(np.isfinite(run.angles)) and np.all(np.isfinite(run.deviations))):
-        return [Fault(message="angles and deviations", expected="finite numbers")]
+        return [
+            Fault(
+                message="angles and deviations must be finite",
+                expected="finite numbers",
+                hint="remove these samples, or measure again",
+            )
+        ]
     if np.any(run.deviations <= -nominal_radius):
         return [
             Fault(
                 message="deviation",
                 expected="more than minus the nominal radius",
                 found=f"{run.deviations.min():g} mm",
+                hint="correct the unit of the deviations, or the nominal radius",
             )
         ]
     covered = (
@@ -304,6 +332,7 @@ def _run_faults(run: CircularRun, nominal_radius: float) -> list[Fault]:
                 message="arc of the samples",
                 expected="at least 90° (ISO 230-4:1996, 3.1)",
                 found=f"{covered:.6g}°",
+                hint="measure an arc of 90° or more",
             )
         ]
     return []

@@ -47,6 +47,7 @@ def least_squares_circle(points: FloatArray) -> tuple[Point, float]:
             Fault(
                 message="no circle through these points",
                 expected="points nearer to a circle than to a straight line",
+                hint="check the radius and the unit of the samples",
             )
         )
     radius = float(np.hypot(x - a, y - b).mean())
@@ -61,11 +62,16 @@ def _require_points(points: FloatArray) -> None:
                 message="no circle through these points",
                 expected="at least three points (x, y)",
                 found=found,
+                hint="give at least three points",
             )
         )
     if not np.all(np.isfinite(points)):
         raise InputError(
-            Fault(message="no circle through these points", expected="finite coordinates")
+            Fault(
+                message="no circle through these points",
+                expected="finite coordinates",
+                hint="remove the points that are not numbers",
+            )
         )
 
 
@@ -77,6 +83,7 @@ def _require_curved(x: FloatArray, y: FloatArray, size: float) -> None:
             Fault(
                 message="no circle through these points",
                 expected="three points that do not lie on a straight line",
+                hint="give points on an arc of 90° or more",
             )
         )
 

@@ -28,6 +28,7 @@ def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
                 place="decision_rule",
                 expected="simple or guarded",
                 found=str(rule),
+                hint=("set `decision_rule: simple` or `decision_rule: guarded` in the job"),
             )
         )
     if rule == "guarded" and U is None:
@@ -37,6 +38,7 @@ def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
                 place="decision_rule",
                 expected="the key uncertainty of the job",
                 found="none",
+                hint="add `uncertainty` to the job, or set `decision_rule: simple`",
             )
         )
     if not math.isfinite(value):

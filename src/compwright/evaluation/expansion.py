@@ -52,6 +52,7 @@ def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> Po
                 message="thermal expansion applies to linear axes only",
                 file=test.name,
                 found="a rotary axis",
+                hint="remove `thermal` from this axis of the job",
             )
         )
     stated = test.header.get("compensated_for", "")
@@ -59,19 +60,22 @@ def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> Po
         raise InputError(
             Fault(
                 message=(
-                    "the instrument already compensated; removing the thermal expansion again would"
-                    " count it twice"
+                    "the instrument already compensated for thermal expansion; "
+                    "removing it again would count it twice"
                 ),
                 file=test.sources[0].file if test.sources else test.name,
                 place="compensated_for",
                 expected="nothing, or the air only",
                 found=stated,
+                hint=("remove `thermal` from this test, or correct `compensated_for` in the file"),
             )
         )
     if test.thermal is not None:
         raise InputError(
             Fault(
-                message="the thermal expansion was already removed from this test", file=test.name
+                message="the thermal expansion was already removed from this test",
+                file=test.name,
+                hint="remove `thermal` from this test",
             )
         )
     per_mm = thermal.slope

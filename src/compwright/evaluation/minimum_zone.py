@@ -72,6 +72,7 @@ def minimum_zone(
                 message="the points are not near a circle",
                 expected="a spread below a quarter of the radius",
                 found=found,
+                hint="check the radius and the unit of the samples",
             )
         )
     reach = _reach(x, y, distance)
@@ -98,7 +99,11 @@ def minimum_zone(
             working = working[touching]
         width = max(width, high - low)
     raise CapacityError(
-        Fault(message="the minimum zone does not stand still", found=f"{points.shape[0]} points")
+        Fault(
+            message="the minimum zone calculation does not converge",
+            found=f"{points.shape[0]} points",
+            hint="report this line with the measurement file",
+        )
     )
 
 

@@ -35,6 +35,7 @@ from compwright.evaluation.statistics import (
 from compwright.evaluation.uncertainty import contributions, expanded_uncertainties
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.findings import Finding
+from compwright.foundations.key_faults import nearest
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.positioning import PositioningTest
@@ -126,6 +127,7 @@ def by_id(name: str, standards: Mapping[str, Entry], kind: str) -> Entry:
                 place="--standard",
                 expected=", ".join(standards),
                 found=name,
+                hint=(f'give `--standard "{nearest(name, standards) or next(iter(standards))}"`'),
             )
         )
     return standards[name]
@@ -143,6 +145,7 @@ def standard_by_id(name: str, spread: str = "std") -> Standard:
                 place="--spread",
                 expected="std or range",
                 found=spread,
+                hint="give `--spread std` or `--spread range`",
             )
         )
     if spread == "range" and standard.range_factors is None:
@@ -155,6 +158,7 @@ def standard_by_id(name: str, spread: str = "std") -> Standard:
                 place="--spread",
                 expected=f"std, or one of {having}",
                 found=spread,
+                hint="give `--spread std`, or another `--standard`",
             )
         )
     return standard
@@ -246,12 +250,25 @@ def _require_sound(test: PositioningTest) -> None:
                 file=test.name,
                 expected="one row per target",
                 found=found,
+                hint="correct the file: one row of readings per target",
             )
         )
     elif not np.any(np.isfinite(test.positive)) and not np.any(np.isfinite(test.negative)):
-        faults.append(Fault(message="the test holds no readings", file=test.name))
+        faults.append(
+            Fault(
+                message="the test contains no readings",
+                file=test.name,
+                hint="give a file with readings",
+            )
+        )
     if not np.all(np.isfinite(test.targets)) or np.any(np.diff(test.targets) <= 0.0):
-        faults.append(Fault(message="target positions are not in ascending order", file=test.name))
+        faults.append(
+            Fault(
+                message="target positions are not in ascending order",
+                file=test.name,
+                hint="sort the rows by target position",
+            )
+        )
     if faults:
         raise InputError(*faults)
 

@@ -143,6 +143,7 @@ def standard_deviation_from_range(
                 message="the range method has no factor for this number of readings at a target",
                 expected=f"{min(factors)} to {max(factors)} readings, or --spread std",
                 found=", ".join(str(n) for n in unknown),
+                hint="give `--spread std`",
             )
         )
     largest = np.where(finite, deviations, -np.inf).max(axis=-1, initial=-np.inf)

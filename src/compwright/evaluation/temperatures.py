@@ -42,11 +42,12 @@ def stated_temperatures(header: Mapping[str, str], file: str) -> Temperatures:
         if set(given) not in ({""}, {"_start", "_end"}):
             faults.append(
                 Fault(
-                    message="the temperature is not stated in one way",
+                    message="the temperature is given incompletely",
                     file=file,
                     place=f"key {name}",
                     expected=f"{name}, or both {name}_start and {name}_end",
                     found=", ".join(f"{name}{end}" for end in given),
+                    hint=f"give `{name}`, or both `{name}_start` and `{name}_end`",
                 )
             )
             continue
@@ -75,11 +76,12 @@ def _number(key: str, text: str, file: str, faults: list[Fault]) -> float:
     if value is None or not low <= value <= high:
         faults.append(
             Fault(
-                message="is no temperature of a test in °C",
+                message="is not a temperature of a test in °C",
                 file=file,
                 place=f"key {key}",
                 expected=f"one number from {low:g} to {high:g}",
                 found=text,
+                hint="correct this value in the file, or remove the line",
             )
         )
         return 0.0

@@ -78,12 +78,13 @@ def _fixed_ends(
             faults.append(
                 Fault(
                     message=(
-                        "the control counts its points from the reference position, which must not"
-                        " lie outside the table"
+                        "the control counts its points from the reference position, "
+                        "which must be inside the table"
                     ),
                     place=f"table.{name}",
                     expected=f"{reference:.10g} {unit} or {side}",
                     found=f"{value:.12g}",
+                    hint=f"set `table: {{{name}: {reference:.10g}}}` or {side}",
                 )
             )
         elif not whole(counted):
@@ -97,6 +98,7 @@ def _fixed_ends(
                         f" {nearest:.10g}"
                     ),
                     found=f"{value:.12g}",
+                    hint=f"set `table: {{{name}: {nearest:.10g}}}`",
                 )
             )
     raise_all(CapacityError, faults)
@@ -149,6 +151,7 @@ def named_step(spacing: float, capacity: Capacity, unit: str) -> int:
                 place="table.spacing",
                 expected=f"a multiple of {quantum:.10g} {unit}, such as {nearest:.10g}",
                 found=f"{spacing:.12g} {unit}",
+                hint=f"set `table: {{spacing: {nearest:.10g}}}`",
             )
         )
     elif not taken_steps([step], capacity):
@@ -165,6 +168,7 @@ def _not_taken(spacing: float, capacity: Capacity, unit: str) -> Fault:
             place="table.spacing",
             expected=f"at least {capacity.min_spacing:.10g} {unit}",
             found=f"{spacing:.12g} {unit}",
+            hint=f"set `table: {{spacing: {capacity.min_spacing:.10g}}}` or larger",
         )
     own = sorted(capacity.spacings or ())
     near = [
@@ -176,6 +180,7 @@ def _not_taken(spacing: float, capacity: Capacity, unit: str) -> Fault:
         place="table.spacing",
         expected=f"{' or '.join(f'{one:.10g}' for one in near if one is not None)} {unit}",
         found=f"{spacing:.12g} {unit}",
+        hint="set `table: {spacing: ...}` to one of these",
     )
 
 
@@ -200,6 +205,7 @@ def _end_faults(
                     f"a table that {verb} at {near} {unit}, every {step * quantum:.10g} {unit}"
                 ),
                 found=f"{reference + end * quantum:.12g}",
+                hint=f"set `table: {{{name}: ...}}` to one of these positions",
             )
         )
     return faults
@@ -213,13 +219,17 @@ def _count_faults(count: int, capacity: Capacity, wanted: WantedCorrection) -> l
     return [
         Fault(
             message=(
-                f"too {'many' if many else 'few'} points for the table, counted from the reference"
-                f" position ({wanted.reference:.10g} {wanted.kind.unit}); a"
-                f" {'larger' if many else 'smaller'} spacing would help"
+                f"too {'many' if many else 'few'} points for the table, counted "
+                f"from the reference position ({wanted.reference:.10g} "
+                f"{wanted.kind.unit})"
             ),
             place="table.spacing",
             expected=f"at most {most} points" if many else f"at least {least} points",
             found=f"{count} points",
+            hint=(
+                f"give a {'larger' if many else 'smaller'} `table: "
+                f"{{spacing: ...}}`, or leave it out"
+            ),
         )
     ]
 
@@ -240,6 +250,7 @@ def _endless_grids(
             place=f"table.{name}",
             expected=f"{place:.10g} {unit}, or nothing",
             found=f"{value:.12g}",
+            hint=f"set `table: {{{name}: {place:.10g}}}`, or leave `{name}` out",
         )
         for name, value, place in (
             ("start", request.start, reference),
@@ -272,6 +283,7 @@ def _endless_grids(
                     f" {unit}"
                 ),
                 found=f"{request.named_spacing:.12g} {unit}",
+                hint="set `table: {spacing: ...}` to one of these",
             )
         )
     raise_all(CapacityError, _count_faults(chosen[0].count, capacity, wanted))

@@ -49,6 +49,7 @@ def grid_chosen(
                     f" {quantum:.10g} {unit}{least}"
                 ),
                 found=f"{ends[0]:.10g} to {ends[1]:.10g} {unit}",
+                hint="change `start` and `end` of the table, or leave them out",
             )
         )
     chosen = _coarsest(pool, others, wanted, capacity)

@@ -20,8 +20,9 @@ from compwright.records.fitted import FittedTable
 #: What is cut off, in quanta or noises of a reading (rms), from which on nothing is fitted.
 _FAR: Final = 2.0
 _HELP = {
-    "value range": "correct the axis mechanically, or in its gear and scale parameters, first",
-    "largest increment": "a smaller spacing would help",
+    "value range": "correct the axis mechanically, or in its gear and scale parameters, "
+    "then measure again",
+    "largest increment": "give a smaller `table: {spacing: ...}`",
 }
 
 
@@ -39,13 +40,14 @@ def beyond_limits(
         if limit.cause in _HELP and limit.value > least:
             yield Fault(
                 message=(
-                    f"the correction is beyond what the control holds ({limit.cause}): the best"
-                    f" table leaves {significant(limit.value * factor, 3)} {unit} rms of it;"
-                    f" {_HELP[limit.cause]}"
+                    "the correction is larger than the control can store "
+                    f"({limit.cause}): the best table leaves "
+                    f"{significant(limit.value * factor, 3)} {unit} rms of it"
                 ),
                 place="table",
                 expected=_held(limit.cause, capacity, factor, unit),
                 found=f"a correction that spans {_span(wanted) * factor:.4g} {unit}",
+                hint=_HELP[limit.cause],
             )
 
 
@@ -61,13 +63,11 @@ def far_beyond(wanted: WantedCorrection, capacity: Capacity) -> Iterator[Fault]:
     cut_off = home - zero - np.clip(home - zero, *capacity.value_range)
     if float(np.sqrt(np.mean(cut_off**2))) > _FAR * max(capacity.quantum, wanted.noise):
         yield Fault(
-            message=(
-                "the correction is far beyond what the control holds (value range):"
-                f" {_HELP['value range']}"
-            ),
+            message=("the correction is much larger than the control can store (value range)"),
             place="table",
             expected=_held("value range", capacity, factor, unit),
             found=f"a correction that spans {_span(wanted) * factor:.4g} {unit}",
+            hint=_HELP["value range"],
         )
 
 

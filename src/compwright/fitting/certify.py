@@ -134,6 +134,10 @@ def lattice_certificate(
             Fault(
                 message="no certified solution: the table does not pass its certificate",
                 found=found,
+                hint=(
+                    "report this line with the job and its files; until then try "
+                    "another `table: {spacing: ...}`"
+                ),
             )
         )
     return proof

@@ -118,10 +118,11 @@ def _refuse(capacity: Capacity, request: TableRequest) -> None:
     if request.mode == "bidirectional" and capacity.curves == 1:
         faults.append(
             Fault(
-                message=f"{capacity.format} holds one table for both directions of this axis",
+                message=f"{capacity.format} has one table for both directions of this axis",
                 place="table.mode",
                 expected="single or auto",
                 found="bidirectional",
+                hint="set `table: {mode: single}`, or leave `mode` out",
             )
         )
     low, high = limited_range(capacity)
@@ -132,6 +133,7 @@ def _refuse(capacity: Capacity, request: TableRequest) -> None:
                 place="value range",
                 expected="a range that contains 0",
                 found=f"{capacity.value_range[0]:g} to {capacity.value_range[1]:g}",
+                hint="correct the value range in the options of the control",
             )
         )
     if faults:

@@ -34,7 +34,12 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
     if spacing is not None and not spacing > 0.0:
         found = f"{spacing:g} {wanted.kind.unit}"
         raise UsageError(
-            Fault(message="the spacing must be positive", place="table.spacing", found=found)
+            Fault(
+                message="the spacing must be positive",
+                place="table.spacing",
+                found=found,
+                hint="give a positive `table: {spacing: ...}`",
+            )
         )
     if capacity.nodes is not None:
         return grid_of(
@@ -92,12 +97,13 @@ def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatAr
         [
             Fault(
                 message=(
-                    "the points of the control's own table have to stay, because other axes'"
-                    " columns depend on them"
+                    "the points of the existing table have to stay, because the "
+                    "columns of other axes depend on them"
                 ),
                 place=f"table.{name}",
                 expected=f"{there:.10g} {unit}, or nothing",
                 found=f"{given:.10g} {unit}",
+                hint=f"set `table: {{{name}: {there:.10g}}}`, or leave `{name}` out",
             )
             for name, given, there in asked
             if given is not None and abs(given - there) > 1e-6
@@ -142,6 +148,7 @@ def _check_order(wanted: WantedCorrection, request: TableRequest) -> tuple[float
                 place="table",
                 expected="start below end",
                 found=f"{low:g} to {high:g}",
+                hint="give `table: {start: ..., end: ...}` with start below end",
             )
         )
     return low, high
@@ -162,6 +169,7 @@ def _span(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -
                         f"a multiple of {quantum:.10g} {wanted.kind.unit}, such as {nearest:.10g}"
                     ),
                     found=f"{value:.12g}",
+                    hint=f"set `table: {{{name}: {nearest:.10g}}}`",
                 )
             )
     raise_all(CapacityError, faults)

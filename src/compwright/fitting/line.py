@@ -78,10 +78,11 @@ def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
         CapacityError,
         [
             Fault(
-                message=f"{capacity.format} holds one slope for this axis, no table",
+                message=f"{capacity.format} has one slope for this axis, not a table",
                 place=f"table.{name}",
                 expected="nothing",
                 found=f"{value:g}",
+                hint=f"leave `{name}` out of `table`",
             )
             for name, value in asked.items()
             if value is not None

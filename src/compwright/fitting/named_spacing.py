@@ -102,18 +102,17 @@ def _check_count(count: int, span: Span, capacity: Capacity, unit: str) -> None:
                 place="table.spacing",
                 expected=f"at most {most} points",
                 found=f"{count} points",
+                hint="give a larger `table: {spacing: ...}`, or leave it out",
             )
         )
     if count < capacity.min_points:
         raise CapacityError(
             Fault(
-                message=(
-                    f"too few points for the table of {length:.10g} {unit}; a smaller spacing would"
-                    " help"
-                ),
+                message=f"too few points for the table of {length:.10g} {unit}",
                 place="table.spacing",
                 expected=f"at least {capacity.min_points} points",
                 found=f"{count} points",
+                hint="give a smaller `table: {spacing: ...}`, or leave it out",
             )
         )
 
@@ -130,6 +129,7 @@ def _refused(span: Span, spacing: float, capacity: Capacity, why: str, unit: str
                 f" {span.high * quantum:.10g} {unit})"
             ),
             found=f"{spacing:.12g} {unit}",
+            hint="set `table: {spacing: ...}` to one of these",
         )
     )
 

@@ -77,7 +77,15 @@ def _certified(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> Solve
 def no_solution(message: str, found: str) -> CapacityError:
     """Return what to raise where no solution is certified, and what was found instead."""
     return CapacityError(
-        Fault(message=f"no certified solution: {message}", expected="an exact optimum", found=found)
+        Fault(
+            message=f"no certified solution: {message}",
+            expected="an exact optimum",
+            found=found,
+            hint=(
+                "report this line with the job and its files; until then try "
+                "another `table: {spacing: ...}`"
+            ),
+        )
     )
 
 

@@ -77,7 +77,13 @@ def too_close(nodes: FloatArray, capacity: Capacity, unit: str) -> tuple[Finding
 def _no_use(why: str, expected: str, found: str) -> CapacityError:
     message = f"the grid that is in the control cannot serve: {why}"
     return CapacityError(
-        Fault(message=message, place="table.spacing", expected=expected, found=found)
+        Fault(
+            message=message,
+            place="table.spacing",
+            expected=expected,
+            found=found,
+            hint="leave `spacing` out of `table`, or set it to the existing one",
+        )
     )
 
 

@@ -189,6 +189,7 @@ def fit_whole(
                 place="table",
                 expected="increments that contain 0",
                 found=f"{lattice.increments[0]} to {lattice.increments[1]}",
+                hint=("correct the limits of the increments in the options of the control"),
             )
         )
     table = _table(fit, parts, solution, address)

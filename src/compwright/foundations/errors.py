@@ -2,8 +2,8 @@
 cause.
 
 A fault names what is wrong, in which file, at which place (line, column or key path), what was
-expected and what was found. Nothing here prints; the command line turns an error into lines on
-standard error.
+expected, what was found and what to do next. Nothing here prints; the command line turns an error
+into lines on standard error.
 """
 
 from __future__ import annotations
@@ -22,6 +22,8 @@ def _short(text: str) -> str:
     return text if len(text) <= MOST_QUOTED else f"{text[:MOST_QUOTED]}..."
 
 
+#: What leads to the next step.
+_NEXT = ". Next: "
 #: Equal faults of lines up to which each one is a line of its own, and places that are listed.
 _LISTED = 3
 
@@ -37,9 +39,13 @@ class Fault:
     place: str = ""
     expected: str = ""
     found: str = ""
+    #: The next step: an imperative with the option, key or command to copy, without full stop.
+    hint: str = ""
 
     def __str__(self) -> str:
-        """Return the fault as one line: ``file: place: message; expected ..., found ...``."""
+        """Return the fault as one line: ``file: place: message; expected ..., found .... Next:
+        ...``.
+        """
         head = ": ".join(part for part in (self.file, self.place) if part)
         tail = ", ".join(
             part
@@ -51,6 +57,8 @@ class Fault:
         )
         line = f"{head}: {self.message}" if head else self.message
         line = f"{line}; {tail}" if tail else line
+        if self.hint and _NEXT not in line:  # a fault inside another one has said it
+            line += _NEXT + self.hint
         return " ".join(line.split())
 
     def in_file(self, file: str) -> Fault:
@@ -75,10 +83,8 @@ class CompwrightError(Exception):
 
     exit_code: ClassVar[int] = 70
 
-    def __init__(self, *faults: Fault | str) -> None:
-        self.faults: tuple[Fault, ...] = tuple(
-            fault if isinstance(fault, Fault) else Fault(message=fault) for fault in faults
-        )
+    def __init__(self, *faults: Fault) -> None:
+        self.faults: tuple[Fault, ...] = faults
         super().__init__("\n".join(self.lines()))
 
     def lines(self) -> list[str]:

@@ -32,7 +32,7 @@ def need(module: str, extra: str = "report", purpose: str = "plots and reports")
     except ImportError as error:
         package = module.partition(".")[0]
         raise UsageError(
-            Fault(message=f"{purpose} need the package {package}; {installing(extra)}")
+            Fault(message=f"{purpose} need the package {package}", hint=installing(extra))
         ) from error
 
 

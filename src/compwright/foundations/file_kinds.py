@@ -61,9 +61,9 @@ def refuse_other_kind(content: bytes, kind: InputKind, file: str) -> None:
         return
     taken = _TAKEN_BY.get(found)
     fault = Fault(
-        message=f"is {found}{f' ({taken})' if taken else ''}, and not {kind.name}",
+        message=f"is {found}{f' ({taken})' if taken else ''}, not {kind.name}",
         file=file,
-        expected=kind.help,
+        hint=f"give {kind.help}",
     )
     raise (UsageError if kind in _USAGE else InputError)(fault)
 

@@ -53,6 +53,7 @@ class KeyFault:
     message: str
     expected: str = ""
     found: str = ""
+    hint: str = ""
 
     def in_file(self, file: str, place: Callable[[KeyPath], str] = key_path_text) -> Fault:
         """Return the fault; ``place``: from a key path to the words for it."""
@@ -62,7 +63,21 @@ class KeyFault:
             place=place(self.path),
             expected=self.expected,
             found=self.found,
+            hint=self.hint or usual_hint(self.path, self.message),
         )
+
+
+def usual_hint(path: KeyPath, message: str) -> str:
+    """Return the next step that follows from the kind of a complaint about a key."""
+    if not path:
+        return "correct the file; the docs of compwright describe its keys"
+    *parents, key = path
+    if message == "is missing":
+        above = f"`{key_path_text(tuple(parents))}`" if parents else "the file"
+        return f"add `{key}: ...` to {above}"
+    if message == "unknown key":
+        return "rename this key, or remove it"
+    return f"correct `{key_path_text(path)}`"
 
 
 def too_large(value: Any) -> bool:

@@ -25,4 +25,5 @@ def own_fault(error: Exception, file: str = "") -> Fault:
             f" ({Path(where.filename).name}, line {where.lineno})"
         ),
         file=file,
+        hint="report this line with the command and the input files",
     )

@@ -145,10 +145,11 @@ def not_the_same(file: str, found: str) -> InputError:
     """Return the error about a copy that its reader does not understand as it does the original."""
     return InputError(
         Fault(
-            message="is not copied: without its texts it would be read otherwise",
+            message="is not copied: without its texts the copy would read differently",
             file=file,
-            expected="the same numbers in the copy; take the names out by hand",
+            expected="the same numbers in the copy",
             found=found,
+            hint="take the names out by hand",
         )
     )
 
@@ -175,12 +176,15 @@ def refuse_left_over(
         kinds = sorted({kind for kind, text in cuts.removed if text in left})
         raise InputError(
             Fault(
-                message="is not copied: what was taken out in one place is in another, where"
-                " the reading needs it",
+                message=(
+                    "is not copied: a text that was taken out in one place is needed "
+                    "for reading in another"
+                ),
                 file=file,
                 place=_lines(lines),
-                expected="a name that is no keyword and no number of the file; take it out by hand",
+                expected="a name that is no keyword and no number of the file",
                 found=f"{len(left)} texts ({', '.join(kinds)})",
+                hint="take the names out by hand",
             )
         )
 

@@ -82,7 +82,15 @@ class _StrictLoader(yaml.SafeLoader):
         else:
             return event
         place = f"line {event.start_mark.line + 1}" if event.start_mark else ""
-        raise InputError(Fault(message=message, file=self.file, place=place, expected=expected))
+        raise InputError(
+            Fault(
+                message=message,
+                file=self.file,
+                place=place,
+                expected=expected,
+                hint="correct this line",
+            )
+        )
 
 
 _StrictLoader.yaml_implicit_resolvers = {}
@@ -149,6 +157,7 @@ class _YamlReader:
                 file=self.file,
                 place=f"{place}, {name}" if name else place,
                 found=found,
+                hint="correct this line",
             )
         )
 
@@ -177,7 +186,14 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
     try:
         node = _StrictLoader(text, file).get_single_node()
         if node is None:
-            raise InputError(Fault(message="is empty", file=file, expected="a YAML document"))
+            raise InputError(
+                Fault(
+                    message="is empty",
+                    file=file,
+                    expected="a YAML document",
+                    hint="write its keys and values into it",
+                )
+            )
         reader = _YamlReader(file)
         data = reader.value(node, ())
     except yaml.MarkedYAMLError as error:
@@ -188,18 +204,28 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
                 message=f"is not valid YAML ({error.problem or error.context})",
                 file=file,
                 place=place,
+                hint="correct this line; text with special characters needs quotes",
             )
         ) from error
     except yaml.YAMLError as error:
         raise InputError(
-            Fault(message=f"is not valid YAML ({str(error).splitlines()[0]})", file=file)
+            Fault(
+                message=f"is not valid YAML ({str(error).splitlines()[0]})",
+                file=file,
+                hint="correct the file; text with special characters needs quotes",
+            )
         ) from error
     except (
         ValueError,
         OverflowError,
     ) as error:  # an escape such as "\UFFFFFFFF" beyond the last character of Unicode
         raise InputError(
-            Fault(message="holds an escape that is no character", file=file, found=str(error))
+            Fault(
+                message="contains an escape that is not a character",
+                file=file,
+                found=str(error),
+                hint="write the character itself instead of the escape",
+            )
         ) from error
     return YamlDocument(data=data, lines=reader.lines), tuple(reader.faults)
 
@@ -214,5 +240,6 @@ def _decoded(content: bytes, file: str) -> str:
                 file=file,
                 place=f"byte {error.start + 1}",
                 expected="a YAML text file",
+                hint="save the file as UTF-8",
             )
         ) from error

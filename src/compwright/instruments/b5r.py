@@ -127,6 +127,7 @@ def _ballbar(root: Element, file: str) -> Element:
                 place=place,
                 expected=expected,
                 found=shown(root.tag),
+                hint="give the .b5r file that the ballbar software wrote",
             )
         )
     instrument = root.first("TEST_SPEC", "INSTRUMENT")
@@ -149,6 +150,7 @@ def _ballbar(root: Element, file: str) -> Element:
                 place=place,
                 expected="a dynamic ballbar test",
                 found=found,
+                hint="give a file with the expected kind of test",
             )
         )
     return bar

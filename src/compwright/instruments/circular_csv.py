@@ -141,12 +141,22 @@ def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str)
         expected = f"circular {_NEWEST_FORM}{' or older' if match else ''}"
         place = comments.places["compwright"]
         raise InputError(
-            Fault(message=message, file=file, place=place, expected=expected, found=shown(form))
+            Fault(
+                message=message,
+                file=file,
+                place=place,
+                expected=expected,
+                found=shown(form),
+                hint="correct this line in the header of the file",
+            )
         )
     if not lines:
         raise InputError(
             Fault(
-                message="holds comment lines only", file=file, expected="a header row and samples"
+                message="contains comment lines only",
+                file=file,
+                expected="a header row and samples",
+                hint="add a header row and the samples",
             )
         )
 

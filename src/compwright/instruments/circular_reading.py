@@ -111,7 +111,12 @@ def merge_circular(tests: Sequence[CircularTest], name: str) -> CircularTest:
     """
     if not tests:
         raise UsageError(
-            Fault(message="a circular test has no file", place=name, expected="at least one")
+            Fault(
+                message="a circular test has no file",
+                place=name,
+                expected="at least one",
+                hint="give `file`, or `ccw` and `cw`",
+            )
         )
     faults = FaultList("")
     first = tests[0]

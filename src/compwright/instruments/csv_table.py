@@ -245,6 +245,7 @@ def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> CsvTable:
                 message="the header row has a quote that is not closed",
                 file=faults.file,
                 place=f"line {number}",
+                hint="close the quote in this row",
             )
         )
     columns = tuple(names)

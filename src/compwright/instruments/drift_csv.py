@@ -42,7 +42,12 @@ def read_drift(content: bytes, file: str, kind: AxisKind) -> DriftTest:
     comments = read_comments(comment_lines, faults)
     if not lines:
         raise InputError(
-            Fault(message="holds no readings", file=file, expected=f"{TIME}, {_VALUE[kind]}")
+            Fault(
+                message="contains no readings",
+                file=file,
+                expected=f"{TIME}, {_VALUE[kind]}",
+                hint="add the readings below the header row",
+            )
         )
     table = read_table(lines, faults)
     lacking = [name for name in (TIME, _VALUE[kind]) if name not in table.columns]

@@ -11,6 +11,8 @@ from compwright.foundations.errors import Fault, InputError
 
 #: Faults of one kind that are told one by one; the rest of them is counted.
 TOLD_PER_KIND = 10
+#: The next step where a fault has none of its own.
+CORRECT = "correct this in a copy of the file, or export the file again"
 _SHOWN_CHARACTERS = 60
 _LINE = re.compile(r"line ([0-9]{1,9})")
 
@@ -27,12 +29,27 @@ class FaultList:
         """Whether there is any fault."""
         return bool(self._told)
 
-    def add(self, message: str, *, place: str = "", expected: str = "", found: str = "") -> None:
+    def add(
+        self,
+        message: str,
+        *,
+        place: str = "",
+        expected: str = "",
+        found: str = "",
+        hint: str = CORRECT,
+    ) -> None:
         """Note one fault; the first `TOLD_PER_KIND` of a kind are kept with their places."""
         self._count[message] += 1
         if self._count[message] <= TOLD_PER_KIND:
             self._told.append(
-                Fault(message=message, file=self.file, place=place, expected=expected, found=found)
+                Fault(
+                    message=message,
+                    file=self.file,
+                    place=place,
+                    expected=expected,
+                    found=found,
+                    hint=hint,
+                )
             )
 
     def raise_if_any(self) -> None:
@@ -42,7 +59,11 @@ class FaultList:
         if not self._told:
             return
         more = [
-            Fault(message=f"{message}: {count - TOLD_PER_KIND} more of this kind", file=self.file)
+            Fault(
+                message=f"{message}: {count - TOLD_PER_KIND} more of this kind",
+                file=self.file,
+                hint="correct them in the same way",
+            )
             for message, count in self._count.items()
             if count > TOLD_PER_KIND
         ]

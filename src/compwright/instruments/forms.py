@@ -93,10 +93,11 @@ def form_of(text: Sequence[str], file: str) -> MeasurementForm:
     if len(found) > 1:
         raise InputError(
             Fault(
-                message="is of two forms at once, and they may mean different things",
+                message="has two forms at once, whose meanings may differ",
                 file=file,
                 expected="a file of one form",
                 found=" and ".join(form.name for form in found),
+                hint="keep the lines of one form only",
             )
         )
     return found[0] if found else PLAIN_CSV

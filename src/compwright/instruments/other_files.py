@@ -42,17 +42,21 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
         place = comments.places["compwright"]
         raise InputError(
             Fault(
-                message="was written for a newer compwright",
+                message="was written for a newer version of compwright",
                 file=file,
                 place=place,
                 expected=expected,
                 found=form,
+                hint="update compwright: `pip install -U compwright`",
             )
         )
     if not lines:
         raise InputError(
             Fault(
-                message="holds comment lines only", file=file, expected="a header row and readings"
+                message="contains comment lines only",
+                file=file,
+                expected="a header row and readings",
+                hint="add a header row and the readings",
             )
         )
     number, first = lines[0]
@@ -62,22 +66,32 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
     ):
         raise InputError(
             Fault(
-                message="holds a circular test, not a positioning test",
+                message="contains a circular test, not a positioning test",
                 file=file,
                 place=f"line {number}",
                 expected=ACCEPTED_FORMS,
                 found=f"columns {', '.join(names[:8])}",
+                hint=(
+                    "list it under `circles:` of the job, or evaluate it with `compwright evaluate`"
+                ),
             )
         )
     if _is_status_pro(names):
         raise InputError(
             Fault(
-                message="is a table of the Status Pro software, and what its columns mean is not"
-                " documented: Delta may be the step between positions, AX1 and AX3 stand across",
+                message=(
+                    "is a table of the Status Pro software, whose columns are not "
+                    "documented: Delta may be the step between positions, and AX1 "
+                    "and AX3 are across"
+                ),
                 file=file,
                 place=f"line {number}",
                 expected=_BY_PROFILE,
                 found=f"columns {', '.join(names[:8])}",
+                hint=(
+                    "describe the columns with `compwright profile FILE --out "
+                    "P.yaml`, then add `--profile P.yaml`"
+                ),
             )
         )
     if not count and names:
@@ -96,13 +110,14 @@ def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> I
             return InputError(
                 Fault(
                     message=(
-                        "is not a positioning file; XML such as a ballbar's .b5r holds a circular"
-                        " test"
+                        "is not a positioning file; XML such as a ballbar's .b5r "
+                        "contains a circular test"
                     ),
                     file=file,
                     place=f"line {number}",
                     expected=ACCEPTED_FORMS,
                     found=shown(start),
+                    hint="list a ballbar file under `circles:` of the job",
                 )
             )
         what = "XML or HTML"
@@ -111,11 +126,12 @@ def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> I
     elif in_inches(names):
         return InputError(
             Fault(
-                message="is in inches, which are not read",
+                message="is in inches, which compwright does not read",
                 file=file,
                 place=f"line {number}",
                 expected=INCHES,
                 found=shown(in_inches(names)),
+                hint="export the file again in mm",
             )
         )
     elif start.startswith(("{", "[")):
@@ -133,5 +149,9 @@ def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> I
             place=f"line {number}",
             expected=ACCEPTED_FORMS,
             found=what,
+            hint=(
+                "describe a table of another program with `compwright profile "
+                "FILE --out P.yaml`, then add `--profile P.yaml`"
+            ),
         )
     )

@@ -42,8 +42,9 @@ def proposed_profile(content: bytes, file: str) -> Proposed:
     if form is not PLAIN_CSV or is_plain_csv(lines):
         raise UsageError(
             Fault(
-                message=f"needs no profile: it is {form.name} and is read as it is",
+                message=f"needs no profile: compwright reads it directly as {form.name}",
                 file=file,
+                hint="give the file without `--profile`",
             )
         )
     # plain ASCII tells nothing of the encoding of the next file of the same program
@@ -57,7 +58,9 @@ def _of_workbook(content: bytes, file: str) -> Proposed:
         if is_plain_csv(sheet.lines):
             raise UsageError(
                 Fault(
-                    message=f"needs no profile: its sheet {sheet.name} is read as it is", file=file
+                    message=(f"needs no profile: compwright reads its sheet {sheet.name} directly"),
+                    file=file,
+                    hint="give the file without `--profile`",
                 )
             )
     for sheet in sheets:
@@ -66,9 +69,10 @@ def _of_workbook(content: bytes, file: str) -> Proposed:
             return replace(found, notes=(f"proposed for the sheet {sheet.name}", *found.notes))
     raise InputError(
         Fault(
-            message="holds no sheet with a table of numbers",
+            message="contains no sheet with a table of numbers",
             file=file,
             expected="rows of at least two columns, one of them with targets",
+            hint=("give a file with a table: targets in one column, readings in others"),
         )
     )
 

@@ -64,7 +64,14 @@ def read_profile(content: bytes, file: str) -> Profile:
         expected = (
             f"YAML with the key {MARK}: {VERSION} (compwright profile FILE --out P.yaml writes one)"
         )
-        raise UsageError(Fault(message="is not a mapping profile", file=file, expected=expected))
+        raise UsageError(
+            Fault(
+                message="is not a mapping profile",
+                file=file,
+                expected=expected,
+                hint="make one with `compwright profile FILE --out P.yaml`",
+            )
+        )
     own, faults = checked(SchemaValidator(_PROFILE), data)
     empty = list(_empty(data))
     told = {each.path for each in empty} & {(key,) for key in _CHOICES.keys() - {"layout"}}

@@ -167,12 +167,17 @@ def _refuse_no_sheet(reads: Sequence[_Read], sheets: Sequence[WorkbookSheet], fi
     if not reads:
         raise InputError(
             Fault(
-                message="is an Excel workbook, and no sheet of it holds a test",
+                message="is an Excel workbook, but no sheet contains a test",
                 file=file,
-                expected="a sheet with the columns of plain CSV (target_mm, direction, run,"
-                " deviation_um), or a mapping profile (compwright profile FILE --out P.yaml, then"
-                " --profile P.yaml)",
+                expected=(
+                    "a sheet with the columns of plain CSV (target_mm, direction, "
+                    "run, deviation_um)"
+                ),
                 found=_listed([sheet.name for sheet in sheets]) or "empty sheets",
+                hint=(
+                    "describe the sheet with `compwright profile FILE --out P.yaml`, "
+                    "then add `--profile P.yaml`"
+                ),
             )
         )
 
@@ -289,9 +294,10 @@ def _refuse_dynamic_data(content: bytes, file: str) -> None:
     if _DYNAMIC.match(content):
         raise InputError(
             Fault(
-                message="holds dynamic data (samples over time), not positions",
+                message="contains dynamic data (samples over time), not positions",
                 file=file,
                 expected="the positioning test (.rtl or .rta)",
                 found="File type: rtx",
+                hint="give the file of the positioning test (.rtl or .rta)",
             )
         )

@@ -118,6 +118,7 @@ def read_xml(content: bytes, file: str) -> Element:
                 file=file,
                 expected=f"at most {in_words(XML.most_bytes)}",
                 found=in_words(len(content)),
+                hint="give the measurement of one test per file",
             )
         )
     builder = _Builder()
@@ -127,7 +128,13 @@ def read_xml(content: bytes, file: str) -> Element:
     except _Refused as refused:
         place = f"line {parser.CurrentLineNumber}"
         raise InputError(
-            Fault(message=refused.message, file=file, place=place, expected=refused.expected)
+            Fault(
+                message=refused.message,
+                file=file,
+                place=place,
+                expected=refused.expected,
+                hint="export the file from the instrument again",
+            )
         ) from refused
     except expat.ExpatError as error:
         place = f"line {error.lineno}, column {error.offset + 1}"
@@ -138,7 +145,13 @@ def read_xml(content: bytes, file: str) -> Element:
             else f"is not whole XML ({reason})"
         )
         raise InputError(
-            Fault(message=message, file=file, place=place, expected=_still_open(builder))
+            Fault(
+                message=message,
+                file=file,
+                place=place,
+                expected=_still_open(builder),
+                hint="export the file from the instrument again",
+            )
         ) from error
     except (
         ValueError,
@@ -151,11 +164,17 @@ def read_xml(content: bytes, file: str) -> Element:
                 place="line 1",
                 expected="UTF-8 or UTF-16",
                 found=str(error),
+                hint="save the file as UTF-8",
             )
         ) from error
     if builder.root is None:
         raise InputError(
-            Fault(message="holds no XML element", file=file, expected="an XML document")
+            Fault(
+                message="contains no XML element",
+                file=file,
+                expected="an XML document",
+                hint="export the file from the instrument again",
+            )
         )
     return builder.root
 

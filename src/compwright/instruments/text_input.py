@@ -67,6 +67,7 @@ def read_any_lines(content: bytes, file: str, encoding: str | None = None) -> tu
                 file=file,
                 expected="the encoding in which the file was written: utf-8, utf-16, cp1252, ..",
                 found=f"{name}{'' if known else ', which is not known'}",
+                hint="name the encoding in which the file was written",
             )
         ) from error
     return _lines(text, file), name
@@ -103,13 +104,29 @@ def _refuse_other_files(content: bytes, file: str) -> None:
     for signature, name in _SIGNATURES:
         if content.startswith(signature):
             raise InputError(
-                Fault(message="is not a text file", file=file, expected=_WANTED, found=name)
+                Fault(
+                    message="is not a text file",
+                    file=file,
+                    expected=_WANTED,
+                    found=name,
+                    hint=(
+                        "give the file that the instrument wrote as text, or save the "
+                        "sheet as CSV UTF-8"
+                    ),
+                )
             )
 
 
 def _lines(text: str, file: str) -> list[str]:
     if not text.strip("\ufeff \t\r\n"):
-        raise InputError(Fault(message="is empty", file=file, expected="a header row and readings"))
+        raise InputError(
+            Fault(
+                message="is empty",
+                file=file,
+                expected="a header row and readings",
+                hint="add a header row and the readings",
+            )
+        )
     control = _CONTROL.search(text)
     if control:
         raise InputError(
@@ -119,6 +136,10 @@ def _lines(text: str, file: str) -> list[str]:
                 place=f"line {_line_number(text[: control.start()])}",
                 expected=_WANTED,
                 found=f"control character 0x{ord(control.group()):02X}",
+                hint=(
+                    "give the file that the instrument wrote as text, or save the "
+                    "sheet as CSV UTF-8"
+                ),
             )
         )
     return _LINE_END.split(text.lstrip("\ufeff"))
@@ -176,6 +197,7 @@ def _decode(content: bytes, file: str) -> str:
                     if binary or utf16
                     else f"{found}{_as_windows(content[error.start : error.start + 1])}"
                 ),
+                hint="save the file again as UTF-8",
             )
         ) from error
 

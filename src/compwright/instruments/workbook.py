@@ -64,9 +64,9 @@ def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
     except ImportError as error:
         raise InputError(
             Fault(
-                message="is an Excel workbook, which needs the package openpyxl: save the sheet as"
-                f" CSV UTF-8, or {installing('excel')}",
+                message="is an Excel workbook, which needs the package openpyxl",
                 file=file,
+                hint=f"save the sheet as CSV UTF-8, or {installing('excel')}",
             )
         ) from error
     try:
@@ -84,6 +84,10 @@ def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
                 message="is an Excel workbook that cannot be opened",
                 file=file,
                 expected="it saved anew by a spreadsheet program, or the sheet as CSV UTF-8",
+                hint=(
+                    "save the workbook again in a spreadsheet program, or save the "
+                    "sheet as CSV UTF-8"
+                ),
             )
         ) from error
     return tuple(
@@ -106,6 +110,7 @@ def _check_size(content: bytes, file: str) -> bool:
                 file=file,
                 expected="an Excel workbook (.xlsx), or the sheet saved as CSV UTF-8",
                 found="an Excel workbook or another zip archive that cannot be opened",
+                hint="give an undamaged copy, or save the sheet as CSV UTF-8",
             )
         ) from error
     if "xl/workbook.xml" not in names:
@@ -115,6 +120,7 @@ def _check_size(content: bytes, file: str) -> bool:
                 file=file,
                 expected="the files in it, unpacked; or an Excel workbook (.xlsx)",
                 found=f"{', '.join(sorted(names)[:3])}, ..",
+                hint="unpack it and give the files in it",
             )
         )
     _check_parts(parts, file)
@@ -140,9 +146,9 @@ def _check_parts(parts: Sequence[zipfile.ZipInfo], file: str) -> None:
                 Fault(
                     message="is too large when unpacked",
                     file=file,
-                    expected=f"at most {in_words(most)} {what}; the sheet saved as CSV UTF-8 may"
-                    " be larger",
+                    expected=f"at most {in_words(most)} {what}",
                     found=in_words(size),
+                    hint="save the sheet as CSV UTF-8, which may be larger",
                 )
             )
 
@@ -159,11 +165,13 @@ def _look_into(archive: zipfile.ZipFile, names: Sequence[str], file: str) -> boo
         if b"<!DOCTYPE" in part:
             raise InputError(
                 Fault(
-                    message="declares a document type (DOCTYPE), in which entities could grow"
-                    " without end",
+                    message=(
+                        "declares a document type (DOCTYPE), whose entities could grow without end"
+                    ),
                     file=file,
                     place=name,
                     expected="a workbook as a spreadsheet program saves it",
+                    hint="save the workbook again in a spreadsheet program",
                 )
             )
         if name.startswith(_TABLES):
@@ -177,12 +185,12 @@ def _check_cells(count: int, most: int, file: str, place: str = "") -> None:
     if count > most:
         raise InputError(
             Fault(
-                message="holds too many cells",
+                message="contains too many cells",
                 file=file,
                 place=place,
-                expected=f"at most {most}, empty ones counted; the sheet saved as CSV UTF-8 may be"
-                " larger",
+                expected=f"at most {most}, including empty ones",
                 found=f"{count} or more",
+                hint="save the sheet as CSV UTF-8, which may be larger",
             )
         )
 
@@ -201,12 +209,16 @@ def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[WorkbookSh
                 if cell.value is None and formula.data_type == "f":
                     raise InputError(
                         Fault(
-                            message="holds a formula without a result",
+                            message="contains a formula without a result",
                             file=file,
                             place=f"sheet {sheet.title}, row {row}",
                             expected="a workbook that a spreadsheet program has calculated and"
                             " saved",
                             found=str(formula.value),
+                            hint=(
+                                "open the workbook in a spreadsheet program, let it calculate, "
+                                "and save it"
+                            ),
                         )
                     )
             lines.append(_line([_text(cell) for cell in cells]))

@@ -81,10 +81,11 @@ def job_from_options(
     if active is not None and not states:
         faults.append(
             Fault(
-                message="goes with --state",
+                message="is an answer about a state, but none is given",
                 place=f"--option {ACTIVE}",
                 expected="--state FILE",
                 found=active,
+                hint="add `--state FILE` with the control's files",
             )
         )
     elif states:
@@ -112,15 +113,20 @@ def _sorted_options(
         if not key or not sign:
             faults.append(
                 Fault(
-                    message="is not a key with a value",
+                    message="must look like K=V",
                     place="--option",
-                    expected="K=V",
                     found=repr(option),
+                    hint=("give one key and its value, such as `--option detection_unit=0.001`"),
                 )
             )
         elif key in seen:
             faults.append(
-                Fault(message="is given twice", place=f"--option {key}", expected="each key once")
+                Fault(
+                    message="is given twice",
+                    place=f"--option {key}",
+                    expected="each key once",
+                    hint="remove one of the two",
+                )
             )
         elif key in _AXIS_KEYS:
             path, is_number = _AXIS_KEYS[key]
@@ -147,10 +153,10 @@ def _number(text: str) -> Any:
 
 def _whole_travel(travel: str) -> Fault:
     return Fault(
-        message="is no travel",
+        message=("must look like 0:800 (machine coordinates, mm or deg, the lower end first)"),
         place="--travel",
-        expected="LO:HI in mm or deg, LO below HI",
         found=repr(travel),
+        hint="give the two ends of the travel, such as `--travel 0:800`",
     )
 
 
@@ -186,10 +192,10 @@ def stated_activity(options: dict[str, object]) -> bool | None:
     if word not in words:
         raise UsageError(
             Fault(
-                message="is no answer",
+                message="must be yes or no",
                 place=f"--option {ACTIVE}",
-                expected="yes or no",
                 found=repr(text),
+                hint="give `--option active=yes` or `--option active=no`",
             )
         )
     return words[word]

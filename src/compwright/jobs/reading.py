@@ -97,7 +97,14 @@ def check(document: YamlDocument, file: str, further: Further = _nothing_further
             None,
             (
                 Fault(
-                    message="is not a job", file=file, expected="keys and values", found=shown(data)
+                    message="is not a job",
+                    file=file,
+                    expected="keys and values",
+                    found=shown(data),
+                    hint=(
+                        "make a job file with `compwright new --from FILE --format ID "
+                        "--out JOB.yaml`"
+                    ),
                 ),
             ),
         )
@@ -138,6 +145,7 @@ def _refuse_other_versions(document: YamlDocument, file: str) -> None:
             place=document.place(("compwright",)),
             expected=f"compwright: {SCHEMA_VERSION}",
             found=shown(version),
+            hint=("make the job again with `compwright new`, or correct the line `compwright:`"),
         )
     )
 

@@ -68,7 +68,14 @@ def evaluate(
         tests = read(test)
         if len(tests) > 1:
             message = "the file holds more than one test; take one: evaluate(read(path)[0])"
-            raise UsageError(Fault(message=message, file=str(test), found=str(len(tests))))
+            raise UsageError(
+                Fault(
+                    message=message,
+                    file=str(test),
+                    found=str(len(tests)),
+                    hint="give a file with one test",
+                )
+            )
         test = tests[0]
     if isinstance(test, CircularTest):
         from compwright.documents.circular import circular_document
@@ -109,7 +116,9 @@ def estimate(
     axes = sorted({test.axis for test in given})
     if len(axes) > 1:
         message = "the tests are of several axes; give those of one axis"
-        raise UsageError(Fault(message=message, found=", ".join(axes)))
+        raise UsageError(
+            Fault(message=message, found=", ".join(axes), hint="give `axis=` with one of these")
+        )
     mapped = [to_machine(test, PositionMap(sense, offset)) for test in given]
     span = travel
     if span is None and mapped:

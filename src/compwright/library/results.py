@@ -103,7 +103,9 @@ class Evaluation(DocumentResult):
         """
         targets = self._document.get("targets")
         if targets is None:
-            raise UsageError(Fault(message="a circular test has no targets; use to_dict()"))
+            raise UsageError(
+                Fault(message="a circular test has no targets", hint="use `to_dict()`")
+            )
         pandas = need("pandas", "pandas", "tables of a script")
         return pandas.DataFrame([dict(target) for target in targets])
 
@@ -117,7 +119,7 @@ class Evaluation(DocumentResult):
 
         if self._document["kind"] != "positioning":
             message = "a circular test is drawn by: compwright evaluate FILE --plot circle.svg"
-            raise UsageError(Fault(message=message))
+            raise UsageError(Fault(message=message, hint="give a test of the expected kind"))
         chart = result_chart(self._document)
         chart.title = title_of(self._document)
         return draw_on_axes(ax, chart)

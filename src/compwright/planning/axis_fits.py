@@ -186,9 +186,11 @@ def _not_held(error: CapacityError, name: str, work: AxisWork, file: str) -> Cap
     tests, because readings that are something else than they say are the usual cause.
     """
     doubted = [
-        Fault(message=doubt.message, place=f"axis {name}, test {result.test.name}").in_file(
-            result.test.sources[0].file if result.test.sources else file
-        )
+        Fault(
+            message=doubt.message,
+            place=f"axis {name}, test {result.test.name}",
+            hint="measure again with more runs, or leave this axis out of the job",
+        ).in_file(result.test.sources[0].file if result.test.sources else file)
         for result in work.results
         for doubt in doubts_of(result.findings)
     ]

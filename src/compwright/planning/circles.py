@@ -151,13 +151,13 @@ def _centre(
             raise InputError(
                 Fault(
                     message=(
-                        "the centre has three numbers, which are X, Y and Z, but the plane has"
-                        " other axes"
+                        "the centre has three numbers (X, Y, Z), but the plane has other axes"
                     ),
                     file=test.name,
                     place="centre",
                     expected=f"two numbers, of {test.axes[0]} and {test.axes[1]}",
                     found=", ".join(f"{value:g}" for value in given),
+                    hint="give two numbers: `centre: [.., ..]`",
                 )
             )
         return (given[places[0]], given[places[1]]), True

@@ -38,7 +38,11 @@ def _diagnosed(test: CircularTest) -> Diagnosis:
         try:
             diagnosis = diagnose(test)
         except np.linalg.LinAlgError as error:
-            raise InputError(Fault(message=_NOT_SEPARABLE)) from error
+            raise InputError(
+                Fault(message=_NOT_SEPARABLE, hint="measure a full circle in both directions")
+            ) from error
     if not all(np.isfinite(effect.std_error) for effect in diagnosis.effects.values()):
-        raise InputError(Fault(message=_NOT_SEPARABLE))
+        raise InputError(
+            Fault(message=_NOT_SEPARABLE, hint="measure a full circle in both directions")
+        )
     return diagnosis

@@ -247,6 +247,7 @@ def limit_faults(
                 key for key, value in result.parameters.items() if value is not None
             ),
             found=result.not_applicable.get(name, ""),
+            hint=(f"remove `{name}` from `accept`, or choose a standard that defines it"),
         )
         for name in accept.limits
         if result.parameters.get(name) is None
@@ -259,6 +260,7 @@ def limit_faults(
                 place="decision_rule",
                 expected="the key uncertainty, or decision_rule: simple",
                 found="guarded without an uncertainty",
+                hint="add `uncertainty` to the job, or set `decision_rule: simple`",
             )
         )
     return faults

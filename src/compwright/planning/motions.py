@@ -69,12 +69,16 @@ def unknown_motions(job: Job, states: Mapping[str, ControlState]) -> Iterator[Fa
             if state.facts_of(entry.axis.address).rapid_more is None:
                 yield Fault(
                     message=(
-                        f"axis {name}: its tests were taken at cutting feed and at rapid traverse,"
-                        " and the files do not say whether a different backlash is active at"
-                        " rapid traverse"
+                        f"axis {name}: its tests were taken at cutting feed and at rapid "
+                        "traverse, and no given file shows whether a different backlash "
+                        "compensation is active at rapid traverse"
                     ),
                     file=job.file,
                     place=f"axes.{name}.before, test {request.name}, motion",
                     expected="the control's whole parameter file, or tests at one motion",
                     found=request.motion,
+                    hint=(
+                        "add the control's whole parameter file to the state, or keep "
+                        "the tests of one motion"
+                    ),
                 )

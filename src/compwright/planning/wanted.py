@@ -213,8 +213,9 @@ def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> N
     raise InputError(
         Fault(
             message=(
-                f"the targets of {which}, from which the table of axis {axis.name} is"
-                " made, cover less than half of its travel; the rest would be guessed"
+                f"the targets of {which}, from which the table of axis "
+                f"{axis.name} is made, cover less than half of its travel; the "
+                "rest would be guesswork"
             ),
             file=file,
             place=f"axes.{axis.name}.travel",
@@ -225,6 +226,7 @@ def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> N
                 f"targets from {targets[0]:g} to {targets[-1]:g} {unit}, travel {low:g} to {high:g}"
                 f" {unit}"
             ),
+            hint=("measure over the whole travel, or set `travel` to the measured part"),
         )
     )
 

@@ -126,6 +126,7 @@ def dithered_targets(
                 message="no targets can be placed",
                 expected="a travel that ascends and at least one target",
                 found=f"{low:g}:{high:g}, {count} targets",
+                hint="correct the travel or the number of targets",
             )
         )
     length = high - low

@@ -108,6 +108,7 @@ def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
             file=other.name,
             expected=str(mine),
             found=str(theirs),
+            hint=(f"give the files as separate tests, or correct {what} in one of them"),
         )
         for other in tests[1:]
         for what, mine, theirs in (

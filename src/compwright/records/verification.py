@@ -19,9 +19,6 @@ LoadingName = Literal[
     "one_direction",
     "backlash",
     "partial",
-    "increment",
-    "on_top",
-    "state",
     "thermal",
     "measurement",
     "undecided",
@@ -74,8 +71,7 @@ class ReadBack:
     what it looks like.
 
     ``verdict``: ``loaded``, ``not_active``, ``inverted``, ``scaled``, ``shifted``,
-    ``one_direction``, ``backlash``, ``increment``, ``on_top``, ``partial`` (some files were not
-    loaded), ``other``.
+    ``one_direction``, ``backlash``, ``partial`` (some files were not loaded), ``other``.
     """
 
     worst: float

@@ -49,9 +49,10 @@ def table_bytes(document: Mapping[str, Any], suffix: str) -> bytes:
     if suffix.lower() not in writers:
         raise UsageError(
             Fault(
-                message="no table of this ending",
+                message="this kind of table is unknown",
                 expected=" or ".join(writers),
                 found=suffix or "no ending",
+                hint=f"give a name that ends in {' or '.join(writers)}",
             )
         )
     return writers[suffix.lower()](document)

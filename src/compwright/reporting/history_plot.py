@@ -43,7 +43,13 @@ def history_plot(document: Document, *, format: str = "svg") -> bytes:  # noqa: 
     kind = known_format(format)
     rows = list(_rows(document))
     if not rows:
-        raise UsageError(Fault(message="nothing to plot", expected="a folder with a test"))
+        raise UsageError(
+            Fault(
+                message="nothing to plot",
+                expected="a folder with a test",
+                hint="give a folder that `compwright run` or `verify` wrote",
+            )
+        )
     with style():
         figure = new_figure(_ROW_HEIGHT * len(rows) + 0.5)
         panels = figure.subplots(len(rows), 3, squeeze=False)

@@ -136,6 +136,7 @@ def known_format(format_: str) -> PlotFormat:
                 message="unknown format of a plot",
                 expected="a name that ends in .svg, .png or .pdf",
                 found=repr(format_),
+                hint="give `--plot` a name that ends in .svg, .png or .pdf",
             )
         )
     return cast("PlotFormat", ending)

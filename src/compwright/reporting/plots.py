@@ -31,7 +31,11 @@ def evaluation_plot(document: Document, *, format: str = "svg") -> bytes:  # noq
     ]
     if not straight and not round_:
         raise UsageError(
-            Fault(message="nothing to plot", expected="a test that could be evaluated")
+            Fault(
+                message="nothing to plot",
+                expected="a test that could be evaluated",
+                hint="correct the faults of the tests first, or leave `--plot` out",
+            )
         )
     heights = [_ROW_HEIGHT * len(straight) + 0.35] * bool(straight) + [TEST_HEIGHT] * len(round_)
     with style():

@@ -89,7 +89,9 @@ def polar_figure(result: Document, *, format: str = "svg") -> bytes:  # noqa: A0
     if not result.get("runs"):
         raise UsageError(
             Fault(
-                message="nothing to plot", expected="the angles and deviations of a circular test"
+                message="nothing to plot",
+                expected="the angles and deviations of a circular test",
+                hint="give a circular test with samples",
             )
         )
     with style():

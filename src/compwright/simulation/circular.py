@@ -191,7 +191,7 @@ def _check(plan: CirclePlan) -> None:
     ):
         raise UsageError(
             Fault(
-                message="is no circle that can be measured",
+                message="this circle cannot be measured",
                 place=plan.name,
                 expected=(
                     f"radius and feed above 0, an arc up to 360 deg, {_FEWEST} to {_MOST} samples"
@@ -200,6 +200,7 @@ def _check(plan: CirclePlan) -> None:
                 found=(
                     f"radius {plan.radius:g} mm, feed {plan.feed:g} mm/min, arc {plan.arc[1]:g} deg"
                 ),
+                hint="correct the circle in the machine file",
             )
         )
 

@@ -181,6 +181,7 @@ class VirtualMachine:
                     message="the machine has no such circle",
                     expected=", ".join(self.circles),
                     found=name,
+                    hint="correct the name, or add the circle to the machine file",
                 )
             )
         own = self.circles[name]
@@ -214,6 +215,7 @@ class VirtualMachine:
                     message="the machine has no such axis",
                     expected=", ".join(self.axes),
                     found=name,
+                    hint="correct the name, or add the axis to the machine file",
                 )
             )
         return self.axes[name]

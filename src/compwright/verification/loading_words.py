@@ -170,18 +170,6 @@ def _sentence(shown: Shown, name: LoadingName, way: Hypothesis, factor: float) -
         "one_direction": f"The table is active in one direction only: {way.detail}.",
         "backlash": f"The table is active, and its backlash is wrong: {way.detail}.",
         "partial": f"A part of the table is active: {way.detail}.",
-        "increment": (
-            f"Only the change to the existing table is active{detail}: load the total, which is in"
-            " the written files."
-        ),
-        "on_top": (
-            f"The new total was added to the existing table{detail}: clear the table and load the"
-            " written files again."
-        ),
-        "state": (
-            "The existing table was not active while the test before was taken, although the job"
-            " says that it was. Run the job again with `active: no` for this state."
-        ),
     }
     return sentences[name]
 

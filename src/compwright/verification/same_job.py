@@ -50,7 +50,14 @@ def stale(what: str, mine: str, theirs: str, file: str) -> Fault:
         "the plan was made for another job, or before the job was edited; run the job again, or"
         " name its own plan with --plan"
     )
-    return Fault(message=message, file=file, place=what, expected=mine, found=theirs)
+    return Fault(
+        message=message,
+        file=file,
+        place=what,
+        expected=mine,
+        found=theirs,
+        hint="give the job and the plan of the same run, or run the job again",
+    )
 
 
 def _axes_differ(job: Job, plan: Plan, read: ReadAgain) -> Iterator[tuple[str, str, str]]:

@@ -90,8 +90,8 @@ def backlash(loader: AxisLoader, axis: int, options: Options) -> int:
     if (rapid or 0) != (feed or 0):
         loader.note(
             axis,
-            f"1800#4 = 1: at rapid traverse 1852 = {rapid or 0} acts; judged at cutting feed with"
-            " 1851",
+            f"1800#4 = 1: at rapid traverse 1852 = {rapid or 0} is active; judged at"
+            " cutting feed with 1851",
         )
     return feed or 0
 
@@ -172,7 +172,7 @@ def _rapid_unknown(loader: AxisLoader, axis: int, feed: int, options: Options) -
     if options.rapid and rapid is not None and rapid != feed:
         loader.memory.faults.append(
             loader.memory.setting(1852, axis).fault(
-                f"whether 1852 acts on axis {axis} at rapid traverse is not known",
+                f"whether 1852 is active on axis {axis} at rapid traverse is not known",
                 expected=f"{feed}, as 1851, or a test at cutting feed",
             )
         )

@@ -168,7 +168,7 @@ class AxisLoader:
             if modulo is not None:
                 self.fault(
                     grid.axis,
-                    f"axis {grid.axis} is linear but was said to be endless",
+                    f"axis {grid.axis} is linear but was given as endless",
                     "1006#0 = 1",
                     f"modulo {modulo:g}",
                 )
@@ -187,7 +187,7 @@ class AxisLoader:
             if modulo is not None:
                 self.fault(
                     grid.axis,
-                    f"axis {grid.axis} has ends (1006#1 = 1) but was said to be endless",
+                    f"axis {grid.axis} has ends (1006#1 = 1) but was given as endless",
                     "no modulo",
                     f"{modulo:g}",
                 )
@@ -324,7 +324,14 @@ class AxisLoader:
         """Add a fault at the first grid parameter of the axis that is given."""
         number = next((n for n in (3621, *_GRID) if self.memory.given(n, axis)), None)
         if number is None:
-            self.memory.faults.append(Fault(message=message, expected=expected, found=found))
+            self.memory.faults.append(
+                Fault(
+                    message=message,
+                    expected=expected,
+                    found=found,
+                    hint="correct it in the control and export its files again",
+                )
+            )
             return
         setting = self.memory.setting(number, axis)
         self.memory.faults.append(
@@ -334,5 +341,8 @@ class AxisLoader:
                 place=f"line {setting.line}",
                 expected=expected,
                 found=found,
+                hint=(
+                    "correct this line in a copy of the file, or export it from the control again"
+                ),
             )
         )

@@ -52,7 +52,8 @@ def bending_of(
     for bend in bends(memory.machine, memory.faults):
         if not (loader.asked(bend.moving) or loader.asked(bend.bent)):
             loader.note(
-                bend.bent, f"axis {bend.moving} bends it ({bend.entry.number}); nobody asks for it"
+                bend.bent,
+                f"axis {bend.moving} bends it ({bend.entry.number}); it was not requested",
             )
             continue
         grid = grids.get(bend.moving)

@@ -29,9 +29,10 @@ def inclined_without_grid(memory: Memory, axis: int) -> Iterator[Fault]:
     if entry is not None:
         off = memory.whole_if_sound(3623, axis) == 0
         yield entry.fault(
-            f"inclination of axis {axis} {'with 3623 = 0' if off else 'without a grid'}: whether it"
-            " acts is not known",
-            "3620 to 3624 of a grid that acts, or 5871 to 5874 = 0",
+            f"inclination of axis {axis} {'with 3623 = 0' if off else 'without a grid'}: "
+            "it is unknown"
+            " whether it is active",
+            "3620 to 3624 of an active grid, or 5871 to 5874 = 0",
         )
 
 

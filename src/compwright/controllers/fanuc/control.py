@@ -140,10 +140,12 @@ class FanucControl:
         if not acting:
             raise UsageError(
                 Fault(
-                    message="the control's files hold no table of one axis for another that is"
-                    " counted",
+                    message=(
+                        "the control's files contain no such active table of one axis for another"
+                    ),
                     expected=" or ".join(f"{a} for {b}" for a, b in self.cross()),
                     found=f"{input} for {output}",
+                    hint=("correct the entry `cross` of the job, or give the file with this table"),
                 )
             )
         x = np.asarray(positions, dtype=np.float64)
@@ -235,6 +237,7 @@ def _memory(files: Sequence[ControlFile], request: Request, series: ControlSerie
                 file=", ".join(file.name for file in files),
                 expected="parameters 3620 to 3624 or 1851",
                 found="pitch data only" if memory.points else "",
+                hint="give the parameter file of the control, not only the pitch data",
             )
         )
     return memory
@@ -288,9 +291,10 @@ def _unit_by(memory: Memory, axis: int) -> str:
 
 def _no_unit(address: str) -> Fault:
     return Fault(
-        message=f"option detection_unit of axis {address} is not given",
-        expected="mm or deg per pulse, such as 0.001",
+        message=f"the option detection_unit of axis {address} is missing",
+        expected="mm or deg per pulse",
         found="nothing",
+        hint=("give `--option detection_unit=0.001` with the value of this control"),
     )
 
 
@@ -309,7 +313,8 @@ def _axis(
         if reference != 0.0:
             loader.note(
                 axis,
-                f"the grid is taken to hang on the reference position {reference:g}, not on machine"
+                f"the grid is assumed to start at the reference position {reference:g}, "
+                "not on machine"
                 " zero (unconfirmed)",
             )
     return _FanucAxis(

@@ -84,6 +84,10 @@ class MachineEntry:
             place=f"line {self.line}",
             expected=expected,
             found=f"{self.number}: {self.text}",
+            hint=(
+                "correct it in the control and export its parameters again, or "
+                "leave this axis out of the job"
+            ),
         )
 
 

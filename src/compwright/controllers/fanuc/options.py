@@ -52,6 +52,7 @@ def read_options(
                     message=f"option {name} of axis {address}",
                     expected=" or ".join(choices),
                     found=repr(value),
+                    hint=f"give one of these values for `{name}`",
                 )
             )
             return choices[0]
@@ -68,6 +69,7 @@ def read_options(
                 message=f"option increment_limit of axis {address}",
                 expected=f"a whole number 1 to {BYTE[1]}",
                 found=found,
+                hint="give a number in this range for `increment_limit`",
             )
         )
         limit = float(series.increment_limit)
@@ -98,6 +100,7 @@ def _detection_unit(given: Mapping[str, object], address: str, faults: list[Faul
                 message=f"option detection_unit of axis {address}",
                 expected="mm or deg per pulse, above 0",
                 found=found,
+                hint=("give the detection unit of this control: `--option detection_unit=0.001`"),
             )
         )
         return None

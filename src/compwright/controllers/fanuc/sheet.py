@@ -55,7 +55,14 @@ def read_sheet(
         text = file.content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         return TapeContent(
-            faults=[Fault(message="is no UTF-8 text", file=file.name, place=f"byte {error.start}")]
+            faults=[
+                Fault(
+                    message="is not UTF-8 text",
+                    file=file.name,
+                    place=f"byte {error.start}",
+                    hint="save the sheet as CSV UTF-8",
+                )
+            ]
         )
     lines = [
         (number, line.strip()) for number, line in enumerate(re.split(r"\r\n|\n|\r", text), start=1)
@@ -108,7 +115,7 @@ class _Sheet:
             if self.errors_at and self.pitch_sign(str(self.axis)) == "+":
                 self._wrong(
                     self.errors_at,
-                    "values are said to be errors while option pitch_sign is +",
+                    "values are given as errors, but option pitch_sign is +",
                     "correction",
                     "error",
                 )
@@ -155,7 +162,11 @@ class _Sheet:
         """A sheet that says nothing is none."""
         if not self.found.settings and not self.found.points and not self.found.faults:
             self.found.faults.append(
-                Fault(message="the sheet holds neither points nor parameters", file=self.file)
+                Fault(
+                    message="the sheet contains neither points nor parameters",
+                    file=self.file,
+                    hint="use the sheet `entry_<axis>.csv` of the folder `card/`",
+                )
             )
 
     def _parameter(
@@ -187,5 +198,12 @@ class _Sheet:
     def _wrong(self, line: int, message: str, expected: str, found: str) -> None:
         place = f"line {line}" if line else ""
         self.found.faults.append(
-            Fault(message=message, file=self.file, place=place, expected=expected, found=found)
+            Fault(
+                message=message,
+                file=self.file,
+                place=place,
+                expected=expected,
+                found=found,
+                hint="correct this line of the entry sheet",
+            )
         )

@@ -124,6 +124,7 @@ def read_file(file: ControlFile, series: ControlSeries) -> TapeContent:
             message="is a binary file",
             file=file.name,
             expected="the text that the control punches out",
+            hint="punch the file out of the control as text",
         )
         return TapeContent(faults=[fault])
     reader = _TapeReader(file.name, series)
@@ -229,6 +230,9 @@ class _TapeReader:
                 place=f"line {number}",
                 expected=expected,
                 found=found,
+                hint=(
+                    "correct this line in a copy of the file, or export it from the control again"
+                ),
             )
         )
 

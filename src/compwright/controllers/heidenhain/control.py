@@ -94,6 +94,7 @@ class HeidenhainControl:
                     message="no table corrects this axis by that one",
                     expected=known,
                     found=f"{output} by {input}",
+                    hint=("correct the entry `cross` of the job, or give the file with this table"),
                 )
             )
         where = np.asarray(positions, dtype=np.float64)
@@ -160,6 +161,7 @@ def _control(
                 message="no compensation data found",
                 file=names,
                 expected="an entry sheet, .COM or parameters",
+                hint="give the files that contain the compensation of this control",
             )
         )
     raise_all(InputError, loader.faults)

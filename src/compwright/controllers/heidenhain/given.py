@@ -66,7 +66,12 @@ class Given:
         value = self.request.options_of(address).get(name, allowed[0])
         if value not in allowed:
             raise UsageError(
-                Fault(message=f"option {name}", expected=" or ".join(allowed), found=repr(value))
+                Fault(
+                    message=f"option {name}",
+                    expected=" or ".join(allowed),
+                    found=repr(value),
+                    hint=f"give one of these values for `{name}`",
+                )
             )
         return str(value)
 

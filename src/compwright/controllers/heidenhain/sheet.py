@@ -69,7 +69,12 @@ def read_sheet(file: ControlFile, generation: Generation) -> tuple[JudgedSheet |
         text = file.content.decode("utf-8")
     except UnicodeDecodeError as error:
         return None, [
-            Fault(message="is not ASCII or UTF-8", file=file.name, place=f"byte {error.start + 1}")
+            Fault(
+                message="is not ASCII or UTF-8",
+                file=file.name,
+                place=f"byte {error.start + 1}",
+                hint="save the sheet as CSV UTF-8",
+            )
         ]
     reader = _SheetLines(file.name, generation)
     for line, content in enumerate(lines_of(text), start=1):
@@ -230,7 +235,12 @@ class _SheetLines:
         head = LinePlace(self.file, self.header.line if self.header else 1)
         if self.header is None and not self.faults:
             self.faults.append(
-                Fault(message="is no entry sheet", file=self.file, expected=f"the header {HEADER}")
+                Fault(
+                    message="is no entry sheet",
+                    file=self.file,
+                    expected=f"the header {HEADER}",
+                    hint="use the sheet `entry_<axis>.csv` of the folder `card/`",
+                )
             )
         elif not self.points and not self.parameters and not self.faults:
             self.faults.append(

@@ -227,7 +227,12 @@ class OwnTableLoader:
         turn = by_address(self.given.request.modulo, moving)
         if turn is not None and turn != TURN:
             raise UsageError(
-                Fault(message=f"turn of {moving}", expected=f"{TURN:g}", found=f"{turn:g}")
+                Fault(
+                    message=f"turn of {moving}",
+                    expected=f"{TURN:g}",
+                    found=f"{turn:g}",
+                    hint=f"set `modulo: {TURN:g}` for this axis",
+                )
             )
         if turn is None and whole_turn(nodes):
             self.given.assumed.append(

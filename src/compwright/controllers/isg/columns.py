@@ -79,6 +79,7 @@ def largest_value(request: Request, address: str, axis: AxisLists, section: str)
                 message="option value_type",
                 expected=" or ".join(_LIMITS),
                 found=repr(chosen),
+                hint="give one of these values for `value_type`",
             )
         )
     if chosen != "real64":
@@ -99,7 +100,7 @@ def unit_of(axis: AxisLists, name: str, request: Request, addresses: Sequence[st
     metric = axis.switch(name)
     if metric is None:
         if name not in axis.statements:
-            axis.missing(name, "the unit is not said")
+            axis.missing(name, "the unit is not given")
         return []
     return [METRIC if metric else _increment(request, address, name) for address in addresses]
 
@@ -114,6 +115,7 @@ def _increment(request: Request, address: str, name: str) -> float:
                 " increments",
                 expected="mm or deg per increment, larger than 0",
                 found="none" if given is None else repr(given),
+                hint=("give `--option encoder_increment=0.001` with the value of this encoder"),
             )
         )
     return increment

@@ -94,7 +94,8 @@ class IsgControl:
                 Fault(
                     message=f"no table by which {input} corrects {output}",
                     expected=" or ".join(f"{a} and {b}" for a, b in self.tables)
-                    or "a table kw.crosscomp that acts, and the option cross_values",
+                    or "an active table kw.crosscomp, and the option cross_values",
+                    hint=("correct the entry `cross` of the job, or give the list with this table"),
                 )
             )
         return table.at(np.asarray(positions, dtype=np.float64))

@@ -67,7 +67,7 @@ def read_cross(
     sign = cross_sign(request, axis.address)
     if sign is None:
         notes.append(
-            f"what axis {master} does to axis {axis.address} is not said: the sign of kw.crosscomp"
+            f"what axis {master} does to axis {axis.address} is unknown: the sign of kw.crosscomp"
             " is not known (option cross_values)"
         )
         return None
@@ -96,7 +96,7 @@ def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatA
     master = _master(axis, filled=filled)
     if master is None or last is None:
         if filled and SECTION + "last_index" not in axis.statements:
-            axis.missing(SECTION + "last_index", "the number of entries is not said")
+            axis.missing(SECTION + "last_index", "the number of entries is not given")
         return None
     if last >= (axis.whole(SECTION + "max_points", 0) or DEFAULT_ROOM):
         statement = axis.statements[SECTION + "last_index"]
@@ -122,7 +122,7 @@ def _master(axis: AxisLists, *, filled: bool) -> str | None:
     number = axis.whole(SECTION + "master_ax_nr", 0)
     if number is None or number == 0:
         if filled:
-            axis.missing(SECTION + "master_ax_nr", "which axis corrects it is not said")
+            axis.missing(SECTION + "master_ax_nr", "the axis that corrects it is not given")
         return None
     if str(number) == axis.address:
         statement = axis.statements[SECTION + "master_ax_nr"]
@@ -139,7 +139,12 @@ def cross_sign(request: Request, slave: str) -> float | None:
     chosen = request.options_of(slave).get("cross_values")
     if chosen is not None and chosen not in SIGNS:
         raise UsageError(
-            Fault(message="option cross_values", expected=" or ".join(SIGNS), found=repr(chosen))
+            Fault(
+                message="option cross_values",
+                expected=" or ".join(SIGNS),
+                found=repr(chosen),
+                hint="give one of these values for `cross_values`",
+            )
         )
     return None if chosen is None else SIGNS[str(chosen)]
 

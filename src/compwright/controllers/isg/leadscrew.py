@@ -72,7 +72,7 @@ def read_table(
     if not count:
         return None
     largest = largest_value(request, axis.address, axis, SECTION)
-    bilateral = _required(axis, "bilateral", "one column or two is not said")
+    bilateral = _required(axis, "bilateral", "one column or two is not given")
     units = unit_of(axis, SECTION + "unit", request, [axis.address])
     where = _positions(axis, entries, count)
     positive = column(axis, entries["pos"], count, f"{SECTION}table[i].pos", largest)
@@ -115,7 +115,7 @@ def _count(axis: AxisLists, entries: Entries) -> int:
         if SECTION + "kw_nr_max" not in axis.statements and (
             filled or axis.section(SECTION).keys() - {"max_points"}
         ):
-            axis.missing(SECTION + "kw_nr_max", "the number of entries is not said")
+            axis.missing(SECTION + "kw_nr_max", "the number of entries is not given")
         return 0
     statement = axis.statements[SECTION + "kw_nr_max"]
     if count == 0 and filled:
@@ -136,7 +136,7 @@ def _count(axis: AxisLists, entries: Entries) -> int:
 
 def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | None:
     """Return the positions (count,) in units of the list, None with a fault."""
-    interval = _said(axis, "interval", "listed or equal spacing is not said", 0.0)
+    interval = _said(axis, "interval", "listed or equal spacing is not given", 0.0)
     if interval is None:
         return None
     setpoints = entries["setpoint"]
@@ -149,7 +149,7 @@ def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | No
             ascending(axis, listed, setpoints)
             _begins(axis, float(listed[0]))
         return listed
-    start = _said(axis, "kw_startpos", "where the equal spacing begins is not said", -LARGEST)
+    start = _said(axis, "kw_startpos", "the start of the equal spacing is not given", -LARGEST)
     if start is None:
         return None
     even = start + interval * np.arange(count)
@@ -204,7 +204,12 @@ def _sign(request: Request, address: str, assumed: list[Assumption]) -> float:
     chosen = options.get("table_values", "error")
     if chosen not in SIGNS:
         raise UsageError(
-            Fault(message="option table_values", expected=" or ".join(SIGNS), found=repr(chosen))
+            Fault(
+                message="option table_values",
+                expected=" or ".join(SIGNS),
+                found=repr(chosen),
+                hint="give one of these values for `table_values`",
+            )
         )
     why = (
         "option"
@@ -272,7 +277,7 @@ def read_backlash(
 
     Which direction gets it is not said: counted as nothing in the direction in which the axis is
     referenced. A negative value (play before the measuring system) is refused where it acts, and so
-    is any beside a table with two columns, which replaces it.
+    is any in addition to a table with two columns, which replaces it.
     """
     own = "getriebe[0].lose"
     value = axis.whole(own, -(2**15))
@@ -292,12 +297,15 @@ def read_backlash(
     statement = axis.statements[own]
     if chosen is None:
         if "lr_param.anwahl_losekomp" not in axis.statements:
-            axis.missing("lr_param.anwahl_losekomp", f"{own} is not 0, whether it acts is not said")
+            axis.missing(
+                "lr_param.anwahl_losekomp",
+                f"{own} is not 0, but no line shows whether it is active",
+            )
     elif value < 0 or value >= 2**15:
-        message = f"{own} of axis {axis.address}: not known which way a negative one acts"
+        message = f"{own} of axis {axis.address}: the direction of a negative one is unknown"
         axis.fault(statement, message, "0 to 32767, or lr_param.anwahl_losekomp 0")
     elif table is not None and table.acts and table.bilateral:
-        message = f"{own} of axis {axis.address} beside a table with two columns"
+        message = f"{own} of axis {axis.address} in addition to a table with two columns"
         axis.fault(statement, message, "0: the table holds the reversal")
     fact = f"sense of {own} of axis {axis.address}"
     assumed.append(Assumption(fact, "0 in the referencing direction", "unconfirmed"))
@@ -309,5 +317,5 @@ def _other_gears(axis: AxisLists, first: int | None, chosen: int | None) -> None
         if name.endswith("].lose") and not name.startswith("0]") and chosen != 0:
             value = statement.number()
             if value not in (0.0, first):
-                message = f"{statement.name} of axis {axis.address}: which gear acts is not known"
+                message = f"{statement.name} of axis {axis.address}: the active gear is unknown"
                 axis.fault(statement, message, "the value of getriebe[0].lose, or 0")

@@ -113,6 +113,7 @@ class AxisLists:
                 file=", ".join(dict.fromkeys(self.files)),
                 expected=f"a line {name}",
                 found="none",
+                hint="add this line to the list of the axis, or export the list again",
             )
         )
 
@@ -161,7 +162,12 @@ def _statements(file: ControlFile, lists: ControlLists) -> Iterable[ListStatemen
     text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf")
     if "\x00" in text:
         lists.faults.append(
-            Fault(message="a NUL byte: no list in plain text", file=file.name, expected="ASCII")
+            Fault(
+                message="contains a NUL byte: this is not a list in plain text",
+                file=file.name,
+                expected="ASCII",
+                hint="export the list from the control as plain text",
+            )
         )
         return
     text = text.replace("\r\n", "\n").replace("\r", "\n")
@@ -169,7 +175,12 @@ def _statements(file: ControlFile, lists: ControlLists) -> Iterable[ListStatemen
         if mark.group() == "/*":
             place = f"line {text.count(chr(10), 0, mark.start()) + 1}"
             lists.faults.append(
-                Fault(message="a remark that does not end", file=file.name, place=place)
+                Fault(
+                    message="a comment has no end",
+                    file=file.name,
+                    place=place,
+                    hint="close the comment, or export the list from the control again",
+                )
             )
             return
     bare = _REMARK.sub(lambda mark: " " + "\n" * mark.group().count("\n"), text)
@@ -255,7 +266,12 @@ def _address(
     if not headers and by_start_up is None:
         expected = "a header kopf.achs_nr with the logical axis number"
         lists.faults.append(
-            Fault(message="nothing says whose list this is", file=name, expected=expected)
+            Fault(
+                message="the file does not show to which axis this list belongs",
+                file=name,
+                expected=expected,
+                hint=("name the file so, or add the line with the axis number to the list"),
+            )
         )
         return None
     for statement, number in zip(headers, numbers, strict=True):

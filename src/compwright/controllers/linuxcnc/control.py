@@ -110,7 +110,8 @@ class LinuxCncControl:
             Fault(
                 message=(
                     f"no table by which {input} corrects {output}: LinuxCNC has none between joints"
-                )
+                ),
+                hint="remove this entry from `cross` of the job",
             )
         )
 
@@ -154,6 +155,7 @@ def linuxcnc_control(files: Sequence[ControlFile], request: Request) -> LinuxCnc
             Fault(
                 message="two files have the same name",
                 found=", ".join(sorted({n for n in names if names.count(n) > 1})),
+                hint="give each file once",
             )
         )
     inis, used = read_inis(files)
@@ -196,6 +198,7 @@ class _JointLoader:
                     message="no joint found",
                     file=given,
                     expected="an INI with a section [JOINT_N], or a table joint_N.comp",
+                    hint="give the INI of the machine",
                 )
             )
         return {str(number): joint for number, joint in sorted(found.items()) if joint is not None}
@@ -223,8 +226,8 @@ class _JointLoader:
             value = ini.find("KINS", "KINEMATICS")
             if value is not None and value.text.split()[0].lower() in MIXING:
                 message = (
-                    "[KINS] KINEMATICS: an axis moves several joints here, and a table acts on one"
-                    " joint"
+                    "[KINS] KINEMATICS: an axis moves several joints here, and a table is"
+                    " active on one joint"
                 )
                 self.faults.append(
                     value.fault(message, expected="trivkins, where each joint is an axis")
@@ -244,7 +247,7 @@ class _JointLoader:
                     message = (
                         f"[AXIS_{letters[number]}] WRAPPED_ROTARY: the axis counts on past its"
                         f" turn, and a table of joint {number} does not repeat: beyond its last row"
-                        " its end value acts"
+                        " its end value is active"
                     )
                     self.faults.append(
                         value.fault(message, expected="WRAPPED_ROTARY = 0 and an axis with ends")
@@ -269,9 +272,10 @@ class _JointLoader:
             else:
                 self.faults.append(
                     Fault(
-                        message="nothing says which joint loads this table",
+                        message="the files do not show which joint loads this table",
                         file=name,
                         expected="a name such as joint_0.comp, or its INI",
+                        hint="rename the file to `joint_N.comp`, or add the INI",
                     )
                 )
         return found
@@ -358,14 +362,22 @@ class _JointLoader:
         base = 16 if digits[:2].lower() == "0x" else 8 if digits[0] == "0" else 10
         parsed = int(digits, base)
         if match.group(1) == "-" or parsed > 1:
-            self.notes.append(f"joint {number}: COMP_FILE_TYPE {value.text} acts like 1")
+            self.notes.append(f"joint {number}: COMP_FILE_TYPE {value.text} is treated as 1")
         return parsed
 
     def _from_orphan(self, number: int, name: str) -> _Joint:
         option = self.request.options.get("comp_file_type", 0)
         if str(option) not in {"0", "1"}:
             raise UsageError(
-                Fault(message="option comp_file_type", expected="0 or 1", found=repr(option))
+                Fault(
+                    message="option comp_file_type",
+                    expected="0 or 1",
+                    found=repr(option),
+                    hint=(
+                        "give `--option comp_file_type=0` or `--option "
+                        "comp_file_type=1`, as in the INI"
+                    ),
+                )
             )
         evidence = "option" if "comp_file_type" in self.request.options else "the control's default"
         self.assumed.append(Assumption(f"joint that loads {name}", str(number), "no INI was given"))
@@ -378,8 +390,9 @@ class _JointLoader:
         self.notes += table.notes
         if table.nominal.size == 0:
             self.notes.append(
-                f"joint {number}: {name} gives no row: there is no compensation by table, and"
-                " BACKLASH acts instead"
+                f"joint {number}: {name} gives no row: there is no compensation by table, "
+                "and BACKLASH"
+                " is active instead"
             )
         return table
 
@@ -405,7 +418,12 @@ class _JointLoader:
         option = self.request.options.get("units", "mm")
         if option not in {"mm", "inch"}:
             raise UsageError(
-                Fault(message="option units", expected="mm or inch", found=repr(option))
+                Fault(
+                    message="option units",
+                    expected="mm or inch",
+                    found=repr(option),
+                    hint="give `--option units=mm` or `--option units=inch`, as in the INI",
+                )
             )
         evidence = "option" if "units" in self.request.options else "default"
         self.assumed.append(Assumption(f"machine units of joint {number}", str(option), evidence))

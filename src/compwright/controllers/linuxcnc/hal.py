@@ -41,8 +41,11 @@ def run_time_pins(
                     message=message,
                     file=file.name,
                     place=f"line {number}",
-                    expected="this pin left alone in every test, and in the HAL file",
+                    expected="a HAL file that leaves this pin alone",
                     found=line.strip(),
+                    hint=(
+                        "remove the line from the HAL file, measure again, then give the new file"
+                    ),
                 )
 
 

@@ -43,6 +43,7 @@ class IniValue:
             place=f"line {self.line.number}",
             expected=expected,
             found=found or repr(self.text),
+            hint="correct this line in the INI, then give the new file",
         )
 
 
@@ -140,6 +141,7 @@ def _expanded(file: ControlFile, files: Mapping[str, ControlFile], included: set
                     file=line.file,
                     place=f"line {line.number}",
                     expected=wanted or "a file name",
+                    hint="add the included file to the state",
                 )
             )
     return IniFile(file.name, tuple(lines), tuple(faults))
@@ -158,6 +160,7 @@ def _lines(file: ControlFile, faults: list[Fault]) -> list[IniLine]:
                     message="carriage return or NUL inside a line: the control does not start",
                     file=file.name,
                     place=f"line {number}",
+                    hint="save the INI again with a plain text editor",
                 )
             )
             return found

@@ -85,6 +85,9 @@ class PmacControl:
                 Fault(
                     message=f"no table by which {input} corrects {output}",
                     expected=" or ".join(f"{a} and {b}" for a, b in self.tables) or "a table",
+                    hint=(
+                        "correct the entry `cross` of the job, or give the script with this table"
+                    ),
                 )
             )
         where = self._scale(pair[0]).motor(np.asarray(positions, dtype=np.float64))
@@ -131,7 +134,7 @@ def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
     _looked_up_by(card, assumed)
     tables = {pair: found for pair, found in crossing.items() if set(pair) <= scales.keys()}
     notes += [
-        f"what motor {a} does to motor {b} is not said: option counts_per_unit"
+        f"what motor {a} does to motor {b} is not given: option counts_per_unit"
         for a, b in crossing.keys() - tables.keys()
     ]
     return PmacControl(motors, tables, scales, tuple(assumed), tuple(notes))
@@ -191,6 +194,7 @@ def _without_counts(number: int, given: object) -> UsageError:
             message=f"option counts_per_unit of motor {number}",
             expected="counts per mm or deg, negative where the motor counts against the axis",
             found="none" if given is None else repr(given),
+            hint=("give `--option counts_per_unit=1000` with the value of this motor"),
         )
     )
 

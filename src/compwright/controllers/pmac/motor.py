@@ -143,7 +143,7 @@ class Judged:
     def _motor(self, number: int) -> Motor:
         for name in (ENABLE, 100 * number + TAKE_UP, 100 * number + SIZE):
             if name in self.card.later:
-                message = f"a program sets I{name} when it runs: what acts then is not known"
+                message = f"a program sets I{name} when it runs: what is active then is unknown"
                 self.faults.append((number, self.card.later[name].fault(message)))
         own = []
         for table in self.card.tables.values():

@@ -122,7 +122,13 @@ def run_scripts(files: Sequence[ControlFile]) -> Card:
         text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf").upper()
         text = text.removesuffix("\x1a")  # the end of a file of DOS
         if "\x00" in text:
-            card.faults.append(Fault(message="a NUL byte: no script in plain text", file=file.name))
+            card.faults.append(
+                Fault(
+                    message="contains a NUL byte: this is not a script in plain text",
+                    file=file.name,
+                    hint="save the script from the control as plain text",
+                )
+            )
             continue
         script = _Script(card, sending)
         lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")

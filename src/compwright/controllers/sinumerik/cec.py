@@ -99,7 +99,12 @@ def _sign(request: Request) -> int:
         return 0
     if option not in _SIGNS:
         raise UsageError(
-            Fault(message="option cec_sign", expected=" or ".join(_SIGNS), found=repr(option))
+            Fault(
+                message="option cec_sign",
+                expected=" or ".join(_SIGNS),
+                found=repr(option),
+                hint="give `--option cec_sign=correction` or `--option cec_sign=error`",
+            )
         )
     return _SIGNS[str(option)]
 
@@ -107,7 +112,7 @@ def _sign(request: Request) -> int:
 def _say_sign(sign: int, request: Request, remarks: Remarks) -> None:
     if not sign:
         remarks.notes.append(
-            "what the CEC tables do is not said: their sign is not told (option cec_sign)"
+            "the effect of the CEC tables is unknown: their sign is not given (option cec_sign)"
         )
         return
     remarks.assumed.append(

@@ -75,7 +75,14 @@ def active_files(file: ControlFile) -> Opened:
                     f"the archive holds two members {member.name} that differ: which one counts is"
                     " not known"
                 )
-                opened.faults.append(Fault(message=message, file=file.name, place=member.name))
+                opened.faults.append(
+                    Fault(
+                        message=message,
+                        file=file.name,
+                        place=member.name,
+                        hint="export the archive from the control again",
+                    )
+                )
             elif before is member.content:
                 opened.files.append(ControlFile(f"{file.name}: {member.name}", member.content))
     except InputError as error:
@@ -87,7 +94,8 @@ def active_files(file: ControlFile) -> Opened:
             message=f"the archive is cut short: its list names {name}, which is not in it",
             file=file.name,
             place=name,
-            expected="an archive as the control wrote it; export it again",
+            expected="an archive as the control wrote it",
+            hint="export the archive from the control again",
         )
         for name in dict.fromkeys(listed)
         if name.upper() not in seen
@@ -112,13 +120,14 @@ def _said_twice(files: list[ControlFile]) -> Iterator[Fault]:
             if other != value and _as_number(other) != _as_number(value):
                 yield Fault(
                     message=(
-                        f"${key.decode('latin-1')} is not what {where.name}, line {at} says:"
-                        " one of the two members was changed"
+                        f"${key.decode('latin-1')} contradicts {where.name}, line {at}: "
+                        "one of the two members was changed"
                     ),
                     file=file.name,
                     place=f"line {number}",
-                    expected=f"{other.decode('latin-1')}, or an archive that was exported again",
+                    expected=f"{other.decode('latin-1')}",
                     found=value.decode("latin-1"),
+                    hint="export the archive from the control again",
                 )
 
 
@@ -147,10 +156,11 @@ def _members(file: ControlFile) -> Iterator[_Member]:
         if size is None:
             raise InputError(
                 Fault(
-                    message=f"the size of {before} does not fit: no member begins where it ends",
+                    message=f"the size of {before} is wrong: no member begins where it ends",
                     file=file.name,
                     place=f"byte {start}",
-                    expected="an archive as the control wrote it; export it again",
+                    expected="an archive as the control wrote it",
+                    hint="export the archive from the control again",
                 )
             )
         data = content[start + _BLOCK : start + _BLOCK + size]
@@ -162,6 +172,7 @@ def _members(file: ControlFile) -> Iterator[_Member]:
                     place=f"byte {start}",
                     expected=f"{size} bytes",
                     found=f"{len(data)} bytes",
+                    hint="export the archive from the control again",
                 )
             )
         yield _Member(start, name, _field(header, 108), _field(header, 384), data)

@@ -154,6 +154,7 @@ class SinumerikControl:
                 Fault(
                     message=f"no table by which {input} corrects {output}",
                     expected=known or "cross tables in the files",
+                    hint=("correct the entry `cross` of the job, or give the file with this table"),
                 )
             )
         return self.sag.shift(pair, np.asarray(positions, dtype=np.float64), direction)
@@ -204,6 +205,7 @@ def sinumerik_control(
                 message="no compensation data found",
                 file=given,
                 expected="$AA_ENC_COMP, $AN_CEC or $MA_BACKLASH",
+                hint="give the files with the compensation data of this control",
             )
         )
     faults += [fault for entry in assignments if (fault := _out_of_range(entry)) is not None]
@@ -380,7 +382,10 @@ class _AxisLoader:
             if given not in {1, 2}:
                 raise UsageError(
                     Fault(
-                        message=f"measuring system of {name}", expected="1 or 2", found=repr(given)
+                        message=f"measuring system of {name}",
+                        expected="1 or 2",
+                        found=repr(given),
+                        hint="give `--option encoder_system=1` or `--option encoder_system=2`",
                     )
                 )
             return given - 1

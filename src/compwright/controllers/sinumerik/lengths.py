@@ -85,11 +85,12 @@ def lengths_of(
     rotary |= {names.name(axis).upper(): kind == "rotary" for axis, kind in request.kinds.items()}
     faults = [
         Fault(
-            message="the basic system (MD10240, METRIC or INCH) is said in two ways",
+            message=("the files contain two different basic systems (MD10240, METRIC or INCH)"),
             expected="inch" if inch else "metric",
             found="metric" if metric else "inch",
             file=file,
             place=f"line {line}",
+            hint="export all files from the control again, at one time",
         )
         for metric, file, line in said
         if metric is inch
@@ -105,22 +106,26 @@ def _strange(contents: Sequence[ProgramContent], request: Request, *, inch: bool
     for content in contents:
         faults += [
             Fault(
-                message="MD10250 $MN_SCALING_VALUE_INCH: an inch of another length",
+                message=("MD10250 $MN_SCALING_VALUE_INCH: the length of an inch was changed"),
                 file=content.name,
                 place=f"line {line}",
                 expected=f"{_MM:g}",
                 found=f"{value:g}",
+                hint=f"set MD10250 to {_MM:g} in the control and export its files again",
             )
             for line, value in content.units.inch
             if inch and "linear" in kinds and value != _MM
         ]
         faults += [
             Fault(
-                message="MD10220 $MN_SCALING_USER_DEF_MASK: units of somebody's own (MD10230)",
+                message=(
+                    "MD10220 $MN_SCALING_USER_DEF_MASK: user-defined units are active (MD10230)"
+                ),
                 file=content.name,
                 place=f"line {line}",
                 expected="bits " + ", ".join(map(str, sorted(own))) + " not set",
                 found=f"'H{mask:X}'",
+                hint="clear these bits in the control and export its files again",
             )
             for line, mask in content.units.own
             if any(mask >> bit & 1 for bit in own)

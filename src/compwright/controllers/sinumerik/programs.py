@@ -85,22 +85,31 @@ def _always(file: str, lines: Sequence[int]) -> Fault:
     more = ", ".join(str(line) for line in lines[1:])
     return Fault(
         message=(
-            "every run of the program assigns compensation other than 0 here"
-            f"{f' or in line {more}' if more else ''}, whatever it meets"
+            "every run of the program executes this assignment of a "
+            "compensation other than "
+            f"0{f' or that in line {more}' if more else ''}"
         ),
         file=file,
         place=f"line {lines[0]}",
-        expected=f"{_EXPORT}; active: no is for programs of which nothing was carried out",
+        expected=f"{_EXPORT}; active: no is for programs that were not executed",
+        hint=(
+            "export the compensation data from the control, then give that "
+            "file instead of the program"
+        ),
     )
 
 
 def _unclear(calls: ProgramCalls, placed: PlacedBlock) -> Iterator[Fault]:
     for line in unclear_jumps(placed.block.trail) if calls.in_doubt(placed.block) else ():
         yield Fault(
-            message="the program holds more than one label to which this line may lead",
+            message=("the program contains more than one label to which this line may jump"),
             file=placed.content.name,
             place=f"line {line}",
             expected=_EXPORT,
+            hint=(
+                "export the compensation data from the control, then give that "
+                "file instead of the program"
+            ),
         )
 
 
@@ -139,12 +148,16 @@ def _not_all(placed: PlacedBlock, calls: ProgramCalls) -> Iterator[Fault]:
     if pair is not None:
         line, other = pair
         why = f"every run that comes to line {other} leaves it out" if other else "no run does"
-        why = "no run does together with all the others" if other == line else why
         yield Fault(
-            message=f"not all of the program was carried out: of this line, {why}",
+            message=f"not all of the program was executed: of this line, {why}",
             file=placed.content.name,
             place=f"line {line}",
             expected=f"{_EXPORT}, or active: no where nothing of it was carried out",
+            hint=(
+                "export the compensation data from the control and give that "
+                "file, or set `active: no` in this state if none of it was "
+                "executed"
+            ),
         )
 
 
@@ -152,11 +165,15 @@ def _other_lengths(file: str, block: ProgramBlock, *, inch: bool) -> Iterator[Fa
     for line, inches in block.inches.items():
         if inches is not inch:
             yield Fault(
-                message="a program in another unit of lengths than the control",
+                message="the program uses another unit of length than the control",
                 file=file,
                 place=f"line {line}",
                 expected=_EXPORT,
                 found="inch" if inches else "mm",
+                hint=(
+                    "export the compensation data from the control, then give that "
+                    "file instead of the program"
+                ),
             )
 
 
@@ -181,8 +198,8 @@ def _unsure(file: str, first: Doubt, calls: ProgramCalls) -> Fault:
     program = f"the file of {first.call} too, where it is a program, or " if unknown else ""
     return Fault(
         message=(
-            "this line may keep assignments of the program from being carried out, or says that"
-            " another program has to call this one"
+            "this line may prevent the assignments of the program, or shows "
+            "that another program has to call this one"
         ),
         file=file,
         place=f"line {first.line}",
@@ -191,4 +208,9 @@ def _unsure(file: str, first: Doubt, calls: ProgramCalls) -> Fault:
             " where none was"
         ),
         found=first.text,
+        hint=(
+            "export the compensation data from the control and give that "
+            "file, or answer `active: yes` (all executed) or `active: no` "
+            "(none executed) in this state"
+        ),
     )

@@ -102,8 +102,10 @@ class Sag:
             raise UsageError(
                 Fault(
                     message=(
-                        f"what the tables of {axis} over itself do is not known: {self.odd[axis]}"
-                    )
+                        f"the effect of the tables of {axis} over itself is unknown: "
+                        f"{self.odd[axis]}"
+                    ),
+                    hint=("export the CEC tables from the control again, or leave this axis out"),
                 )
             )
         if self.sign:
@@ -112,9 +114,10 @@ class Sag:
             return np.zeros(positions.shape)
         raise UsageError(
             Fault(
-                message=f"{axis} is corrected by CEC tables over itself, whose sign is not known",
+                message=(f"{axis} is corrected by CEC tables over itself, whose sign is unknown"),
                 place="option cec_sign",
                 expected="correction or error",
+                hint="give `--option cec_sign=correction` or `--option cec_sign=error`",
             )
         )
 
@@ -125,9 +128,10 @@ class Sag:
         if self.sign == 0 and pair[0] != pair[1]:
             raise UsageError(
                 Fault(
-                    message="the sign of CEC values",
+                    message="the sign of the CEC values is unknown",
                     place="option cec_sign",
                     expected="correction or error",
+                    hint="give `--option cec_sign=correction` or `--option cec_sign=error`",
                 )
             )
         if pair[1] in self.off and pair[0] != pair[1]:

@@ -188,7 +188,7 @@ def _impossible(first: VariableAssignment, label: str, table: CompensationTable)
     if np.any(np.diff(table.positions()) <= 0.0):
         return [
             first.fault(
-                f"STEP of the {label} is lost beside the size of MIN",
+                f"STEP of the {label} is lost in the size of MIN",
                 found=f"STEP {table.step!r}, MIN {table.lowest!r}",
             )
         ]

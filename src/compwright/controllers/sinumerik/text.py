@@ -226,6 +226,7 @@ def read_file(file: ControlFile) -> ProgramContent:
                 message="is a binary file",
                 file=file.name,
                 expected="text, or a commissioning archive in its container (@@MMCIBN)",
+                hint="export it from the control as text, or as an archive",
             )
         )
         return found
@@ -281,11 +282,15 @@ def _note_flow(code: str, number: int, found: ProgramContent, whole: str, *, sai
 
 def _computed(file: str, number: int, shown: str) -> Fault:
     return Fault(
-        message="what is assigned here, or to what, only the running program knows",
+        message=("the value or the index assigned here is known only while the program runs"),
         file=file,
         place=f"line {number}",
         expected="numbers and names of axes, as in the data that the control exports",
         found=shown,
+        hint=(
+            "export the compensation data from the control, then give that "
+            "file instead of the program"
+        ),
     )
 
 
@@ -348,6 +353,9 @@ def _read_line(code: str, file: str, number: int, found: ProgramContent, *, ende
                 place=f"line {number}",
                 expected=expected,
                 found=repr(code.strip()[:80]),
+                hint=(
+                    "correct this line in a copy of the file, or export it from the control again"
+                ),
             )
         )
 
@@ -408,7 +416,7 @@ def _read_assignment(
         wrong(f"index of ${name} cannot be read", f"[{','.join(READ[name])}]")
         return
     if "=" not in match["sign_of_assignment"]:
-        found.notes.append(f"{file}: line {number}: a blank stands in place of the equals sign")
+        found.notes.append(f"{file}: line {number}: a blank is in place of the equals sign")
     found.assignments.append(
         VariableAssignment(
             name=name,

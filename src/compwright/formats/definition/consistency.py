@@ -156,7 +156,7 @@ def _statements(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
             if kind is not None and kind.sections is None:
                 yield (*path, "within"), "this kind of text has no sections"
             if set(field_names(statement.within)) - {"axis"}:
-                yield (*path, "within"), "only {axis} can stand in the name of a section"
+                yield (*path, "within"), "only {axis} is allowed in the name of a section"
         if statement.fields.get("axis", definition.addresses.type) != definition.addresses.type:
             yield (*path, "fields"), "the field axis must have the type of the addresses"
 
@@ -187,7 +187,7 @@ def _layout(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPath
     if rules.row == "position" and "node_position" in definition.bindings:
         parts.append(definition.bindings["node_position"].statement)
     if len(set(parts)) > 1 and rules.row is not None:
-        yield ("bindings",), "position and values of a row must stand in one statement"
+        yield ("bindings",), "position and values of a row must be in one statement"
     row = definition.statements.get(parts[0]) if parts else None
     if rules.row == "index" and row is not None and row.fields.get("index") != "integer":
         yield ("statements", row.name, "fields"), "a value by index needs the field index: integer"

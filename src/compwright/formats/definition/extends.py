@@ -12,7 +12,7 @@ from functools import cache, reduce
 from typing import Any
 
 from compwright.foundations.errors import Fault, InputError
-from compwright.foundations.key_faults import KeyPath, key_path_text, nearest
+from compwright.foundations.key_faults import KeyPath, key_path_text, nearest, usual_hint
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.plan import Texts
 
@@ -34,7 +34,14 @@ class DefinitionText:
     places: Mapping[KeyPath, tuple[str, int]]
 
     def fault(
-        self, path: KeyPath, message: str, *, expected: str = "", found: str = "", place: str = ""
+        self,
+        path: KeyPath,
+        message: str,
+        *,
+        expected: str = "",
+        found: str = "",
+        place: str = "",
+        hint: str = "",
     ) -> Fault:
         """Return a fault at a key path, in the file and on the line where it stands, or its nearest
         ancestor. ``place``: what is said instead of the path.
@@ -45,7 +52,14 @@ class DefinitionText:
         file, line = self.places.get(probe, (self.file, 0))
         name = place or key_path_text(path)
         where = ", ".join(part for part in (f"line {line}" if line else "", name) if part)
-        return Fault(message=message, file=file, place=where, expected=expected, found=found)
+        return Fault(
+            message=message,
+            file=file,
+            place=where,
+            expected=expected,
+            found=found,
+            hint=hint or usual_hint(path, message),
+        )
 
 
 def found_in(files: Mapping[str, bytes]) -> Find:
@@ -72,7 +86,7 @@ def texts_of(content: bytes, file: str, find: Find) -> Texts:
         found = find(name) if isinstance(name, str) else None
         if found is None:
             message = "extends a definition that is not there"
-            expected = "a file beside it, or the id or file name of one that ships"
+            expected = "a file next to it, or the id or file name of one that ships"
             raise InputError(
                 text.fault((EXTENDS,), message, expected=expected, found=str(name)[:60])
             )

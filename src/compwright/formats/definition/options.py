@@ -45,6 +45,7 @@ def resolve_options(
                     message=f"{definition.id} has no such option",
                     place=name,
                     expected=f"{near}?" if near else f"one of {', '.join(known)}",
+                    hint=f"leave this option out, or see `compwright formats show {definition.id}`",
                 )
             )
     values: dict[str, object] = {
@@ -102,6 +103,7 @@ def axis_options(
                     message=f"{definition.id} has no such option",
                     place=name,
                     expected=f"one of {known}",
+                    hint=f"see `compwright formats show {definition.id}` for the options it has",
                 )
             )
         elif rule.whole_control:
@@ -114,6 +116,10 @@ def axis_options(
                     place=name,
                     expected=f"controller.options.{name}",
                     found="an axis' own",
+                    hint=(
+                        f"move it to `controller.options.{name}`; without a job give `--option "
+                        f"{name}=VALUE`"
+                    ),
                 )
             )
         else:
@@ -125,12 +131,17 @@ def axis_options(
             faults.append(
                 Fault(
                     message=(
-                        f"{definition.id}: the {rule.name.replace('_', ' ')} of the axis must be"
-                        " given; no file that was given says it"
+                        f"{definition.id} needs the {rule.name.replace('_', ' ')} of the axis, and "
+                        "no given file contains it"
                     ),
                     place=rule.name,
                     expected=rule.asked,
                     found="nothing" if value is None else str(value),
+                    hint=(
+                        f"add `{rule.name}` to the axis in the job, or the file of the "
+                        "control that "
+                        "contains it"
+                    ),
                 )
             )
     raise_all(
@@ -204,10 +215,11 @@ def _settle_shared(
         if name in given and values[name] not in ((fact,) if strict else (fact, rule.default)):
             faults.append(
                 Fault(
-                    message=f"the option of {definition.id} contradicts the control's own files",
+                    message=f"the option contradicts the control's own files ({definition.id})",
                     place=name,
                     expected=str(fact),
                     found=str(values[name]),
+                    hint=f"leave the option out, or set it to {fact}",
                 )
             )
         values[name] = fact
@@ -271,6 +283,9 @@ def _wrong(name: str, definition: Definition, expected: str, found: object) -> F
         place=name,
         expected=expected,
         found=repr(found)[:60],
+        hint=(
+            f"correct the value; `compwright formats show {definition.id}` lists what is allowed"
+        ),
     )
 
 

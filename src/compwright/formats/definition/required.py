@@ -37,5 +37,6 @@ class Required(dict[str, _T]):
                 place=f"{self._section}.{name}",
                 expected="an entry",
                 found="none",
+                hint=f"add `{name}` to the section `{self._section}` of the definition",
             )
         )

@@ -45,13 +45,18 @@ class Activity:
                 notes.contradictions.append(
                     Fault(
                         message=(
-                            f"{label}: the job says active: no, but the files end with the table"
-                            f" switched on ({switches})"
+                            f"{label}: the job states active: no, but the files end with the table "
+                            f"switched on ({switches})"
                         ),
                         file=place.occurrence.file if place is not None else "",
                         place=place.occurrence.place if place is not None else "",
                         expected="active left out, or the files as they were during the test",
                         found=place.text if place is not None else "",
+                        hint=(
+                            "leave out `active` in this state, or give the files as they "
+                            "were during "
+                            "the test"
+                        ),
                     )
                 )
             return True
@@ -67,13 +72,14 @@ class Activity:
             ends = (
                 f"end with the table switched off ({switches} = 0)"
                 if word == "no"
-                else f"do not say whether it acts ({switches})"
+                else f"do not show whether it is active ({switches})"
             )
             notes.ask(
                 Fault(
                     message=(
-                        f"{label}: its table is not zero, and the files of the state {ends}: did it"
-                        " act during the test?"
+                        f"{label}: its table is not zero, and the files of the state "
+                        f"{ends}. Was it "
+                        "active during the test?"
                     ),
                     file=place.occurrence.file if place is not None else "",
                     place=place.occurrence.place if place is not None else "",
@@ -83,6 +89,10 @@ class Activity:
                         " about: where they differ, the switch as it was, among the files"
                     ),
                     found="no answer",
+                    hint=(
+                        "answer with `active: yes` or `active: no` in this state of the job "
+                        "(without a job: `--option active=yes`)"
+                    ),
                 )
             )
         return None

@@ -55,6 +55,7 @@ def axis_names(
                     place="address",
                     expected="each axis once",
                     found=f"{mine[place]} and {address}",
+                    hint="give each axis of the job an `address` of its own",
                 )
             )
         mine.setdefault(place, address)
@@ -76,13 +77,14 @@ def _machine(
                 faults.append(
                     Fault(
                         message=(
-                            f"the name {name} stands for two machine axes (MD10000), {place} and"
-                            f" {other}"
+                            f"the name {name} is used for two machine axes (MD10000), {place} and "
+                            f"{other}"
                         ),
                         file=occurrence.file,
                         place=occurrence.place,
                         expected="a name for each axis",
                         found=name,
+                        hint="correct MD10000 in the control and export its files again",
                     )
                 )
     return places

@@ -37,10 +37,16 @@ def paired(
         ) or normal_text(definition, named)
         if address not in by_address:
             faults.append(
-                Fault(message=f"no axis has the address {named}", expected=", ".join(by_address))
+                Fault(
+                    message=f"no axis has the address {named}",
+                    expected=", ".join(by_address),
+                    hint="use one of these addresses, or add the axis to the job",
+                )
             )
         elif address in pairs:
-            faults.append(Fault(message=f"axis {address} has two tables"))
+            faults.append(
+                Fault(message=f"axis {address} has two tables", hint="remove one of the two tables")
+            )
         else:
             pairs[address] = (address, by_address[address], compensation)
     raise_all(UsageError, faults)

@@ -26,15 +26,17 @@ CURVES = "curves"
 #: What has to be done so that the control knows where the axis is, by the kind of encoder.
 REFERENCING = {
     "incremental": (
-        "Incremental encoder: reference the axis after the power cycle; nothing acts before that."
+        "Incremental encoder: reference the axis after the power cycle; no compensation "
+        "is active before that."
     ),
     "absolute": (
         "Absolute encoder: no reference return. Leave its adjustment alone: machine zero would be"
         " lost."
     ),
     "distance_coded": (
-        "Distance-coded scale: move the axis over two marks after the power cycle; nothing acts"
-        " before that."
+        "Distance-coded scale: move the axis over two marks after the power cycle; no "
+        "compensation is"
+        " active before that."
     ),
 }
 

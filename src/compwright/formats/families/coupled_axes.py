@@ -58,6 +58,10 @@ class Coupling:
             place=self.place,
             expected=expected + more,
             found=found,
+            hint=(
+                "correct the axes and `gantry` in the job, or add the file with the "
+                "missing parameter to the state"
+            ),
         )
 
 

@@ -48,11 +48,19 @@ def size(
                 message=f"{label}: too few points",
                 expected=f"at least {capacity.min_points}",
                 found=str(count),
+                hint="give a smaller `table: {spacing: ...}`",
             )
         )
     if most is not None and count > most:
         message = f"{label}: too many points; a wider spacing would help"
-        faults.append(Fault(message=message, expected=f"at most {most}", found=str(count)))
+        faults.append(
+            Fault(
+                message=message,
+                expected=f"at most {most}",
+                found=str(count),
+                hint="give a larger `table: {spacing: ...}`",
+            )
+        )
     return faults
 
 
@@ -64,13 +72,28 @@ def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> li
             f"{label}: the control holds one curve for both directions; put the reversal into the"
             " backlash"
         )
-        faults.append(Fault(message=message, expected="one curve", found="two different curves"))
+        faults.append(
+            Fault(
+                message=message,
+                expected="one curve",
+                found="two different curves",
+                hint="set `table: {mode: single}` for this axis",
+            )
+        )
     if capacity.backlash_quantum is None and compensation.backlash != 0:
         message = (
-            f"{label}: the control has no backlash value beside the table; put it into the two"
+            f"{label}: the control has no backlash value in addition to the table; put it "
+            "into the two"
             " curves"
         )
-        faults.append(Fault(message=message, expected="0", found=f"{compensation.backlash:g}"))
+        faults.append(
+            Fault(
+                message=f"{label}: the control has no backlash value in addition to the table",
+                expected="0",
+                found=f"{compensation.backlash:g}",
+                hint=("put the reversal error into the two curves: `table: {mode: bidirectional}`"),
+            )
+        )
     return faults
 
 
@@ -84,6 +107,7 @@ def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list
             Fault(
                 message=f"{label}: the table repeats, the axis does not",
                 expected="an axis with modulo",
+                hint="remove the repetition, or set `modulo` of the axis in the job",
             )
         ]
     span = (
@@ -100,9 +124,10 @@ def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list
         expected = f"a table that repeats, from end to end {period:g}"
         faults.append(
             Fault(
-                message=f"{label}: the axis is endless, its table not",
+                message=f"{label}: the axis is endless, but its table is not",
                 expected=expected,
                 found=f"{span:g}",
+                hint="make the table span one turn, or remove `modulo` of the axis from the job",
             )
         )
     if span and any(
@@ -112,7 +137,8 @@ def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list
             Fault(
                 message=(
                     f"{label}: the table of an endless axis must have the same value at both ends"
-                )
+                ),
+                hint="give both ends of the table the same value",
             )
         )
     return faults
@@ -124,7 +150,14 @@ def endless(definition: Definition, axis: Axis, label: str) -> list[Fault]:
     if axis.modulo is None or axis.counts_turns or no_limit:
         return []
     why = f"{label}: the control's table does not repeat, so an endless axis cannot have one"
-    return [Fault(message=why, expected="an axis with ends", found=f"modulo {axis.modulo:g}")]
+    return [
+        Fault(
+            message=why,
+            expected="an axis with ends",
+            found=f"modulo {axis.modulo:g}",
+            hint="remove `modulo` of the axis from the job, and give its `travel`",
+        )
+    ]
 
 
 def spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> Iterator[Fault]:
@@ -141,6 +174,7 @@ def spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> I
                 message=f"{label}: the points are too close; {capacity.min_spacing_reason}",
                 expected=f"{capacity.min_spacing:g} {compensation.kind.unit} or more",
                 found=f"{least:g}",
+                hint="give a larger `table: {spacing: ...}`",
             )
 
 
@@ -160,11 +194,12 @@ def ends(definition: Definition, compensation: AxisCompensation, label: str) -> 
             faults.append(
                 Fault(
                     message=(
-                        f"{label}: {side} the table the control does something else than was"
-                        " planned"
+                        f"{label}: {side} the table the control continues it differently from the "
+                        "plan"
                     ),
                     expected=made,
                     found=meant,
+                    hint="make the table cover the whole travel: `table: {start, end}` in the job",
                 )
             )
     return faults
@@ -175,4 +210,11 @@ def kind(axis: Axis, compensation: AxisCompensation, label: str) -> list[Fault]:
     if compensation.kind is axis.kind:
         return []
     message = f"{label}: the table and the axis differ in kind"
-    return [Fault(message=message, expected=axis.kind, found=compensation.kind)]
+    return [
+        Fault(
+            message=message,
+            expected=axis.kind,
+            found=compensation.kind,
+            hint="correct `kind` of the axis in the job",
+        )
+    ]

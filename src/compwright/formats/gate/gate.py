@@ -77,6 +77,7 @@ def disagreements(
                 expected=f"{expected:g} {expectation.unit}",
                 found=f"{found:.9g} {expectation.unit}",
                 place=f"expect, {expectation.name}",
+                hint="check sign and unit in the definition against the manual of the control",
             )
 
 

@@ -96,7 +96,7 @@ def _beyond(
             replace(table, negative=table.negative + 10 * capacity.quantum),
         )
     if capacity.backlash_quantum is None:
-        yield "no backlash beside the table", replace(table, backlash=0.001)
+        yield "no backlash in addition to the table", replace(table, backlash=0.001)
     else:
         beyond = capacity.backlash_range[1] + capacity.backlash_quantum * 10
         yield "backlash range", replace(table, backlash=float(beyond))

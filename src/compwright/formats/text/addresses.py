@@ -23,9 +23,13 @@ def normal_text(definition: Definition, address: str) -> str:
         )
         raise UsageError(
             Fault(
-                message=f"{definition.id} cannot name an axis like this",
+                message=f"this is no address of an axis in {definition.id}",
                 expected=expected,
                 found=repr(address)[:40],
+                hint=(
+                    "set `address` of the axis in the job as the control names the axis, or "
+                    "give `--option address=...`"
+                ),
             )
         )
     if rule.type == "integer":
@@ -57,10 +61,11 @@ def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption 
         raise UsageError(
             Fault(
                 message=f"{definition.id} needs the {what} of axis {axis.name}",
-                expected=(
-                    f"the {what} of the control, such as address: {example} in the job, or"
-                    f" --option address={example}"
-                ),
+                expected=f"the {what} of the control",
                 found=error.faults[0].found,
+                hint=(
+                    f"add `address: {example}` to the axis in the job, or give `--option "
+                    f"address={example}`"
+                ),
             )
         ) from error

@@ -230,4 +230,5 @@ def _fault(
         place=f"byte {place}",
         expected=expected or "the archive as the control wrote it",
         found=found,
+        hint="export the archive from the control again",
     )

@@ -85,7 +85,12 @@ def parse_sheet(file: ControlFile, faults: list[Fault]) -> EntrySheet | None:
         text = file.content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         faults.append(
-            Fault(message="is not UTF-8 text", file=file.name, place=f"byte {error.start}")
+            Fault(
+                message="is not UTF-8 text",
+                file=file.name,
+                place=f"byte {error.start}",
+                hint="save the sheet as CSV UTF-8",
+            )
         )
         return None
     reader = _SheetReader(file.name, faults)
@@ -115,6 +120,7 @@ class _SheetReader:
                 place=f"line {line}",
                 expected=expected,
                 found=found[:60],
+                hint="correct this line of the entry sheet",
             )
         )
 
@@ -150,7 +156,7 @@ class _SheetReader:
             self.fault("a row that cannot be read", number, expected, line)
         elif cells[0] in self.rows:
             self.fault(
-                f"point {cells[0]} stands here a second time",
+                f"point {cells[0]} is here a second time",
                 number,
                 f"once, in line {self.rows[cells[0]].line}",
                 line,

@@ -65,8 +65,9 @@ class Notes:
         self.find(
             "CW-S005",
             "warning",
-            f"{label}: {name} is not in the files; counted as {value}. If the control holds"
-            " anything else, that acted in the tests, and what is written or shown is wrong by the"
+            f"{label}: {name} is not in the files; counted as {value}. If the control has "
+            "another value, that"
+            " one was active in the tests, and what is written or shown is wrong by the"
             " difference: look it up at the control, or add the file that says it",
             label,
         )
@@ -108,6 +109,10 @@ class Notes:
             place=place.occurrence.place if place is not None else "",
             expected=expected,
             found=place.text if found is None and place is not None else found or "",
+            hint=(
+                "correct it in the control, measure again and export its files again, or "
+                "leave this axis out of the job"
+            ),
         )
         self.once(fault)
 

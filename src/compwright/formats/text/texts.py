@@ -126,6 +126,7 @@ class TextReader:
                     expected=(
                         "text as the control exports it, in ASCII or another 8-bit character set"
                     ),
+                    hint="export the file from the control as text",
                 )
             )
             return None
@@ -253,7 +254,7 @@ class _KindReader:
         ):
             self._fault(
                 line,
-                f"the section [{self.section}] stands here a second time; the control reads only"
+                f"the section [{self.section}] is here a second time; the control reads only"
                 " the first",
             )
         self.seen_sections.append(self.section)
@@ -403,6 +404,9 @@ class _KindReader:
                 place=f"line {line.number}",
                 expected=expected,
                 found=found,
+                hint=(
+                    "correct this line in a copy of the file, or export it from the control again"
+                ),
             )
         )
 

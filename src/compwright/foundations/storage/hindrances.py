@@ -45,21 +45,42 @@ def _hindrances(session: Session, path: Path, content: bytes) -> Iterator[Fault]
         blocked = above is not None and not above.is_dir()
         input_lost = is_file and was_read(session, path) and path.read_bytes() != content
     except (OSError, ValueError) as error:
-        yield Fault(message="cannot be written", file=str(path), found=reason(error))
+        yield Fault(
+            message="cannot be written",
+            file=str(path),
+            found=reason(error),
+            hint="check the permissions of the folder, or give another `--out`",
+        )
         return
     if blocked:
-        yield Fault(message="is no folder", file=str(above), expected="a folder to write into")
+        yield Fault(
+            message="is not a folder",
+            file=str(above),
+            expected="a folder to write into",
+            hint="give another folder",
+        )
     elif is_folder:
-        yield Fault(message="is a folder", file=str(path), expected="the name of a file")
+        yield Fault(
+            message="is a folder",
+            file=str(path),
+            expected="the name of a file",
+            hint="give the name of a file",
+        )
     elif (
         exists and not is_file and not (is_link and not path.exists())
     ):  # a link to nowhere is only a name
-        yield Fault(message="is no ordinary file", file=str(path), expected="the name of a file")
+        yield Fault(
+            message="is not an ordinary file",
+            file=str(path),
+            expected="the name of a file",
+            hint="give another name",
+        )
     elif input_lost:
         yield Fault(
-            message="was read by this command and is not overwritten, not even with --force",
+            message=("is an input of this command and is not overwritten, not even with --force"),
             file=str(path),
             expected="another name",
+            hint="give another name",
         )
 
 
@@ -70,6 +91,7 @@ def _exist_already(paths: Sequence[Path]) -> Fault:
             message="exists already",
             file=str(paths[0]),
             expected="a new file, or --force to replace it",
+            hint="give another name, or `--force` to replace it",
         )
     folder = Path(os.path.commonpath([path.parent for path in paths]))
     names = [relative(path, folder) for path in paths[:_MOST_NAMED]]
@@ -79,6 +101,7 @@ def _exist_already(paths: Sequence[Path]) -> Fault:
         file=str(folder),
         expected="new files, another folder, or --force to replace them",
         found=", ".join(names) + (f" and {more} more" if more else ""),
+        hint="give another folder, or `--force` to replace them",
     )
 
 
@@ -92,6 +115,7 @@ def _twice(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
                 message="is also the name of another file that is written",
                 file=str(path),
                 expected="another name",
+                hint="give another name",
             )
 
 

@@ -31,7 +31,12 @@ def list_files(session: Session, path: Path) -> list[Path]:
         )
     except (OSError, ValueError) as error:
         raise InputError(
-            Fault(message="folder cannot be read", file=str(path), found=reason(error))
+            Fault(
+                message="folder cannot be read",
+                file=str(path),
+                found=reason(error),
+                hint="check the path and its permissions",
+            )
         ) from error
 
 
@@ -73,10 +78,11 @@ def folders_holding(
     if not is_folder(top):
         raise InputError(
             Fault(
-                message="is no folder",
+                message="is not a folder",
                 file=str(top),
                 expected="a folder with results",
                 found="a file" if is_there(session, top) else "nothing",
+                hint="give a folder that `compwright run` or `verify` wrote",
             )
         )
     found: list[Path] = []
@@ -88,6 +94,7 @@ def folders_holding(
                 message="folder cannot be read",
                 file=str(error.filename or top),
                 found=reason(error),
+                hint="check the path and its permissions",
             )
         )
 

@@ -44,7 +44,11 @@ def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
                 content = b"" if refused else _at_most(stream, kind.most_bytes + 1)
             session.inputs.add((seen.st_dev, seen.st_ino))
     except (OSError, ValueError) as error:  # ValueError: a name that no file can have (a null byte)
-        refused = Fault(message="cannot be read", found=reason(error))
+        refused = Fault(
+            message="cannot be read",
+            found=reason(error),
+            hint="check the path, and whether you may read the file",
+        )
         raise InputError(refused.in_file(str(path))) from error
     if refused is None and len(content) > kind.most_bytes:  # longer than it says itself
         refused = _too_large(kind, f"more than {in_words(kind.most_bytes)}")
@@ -91,7 +95,7 @@ def _opened(path: str, flags: int) -> int:
 def _not_to_be_read(seen: os.stat_result, kind: InputKind) -> Fault | None:
     """Return why a file cannot be read, None for an ordinary one that is not too large."""
     kinds = (
-        (stat.S_ISDIR, os.strerror(errno.EISDIR)),
+        (stat.S_ISDIR, "a folder"),
         (stat.S_ISFIFO, "a pipe"),
         (stat.S_ISSOCK, "a socket"),
         (stat.S_ISCHR, "a device"),
@@ -99,9 +103,8 @@ def _not_to_be_read(seen: os.stat_result, kind: InputKind) -> Fault | None:
     )
     found = next((name for is_kind, name in kinds if is_kind(seen.st_mode)), None)
     if found is not None:
-        folder = kind.help and stat.S_ISDIR(seen.st_mode)
-        expected = f"{kind.name}: {kind.help}" if folder else "an ordinary file"
-        return Fault(message="cannot be read", expected=expected, found=found)
+        hint = f"give {kind.help or 'the name of a file'}"
+        return Fault(message="cannot be read", expected=kind.name, found=found, hint=hint)
     if seen.st_size > kind.most_bytes:
         return _too_large(kind, in_words(seen.st_size))
     return None
@@ -109,7 +112,8 @@ def _not_to_be_read(seen: os.stat_result, kind: InputKind) -> Fault | None:
 
 def _too_large(kind: InputKind, found: str) -> Fault:
     expected = f"{kind.name} of at most {in_words(kind.most_bytes)}"
-    return Fault(message="is too large", expected=expected, found=found)
+    hint = f"give {kind.help or 'a smaller file'}"
+    return Fault(message="is too large", expected=expected, found=found, hint=hint)
 
 
 def state_of(session: Session, paths: Sequence[Path]) -> str:

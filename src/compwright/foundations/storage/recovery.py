@@ -63,7 +63,14 @@ def put_right_above(session: Session, path: Path, error: type[CompwrightError]) 
     for left, faults in session.unrestored.items():
         if _concerns(Path(left), path):
             what = "belongs to what a stopped command had begun to write"
-            raise error(Fault(message=what, file=str(path)), *faults)
+            raise error(
+                Fault(
+                    message=what,
+                    file=str(path),
+                    hint=(f"run the command again; if the line stays, remove the folder {path}"),
+                ),
+                *faults,
+            )
 
 
 def put_right_in(session: Session, folder: Path, error: type[CompwrightError]) -> None:
@@ -98,6 +105,7 @@ def _put_right(session: Session, folder: Path) -> None:
             message="what a stopped command had begun to write here cannot be taken back",
             file=str(folder / UNFINISHED),
             found=reason(error) if isinstance(error, OSError) else str(error),
+            hint="check the permissions of the folder, then run the command again",
         )
         session.unrestored[str(folder)] = (fault,)
 
@@ -185,11 +193,15 @@ def _take_back_part(session: Session, folder: Path, journal: Journal) -> None:
         raise NotPutRightError(
             Fault(
                 message=(
-                    "a command was stopped while it wrote here, and the folder that says whether it"
-                    " had finished is gone"
+                    "a command was stopped while it wrote here, and the folder with "
+                    "its list of files is missing"
                 ),
                 file=str(folder / UNFINISHED),
                 expected=f"{first} in its place, or {UNFINISHED} removed, which keeps what is here",
+                hint=(
+                    f"put {first} back, or remove {folder / UNFINISHED} (this keeps "
+                    "the files as they are)"
+                ),
             )
         )
     if _decides(first, journal):
@@ -307,9 +319,10 @@ def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
             continue
         if not (_is_placed(folder, number, journal) and is_new(target, entry)):
             yield Fault(
-                message="was changed since a command was stopped that had begun to write it",
+                message="was changed after a command was stopped while it wrote this file",
                 file=str(target),
                 expected="it elsewhere (move it), so that the earlier file can be put back",
+                hint="move it to another folder, then run the command again",
             )
 
 
@@ -335,11 +348,15 @@ def _lost_since(folder: Path, journal: Journal) -> Iterator[Fault]:
 
 def _lost(what: str, target: Path, folder: Path) -> Fault:
     return Fault(
-        message=f"the earlier file, which a stopped command had moved away, {what}",
+        message=f"the earlier file, which a stopped command had moved, {what}",
         file=str(target),
         expected=(
             f"the folder copied again as a whole, hidden files too, or {folder / UNFINISHED}"
             " removed, which keeps what is here, old and new side by side"
+        ),
+        hint=(
+            "copy the folder again as a whole with hidden files, or remove "
+            f"{folder / UNFINISHED} (this keeps old and new files as they are)"
         ),
     )
 

@@ -57,7 +57,12 @@ def put(
     try:
         parts = _parts(folder, targets, removed)
     except OSError as error:
-        fault = Fault(message="cannot be written", file=str(folder), found=reason(error))
+        fault = Fault(
+            message="cannot be written",
+            file=str(folder),
+            found=reason(error),
+            hint="check the permissions and the free space of this folder",
+        )
         raise StorageError(fault) from error
     if parts:
         _Work(session, parts, next(iter((*targets, *removed)))).do(check)
@@ -126,7 +131,12 @@ class _Work:
         except (OSError, ValueError) as error:
             more = self._take_back()
             raise StorageError(
-                Fault(message="cannot be written", file=str(self.current), found=reason(error)),
+                Fault(
+                    message="cannot be written",
+                    file=str(self.current),
+                    found=reason(error),
+                    hint="check the permissions and the free space of this folder",
+                ),
                 *more,
             ) from error
         except BaseException:  # Ctrl-C leaves nothing half-written either
@@ -156,7 +166,9 @@ class _Work:
         if os.path.lexists(lock.staging / JOURNAL):
             why = self.session.unrestored.get(str(lock.staging.parent), ())
             now = Fault(
-                message="what another command had begun stands there", file=str(lock.staging)
+                message="another command has unfinished files here",
+                file=str(lock.staging),
+                hint="wait until it has ended, then run this command again",
             )
             raise StorageError(*(why or (now,)))
         for name in os.listdir(lock.staging):  # noqa: PTH208 - names, no paths
@@ -257,9 +269,12 @@ class _Work:
                 withdraw(self.sets)
         except (OSError, NotPutRightError) as error:
             left = Fault(
-                message="is not as it was before; the next command that reads it puts that right",
+                message=(
+                    "is only partly restored; the next command that reads it restores the rest"
+                ),
                 file=str(self.sets[0][0]),
                 found=reason(error) if isinstance(error, OSError) else str(error),
+                hint="run the command again",
             )
             return (left,)
         self._clear()

@@ -100,9 +100,9 @@ class _Unchanged:
         """Raise StorageError naming each file that another program has changed since."""
         faults = [
             Fault(
-                message="was changed by another program in this moment, and is not overwritten",
+                message=("was changed by another program at this moment, and is not overwritten"),
                 file=str(path),
-                expected="the command once more",
+                hint="run the command again",
             )
             for path, seen in self._seen.items()
             if _seen(path) != seen
@@ -139,6 +139,7 @@ def _twice_named(files: Mapping[Path, bytes], others: Mapping[Path, bytes]) -> I
                 message="is also the name of another file that is written",
                 file=str(path),
                 expected="another name",
+                hint="give another name",
             )
 
 
@@ -175,6 +176,7 @@ def _users_files(
                 ),
                 file=str(path),
                 expected="it elsewhere (move it), or another folder for the results",
+                hint="move it to another folder, or give another `--out`",
             )
 
 
@@ -193,14 +195,17 @@ def _in_the_way(
         removable = known.get(path, False) and not was_read(session, path)
         if path.parent in inside and not (force and removable):
             hint = (
-                "a folder that holds nothing else, or --force to remove it"
+                "give a folder with nothing else in it, or `--force` to remove it"
                 if removable
-                else "another place for it"
+                else "move it to another folder"
             )
             yield Fault(
-                message="is no part of what is written, and all that lies here is handed on",
+                message=(
+                    "is not one of the files that this command writes, but "
+                    "everything in this folder is passed on"
+                ),
                 file=str(path),
-                expected=hint,
+                hint=hint,
             )
 
 
@@ -210,7 +215,12 @@ def write_file(session: Session, path: Path, content: bytes, *, force: bool = Fa
     """
     if not path.name:
         raise StorageError(
-            Fault(message="is a folder", file=str(path), expected="the name of a file")
+            Fault(
+                message="is a folder",
+                file=str(path),
+                expected="the name of a file",
+                hint="give the name of a file",
+            )
         )
     return write_files(session, path.parent, {path.name: content}, force=force)[0]
 
@@ -219,6 +229,11 @@ def _below(folder: Path, name: str) -> Path:
     parts = PurePosixPath(name).parts
     if not parts or ".." in parts or PurePosixPath(name).is_absolute() or Path(name).is_absolute():
         raise StorageError(
-            Fault(message="leads out of the folder", file=name, expected=f"a name below {folder}")
+            Fault(
+                message="is outside of the folder",
+                file=name,
+                expected=f"a name below {folder}",
+                hint=f"give a name inside {folder}",
+            )
         )
     return folder.joinpath(*parts)

@@ -186,12 +186,15 @@ def _proposed(content: bytes, file: str) -> tuple[Profile, bool]:
     except CompwrightError as error:
         raise InputError(
             Fault(
-                message="is a table of another program, and what its columns mean is not certain",
+                message="is a table of another program, whose columns are not certain",
                 file=file,
-                expected="a mapping profile: compwright profile FILE --out P.yaml, then --profile"
-                " P.yaml",
+                expected="a mapping profile",
                 found=", ".join(dict.fromkeys(one.partition(":")[0] for one in proposed.open))
                 + " open",
+                hint=(
+                    "describe its columns with `compwright profile FILE --out "
+                    "P.yaml`, then add `--profile P.yaml`"
+                ),
             )
         ) from error
 

@@ -61,7 +61,11 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
     planned = [entry for entry in plan.axes.values() if entry.fitted is not None]
     if not planned:
         raise UsageError(
-            Fault(message="the plan holds no table to compare with", file=str(plan_file))
+            Fault(
+                message="the plan contains no table to compare with",
+                file=str(plan_file),
+                hint="give the plan of a run that wrote tables",
+            )
         )
     axes = [entry.axis for entry in planned]
     as_found = decode(
@@ -223,11 +227,12 @@ def _unsaid(axes: Sequence[Axis], found: DecodedState, loaded: Sequence[Path]) -
         if axis.address not in found.state.axes:
             yield Fault(
                 message=(
-                    f"the files say nothing of axis {axis.name} (address {axis.address}); missing"
-                    " is not zero"
+                    f"the files contain no data of axis {axis.name} (address "
+                    f"{axis.address}); missing values do not count as zero"
                 ),
                 file=", ".join(map(str, loaded)),
                 expected="what was read back from the control",
+                hint="add the file with the data of this axis to `--loaded`",
             )
 
 

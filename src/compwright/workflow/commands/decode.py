@@ -69,10 +69,10 @@ def positions_of(text: str) -> FloatArray:
         except ValueError as error:
             faults.append(
                 Fault(
-                    message="cannot be read",
+                    message="must look like 0:800:10, or be one number",
                     place="--at",
-                    expected="a number or LO:HI:STEP",
                     found=str(error),
+                    hint="give `--at 0:800:10` (from, to, step) or positions",
                 )
             )
     if faults:

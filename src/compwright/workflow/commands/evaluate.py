@@ -111,7 +111,11 @@ def evaluate_files(
     positioning, circular = _standards(standards, spread)
     if not paths:
         raise UsageError(
-            Fault(message="nothing to evaluate", expected="at least one measurement file or folder")
+            Fault(
+                message="nothing to evaluate",
+                expected="at least one measurement file or folder",
+                hint="give at least one measurement file or folder",
+            )
         )
     mapping = None if profile is None else load_profile(session, profile)
     found, faults = _files(session, paths)
@@ -233,10 +237,11 @@ def write_evaluation(
         if path in files:
             raise UsageError(
                 Fault(
-                    message=f"is the file of {named[path]} too",
+                    message=f"is already the file of {named[path]}",
                     file=shown_path(path),
                     place=option,
                     expected="another file",
+                    hint="give two different files",
                 )
             )
         named[path] = option
@@ -260,9 +265,10 @@ def _plot(document: Mapping[str, Any], path: Path) -> bytes:
     if count > _PLOTTED:
         raise UsageError(
             Fault(
-                message="more tests than one picture holds",
+                message="one picture cannot show so many tests",
                 expected=f"at most {_PLOTTED} tests, or --table",
                 found=str(count),
+                hint="give fewer files, or `--table PATH.csv` instead of `--plot`",
             )
         )
     return evaluation_plot(dict(document), format=path.suffix.lower().removeprefix("."))
@@ -279,7 +285,11 @@ def _report(document: Mapping[str, Any], path: Path, command: str) -> bytes:
 
     if not document["results"]:
         raise UsageError(
-            Fault(message="nothing to report", expected="a test that could be evaluated")
+            Fault(
+                message="nothing to report",
+                expected="a test that could be evaluated",
+                hint="correct the faults of the tests first, or leave `--report` out",
+            )
         )
     view = {"evaluation": document, "report": {}, "command": command, "version": __version__}
     return as_named(evaluation_report(view), path)
@@ -305,6 +315,7 @@ def _standards(names: Sequence[str], spread: str) -> tuple[str, str]:
                 place="--standard",
                 expected="one per kind of test",
                 found=", ".join(chosen),
+                hint="give one `--standard` for each kind of test",
             )
             errors.append(UsageError(fault))
     if not names:

@@ -96,9 +96,12 @@ def export_plan(
     if not fitted and not plan.cross:
         raise UsageError(
             Fault(
-                message="the plan holds no table",
+                message=(
+                    "the plan contains no table: every axis was left as it is, "
+                    "because no table would improve it"
+                ),
                 file=str(path),
-                found="every axis was left as it is, because no table would improve it",
+                hint="give the plan of a run that wrote tables",
             )
         )
     files, image = write_fitted(control, fitted, state)
@@ -198,6 +201,7 @@ def _unknown(addresses: Mapping[str, str], plan: Plan, file: str) -> list[Fault]
             file=file,
             place=f"--option {ADDRESS}{name}",
             expected=", ".join(_every(plan)),
+            hint="use one of these axes",
         )
         for name in addresses
         if name not in _every(plan)
@@ -220,9 +224,10 @@ def _state(
     if "none" in states:
         raise UsageError(
             Fault(
-                message="names files and none at once",
+                message="names files and none at the same time",
                 place="--state",
                 expected="the word none, or the control's files",
+                hint="give `--state none`, or `--state` with the control's files",
             )
         )
     if states:
@@ -238,10 +243,11 @@ def _state(
         return decode(control, files, axes, active=plan.active.get(AS_FOUND))
     raise UsageError(
         Fault(
-            message="the state of the control is not known",
+            message="the state of the control is unknown",
             file=file,
             place="--state",
             expected="--state none, or --state with each file of the control",
             found=f"a plan made for {plan.format}",
+            hint="give `--state none`, or `--state` with each file of the control",
         )
     )

@@ -55,7 +55,12 @@ def history_of(
         path for path in (json_path, plot_path, page_path, table_path, index) if path is not None
     ]
     if len(set(named)) < len(named):
-        raise UsageError("two of --json, --plot, --page, --table and --index name one file")
+        raise UsageError(
+            Fault(
+                message="two of --json, --plot, --page, --table and --index name one file",
+                hint="give each of them a file of its own",
+            )
+        )
     folders, faults = result_folders(session, tops)
     with opened(session, index) as database:
         entries, told, read = _read(session, folders, database, faults)

@@ -68,7 +68,13 @@ def new_job(
         state, left_out = _read(whole, own, active=active)
     drafts = list(_drafts(control, state, unsaid))
     if not drafts:
-        raise InputError(Fault(message="the files name no axis", file=", ".join(map(str, files))))
+        raise InputError(
+            Fault(
+                message="the files contain no axis",
+                file=", ".join(map(str, files)),
+                hint="give the control's parameter files too",
+            )
+        )
     given = {
         name: Prefilled(value, "as given on the command line") for name, value in options.items()
     }
@@ -170,7 +176,16 @@ def _drafts(control: Control, state: ControlState, unsaid: LeftOpen | None) -> I
         if (name in names and partners) or facts.leading in state.axes:
             continue  # the second joint of an axis: it gets the table of the first
         if name in names:
-            raise UsageError(Fault(message=f"two axes would be called {name}", found=address))
+            raise UsageError(
+                Fault(
+                    message=f"two axes would be called {name}",
+                    found=address,
+                    hint=(
+                        "give these axes different names in the control's files, or "
+                        "write the job by hand"
+                    ),
+                )
+            )
         names.add(name)
         values = dict(_values(address, state.axes[address], facts, turns=turns))
         if unsaid is not None and unsaid.name in facts.said:
@@ -274,7 +289,7 @@ def _values(
         )
     if facts.lead is not None:
         yield "screw_pitch", Prefilled(facts.lead, f"offered: {facts.lead_evidence}")
-    yield "before", Prefilled(None, "[path of the measurement], or delete the axis")
+    yield "before", Prefilled(None, "[path of the measurement]")
 
 
 def _travel(

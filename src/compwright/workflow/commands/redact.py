@@ -125,9 +125,13 @@ def redact_files(
     if json_path is not None and storage.resolved(out) in storage.resolved(json_path).parents:
         raise UsageError(
             Fault(
-                message="the answer names the originals, and would be given away with the copies",
+                message=(
+                    "the answer contains the original names, and it would be in the "
+                    "folder of the copies"
+                ),
                 file=shown_path(json_path),
                 expected="a path outside of the folder of the copies",
+                hint="give `--json` a path outside of the folder of the copies",
             )
         )
     read_by = load_profile(session, profile) if profile is not None else None
@@ -182,9 +186,11 @@ def _read(
         twice = [one for one in found if inputs.setdefault(one.name.casefold(), one) is not one]
         faults.extend(
             Fault(
-                message="has the name of another file, and their copies would be one",
+                message=(
+                    "has the same name as another file, so their copies would overwrite each other"
+                ),
                 file=one.shown,
-                expected="a command of its own, with another --out",
+                hint="copy it with a command of its own and another `--out`",
             )
             for one in twice
         )

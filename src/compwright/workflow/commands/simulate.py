@@ -151,10 +151,11 @@ def _loaded(session: Session, machine: VirtualMachine, tables: Path, file: str) 
     if not machine.format:
         raise UsageError(
             Fault(
-                message="the machine file names no control",
+                message="the machine file contains no control",
                 file=file,
                 place="controller.format",
                 expected="a format, to load tables into",
+                hint="add `controller: {format: ID}` to the machine file",
             )
         )
     origin = Origin(file, "controller.format", "controller.options.", Path(file).parent)
@@ -170,9 +171,10 @@ def _loaded(session: Session, machine: VirtualMachine, tables: Path, file: str) 
         InputError,
         [
             Fault(
-                message=f"holds a table for axis {address}, which this machine does not have",
+                message=(f"contains a table for axis {address}, which this machine does not have"),
                 file=str(tables),
                 expected=", ".join(known),
+                hint="give tables for the axes of this machine",
             )
             for address in unknown
         ],

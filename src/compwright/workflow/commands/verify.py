@@ -69,9 +69,10 @@ from compwright.workflow.verify.verify_circles import (
 
 VERIFICATION = "verification.json"
 NOT_READ_BACK = Fault(
-    message="needs what was read back from the control: the next round starts from that",
+    message=("needs the existing tables of the control as the start of the next round"),
     place="--update",
     expected="--loaded with the files that the control holds now",
+    hint="add `--loaded` with the files read back from the control",
 )
 
 
@@ -281,7 +282,15 @@ def _planned(
     if not storage.is_there(session, file):
         expected = "--plan with the folder that run has written, or its plan.json"
         raise InputError(
-            Fault(message="No such file: there is no plan here", file=str(file), expected=expected)
+            Fault(
+                message="there is no plan here",
+                file=str(file),
+                expected=expected,
+                hint=(
+                    "run the job first: `compwright run JOB.yaml`; or give the "
+                    "results folder with `--plan DIR`"
+                ),
+            )
         )
     plan = read_plan(storage.read_bytes(session, file, PLAN), str(file))
     control = open_control(session, plan.format, plan.options, plan_origin(plan, file))

@@ -158,7 +158,14 @@ def _refused(
     file: str, message: str, found: str, expected: str = "an index, or the name of a new file"
 ) -> InputError:
     return InputError(
-        Fault(message=message, file=file, place="--index", expected=expected, found=found)
+        Fault(
+            message=message,
+            file=file,
+            place="--index",
+            expected=expected,
+            found=found,
+            hint="give another name to `--index`",
+        )
     )
 
 

@@ -57,9 +57,10 @@ def result_folders(session: Session, tops: Sequence[Path]) -> tuple[list[Path], 
         if not own and not refused:
             faults.append(
                 Fault(
-                    message="holds no results",
+                    message="contains no results",
                     file=shown_path(top),
                     expected=f"a folder of run or verify ({RECORD}), in it or below",
+                    hint="give a folder that `compwright run` or `verify` wrote",
                 )
             )
         for folder in own:
@@ -145,11 +146,21 @@ def _document(session: Session, path: Path) -> Mapping[str, Any] | None:
         data = json.loads(text, parse_constant=no_number)
     except (ValueError, RecursionError) as error:
         raise InputError(
-            Fault(message="is not JSON", file=shown_path(path), found=str(error))
+            Fault(
+                message="is not JSON",
+                file=shown_path(path),
+                found=str(error),
+                hint="make the results again with `compwright run`",
+            )
         ) from error
     if not isinstance(data, dict):
         raise InputError(
-            Fault(message="is no document of compwright", file=shown_path(path), found=str(data))
+            Fault(
+                message="is not a document of compwright",
+                file=shown_path(path),
+                found=str(data),
+                hint="make the results again with `compwright run`",
+            )
         )
     return data
 
@@ -162,5 +173,6 @@ def _misfit(path: Path, error: Exception) -> InputError:
             file=shown_path(path),
             expected=str(error.args[0]) if lacking else "",
             found="" if lacking else str(error),
+            hint="make the results again with `compwright run`",
         )
     )

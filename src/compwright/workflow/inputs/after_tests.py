@@ -29,6 +29,9 @@ _OTHER_PROFILE = Fault(
     message="no profile fits the test after loading",
     place="--profile",
     expected="--profile P.yaml for this file (compwright profile FILE --out P.yaml)",
+    hint=(
+        "make a profile with `compwright profile FILE --out P.yaml`, then add `--profile P.yaml`"
+    ),
 )
 
 
@@ -109,12 +112,13 @@ def _refuse_files_apart(session: Session, entry: AxisJob, request: TestRequest) 
         raise InputError(
             Fault(
                 message=(
-                    f"does not go together with {parts[0].sources[0].file}, and several files of an"
-                    f" axis are one test: the means lie apart by {words}"
+                    f"contradicts {parts[0].sources[0].file}: files of one axis count "
+                    f"as one test, but the means differ by {words}"
                 ),
                 file=part.sources[0].file,
                 place=f"--after, test {request.name}",
                 expected="files of one set-up, or one test: that of the axis as it is now",
+                hint="give only the test of the axis as it is now",
             )
         )
 
@@ -149,6 +153,7 @@ def _without_temperature(
                         f"a line such as '# {name}: 22.4' above the readings (°C), or {name}_start"
                         f" and {name}_end"
                     ),
+                    hint="add such a line to the file",
                 )
             )
 
@@ -160,21 +165,24 @@ def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
     for axis in dict.fromkeys(axes):
         if axes.count(axis) > 1:
             yield Fault(
-                message=f"two tests of axis {axis} were given; verify judges one test per axis",
+                message=(f"two tests of axis {axis} were given, but verify uses one test per axis"),
                 place="--after",
+                hint="give one of them",
             )
     for axis in dict.fromkeys(axes):
         if axis not in plan.axes:
             yield Fault(
-                message=f"the plan holds no axis {axis}",
+                message=f"the plan contains no axis {axis}",
                 place="--after",
                 expected=", ".join(plan.axes),
+                hint="give the test of an axis of the plan",
             )
     if not axes:
         yield Fault(
-            message="no test to verify",
+            message="no test to verify was given",
             place="--after",
             expected="the tests made after loading",
+            hint="give the test taken after loading: `--after FILE`",
         )
 
 
@@ -189,10 +197,11 @@ def _assign(
     if not spec or (mark and not tail):
         raise UsageError(
             Fault(
-                message="names no file",
+                message="contains no file name",
                 place="--after",
                 expected="FILE or TEST=FILE",
                 found=repr(spec),
+                hint="give `--after FILE` or `--after TEST=FILE`",
             )
         )
     if mark and head in names:
@@ -201,10 +210,11 @@ def _assign(
         known = " or ".join(names)
         raise UsageError(
             Fault(
-                message="is no test of the job",
+                message="is not a test of the job",
                 place="--after",
                 expected=f"{known} before the =",
                 found=repr(spec),
+                hint=f"write {known} before the `=`",
             )
         )
     axis = _axis_of_file(session, job, spec, list(names), profiles)
@@ -216,6 +226,7 @@ def _assign(
                 place="--after",
                 expected=f"a test of {' or '.join(names.values()) or 'an axis with before'}",
                 found=spec,
+                hint="give a test of an axis that has `before` in the job",
             )
         )
     return (axis, before[0].name), spec
@@ -233,19 +244,24 @@ def _axis_of_file(
         if axis is None:
             raise UsageError(
                 Fault(
-                    message=f"is a test of axis {measured}, which the job does not have",
+                    message=f"is a test of axis {measured}, which is not in the job",
                     file=spec,
                     expected=", ".join(job.axes),
+                    hint="give the test of an axis of the job",
                 )
             )
         return axis
     if len(job.axes) > 1:
         raise UsageError(
             Fault(
-                message="does not say which axis it measured",
+                message="the file does not state its axis",
                 file=spec,
                 place="--after",
                 expected=f"TEST=FILE with TEST one of {', '.join(names)}",
+                hint=(
+                    "give `--after TEST=FILE`, such as `--after "
+                    f"{next(iter(names), 'TEST')}={spec}`"
+                ),
             )
         )
     return next(iter(job.axes))
@@ -300,5 +316,6 @@ def _axis_of_name(
             place="key axis",
             expected=" or ".join(axes),
             found=measured,
+            hint="add the line `# axis: NAME` to the file",
         )
     )

@@ -120,6 +120,7 @@ def _check(control: Control, found: DecodedState, given: object) -> None:
                 place=f"{control.origin.before_option}{KIND}",
                 expected=" or ".join(sorted(kind for kind in kinds if kind)),
                 found=given,
+                hint="leave the option out, or give the files of this machine",
             )
         )
 
@@ -151,10 +152,11 @@ def _same_numbers(linear: DecodedState, rotary: DecodedState | None) -> None:
         ):
             faults.append(
                 Fault(
-                    message=f"axis {name}: its numbers depend on whether it is linear or rotary",
+                    message=(f"axis {name}: it is not known whether this axis is linear or rotary"),
                     place=f"--option {KIND}",
                     expected="linear or rotary, or the file that says it",
                     found="nothing",
+                    hint=f"give `--option {KIND}=linear` or `--option {KIND}=rotary`",
                 )
             )
     if faults:

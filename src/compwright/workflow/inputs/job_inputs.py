@@ -111,12 +111,12 @@ def read_measurement(
     if len(ours) != 1:
         raise InputError(
             Fault(
-                message=f"holds {len(tests)} tests, and {len(ours) or 'none'} of axis {axis}"
-                if axis
-                else f"holds {len(tests)} tests",
+                message=f"contains {len(tests)} tests"
+                + (f", {len(ours) or 'none'} of axis {axis}" if axis else ""),
                 file=shown_path(path),
                 expected="one test of the axis",
                 found=", ".join(test.axis or test.name for test in tests),
+                hint="give a file with one test of this axis",
             )
         )
     return _without_unnamed(ours[0], tests)
@@ -189,6 +189,7 @@ def _check_one_map(entry: AxisJob, request: TestRequest, parts: Sequence[Positio
             place=f"axes.{entry.axis.name}, test {request.name}",
             expected="a position_map in one of them",
             found=f"profile {request.profile}",
+            hint="remove `position_map` from the job or from the profile",
         )
         for part in parts
         if part.frame == "machine"
@@ -206,6 +207,7 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
                 file=file,
                 expected=f"a test of the {axis.kind.value} axis {axis.name}",
                 found=f"positions in {test.kind.unit}",
+                hint=("give a test of this axis, or correct `kind` of the axis in the job"),
             )
         )
     if test.axis and test.axis.upper() != axis.name.upper():
@@ -217,6 +219,7 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
                 place="key axis",
                 expected=expected,
                 found=test.axis,
+                hint="list the file under its own axis, or correct `# axis:` in it",
             )
         )
     raise_all(InputError, faults)
@@ -256,6 +259,10 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
                         place="states",
                         expected="the same in all of them",
                         found="; ".join(f"{state}: {words}" for state, words in found.items()),
+                        hint=(
+                            "give states that agree in it, or set `measured_in` to one state "
+                            "for all tests"
+                        ),
                     )
                 )
     return faults
@@ -289,15 +296,17 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
                 (help_, *_) = (facts.untold_help for facts in pairs if facts.untold)
                 yield Fault(
                     message=(
-                        f"tables from other axes are active on axis {name}, differ between the"
-                        " states, and"
-                        f" cannot be counted with: a circle or a cross measurement in {state} says"
-                        " nothing of what is in the control"
+                        f"tables from other axes are active on axis {name} and differ "
+                        f"between the states. A circle or a cross measurement in {state} "
+                        "then shows nothing about the existing tables"
                     ),
                     file=job.file,
                     place=f"states.{state}",
                     expected=f"{help_}, or a measurement in as_found",
                     found=f"{AS_FOUND}: {said[0]}; {state}: {said[1]}",
+                    hint=(
+                        f"take the circle or the cross measurement again in {AS_FOUND}, or {help_}"
+                    ),
                 )
 
 
@@ -339,9 +348,9 @@ def _unsaid_units(
             if max(ratio, 1 / ratio) > MILLIMETRES_PER_INCH / _SAME_RANGE:
                 yield Fault(
                     message=(
-                        f"axis {axis.name}: the machine's unit is not given, and its table in the"
-                        f" state {name}, read in {control.options[rule.name]}, does not fit the"
-                        " travel"
+                        f"axis {axis.name}: the unit of the machine is not given, and its "
+                        f"table in the state {name}, read in "
+                        f"{control.options[rule.name]}, does not fit the travel"
                     ),
                     file=job.file,
                     place=f"controller.options.{rule.name}",
@@ -350,6 +359,7 @@ def _unsaid_units(
                         f"a table from {found.positions[0]:g} to {found.positions[-1]:g} mm, a"
                         f" travel from {axis.travel[0]:g} to {axis.travel[1]:g} mm"
                     ),
+                    hint=f"set `{rule.name}` in `controller.options`, or {whole_file}",
                 )
 
 
@@ -364,13 +374,17 @@ def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
         faults.extend(
             Fault(
                 message=(
-                    f"the files of this state say nothing of axis {entry.axis.name} (address"
-                    f" {entry.axis.address})"
+                    "the files of this state contain no data of axis "
+                    f"{entry.axis.name} (address {entry.axis.address})"
                 ),
                 file=job.file,
                 place=f"states.{name}",
                 expected="the file that holds its table or backlash, or the word none",
                 found=f"only {', '.join(sorted(decoded.state.axes)) or 'no axis at all'}",
+                hint=(
+                    "add the file with its table or backlash compensation, or set "
+                    "the state to `none`"
+                ),
             )
             for entry in job.axes.values()
             if entry.axis.address not in decoded.state.axes

@@ -245,10 +245,14 @@ def job_of(
     needed = {"--format": format_id, "--axis": axis, "--travel": travel}
     if len(inputs) == 1 and first.suffix.lower() in _YAML:
         storage.read_bytes(session, first, JOB)
-        said = "does not go with a job file, which says it itself"
         extra = {**needed, "--state": states, "--option": options, "--profile": profile}
         faults = [
-            Fault(message=said, file=str(first), place=name)
+            Fault(
+                message="is not used together with a job file",
+                file=str(first),
+                place=name,
+                hint=f"leave {name} out, and set it in the job file",
+            )
             for name, value in extra.items()
             if value
         ]
@@ -260,11 +264,18 @@ def job_of(
         if not storage.is_folder(Path(text)):
             storage.read_bytes(session, Path(text), MEASUREMENT)
         elif storage.is_there(session, Path(text) / PLAN):
-            fault = Fault(message="is a folder of results", file=text, expected=JOB.help)
+            fault = Fault(
+                message="is a folder of results, not a measurement",
+                file=text,
+                hint=f"give {JOB.help}",
+            )
             raise UsageError(fault)
-    expected = "a value, or one job file JOB.yaml instead of measurement files"
     faults = [
-        Fault(message="is missing", place=name, expected=expected)
+        Fault(
+            message="is missing",
+            place=name,
+            hint=f"add {name} with its value to the command, or give one job file",
+        )
         for name, value in needed.items()
         if not value
     ]

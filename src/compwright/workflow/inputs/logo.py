@@ -33,10 +33,11 @@ def read_logo(session: Session, name: str, folder: Path) -> Logo:
             return Logo("image/svg+xml", content)
     raise InputError(
         Fault(
-            message="is no picture that a report can hold, or is cut short",
+            message="is not a picture for a report, or is incomplete",
             file=name,
             place="report.logo",
             expected="a whole .png, .jpg or .svg file",
+            hint="give a whole .png, .jpg or .svg file under `report.logo`",
         )
     )
 

@@ -64,14 +64,13 @@ def measurement_files(session: Session, path: Path) -> FoundMeasurements:
         below = f"folders, which are read when they are named: {names}" if folders else ""
         raise InputError(
             Fault(
-                message=(
-                    "the folder holds no measurement files"
-                    if skipped
-                    else "the folder holds no files"
-                ),
+                message="the folder contains no measurement files"
+                if skipped
+                else "the folder contains no files",
                 file=shown_path(path),
                 expected="measurement files" if skipped else "",
                 found="; ".join(part for part in (named, below) if part),
+                hint="give the measurement files, or the folder they are in",
             )
         )
     return FoundMeasurements(tuple(files), tuple(skipped), folders)

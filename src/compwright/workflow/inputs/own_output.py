@@ -91,7 +91,7 @@ def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
         path = storage.resolved(storage.named_from(folder, text))
         if any(below == path or below in path.parents for below in made):
             yield Fault(
-                message="is what this run writes, and cannot be what it starts from",
+                message="is an output of this run, so it cannot be its input",
                 file=job.file,
                 place="states.as_found",
                 expected=(
@@ -99,6 +99,10 @@ def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
                     " copy), with a test that was taken with them loaded"
                 ),
                 found=f"{text}, inside {out}",
+                hint=(
+                    "copy the files that are read back from the control into a "
+                    "folder of their own, and give that folder under `states`"
+                ),
             )
 
 
@@ -296,8 +300,7 @@ def _change(
 def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fault:
     return Fault(
         message=(
-            f"the files of the state {state} are the tables that an earlier run made from this very"
-            f" test: {_AGAIN}"
+            f"an earlier run made the files of the state {state} from this very test: {_AGAIN}"
         ),
         file=job.file,
         place=place,
@@ -306,6 +309,10 @@ def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fa
             " taken (measured_in, states)"
         ),
         found=f"{test}, the test of {earlier.path}",
+        hint=(
+            "give a test taken with these tables loaded, or under "
+            f"`measured_in` the state in which {test} was taken"
+        ),
     )
 
 
@@ -318,12 +325,11 @@ def refuse_added_again(plan: Plan, path: Path, state: DecodedState) -> None:
     if again and any(entry.written for entry in plan.cross):
         raise UsageError(
             Fault(
-                message=(
-                    f"these files are what the run of this plan made: {_AGAIN} between the axes"
-                ),
+                message=f"the run of this plan made these files: {_AGAIN} between the axes",
                 file=str(path),
                 place="--state",
                 expected="the files that were in the control before, or the word none",
                 found=", ".join(again),
+                hint=("give the files that were in the control before the run, or `--state none`"),
             )
         )

@@ -39,7 +39,12 @@ def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[F
     why = certain_fault(test)
     if why:
         expected = "deviations, measured minus target, in the unit that the file states"
-        yield Fault(message=f"is no measurement of a machine: {why}", file=file, expected=expected)
+        yield Fault(
+            message=f"is not a measurement of a machine: {why}",
+            file=file,
+            expected=expected,
+            hint="give the file of the measurement",
+        )
     travel = job.axes[axis].axis.travel
     unit = wrong_target_unit(test, travel) if index == 0 else ""
     if unit:
@@ -51,7 +56,13 @@ def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[F
             f"the targets are in {unit}: taken for mm they span {span}, taken for {unit} they"
             " fit it"
         )
-        yield Fault(message=message, file=file, place="targets", expected="target positions in mm")
+        yield Fault(
+            message=message,
+            file=file,
+            place="targets",
+            expected="target positions in mm",
+            hint="correct the unit of the targets",
+        )
     else:
         yield from _outside(job.axes[axis].axis, test, file)
 
@@ -73,8 +84,7 @@ def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
     unit = axis.kind.unit
     yield Fault(
         message=(
-            f"the targets lie where the axis cannot go, outside its travel of {low:.10g} to"
-            f" {high:.10g} {unit}"
+            f"the targets are outside the travel of the axis, {low:.10g} to {high:.10g} {unit}"
         ),
         file=file,
         place="targets",
@@ -83,6 +93,7 @@ def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
             " the true travel"
         ),
         found=f"{first:.10g} to {last:.10g} {unit}",
+        hint=("set `position_map: {sense: 1, offset: ...}` of the test, or correct `travel`"),
     )
 
 
@@ -104,7 +115,12 @@ def given_twice(named: Iterable[NamedTest]) -> list[Fault]:
                     " twice"
                 )
                 faults.append(
-                    Fault(message=message, file=source.file, expected="a file for each measurement")
+                    Fault(
+                        message=message,
+                        file=source.file,
+                        expected="a file for each measurement",
+                        hint="remove one of the two",
+                    )
                 )
             seen.setdefault(source.sha256, source.file)
     for one, other in combinations(every, 2):
@@ -117,6 +133,7 @@ def given_twice(named: Iterable[NamedTest]) -> list[Fault]:
                     file=file,
                     expected="a measurement for each",
                     found="the same readings twice",
+                    hint="remove one of the two",
                 )
             )
     return faults

@@ -22,6 +22,7 @@ def require_report_form(path: Path | None, *forms: str) -> None:
                 place="--report",
                 expected=f"a name that ends in {' or '.join(forms)}",
                 found=path.suffix or path.name,
+                hint=f"give `--report` a name that ends in {' or '.join(forms)}",
             )
         )
     if path.suffix.lower() == ".pdf":
@@ -52,10 +53,11 @@ def answer_files(
     if report in files:
         raise UsageError(
             Fault(
-                message="is the file of --json too",
+                message="is already the file of --json",
                 file=shown_path(report),
                 place="--report",
                 expected="another file",
+                hint="give two different files",
             )
         )
     return {**files, report: as_named(page, report)}

@@ -85,11 +85,13 @@ def _others(session: Session, targets: Mapping[Path, bytes]) -> Iterator[Fault]:
         same = kind == new and (mark is None or mark(there) == mark(content))
         if not same and (kind or path.suffix.lower() not in endings):
             yield Fault(
-                message="is no file that this command writes, and is not replaced, not even with"
-                " --force",
+                message=(
+                    "was not written by this command and is not replaced, not even with --force"
+                ),
                 file=str(path),
                 expected=f"another name, or {new}",
                 found=kind or "something else",
+                hint="give another name",
             )
 
 

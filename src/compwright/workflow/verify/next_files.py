@@ -273,7 +273,13 @@ def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies)
     ]
     if sorted(map(sorted, senses)) != [["ccw"], ["cw"]]:
         message = "are more than a file for each direction, which no job holds as one circle"
-        raise InputError(Fault(message=message, file=", ".join(map(str, files))))
+        raise InputError(
+            Fault(
+                message=message,
+                file=", ".join(map(str, files)),
+                hint="report this line with the files",
+            )
+        )
     return {next(iter(sense)): name for sense, name in zip(senses, names, strict=True)}
 
 

@@ -366,11 +366,12 @@ def refuse_later_rounds(session: Session, out: Path) -> None:
         raise StorageError(
             Fault(
                 message=(
-                    "is the verification of the round that lies there, which is not replaced, not"
-                    " even with --force"
+                    "is the verification of the existing next round, which is not "
+                    "replaced, not even with --force"
                 ),
                 file=str(gone_on),
                 expected=f"another --out, or {FOLDER} moved elsewhere",
+                hint=f"give another `--out`, or move {FOLDER} to another place",
             )
         )
 

@@ -111,10 +111,13 @@ def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
         )
         raise UsageError(
             Fault(
-                message=f"is a circular test in {test.plane}; the plan holds none of this plane",
+                message=(
+                    f"is a circular test in {test.plane}; the plan contains none in this plane"
+                ),
                 file=spec,
                 place="--after",
                 expected=planes,
+                hint=("give the circle under its own name: `--after NAME=FILE`, or leave it out"),
             )
         )
     return min(known, key=apart)

@@ -27,6 +27,7 @@ def activate(
                 message="several tables of assignments; only one can be the active one",
                 file=", ".join(table.file for table in lines),
                 expected="one .CMA",
+                hint="give only the .CMA file that was active during the test",
             )
         )
         return
@@ -47,6 +48,7 @@ def activate(
                     file=table.file,
                     expected="one",
                     found=other,
+                    hint="give only the one that was active during the test",
                 )
             )
         sources.tables[address] = table
@@ -64,7 +66,15 @@ def _active_row(sources: Sources, table: UserTable, faults: list[Fault]) -> Row 
             else "a single line, or a column ACTIVE or STATUS"
         )
         faults.append(
-            Fault(message="nothing says which line is active", file=table.file, expected=what)
+            Fault(
+                message="the files do not show which line is active",
+                file=table.file,
+                expected=what,
+                hint=(
+                    "give the .CMA file, with the mark in its active line, among the files of "
+                    "the state"
+                ),
+            )
         )
         return None
     marks = ("*", "M") if sources.numbered else ("*",)
@@ -78,6 +88,7 @@ def _active_row(sources: Sources, table: UserTable, faults: list[Fault]) -> Row 
                 file=table.file,
                 place=marked[1].place,
                 expected=f"one {marks[0]} in {column}",
+                hint="mark only the line that was active during the test",
             )
         )
     if not marked and sources.numbered and len(table.rows) == 1:
@@ -102,10 +113,14 @@ def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]
             file = sources.assignments.file if sources.assignments is not None else ""
             faults.append(
                 Fault(
-                    message=f"axis {address} stands in two columns",
+                    message=f"axis {address} is in two columns",
                     file=file,
                     expected="one",
                     found=column,
+                    hint=(
+                        "remove one of the columns from the .CMA file at the control, then export "
+                        "it again"
+                    ),
                 )
             )
         exact = [table for table in values if bare_name(table.file) == wanted]
@@ -117,6 +132,7 @@ def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]
                     message=f"axis {address}: several tables are called {cell.text}",
                     file=names,
                     expected="one",
+                    hint="give only one table of this name",
                 )
             )
         if fitting:
@@ -148,11 +164,12 @@ def _named_axis(
     if len(fitting) != 1:
         faults.append(
             Fault(
-                message="nothing says which axis moves when this table acts",
+                message="the files do not show for which moving axis this table is active",
                 file=table.file,
                 place="line 1",
                 expected="the .CMA too, or a table that is called like its axis",
                 found=" and ".join(fitting or names) or table.name,
+                hint="give the .CMA file too, or name the table file after its axis",
             )
         )
         return None

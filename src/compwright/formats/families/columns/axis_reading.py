@@ -116,10 +116,11 @@ class ColumnAxisReader:
             file = self.sources.assignments.file if self.sources.assignments is not None else ""
             self.notes.faults.append(
                 Fault(
-                    message=f"{self.label}: the table that acts was not given",
+                    message=f"{self.label}: the active table was not given",
                     file=file,
                     expected=missing,
                     found="no such file",
+                    hint=f"add {missing} to the files of the state",
                 )
             )
         own = self._own_column() if self.table is not None and self.column is not None else None
@@ -132,6 +133,7 @@ class ColumnAxisReader:
                     ),
                     file=self.sources.sheets[self.address].name,
                     expected="one of them",
+                    hint="remove the entry sheet or the table from the files of the state",
                 )
             )
         return own if own is not None else self._sheet_curves()
@@ -232,7 +234,7 @@ class ColumnAxisReader:
             and not self._column_elsewhere()
             and not self.notes.faults
         ):
-            message = f"{self._switch} says that a table acts, but no file holds it"
+            message = f"{self._switch} selects a table, but it is in no file"
             self.notes.refuse(self.label, message, found, expected="the table too", found="none")
         if found is not None and found.text == "0" and self.activity.said is not True:
             if self.curves is not None:
@@ -242,7 +244,7 @@ class ColumnAxisReader:
             if found is None and self._others_act() and not self.sources.starred:
                 self._answer(None, None)
             elif found is None and self.sources.assignments is None:
-                self._unsaid("0: no table acts on it", "no file holds a table of the axis")
+                self._unsaid("0: no table is active on it", "no file holds a table of the axis")
             return found is not None and found.text == "1"
         if found is None and self.points:
             acts = self.activity.said is not False
@@ -270,15 +272,15 @@ class ColumnAxisReader:
         if found is not None or self.sources.starred:
             return True
         if slope is None or Decimal(slope.text) == 0:
-            self._unsaid("1: its table of zeros acts", "zeros correct nothing")
+            self._unsaid("1: its table of zeros is active", "zeros correct nothing")
             return True
         name = self.parameters.name("slope")
         if self.activity.said is None and self.activity.asking:
             self.notes.ask(
                 Fault(
                     message=(
-                        f"{self.label}: {name} is not zero, and {self._switch} is in no file: with"
-                        " a table selected it is dead, without one it acts"
+                        f"{self.label}: {name} is not zero, and {self._switch} is in no file. "
+                        f"{name} is active only if no table is selected"
                     ),
                     file=slope.occurrence.file,
                     place=slope.occurrence.place,
@@ -287,6 +289,10 @@ class ColumnAxisReader:
                         " active: yes}} (the table was selected) or active: no"
                     ),
                     found=slope.text,
+                    hint=(
+                        f"add {self._switch} to the files, or answer `active: yes` (the table was "
+                        "selected) or `active: no` in this state of the job"
+                    ),
                 )
             )
         self.notes.open_answers += 1

@@ -66,12 +66,12 @@ def columns_between(family: Family, asked: BetweenRequest) -> Between:
 
 
 def _in_the_table(family: Family, asked: BetweenRequest, filled: Filled) -> Between:
-    """Return what is said of a correction that stands in the user's own table."""
+    """Return what is said of a correction that is in the user's own table."""
     entry, form = filled.entry, _form(family, asked, filled.entry)
     rows = _rows(entry, form)
     where = f"{filled.file}, column {filled.column}"
     text = (
-        f"{label(entry)} stands in {where}, added to what was there: {_shown(entry, rows)} (values"
+        f"{label(entry)} is in {where}, added to what was there: {_shown(entry, rows)} (values"
         f" are {form}s). Load that file; no other column of it changes."
         f" {_selected(family, entry)}{_CHECK}"
     )
@@ -97,7 +97,7 @@ def _typed(family: Family, asked: BetweenRequest, entry: PlannedCross, why: str)
         f" are {form}s), as the card and its sheet say; the sign is unconfirmed."
     )
     text = (
-        f"{label(entry)}. Add to what stands in {where}, on a straight line between:"
+        f"{label(entry)}. Add to the values in {where}, on a straight line between:"
         f" {_shown(entry, rows)} (values are {form}s). {_selected(family, entry)}{_CHECK}"
     )
     return typed_in(entry, _sheet(entry, form, rows), message, text)
@@ -115,7 +115,7 @@ def _selected(family: Family, entry: PlannedCross) -> str:
     select = _parameter(family, "enabled")
     if not select:
         return ""
-    return f"It acts on {entry.output} only while the bit of {entry.output} in {select} is 1. "
+    return f"It is active on {entry.output} only while the bit of {entry.output} in {select} is 1. "
 
 
 def _by_line(family: Family, asked: BetweenRequest, entry: PlannedCross) -> str:
@@ -133,7 +133,7 @@ def _by_line(family: Family, asked: BetweenRequest, entry: PlannedCross) -> str:
     else:
         return ""
     return (
-        f"{why}, and a column acts only where tables do, never beside {linear}; give {axis.name} a"
+        f"{why}, and a column is active only with tables, never with {linear}; give {axis.name} a"
         " test and a table of its own"
     )
 

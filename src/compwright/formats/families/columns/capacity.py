@@ -96,6 +96,7 @@ def _impossible(
             place="method",
             expected="table",
             found="line",
+            hint="set `method: table` in the options of this axis",
         )
     if axis.modulo is not None and (not rotary or axis.modulo != TURN):
         yield Fault(
@@ -103,6 +104,7 @@ def _impossible(
             place="modulo",
             expected=f"{TURN:g} on a rotary axis",
             found=f"{axis.modulo:g} on a {axis.kind} axis",
+            hint="correct `kind`, `travel` or `modulo` of the axis in the job",
         )
     if axis.modulo is not None and options.get("spacing_rule") == "power_of_two":
         yield Fault(
@@ -112,6 +114,9 @@ def _impossible(
             place="spacing_rule",
             expected="free, or a table typed in by hand",
             found="power_of_two",
+            hint=(
+                "set `spacing_rule: free` in the options of this axis, or load the values by hand"
+            ),
         )
 
 
@@ -144,7 +149,8 @@ def broken_limits(
     label, unit = f"axis {axis.name} ({compensation.address})", axis.kind.unit
     if compensation.interpolation != "linear" or compensation.others:
         yield Fault(
-            message=f"{label}: the control has one table with straight lines between its points"
+            message=f"{label}: the control has one table with straight lines between its points",
+            hint="set `table: {mode: single}` for this axis",
         )
     yield from _line_faults(label, axis, compensation, capacity)
     nodes = compensation.positions
@@ -164,16 +170,32 @@ def _line_faults(
     """The linear parameter and a table exclude each other."""
     if capacity.line is not None and compensation.positions.size:
         message = f"{label}: the linear parameter and a table exclude each other"
-        yield Fault(message=message, expected="no table", found="a table")
+        yield Fault(
+            message=message,
+            expected="no table",
+            found="a table",
+            hint=(
+                "leave the table out; for a table set `method: table` in the options of this axis"
+            ),
+        )
     if capacity.line is None and compensation.slope:
-        message = f"{label}: beside a table the linear parameter has no effect"
+        message = f"{label}: with a table the linear parameter has no effect"
         found = f"{compensation.slope * 1000:g} mm/m"
-        yield Fault(message=message, expected="0 mm/m", found=found)
+        yield Fault(
+            message=message,
+            expected="0 mm/m",
+            found=found,
+            hint=("set the line to 0; for a line set `method: line` in the options of this axis"),
+        )
     if capacity.line is not None and compensation.slope and compensation.origin != axis.reference:
         yield Fault(
             message=f"{label}: the line is zero at the reference",
             expected=f"{axis.reference:g} {axis.kind.unit}",
             found=f"{compensation.origin:g}",
+            hint=(
+                f"set `reference: {compensation.origin:g}` of the axis, or make the plan "
+                "again with `compwright run`"
+            ),
         )
 
 
@@ -192,6 +214,7 @@ def _steep_faults(
             ),
             expected=f"at most the spacing / {rule}, {float(steps[worst]) / rule:.6g} {unit}",
             found=f"{step:.6g} {unit}",
+            hint="give a wider `table: {spacing: ...}` for this axis",
         )
 
 
@@ -203,6 +226,10 @@ def _grid_faults(label: str, unit: str, steps: np.ndarray, capacity: Capacity) -
             message=f"{label}: the points are not equally spaced",
             expected="one spacing (the table's own rows too: even them out, and measure again)",
             found=found,
+            hint=(
+                "correct the rows so that they are equally spaced, measure again, then run "
+                "the job again"
+            ),
         )
     elif capacity.spacings is not None and capacity.nodes is None:
         near = min(capacity.spacings, key=lambda one: abs(one - float(steps[0])))
@@ -214,6 +241,7 @@ def _grid_faults(label: str, unit: str, steps: np.ndarray, capacity: Capacity) -
                 ),
                 expected=f"such as {near:.10g} {unit}",
                 found=f"{steps[0]:.10g} {unit}",
+                hint=f"set `table: {{spacing: {near:.10g}}}` for this axis",
             )
 
 
@@ -228,6 +256,7 @@ def _turn_faults(label: str, compensation: AxisCompensation, capacity: Capacity)
                 ),
                 expected="a travel within 0 to 360, or modulo: 360 in the job",
                 found=f"a table from {nodes[0]:g} to {nodes[-1]:g}",
+                hint="set a `travel` within 0 to 360, or `modulo: 360`, for this axis in the job",
             )
         return
     ends = [(curve[0], curve[-1]) for curve in (compensation.positive, compensation.negative)]
@@ -241,6 +270,7 @@ def _turn_faults(label: str, compensation: AxisCompensation, capacity: Capacity)
             ),
             expected=f"{TURN:g} degrees, equal ends",
             found=f"{nodes[-1] - nodes[0]:g} degrees, {ends[0][0]:g} and {ends[0][1]:g}",
+            hint="run the job again, so that the table is made for a whole turn",
         )
 
 

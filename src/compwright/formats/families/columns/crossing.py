@@ -77,10 +77,10 @@ class CrossFiller(Patches):
         """Return the table of the moving axis and its column for the bent one. Raises NotHeld."""
         table = self.sources.tables.get(added.input)
         if table is None:
-            raise NotHeld(f"no table (.COM) that acts for {added.input} is among the files")
+            raise NotHeld(f"no table (.COM) that is active for {added.input} is among the files")
         if self._asleep(added.output):
             bits = name_of(self.family.definition, "enabled")
-            raise NotHeld(f"the bit of {added.output} in {bits} is 0: no table acts on it")
+            raise NotHeld(f"the bit of {added.output} in {bits} is 0: no table is active on it")
         column = self.sources.column_of(added.output)
         if table.column(column) is None:
             raise NotHeld(f"{table.file} has no column {column}")
@@ -90,7 +90,9 @@ class CrossFiller(Patches):
             raise NotHeld(f"{table.file} is in inch")
         moving = [address for address, known in self.sources.tables.items() if known is table]
         if len(moving) > 1:
-            raise NotHeld(f"{table.file} acts for the motion of several axes: {', '.join(moving)}")
+            raise NotHeld(
+                f"{table.file} is active for the motion of several axes: {', '.join(moving)}"
+            )
         return table, column
 
     def _asleep(self, address: str) -> bool:

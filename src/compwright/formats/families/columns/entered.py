@@ -31,7 +31,7 @@ _PARAMETERS = {
     range(710, 711): "backlash",
     range(711, 717): "reversal spikes",
     range(720, 721): "linear error",
-    range(730, 731): "which of line and table acts",
+    range(730, 731): "whether the line or the table is active",
     range(750, 753): "reversal error",
     range(960, 961): "machine datum",
 }

@@ -87,7 +87,8 @@ class TableFiller:
         moving = [address for address, table in self.sources.tables.items() if table is self.table]
         if len(moving) > 1:
             raise NotHeld(
-                f"{self.table.file} acts for the motion of several axes ({', '.join(moving)}): a"
+                f"{self.table.file} is active for the motion of several axes "
+                f"({', '.join(moving)}): a"
                 " change for one changes all"
             )
         second = self.table.column(SECOND)
@@ -125,6 +126,10 @@ class TableFiller:
                         f" in the job ({unit})"
                     ),
                     found=f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g}",
+                    hint=(
+                        f"set `table: {{start: {positions[0]:.10g}, end: {positions[-1]:.10g}}}` "
+                        "for this axis in the job"
+                    ),
                 )
             )
         return np.clip(np.arange(len(positions)) - first, 0, nodes.size - 1)

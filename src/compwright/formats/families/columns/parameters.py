@@ -58,9 +58,13 @@ def _nothing(definition: Definition, file: ControlFile, lines: Iterable[str]) ->
     kinds = "an entry sheet, or a table that begins with BEGIN"
     forms = [readable(definition.statements[name].form) for name in lines]
     return Fault(
-        message=f"nothing in it is compensation data of {definition.id}",
+        message=f"contains no compensation data of {definition.id}",
         file=file.name,
         expected=f"{kinds}, or lines such as {', '.join(forms)}" if forms else kinds,
+        hint=(
+            "give the file with tables or compensation parameters of this control, or "
+            "correct `format`"
+        ),
     )
 
 
@@ -79,6 +83,9 @@ def _take_mask(sources: Sources, place: Occurrence, file: int, faults: list[Faul
                 place=place.place,
                 expected=f"%{text}, or %{int(text):b}",
                 found=text[:60],
+                hint=(
+                    "correct the bits in a copy of this file, or export it from the control again"
+                ),
             )
         )
         return
@@ -90,6 +97,9 @@ def _take_mask(sources: Sources, place: Occurrence, file: int, faults: list[Faul
                 place=place.place,
                 expected="%00011, or 3",
                 found=text[:60],
+                hint=(
+                    "correct the bits in a copy of this file, or export it from the control again"
+                ),
             )
         )
         return

@@ -57,7 +57,16 @@ def read_columns(
     """
     if not files:
         raise UsageError(
-            "no file of the control was given; expected its own files, or the state `none`"
+            Fault(
+                message=(
+                    "no file of the control was given; expected its own files, or the state `none`"
+                ),
+                hint=(
+                    "give the control's files under `states: {as_found: [...]}`, or "
+                    "`as_found: none` if it has no compensation (without a job: `--state FILE` "
+                    "or `--state none`)"
+                ),
+            )
         )
     known = {control.address(axis)[0]: axis for axis in axes}
     asked = [*known, *([] if address is None else [normal_text(control.definition, address)])]
@@ -130,7 +139,14 @@ class _ColumnStateReader:
         if not compensations and not cross and not sources.idle and not self.notes.faults:
             names = ", ".join(file.name for file in self.files)
             self.notes.faults.append(
-                Fault(message="the files say nothing about the compensation of an axis", file=names)
+                Fault(
+                    message="the files contain no compensation of any axis",
+                    file=names,
+                    hint=(
+                        "add the files with tables and compensation parameters, or use the state "
+                        "`none`"
+                    ),
+                )
             )
         self.notes.ask_contradicted()
         raise_all(InputError, self.notes.faults)
@@ -230,8 +246,14 @@ class _ColumnStateReader:
 
 def _unnamed(address: str, mentioned: Sequence[str], files: Sequence[ControlFile]) -> Fault:
     return Fault(
-        message=f"no file says anything about axis {address}; missing is not zero",
+        message=(
+            f"no given file contains data of axis {address}; missing values do not count as zero"
+        ),
         file=", ".join(file.name for file in files),
         expected=f"a table, a sheet or {', '.join(PARAMETERS)} of {address}, or the state `none`",
         found=f"axes {', '.join(mentioned)}" if mentioned else "no axis at all",
+        hint=(
+            "correct the `address` of the axis, or add the file with its data to the "
+            "state; use the state `none` if the control has none"
+        ),
     )

@@ -37,6 +37,7 @@ def take_sheet(sources: Sources, file: ControlFile, number: int, faults: list[Fa
                     place=f"line {after.line}",
                     expected=f"more than {before.position}",
                     found=str(after.position),
+                    hint="sort the rows by position",
                 )
             )
     if len(faults) == known:
@@ -54,7 +55,15 @@ def _address(sources: Sources, sheet: EntrySheet, faults: list[Fault]) -> str | 
         return address
     message = f"axis {address} has two entry sheets"
     other = sources.sheets[address].name
-    faults.append(Fault(message=message, file=sheet.name, expected="one", found=other))
+    faults.append(
+        Fault(
+            message=message,
+            file=sheet.name,
+            expected="one",
+            found=other,
+            hint="keep one of the two files",
+        )
+    )
     return None
 
 
@@ -90,7 +99,12 @@ def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
         message = "the sheet does not hold as many points as it says; it may have been cut short"
         faults.append(
             Fault(
-                message=message, file=sheet.name, place=place, expected=said[:60], found=str(found)
+                message=message,
+                file=sheet.name,
+                place=place,
+                expected=said[:60],
+                found=str(found),
+                hint="correct this line of the entry sheet",
             )
         )
 
@@ -141,5 +155,10 @@ def _parameter(
 
 def _at(row: SheetRow, file: str, message: str, expected: str, found: str) -> Fault:
     return Fault(
-        message=message, file=file, place=f"line {row.line}", expected=expected, found=found[:60]
+        message=message,
+        file=file,
+        place=f"line {row.line}",
+        expected=expected,
+        found=found[:60],
+        hint="correct this line of the entry sheet",
     )

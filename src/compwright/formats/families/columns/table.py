@@ -150,7 +150,9 @@ def set_cell(table: UserTable, line: str, name: str, text: str) -> str:
         raise NotHeld(f"{table.file} has no column {name}")
     column.check(text, table.file)
     if column.flush == "free":
-        raise NotHeld(f"{table.file}: the cells of the column {name} do not stand in fixed widths")
+        raise NotHeld(
+            f"{table.file}: the cells of the column {name} are not in columns of fixed width"
+        )
     start = column.edge if column.flush == "left" else column.edge - len(text)
     end = start + len(text)
     # One blank stays between neighbours: behind cells that begin flush, before cells that end flush

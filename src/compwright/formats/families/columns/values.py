@@ -108,6 +108,7 @@ class TableValues:
                 file=self.sources.sheets[address].name if address in self.sources.sheets else "",
                 expected=f"{known.unit if known else 'one kind of unit'}",
                 found=", ".join(sorted(units)),
+                hint="correct the units of the sheet, or `kind` of the axis in the job",
             )
             self.notes.once(fault)
         if known is None:
@@ -263,7 +264,17 @@ class TableValues:
         modulo = axis.modulo if axis is not None else None
         if modulo is not None and modulo != TURN:
             message = f"axis {address}: one turn of a rotary axis is 360 degrees here"
-            self.notes.faults.append(Fault(message=message, file=file, found=f"{modulo:g}"))
+            self.notes.faults.append(
+                Fault(
+                    message=message,
+                    file=file,
+                    found=f"{modulo:g}",
+                    hint=(
+                        "correct `modulo` of the axis in the job, or give the file that belongs to "
+                        "this machine"
+                    ),
+                )
+            )
         if modulo is None and not (positions[0] <= 0 and positions[-1] >= TURN):
             if positions[0] < 0 or positions[-1] > TURN:
                 message = (
@@ -272,7 +283,17 @@ class TableValues:
                 )
                 found = f"{positions[0]:g} to {positions[-1]:g}"
                 self.notes.faults.append(
-                    Fault(message=message, file=file, expected="0 to 360 degrees", found=found)
+                    Fault(
+                        message=message,
+                        file=file,
+                        expected="0 to 360 degrees",
+                        found=found,
+                        hint=(
+                            "correct the positions in a copy of this file, or `kind` of "
+                            "the axis in "
+                            "the job"
+                        ),
+                    )
                 )
             return positions, values, None
         inside = positions[(positions > 0) & (positions < TURN)]
@@ -289,7 +310,14 @@ class TableValues:
 
     def fault(self, file: str, place: str, message: str, expected: str, found: str) -> None:
         """Note a fault once."""
-        fault = Fault(message=message, file=file, place=place, expected=expected, found=found[:60])
+        fault = Fault(
+            message=message,
+            file=file,
+            place=place,
+            expected=expected,
+            found=found[:60],
+            hint=("correct this value in a copy of the file, or export it from the control again"),
+        )
         self.notes.once(fault)
 
     def _fault(self, table: UserTable, line: int, message: str, expected: str, found: str) -> None:

@@ -51,7 +51,12 @@ def write_columns(
         try:
             sheet = written.put(address, axis, compensation)
         except NotHeld as error:
-            faults.append(Fault(message=f"axis {axis.name} ({address}): {error}"))
+            faults.append(
+                Fault(
+                    message=f"axis {axis.name} ({address}): {error}",
+                    hint=f"correct `table` of axis {axis.name} in the job",
+                )
+            )
         except CapacityError as error:
             faults.extend(error.faults)
         else:
@@ -71,15 +76,16 @@ def _refuse_unsaid_backlash(
     asked = [
         Fault(
             message=(
-                f"axis {axis.name} ({address}): {name} is in no file of the state, and the new"
-                " table writes it: a value that stands in the control would be lost from the total"
+                f"axis {axis.name} ({address}): {name} is in no file of the state, but the "
+                "new table overwrites it. Its existing value would be missing in the total"
             ),
             place="states",
-            expected=(
-                f"{name} as it stands in the control among the files: an entry sheet of {address}"
-                f" with the line {name},,0.0000,{axis.kind.unit} where it is 0"
-            ),
+            expected=f"{name} as it is in the control now",
             found="no value",
+            hint=(
+                f"add the file with {name} to the state, or an entry sheet of {address} "
+                f"with the line `{name},,0.0000,{axis.kind.unit}` if it is 0"
+            ),
         )
         for address, axis, compensation in pairs
         if (address, "backlash") not in given
@@ -181,7 +187,7 @@ class _OwnTables(Patches):
         ]
         if others:
             name = name_of(self.control.definition, "enabled")
-            what = "would wake what sleeps" if awake else "would switch off what acts"
+            what = "would wake what sleeps" if awake else "would switch off what is active"
             raise NotHeld(
                 f"the bit of {address} in {name} has to become {int(awake)}, which {what} in"
                 f" {', '.join(others)}; empty that column first, or set the bit and measure again"

@@ -240,7 +240,15 @@ class GridAxisReader:
         word = self.values.said("rotary")
         if word is not None and word != self.axis.kind:
             message = f"{self.label}: the job and the control's files disagree about its kind"
-            fault = Fault(message=message, expected=self.axis.kind, found=word)
+            fault = Fault(
+                message=message,
+                expected=self.axis.kind,
+                found=word,
+                hint=(
+                    f"set `kind: {word}` for this axis in the job, or give the files of this "
+                    "machine"
+                ),
+            )
             self.notes.faults.append(fault)
         return self.axis.kind
 
@@ -267,10 +275,11 @@ class GridAxisReader:
         ):
             self.notes.faults.append(
                 Fault(
-                    message=f"{self.label}: the table is switched on, but no file holds it",
+                    message=f"{self.label}: the table is switched on, but it is in no given file",
                     file=found.occurrence.file,
                     place=found.occurrence.place,
                     expected="the file with the table too",
+                    hint="add the file with the table to the state",
                 )
             )
         if found is None and not self.elsewhere:
@@ -360,6 +369,10 @@ class GridAxisReader:
                     place=found.occurrence.place,
                     expected=f"{low:g} .. {high:g} {scale.kind.unit}",
                     found=text,
+                    hint=(
+                        "correct the value in the control, measure again, and export its files "
+                        "again"
+                    ),
                 )
             )
         if scale.sign("backlash") == "lost_motion":

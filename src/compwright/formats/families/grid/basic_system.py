@@ -46,7 +46,7 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
     if masks and ((bits := bit_mask(masks[-1].text)) is None or bits & _USERS_LENGTHS):
         notes.refuse(
             "basic system",
-            "positions or compensation values stand in a unit of the user's own (MD10220"
+            "positions or compensation values are in a unit of the user's own (MD10220"
             " $MN_SCALING_USER_DEF_MASK)",
             masks[-1],
             expected="a mask without the bits 0, 1, 11 and 12",

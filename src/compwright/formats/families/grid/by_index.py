@@ -102,6 +102,7 @@ class ByIndex(TableShape):
                     message=f"axis {text.compensation.address}: the nodes are not equally spaced",
                     expected=f"every {spacing:.9g} {scale.kind.unit}",
                     found=f"a node {worst:.6g} {scale.kind.unit} away from its place",
+                    hint="give `table: {spacing: ...}` for this axis, so that a new grid is made",
                 )
             )
         return WrittenTable(rows, singles)

@@ -92,5 +92,8 @@ class NewFile:
                 file=self.name,
                 expected=f"at most {longest} characters",
                 found=str(worst),
+                hint=(
+                    "give a wider `table: {spacing: ...}`, or load the values by hand from the card"
+                ),
             )
             faults.append(fault)

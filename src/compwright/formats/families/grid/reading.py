@@ -251,7 +251,17 @@ class GridReader:
     def _texts(self, files: Sequence[ControlFile]) -> list[ReadText]:
         if not files:
             raise UsageError(
-                "no file of the control was given; expected its own files, or the state `none`"
+                Fault(
+                    message=(
+                        "no file of the control was given; expected its own files, or the "
+                        "state `none`"
+                    ),
+                    hint=(
+                        "give the control's files under `states: {as_found: [...]}`, or "
+                        "`as_found: none` if it has no compensation (without a job: `--state FILE` "
+                        "or `--state none`)"
+                    ),
+                )
             )
         files = self._loaded(files)
         self._refuse_unknown(files)
@@ -268,9 +278,13 @@ class GridReader:
             form = self.definition.statements[row].form.replace("{", "<").replace("}", ">")
             raise InputError(
                 Fault(
-                    message=f"nothing in it is compensation data of {self.definition.id}",
+                    message=f"contains no compensation data of {self.definition.id}",
                     file=", ".join(text.file for text in read),
                     expected=f"lines like {form}",
+                    hint=(
+                        "give the file with the compensation tables of this control, or correct "
+                        "`format`"
+                    ),
                 )
             )
         return read
@@ -301,7 +315,14 @@ class GridReader:
                 message = no_text(file.content)
             if message:
                 expected = self.export_instead
-                self.notes.faults.append(Fault(message=message, file=file.name, expected=expected))
+                self.notes.faults.append(
+                    Fault(
+                        message=message,
+                        file=file.name,
+                        expected=expected,
+                        hint="give the file as the control exports it",
+                    )
+                )
         raise_all(InputError, self.notes.faults)
 
     def _tell_sources(self, files: Sequence[ControlFile]) -> None:
@@ -347,24 +368,39 @@ class GridReader:
                     message=f"the sections [{old[0]}] and the like are those of an older release",
                     file=", ".join(text.file for text in self.texts),
                     expected="sections [JOINT_<number>], as update_ini of LinuxCNC 2.8 makes them",
+                    hint=(
+                        "convert the configuration with `update_ini` of LinuxCNC, then give the "
+                        "new INI"
+                    ),
                 )
             )
             return
         self.notes.faults.append(
             Fault(
-                message="nothing says to which axis this table belongs",
+                message="the files do not show to which axis this table belongs",
                 file=", ".join(text.file for text in self.texts),
                 expected=f"the axis named, the file called {name}, or the file that names it",
+                hint=(
+                    f"give `address` of the axis, rename the file to {name}, or add the file "
+                    "that refers to it"
+                ),
             )
         )
 
     def _tell_unnamed(self, address: str, named: Sequence[str]) -> None:
         self.notes.faults.append(
             Fault(
-                message=f"no file says anything about axis {address}; missing is not zero",
+                message=(
+                    f"no given file contains data of axis {address}; missing values do not "
+                    "count as zero"
+                ),
                 file=", ".join(text.file for text in self.texts),
                 expected=f"lines for {address}, or the state `none`",
                 found=f"axes {', '.join(named)}" if named else "no axis at all",
+                hint=(
+                    "correct the `address` of the axis, or add the file with its data to the "
+                    "state; use the state `none` if the control has none"
+                ),
             )
         )
 

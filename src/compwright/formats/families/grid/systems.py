@@ -62,6 +62,11 @@ class SystemChoice:
                     found=", ".join(
                         f"system {int(system) + 1}" for system in active or self.systems
                     ),
+                    hint=(
+                        f"set `encoder: {{system: ...}}` of the axis to the system of the "
+                        "table, or "
+                        f"add the file with the table of system {number}"
+                    ),
                 )
             )
         elif (
@@ -115,8 +120,8 @@ class SystemChoice:
             self.notes.ask(
                 Fault(
                     message=(
-                        f"axis {self.address}: the files speak of both measuring systems and do not"
-                        " show which one is in use"
+                        f"axis {self.address}: the files contain both measuring systems and do not "
+                        "show which one is in use"
                     ),
                     place="encoder.system",
                     expected=(
@@ -124,6 +129,10 @@ class SystemChoice:
                         " --option encoder_system=1)"
                     ),
                     found="neither the job nor MD30200, MD32700 say it",
+                    hint=(
+                        "set `encoder: {system: 1}` or `encoder: {system: 2}` for this axis "
+                        "(without a job: `--option encoder_system=1`)"
+                    ),
                 )
             )
         chosen = (

@@ -89,14 +89,18 @@ class TableFiles:
         self.used.update(text.number for text in matching)
         if len(matching) > 1:
             message = f"axis {address}: its table file was given {len(matching)} times"
-            self.notes.faults.append(Fault(message=message, file=matching[0].file))
+            self.notes.faults.append(
+                Fault(message=message, file=matching[0].file, hint="keep one of these files")
+            )
         rows = self.gathered.file_rows.get(matching[0].number, [])
         if not rows:
             message = (
                 f"axis {address}: the table file holds no rows: this is contradictory, not an empty"
                 " table"
             )
-            self.notes.faults.append(Fault(message=message, file=matching[0].file))
+            self.notes.faults.append(
+                Fault(message=message, file=matching[0].file, hint="keep one of these files")
+            )
         return rows
 
     def _named_by(self, address: str) -> list[ReadText]:
@@ -109,11 +113,14 @@ class TableFiles:
         if not matching:
             self.notes.faults.append(
                 Fault(
-                    message=f"axis {address}: the table file that it names was not given",
+                    message=(
+                        f"axis {address}: the table file that its configuration names was not given"
+                    ),
                     file=named[0].occurrence.file,
                     place=named[0].occurrence.place,
                     expected=base,
                     found=", ".join(text.file for text in self.tables) or "no table file",
+                    hint=f"add {base} to the files of the state",
                 )
             )
         return matching
@@ -176,6 +183,10 @@ def offset_at_run_time(files: Sequence[ControlFile], axes: Collection[str]) -> I
                 place=f"line {line}",
                 expected="eoffset-enable of this axis at 0 in every test, and in the HAL file",
                 found=match["line"].decode("latin-1").strip(),
+                hint=(
+                    "switch the external offset off in the HAL file, measure again, then give "
+                    "the new file"
+                ),
             )
 
 
@@ -202,6 +213,7 @@ def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
                         else "the name of the pin in its place, in a copy of the file"
                     ),
                     found=match["line"].decode("latin-1").strip(),
+                    hint="correct this in the HAL file, measure again, then give the new file",
                 )
 
 

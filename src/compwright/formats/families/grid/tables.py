@@ -76,6 +76,7 @@ class TableSource:
                 place=place.occurrence.place if place and found else "",
                 expected=expected,
                 found=what,
+                hint="correct this in a copy of the file, or export it from the control again",
             )
         )
 
@@ -132,7 +133,12 @@ class TableText:
             return self.scale.write(quantity, value, position)
         except NotHeld as error:
             what = f"{quantity.replace('_', ' ')} at {position:.9g}"
-            self.faults.append(Fault(message=f"axis {self.compensation.address}, {what}: {error}"))
+            self.faults.append(
+                Fault(
+                    message=f"axis {self.compensation.address}, {what}: {error}",
+                    hint="correct the grid of this axis: `table: {start, end, spacing}` in the job",
+                )
+            )
             return "0"
 
     def values(self, index: int) -> dict[str, str]:

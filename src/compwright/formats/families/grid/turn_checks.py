@@ -30,13 +30,16 @@ def check_modulo(values: GridAxisValues, axis: Axis | None) -> None:
         values.notes.faults.append(
             Fault(
                 message=(
-                    f"{values.label}: the job says that the axis is endless, the control's files"
-                    " that it is not"
+                    f"{values.label}: the job makes the axis endless, but the control's files "
+                    "give it ends"
                 ),
                 file=found.occurrence.file,
                 place=found.occurrence.place,
                 expected=f"modulo {axis.modulo:g}",
                 found=found.text,
+                hint=(
+                    "remove `modulo` of the axis from the job, or give the files of this machine"
+                ),
             )
         )
 
@@ -79,6 +82,10 @@ def period_of(
                 place=f"{first.place} to {last.line}",
                 expected="the same value at both ends",
                 found=f"{table.positive[0]:g} and {table.positive[-1]:g} (corrections)",
+                hint=(
+                    "correct the table in the control so that both ends are equal, measure "
+                    "again, and export it again"
+                ),
             )
         )
     if axis is not None and "modulo_start" in values.definition.bindings:
@@ -133,5 +140,10 @@ def check_turn(axis: Axis, compensation: AxisCompensation, notes: Notes) -> None
                     message=f"{label}: the period of its table is not the modulo of the job",
                     expected=f"{axis.modulo:g}",
                     found=f"{table.period:g}",
+                    hint=(
+                        f"set `modulo: {table.period:g}` for the axis in the job, or give "
+                        "the files "
+                        "of this machine"
+                    ),
                 )
             )

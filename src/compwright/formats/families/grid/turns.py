@@ -52,6 +52,7 @@ def in_range_of(
                 ),
                 expected=f"a table.spacing that divides {common:g} deg",
                 found=f"{step:g} deg",
+                hint=f"set a `table: {{spacing: ...}}` that divides {common:g} deg",
             )
         )
         return compensation
@@ -123,6 +124,7 @@ def most_points_of_turn(axis: Axis, rows: int) -> int:
                 ),
                 expected=f"a travel of at most {(rows - _BESIDE) * 360 // _LEAST_SECTIONS:g} deg",
                 found=f"{low:g} to {high:g} deg",
+                hint="shorten `travel` of the axis in the job",
             )
         )
     return sections + 1

@@ -127,7 +127,14 @@ class GridWriter:
             expected = (
                 "the machine data of the axis with MD30310 and MD30340 among the files of the state"
             )
-            work.faults.append(Fault(message=message, expected=expected, found="in no file"))
+            work.faults.append(
+                Fault(
+                    message=message,
+                    expected=expected,
+                    found="in no file",
+                    hint="add the file of the control that contains it to the state",
+                )
+            )
             return compensation
         start = MODULO_START if turn is None else turn.start
         return in_range_of(compensation, start, axis.name, work.faults)
@@ -165,7 +172,12 @@ class GridWriter:
                 singles["backlash"] = scale.write("backlash", work.compensation.backlash)
             except NotHeld as error:
                 message = f"axis {work.compensation.address}, backlash: {error}"
-                work.faults.append(Fault(message=message))
+                work.faults.append(
+                    Fault(
+                        message=message,
+                        hint="set `table: {mode: single}` for this axis, or leave `mode` out",
+                    )
+                )
         return AxisText(work.address, named, table.rows, singles)
 
     def files_for(self, when: When) -> list[WrittenFile]:
@@ -281,7 +293,10 @@ class GridWriter:
 def _first_few(faults: list[Fault], address: str) -> list[Fault]:
     """One wrong rounding spoils every row: three of them say it."""
     rest = len(faults) - 3
-    more = Fault(message=f"axis {address}: {rest} more values like these")
+    more = Fault(
+        message=f"axis {address}: {rest} more values like these",
+        hint="correct the values named above",
+    )
     return faults if rest <= 0 else [*faults[:3], more]
 
 

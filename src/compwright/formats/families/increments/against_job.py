@@ -101,6 +101,10 @@ def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
             " to the reference position has moved the axis there"
         ),
         found=str(answer) if wrong else "nothing",
+        hint=(
+            "move the axis with one test value next to the reference position, then "
+            "answer `points_from: reference` in the options if it moved there"
+        ),
     )
 
 
@@ -157,7 +161,15 @@ def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
         )
         expected = "the parameter file with 1006, or radius, in which everything of a job counts"
         raise UsageError(
-            Fault(message=message, place="programmed", expected=expected, found="diameter")
+            Fault(
+                message=message,
+                place="programmed",
+                expected=expected,
+                found="diameter",
+                hint=(
+                    "correct `programmed` of the axis in the job, or give the files of this machine"
+                ),
+            )
         )
     values.notes.find(
         "CW-S019",

@@ -23,7 +23,9 @@ def acting_backlash(values: IncrementAxisValues, feed: int) -> int:
     told = values.own.all.counts(known.BACKLASH_BITS)
     bits = values.own.get(known.BACKLASH_BITS)
     if at_rapid and separate and rapid is None and bits is not None:
-        message = "its test was taken at rapid traverse (motion: rapid), where 1852 acts (1800#4)"
+        message = (
+            "its test was taken at rapid traverse (motion: rapid), where 1852 is active (1800#4)"
+        )
         expected = "the line of 1852 among the files"
         values.notes.once(bits.fault(f"{values.label}: {message}", expected))
     if separate is False or rapid is None or rapid == feed:
@@ -31,12 +33,12 @@ def acting_backlash(values: IncrementAxisValues, feed: int) -> int:
     if at_rapid and separate is None:
         message = (
             "its test was taken at rapid traverse (motion: rapid), and no file says whether 1852"
-            f" = {rapid} acts there or 1851 = {feed}"
+            f" = {rapid} is active there or 1851 = {feed}"
         )
         help_ = "the line of 1800 (bit 4) among the files"
         alone = "a test at cutting feed: which bit says it on this series is not known"
         values.wrong("backlash_rapid", message, help_ if told else alone)
-    silent = "1800#4 is not in the files" if told else "which bit says that 1852 acts is not known"
+    silent = "1800#4 is not in the files" if told else "the bit that makes 1852 active is unknown"
     why = "1800#4 = 1" if separate else silent
     shown = "rapid traverse, 1852" if at_rapid else "cutting feed, 1851"
     values.notes.find(
@@ -66,8 +68,8 @@ def backlash_words(facts: IncrementFacts) -> str:
     if facts.backlash_rapid is None:
         return ""
     acts = {
-        True: "at rapid traverse; 1851 acts at cutting feed, because 1800#4 = 1",
-        False: "does not act and stays as it is: 1851 acts at all feeds, because 1800#4 = 0",
-        None: "acts at rapid traverse where 1800#4 = 1, which no file says",
+        True: "at rapid traverse; 1851 is active at cutting feed, because 1800#4 = 1",
+        False: "is not active and stays as it is: 1851 is active at all feeds, because 1800#4 = 0",
+        None: "is active at rapid traverse if 1800#4 = 1, which is in no file",
     }[facts.separate_rapid]
     return f"1852 = {facts.backlash_rapid} detection units ({acts})"

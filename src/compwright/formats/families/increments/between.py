@@ -77,7 +77,7 @@ def _filled(family: Family, asked: BetweenRequest, entry: PlannedCross) -> Betwe
     texts = [added.input, added.output, *points, *amounts]
     named = {places[place].number: text for place, text in enumerate(texts)}
     said = ", ".join(f"{number} = {text}" for number, text in named.items())
-    message = f"{label(entry)} stands in the files as straightness compensation: {said}."
+    message = f"{label(entry)} is in the files as straightness compensation: {said}."
     text = (
         f"{message} Its numbers and its sign are unconfirmed: prove them with a square or a dial"
         " gauge, on and off, before production."

@@ -151,8 +151,8 @@ class IncrementLimits:
             raise UsageError(
                 Fault(
                     message=(
-                        f"axis {self.axis.name}: no file says which point numbers are free for its"
-                        f" table; nobody knows what the numbers {told} hold"
+                        f"axis {self.axis.name}: no given file shows which point numbers are free "
+                        f"for its table. The numbers {told} may be in use"
                     ),
                     place="first_point",
                     expected=(
@@ -160,6 +160,10 @@ class IncrementLimits:
                         " free number (look at 3621 and 3622 of all axes)"
                     ),
                     found="nothing",
+                    hint=(
+                        "add the control's whole pitch data to the state, or give `first_point` "
+                        "after a look at 3621 and 3622 of all axes"
+                    ),
                 )
             )
         evidence = (

@@ -77,15 +77,16 @@ def _beside(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
     if now.inclined and not before.inclined:
         yield (
             f"set too: {now.inclined}; its sign and unit are unconfirmed, so measure"
-            " both ends of the travel with these amounts and with 0 (power cycle each time) before"
-            " the whole table acts"
+            " both ends of the travel with these amounts and with 0 (power cycle each "
+            "time) before you switch"
+            " on the whole table"
         )
     elif {point.number for point in new} != old:
         told = ", ".join(point.label for point in new)
         yield f"set too, because the grid moves and these positions stay: {told}"
     if facts.beside:
         told = "; ".join(each for each in facts.beside.split("; ") if "parameter" in each)
-        yield f"leave as it is what acts beside the table: {told}"
+        yield f"leave unchanged what is active in addition to the table: {told}"
 
 
 def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:

@@ -111,7 +111,7 @@ class Counted:
             for numbers in (known.INCLINATION_POINTS, known.INCLINATION_AMOUNTS)
         )
         if sections is None:
-            raise _NotCountedError(function.values[0], "without a grid beside it", "3620 to 3624")
+            raise _NotCountedError(function.values[0], "without a grid", "3620 to 3624")
         if any(value is None for value in (*points, *amounts)):
             raise _NotCountedError(
                 function.values[0], "not given whole", "5861 to 5864, 5871 to 5874"

@@ -139,7 +139,7 @@ def _silent(values: IncrementAxisValues, kind: AxisKind) -> bool:
     if odd is not None and not values.notes.faults:
         raise UsageError(
             odd.fault(
-                f"{values.label}: the detection unit cannot be told from this value; give the"
+                f"{values.label}: the detection unit does not follow from this value; give the"
                 f" option {DETECTION_UNIT}",
                 "mm or deg, such as 0.001; read are 1820 = 1 to 96 and 101 to 127 with IS-A, IS-B"
                 " or IS-C in 1013 and 1006#3 = 0",
@@ -152,7 +152,7 @@ def _check_unit(values: IncrementAxisValues, said: DetectionUnit, size: float, u
     other = abs(size - said.size) > _SAME_UNIT * said.size
     if other and (values.axis is not None or values.does_anything()):
         message = (
-            f"{values.label}: the detection unit of the control's files is another than the option"
+            f"{values.label}: the detection unit of the control's files differs from the option"
             " detection_unit"
         )
         fault = said.multiplier.fault(message, f"{said.size:g} {unit} by {said.evidence}")

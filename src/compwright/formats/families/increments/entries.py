@@ -100,7 +100,12 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
             rapid = increments_of(family.state.facts_of(leading.get(address, address)))
             entry = _WholeNumbers(family, address, axis, compensation, rapid).entries(used, start)
         except NotHeld as error:
-            faults.append(Fault(message=f"axis {axis.name} ({address}): {error}"))
+            faults.append(
+                Fault(
+                    message=f"axis {axis.name} ({address}): {error}",
+                    hint=f"correct `table` of axis {axis.name} in the job",
+                )
+            )
             continue
         given.extend((*entry.place.ranges, *(range(one, one + 1) for one in entry.points)))
         entries.append(entry)
@@ -138,8 +143,8 @@ def free_numbers_question(definition: Definition) -> Fault:
     """Return what is asked where neither files nor options say which point numbers are free."""
     return Fault(
         message=(
-            f"{definition.id}: the free point numbers are unknown; all axes share one array, and a"
-            " number that another axis uses would change that axis"
+            f"{definition.id}: the free point numbers are unknown. All axes share one "
+            "array, so a number in use by another axis would change that axis"
         ),
         place="first_point",
         expected=(
@@ -147,6 +152,10 @@ def free_numbers_question(definition: Definition) -> Fault:
             " first_point=1, or the control's own parameter and pitch files as the state"
         ),
         found="nothing",
+        hint=(
+            "look at 3621 and 3622 of all axes, then give the first free number: "
+            "`--option first_point=1`, or `first_point: 1` in the options of the job"
+        ),
     )
 
 

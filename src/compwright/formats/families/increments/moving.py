@@ -79,12 +79,13 @@ def _check_kept(each: Hung, facts: IncrementFacts, magnification: int) -> None:
     """
     if not facts.magnification or facts.first_number == facts.last_number:
         raise NotHeld(
-            f"{each.label}, stands beside a table that is off: a new table may wake it, and nobody"
-            " measured what it does; set it to 0, or switch it on and measure with it"
+            f"{each.label}, is set, but its table is off. A new table may make it active, and"
+            " its effect was not measured. Set it to 0, or switch it on and measure with it"
         )
     if magnification != facts.magnification:
         raise NotHeld(
-            f"{each.label}, acts beside a table with 3623 = {facts.magnification}, and whether that"
+            f"{each.label}, is active in addition to a table with 3623 = "
+            f"{facts.magnification}, and whether that"
             f" multiplies it is not known; the new table needs 3623 = {magnification}"
         )
 
@@ -94,7 +95,8 @@ def _known(
 ) -> tuple[PointNumber, ...]:
     if each.points is None:
         raise NotHeld(
-            f"{each.label}, acts beside the table, and on which numbers it hangs is not known:"
+            f"{each.label}, is active in addition to the table, and the numbers that it "
+            "depends on are unknown:"
             f" {_grids(facts, place, interval)}; {_HELP}"
         )
     return each.points
@@ -122,7 +124,7 @@ def _there(
     why = "is no node of the new grid" if not on_node else "lies outside the old or the new grid"
     help_ = _old_ends(axis, facts, interval) if on_node else _HELP
     raise NotHeld(
-        f"{each.label}, acts beside the table: the position of {point.label} {why}"
+        f"{each.label}, is active in addition to the table: the position of {point.label} {why}"
         f" ({_grids(facts, place, interval)}); {help_}"
     )
 

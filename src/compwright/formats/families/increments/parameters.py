@@ -155,6 +155,10 @@ class ParameterValue:
             place=f"line {self.line}",
             expected=expected,
             found=self.label,
+            hint=(
+                "set it so in the control, measure again and export the parameters again, "
+                "or leave this axis out of the job"
+            ),
         )
 
 

@@ -111,4 +111,8 @@ def _fault(found: FoundValue, message: str, expected: str, what: str) -> Fault:
         place=found.occurrence.place,
         expected=expected,
         found=what,
+        hint=(
+            "correct this line in a copy of the file, or export the pitch data from "
+            "the control again"
+        ),
     )

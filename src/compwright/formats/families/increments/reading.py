@@ -268,6 +268,7 @@ class StateReader:
                     place=place,
                     expected=f"a {axis.kind.value} axis",
                     found=f"{axis.gantry}, {partner.kind.value}",
+                    hint=f"correct `gantry` of axis {axis.address} in the job",
                 )
             leading = self.facts.get(axis.address, AxisFacts())
             own, other = (facts.said.get(DETECTION_UNIT) for facts in (leading, partner))
@@ -280,6 +281,7 @@ class StateReader:
                     place=place,
                     expected=f"{own:g}",
                     found=f"{other:g}",
+                    hint="correct `gantry` in the job, or work on the two axes in two jobs",
                 )
 
     def _check_names(self) -> None:
@@ -300,6 +302,7 @@ class StateReader:
                         place=f"axes.{axis.name}.address",
                         expected=" or ".join(others),
                         found=address,
+                        hint=f"set `address: {others[0]}` for this axis in the job",
                     )
                 )
 
@@ -360,7 +363,16 @@ def read_texts(
     """
     if not files:
         raise UsageError(
-            "no file of the control was given; expected its own files, or the state `none`"
+            Fault(
+                message=(
+                    "no file of the control was given; expected its own files, or the state `none`"
+                ),
+                hint=(
+                    "give the control's files under `states: {as_found: [...]}`, or "
+                    "`as_found: none` if it has no compensation (without a job: `--state FILE` "
+                    "or `--state none`)"
+                ),
+            )
         )
     reader = text_reader(definition)
     texts = []
@@ -375,9 +387,13 @@ def read_texts(
     if not faults and not any(text.occurrences for text in texts):
         faults.append(
             Fault(
-                message=f"nothing in it is compensation data of {definition.id}",
+                message=f"contains no compensation data of {definition.id}",
                 file=", ".join(file.name for file in files),
                 expected="lines such as N03620Q1A1P40 and N10037Q0P1",
+                hint=(
+                    "give the parameter and pitch files that the control punches out, or "
+                    "correct `format`"
+                ),
             )
         )
     return texts
@@ -392,8 +408,14 @@ def _as_lines(file: ControlFile, format_id: str) -> ControlFile:
 
 def _unnamed(address: str, named: Sequence[str], files: Sequence[ControlFile]) -> Fault:
     return Fault(
-        message=f"no file says anything about axis {address}; missing is not zero",
+        message=(
+            f"no given file contains data of axis {address}; missing values do not count as zero"
+        ),
         file=", ".join(file.name for file in files),
         expected=f"parameters with A{address}, or the state `none`",
         found=f"axes {', '.join(named)}" if named else "no axis at all",
+        hint=(
+            "correct the `address` of the axis, or add the file with its parameters to "
+            "the state; use the state `none` if the control has none"
+        ),
     )

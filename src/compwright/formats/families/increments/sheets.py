@@ -52,5 +52,13 @@ def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlF
             " machine (1001#0)"
         )
         expected = "none: load the files or type in the sheet"
-        raise UsageError(Fault(message=message, place="program", expected=expected, found="g10"))
+        raise UsageError(
+            Fault(
+                message=message,
+                place="program",
+                expected=expected,
+                found="g10",
+                hint="leave the option `program` out; the card contains the values to enter",
+            )
+        )
     return (*sheets, *write_programs(definition, entries))

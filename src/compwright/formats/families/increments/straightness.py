@@ -72,7 +72,10 @@ def straightness_pairs(
 ) -> Iterator[Pair]:
     """Yield the pairs that act; what cannot be counted is a fault by its parameter."""
     unknown = (value for value in parameters.of(_UNKNOWN) if value.acts)
-    faults += [value.fault("straightness that is not understood acts", "0") for value in unknown]
+    faults += [
+        value.fault("a straightness compensation that compwright does not know is active", "0")
+        for value in unknown
+    ]
     for value in parameters.of(known.STRAIGHTNESS_MOVING[: known.STRAIGHTNESS_PAIRS]):
         if not value.acts:
             continue

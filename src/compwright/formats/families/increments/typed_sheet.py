@@ -29,6 +29,10 @@ def parameter_lines(file: ControlFile, format_id: str, faults: list[Fault]) -> b
                 place=f"line {sheet.lines.get('value', 1)}",
                 expected="# value: correction",
                 found=f"# value: {sheet.comments.get('value')}",
+                hint=(
+                    "enter the values as corrections, then change this line to `# value: "
+                    "correction`"
+                ),
             )
         )
     if not re.fullmatch(r"[0-9]{1,3}", sheet.axis):
@@ -38,6 +42,7 @@ def parameter_lines(file: ControlFile, format_id: str, faults: list[Fault]) -> b
                 file=file.name,
                 expected="# address: 1",
                 found=repr(sheet.axis)[:40],
+                hint="add the line `# address: 1` with the axis number of the control",
             )
         )
     lines = [""] * (max(row.line for row in sheet.rows) + 1)
@@ -61,11 +66,12 @@ def _parameter_line(row: SheetRow, axis: str, file: str, faults: list[Fault]) ->
         return f"N03605Q1A{axis}P0000000{row.value}"
     faults.append(
         Fault(
-            message="no parameter is called so",
+            message="this is not the name of a parameter",
             file=file,
             place=f"line {row.line}",
             expected="a number, or 3605#0",
             found=row.point[:40],
+            hint="correct the first column of this line",
         )
     )
     return ""

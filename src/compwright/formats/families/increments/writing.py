@@ -71,6 +71,7 @@ def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
             expected=f"lines of {', '.join(numbers[:8])}{' ..' if len(numbers) > 8 else ''} of axis"
             f" {left.address} among the files of the state",
             found="none",
+            hint="add the control's parameter file with these lines to the state",
         )
 
 
@@ -102,7 +103,13 @@ class _OwnFiles(Patches):
                 " changed only in content that was read from the control"
             )
             expected = "the control's own parameter file with 3605 among the files of the state"
-            faults.append(Fault(message=message, expected=expected))
+            faults.append(
+                Fault(
+                    message=message,
+                    expected=expected,
+                    hint="add the control's own file that contains it to the state",
+                )
+            )
         for number, value in {**entry.points, **dict.fromkeys(entry.cleared, 0)}.items():
             for row in self.rows.get(number, ()):
                 self._set(row, "value", str(value))

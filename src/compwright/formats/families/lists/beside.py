@@ -36,7 +36,7 @@ def backlash_of(of: AxisSaid, *, two: bool) -> float:
     if lose is None or Decimal(lose.text) == 0:
         return 0.0
     if switch is None:
-        message = f"{_name(of)} is not 0, but no list says whether it acts"
+        message = f"{_name(of)} is not 0, but no list shows whether it is active"
         expected = f"{of.lists.name('backlash_switch')} in the lists too"
         of.notes.refuse(of.label, message, lose, expected=expected)
     return _acting(of, Decimal(lose.text), lose, two=two) if on else 0.0
@@ -54,7 +54,10 @@ def _acting(of: AxisSaid, number: Decimal, place: FoundValue, *, two: bool) -> f
         message = "a backlash less than 0 (play before the measuring system) is not understood"
         of.notes.refuse(of.label, message, place, expected="0 or more, or switched off")
     elif two:
-        message = "a backlash acts beside a table with two columns, which holds the reversal"
+        message = (
+            "a backlash is active in addition to a table with two columns, which contains the"
+            " reversal"
+        )
         of.notes.refuse(of.label, message, place, expected="0, or switched off")
     other = "-" if of.returns is Direction.POSITIVE else "+"
     of.notes.assume(
@@ -82,14 +85,17 @@ def check_others(of: AxisSaid) -> None:
     for found in of.lists.places(of.address, "other"):
         if not _is_zero(found.text):
             name = found.occurrence.tokens["name"].text
-            message = f"kw.{name} is not known, and whether it acts neither"
+            message = f"kw.{name} is unknown, and so is whether it is active"
             of.notes.refuse(of.label, message, found, expected="0, or a list without it")
     switch = of.one("plane_switch")
     if switch is not None and same_value(switch.text, "0"):
         return
     for found in of.lists.places(of.address, "plane"):
         if not _is_zero(found.text):
-            message = "a compensation over two other axes (kw.crosscomp2) acts, which is not read"
+            message = (
+                "a compensation over two other axes (kw.crosscomp2) is active, which compwright"
+                " does not read"
+            )
             expected = f"{of.lists.name('plane_switch')} 0, or values of 0"
             of.notes.refuse(of.label, message, found, expected=expected)
 

@@ -53,12 +53,21 @@ def _sign(family: Family, asked: BetweenRequest, entry: PlannedCross) -> int:
     said = _values(family, asked, entry)
     if said is None:
         message = (
-            f"{label(entry)}: what the values of kw.crosscomp are is said nowhere; test it as"
-            " docs/controllers/isg-kernel.md describes"
+            f"{label(entry)}: the meaning of the values of kw.crosscomp"
+            " is not documented; test it as docs/controllers/isg-kernel.md describes"
         )
         expected = "error or correction"
         raise UsageError(
-            Fault(message=message, place=CROSS_VALUES, expected=expected, found="nothing")
+            Fault(
+                message=message,
+                place=CROSS_VALUES,
+                expected=expected,
+                found="nothing",
+                hint=(
+                    "find the sign as docs/controllers/isg-kernel.md describes, then give "
+                    f"`{CROSS_VALUES}` in the options of the job"
+                ),
+            )
         )
     return 1 if said == "correction" else -1
 
@@ -81,10 +90,24 @@ def _write(
     faults = []
     if rivals != {added.input}:
         message = f"axis {added.output} can have one master only"
-        faults.append(Fault(message=message, expected="one", found=", ".join(sorted(rivals))))
+        faults.append(
+            Fault(
+                message=message,
+                expected="one",
+                found=", ".join(sorted(rivals)),
+                hint="remove the others from the lists, then run the job again",
+            )
+        )
     if not np.allclose(added.positive, added.negative, rtol=0.0, atol=_STRAIGHT):
         message = "a table between axes holds one curve for both directions"
-        faults.append(Fault(message=message, expected="one curve", found="two"))
+        faults.append(
+            Fault(
+                message=message,
+                expected="one curve",
+                found="two",
+                hint="give one curve for both directions",
+            )
+        )
     raise_all(CapacityError, faults)
     positions = np.unique(np.concatenate([each.positions for each in (added, *acting)]))
     positions = np.unique(np.round(positions / TENTH) * TENTH)
@@ -95,7 +118,11 @@ def _write(
     if positions.size > room:
         message = f"the table of axis {added.output} over {added.input} has too many points"
         found = str(positions.size)
-        raise CapacityError(Fault(message=message, expected=f"at most {room}", found=found))
+        raise CapacityError(
+            Fault(
+                message=message, expected=f"at most {room}", found=found, hint="give fewer points"
+            )
+        )
     writer.put_cross(
         added.output,
         added.input,
@@ -133,7 +160,8 @@ def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> l
         "load": (
             f"Load {named}: {label(entry)} is in the list of axis {added.output}, whose master is"
             f" axis {added.input}. lr_param.crosscomp 1 in the parameter list of axis"
-            f" {added.output}; restart or reload, and reference both axes: nothing acts before"
+            f" {added.output}; restart or reload, and reference both axes: no "
+            "compensation is active before that"
             f" {entry.input} is referenced. Outside the table its end values should stay; no page"
             f" says it. Work offsets of {entry.output} shift with {entry.input}: probe them again."
         ),
@@ -156,6 +184,7 @@ def _checking(entry: PlannedCross, meaning: str) -> str:
         f" everything, with a dial gauge on {entry.output}: {entry.output}[COMP OFF CROSS], go with"
         f" {entry.input} from {added.positions[0]:g} to {added.positions[-1]:g}, read it; then the"
         f" same with {entry.output}[COMP ON CROSS]. What is new must move {entry.output} by"
-        f" {change:+.1f} {unit} on this way, beside what the old list did. If it is the opposite:"
+        f" {change:+.1f} {unit} on this way, in addition to the effect of the old list. "
+        "If it is the opposite:"
         " restore the old list and run again with the other one."
     )

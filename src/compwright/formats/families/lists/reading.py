@@ -81,7 +81,13 @@ class _ListStateReader:
         }
         if not asked:
             message = "no list of an axis is among the files"
-            raise InputError(Fault(message=message, file=", ".join(f.name for f in files)))
+            raise InputError(
+                Fault(
+                    message=message,
+                    file=", ".join(f.name for f in files),
+                    hint="give the axis lists of this control, or correct `format`",
+                )
+            )
         for address, axis in asked.items():
             if address in lists.missing:
                 self._missing(lists, address)
@@ -129,10 +135,17 @@ class _ListStateReader:
 
     def _unsaid(self, lists: ListsByAxis, address: str, files: Sequence[ControlFile]) -> None:
         fault = Fault(
-            message=f"no list says anything about axis {address}; missing is not zero",
+            message=(
+                f"no given list contains data of axis {address}; missing values do not "
+                "count as zero"
+            ),
             file=", ".join(file.name for file in files),
             expected=f"a list of axis {address}, or the state `none`",
             found=f"axes {', '.join(lists.said)}" if lists.said else "no axis at all",
+            hint=(
+                "correct the `address` of the axis, or add its list to the state; use the "
+                "state `none` if the control has none"
+            ),
         )
         self.notes.faults.append(fault)
 

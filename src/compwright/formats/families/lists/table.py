@@ -143,13 +143,17 @@ class TableReader:
                 self.of.notes.ask(
                     Fault(
                         message=(
-                            f"{self.of.label}: its list counts in encoder increments"
-                            f" ({self.of.lists.name('unit')} 0): how long is one?"
+                            f"{self.of.label}: its list counts in encoder increments "
+                            f"({self.of.lists.name('unit')} 0), whose length is unknown"
                         ),
                         file=place.occurrence.file if place is not None else "",
                         place=place.occurrence.place if place is not None else "",
                         expected="option encoder_increment: mm or deg per increment, more than 0",
                         found="nothing" if increment is None else str(increment),
+                        hint=(
+                            "give `encoder_increment` in the options of the axis (without a job: "
+                            "`--option encoder_increment=0.001`)"
+                        ),
                     )
                 )
                 return None

@@ -286,5 +286,7 @@ def _texts(
         try:
             texts.append(scale.write(quantity, float(value)))
         except NotHeld as error:
-            faults.append(Fault(message=f"{label}: {error}"))
+            faults.append(
+                Fault(message=f"{label}: {error}", hint="correct `table` of this axis in the job")
+            )
     return texts

@@ -39,13 +39,15 @@ def contradictions(file: ControlFile) -> tuple[Fault, ...]:
                 faults.append(
                     Fault(
                         message=(
-                            f"{name} contradicts {where}, line {at}: a control writes one value"
-                            " into both members, so that one of them was changed"
+                            f"{name} contradicts {where}, line {at}. A control writes one "
+                            "value into "
+                            "both members, so one of them was changed"
                         ),
                         file=member.name,
                         place=f"line {line}",
                         expected=f"{first}; export the archive again",
                         found=value,
+                        hint="export the archive from the control again",
                     )
                 )
     return tuple(faults)

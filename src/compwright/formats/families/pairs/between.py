@@ -161,6 +161,6 @@ def _switching(entry: PlannedCross, which: str) -> str:
     return (
         f"If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {address}, first."
         f" Set {enable} = 1, NEW CONF, then {switch} = 1 for {which}, NEW CONF, NCK reset. Work"
-        f" offsets of {entry.output} shift with {entry.input}: probe them again. Hold the"
-        " result against a square or a dial gauge before production."
+        f" offsets of {entry.output} shift with {entry.input}: probe them again. Compare the result"
+        " with a square or a dial gauge before production."
     )

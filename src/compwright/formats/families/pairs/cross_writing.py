@@ -35,9 +35,13 @@ def write_cross(
     if not available(control.options):
         raise CapacityError(
             Fault(
-                message=f"{definition.id} holds tables between axes only as an option",
+                message=f"{definition.id} contains tables between axes only as an option",
                 place="option cec",
                 expected="available",
+                hint=(
+                    "set `cec: available` in the options if the control has this option, or "
+                    "remove the cross entries from the job"
+                ),
             )
         )
     raise_all(UsageError, [fault for entry in cross for fault in _wrong(entry)])
@@ -114,6 +118,9 @@ def _beyond_sum(writer: CecWriter, entry: CrossCompensation) -> list[Fault]:
             ),
             expected=f"at most {facts.max_sum:g}",
             found=f"up to {reach:g}",
+            hint=(
+                "reduce the correction, or raise MD32720 in the control and export its files again"
+            ),
         )
     ]
 
@@ -127,6 +134,7 @@ def _wrong(entry: CrossCompensation) -> list[Fault]:
                 f"{entry.input}: the correction of an axis over itself is no table between axes"
             ),
             found=entry.output,
+            hint="remove this entry from `cross`; correct the axis with its own tests",
         )
     ]
 
@@ -135,10 +143,20 @@ def _unsound(entry: CrossCompensation) -> list[Fault]:
     label = f"{entry.input} on {entry.output}"
     sizes = {entry.positions.shape, entry.positive.shape, entry.negative.shape}
     if len(sizes) != 1 or entry.positions.ndim != 1 or entry.positions.size < 2:
-        return [Fault(message=f"{label}: a table needs two points or more, with a value each")]
+        return [
+            Fault(
+                message=f"{label}: a table needs two points or more, with a value each",
+                hint="give two points or more with a value each",
+            )
+        ]
     numbers = np.concatenate([entry.positions, entry.positive, entry.negative])
     if not np.all(np.isfinite(numbers)) or np.any(np.diff(entry.positions) <= 0):
-        return [Fault(message=f"{label}: the positions do not ascend, or a number is not finite")]
+        return [
+            Fault(
+                message=f"{label}: the positions do not ascend, or a number is not finite",
+                hint="sort the positions and give only numbers",
+            )
+        ]
     curves = (entry.positive, entry.negative)
     faults = []
     if entry.period is not None:
@@ -149,16 +167,18 @@ def _unsound(entry: CrossCompensation) -> list[Fault]:
                     message=(
                         f"{label}: a table that repeats spans one period, with the same value at"
                         " both ends"
-                    )
+                    ),
+                    hint="make the table span one period, with equal end values",
                 )
             )
     for side, beyond, node in (("below", entry.below, 0), ("above", entry.above, -1)):
         if beyond != "hold" and any(curve[node] != 0 for curve in curves):
             faults.append(
                 Fault(
-                    message=f"{label}: {side} the table the control holds the end value",
+                    message=f"{label}: {side} the table the control keeps the end value",
                     expected="hold",
                     found=beyond,
+                    hint="make the table cover the whole travel, or leave this option out",
                 )
             )
     return faults

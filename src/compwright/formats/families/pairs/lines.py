@@ -247,22 +247,25 @@ class TableLines(SingleValues):
     def _ask_which(
         self, owner: str, word: str | None, place: FoundValue | None, screw: _Leadscrew
     ) -> None:
-        off, unsaid = "switched off", "not said to be on"
+        off, unsaid = "switched off", "not known to be on"
         leadscrew = "on" if screw.on else "off" if screw.word == "no" else unsaid
         self.notes.ask(
             Fault(
                 message=(
-                    f"{owner}: active: yes does not say which of two tables acted: this one is"
-                    f" {off if word == 'no' else unsaid} ({_SWITCHES}), the leadscrew table is"
-                    f" {leadscrew} (MD32700 $MA_ENC_COMP_ENABLE)"
+                    f"{owner}: active: yes does not show which of two tables was active. This "
+                    f"one is {off if word == 'no' else unsaid} ({_SWITCHES}); the leadscrew "
+                    f"table is {leadscrew} (MD32700 $MA_ENC_COMP_ENABLE)"
                 ),
                 file=place.occurrence.file if place is not None else "",
                 place=place.occurrence.place if place is not None else "",
                 expected=(
-                    "active left out or no, and the switch of the one that acted as 1 among the"
-                    " files"
+                    "active left out or no, and the switch of the active table as 1 among the files"
                 ),
                 found="active: yes",
+                hint=(
+                    "leave `active` out, and give the file in which the switch of the active "
+                    "table is 1"
+                ),
             )
         )
 

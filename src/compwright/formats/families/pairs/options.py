@@ -46,14 +46,18 @@ def sign_question(why: str, moved: str = "the axis") -> Fault:
     """
     return Fault(
         message=(
-            f"{why}: one wrong answer doubles the error. Siemens' manual (Extended Functions"
-            f" 03/2009, page 372) says that a positive value moves {moved} in -, which is"
-            f" cec_sign: error; what is in a control may have been made the other way round."
-            f" {_SIGN_CHECK}"
+            f"{why}: a wrong answer doubles the error. Siemens' manual (Extended "
+            f"Functions 03/2009, page 372) states that a positive value moves {moved} "
+            "in -, which is cec_sign: error. The existing values may have been made "
+            f"the other way round. {_SIGN_CHECK}"
         ),
         place="option cec_sign",
         expected="cec_sign: correction or cec_sign: error",
         found="not given",
+        hint=(
+            "check the sign so, then set `cec_sign: correction` or `cec_sign: error` "
+            "in the options (without a job: `--option cec_sign=error`)"
+        ),
     )
 
 
@@ -69,6 +73,7 @@ def allowed_tables(definition: Definition, options: Mapping[str, object]) -> tup
                 place="cec_tables",
                 expected="indices",
                 found=repr(given),
+                hint="give `cec_tables: [0, 1]` with the indices that may be written",
             )
         )
     count = definition.limit_number("cross_tables")
@@ -80,6 +85,7 @@ def allowed_tables(definition: Definition, options: Mapping[str, object]) -> tup
                 place="cec_tables",
                 expected=f"indices from 0 to {count - 1}",
                 found=", ".join(map(str, beyond)),
+                hint="give only indices from this range in `cec_tables`",
             )
         )
     return tuple(dict.fromkeys(int(index) for index in given))
@@ -108,8 +114,8 @@ def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[i
     """Return the fault of an axis that finds too few tables."""
     return Fault(
         message=(
-            f"axis {name}: {format_id} needs {needed} CEC tables that are free or already the axis'"
-            " own pair"
+            f"axis {name}: {format_id} needs {needed} CEC tables that are free or "
+            "already belong to this axis"
         ),
         place="option cec_tables",
         expected=f"{needed} such indices",
@@ -117,6 +123,10 @@ def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[i
             f"{found} among {', '.join(map(str, allowed))}"
             if allowed
             else "none: the option is not given"
+        ),
+        hint=(
+            "look for free tables in the control, then give their indices: "
+            "`cec_tables: [0, 1]` in the options"
         ),
     )
 
@@ -136,6 +146,10 @@ def unit_unknown(
             place="option cec",
             expected=f"absent, or {SAYING_METRIC}",
             found="available",
+            hint=(
+                "set `cec: absent` in the options, or add the file with MD10240 (basic "
+                "system) to the state"
+            ),
         )
 
 

@@ -92,13 +92,14 @@ class OwnTables:
                     continue
                 yield Fault(
                     message=(
-                        f"CEC table {index} is multiplied by table {int(place.text) - 1}"
-                        " ($AN_CEC_MULT_BY_TABLE), to be written"
+                        f"CEC table {index} must be written, but it is multiplied by table "
+                        f"{int(place.text) - 1} ($AN_CEC_MULT_BY_TABLE)"
                     ),
                     file=place.occurrence.file,
                     place=place.occurrence.place,
                     expected="other indices in the option cec_tables",
                     found=place.text,
+                    hint="give other indices in the option `cec_tables`",
                 )
 
     def quiet(self, index: int) -> bool:
@@ -153,9 +154,9 @@ class OwnTables:
                     continue
                 fault = Fault(
                     message=(
-                        f"CEC table {index}: its switch (SD41300, MD32710) stands in this file"
-                        " before its values; switched on there, they would be protected, and the"
-                        " control would take none of them"
+                        f"CEC table {index}: its switch (SD41300, MD32710) is in this file before "
+                        "its values. Once it is on, the control protects the values and takes none "
+                        "of them"
                     ),
                     file=before[-1].occurrence.file,
                     place=before[-1].occurrence.place,
@@ -164,5 +165,9 @@ class OwnTables:
                         " the control exports them (NC_CEC.INI)"
                     ),
                     found=f"{before[-1].text}, and the first value in line {line}",
+                    hint=(
+                        "export the CEC tables into a file of their own (NC_CEC.INI), then give "
+                        "that file"
+                    ),
                 )
                 faults.append(fault)

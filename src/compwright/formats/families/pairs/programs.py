@@ -62,12 +62,16 @@ def _is_data(definition: Definition, file: ControlFile) -> bool:
 def _two_kinds(found: Found) -> Fault:
     return Fault(
         message=(
-            f"active: no speaks of the values in {found.program.span} alone; other values of the"
-            " file are carried out in any case"
+            f"active: no refers only to the values in {found.program.span}. The control "
+            "takes other values of the file in any case"
         ),
         file=found.file,
         place=f"line {found.program.values[0].line}",
         expected=f"the two in files of their own, or {EXPORTED}",
+        hint=(
+            "export the compensation data from the control, then give that file "
+            "instead of the program"
+        ),
     )
 
 
@@ -100,12 +104,16 @@ def _carried_out_anyhow(definition: Definition, programs: Sequence[Found]) -> It
             others = f" or line {', '.join(map(str, more))}" if more else ""
             yield Fault(
                 message=(
-                    f"active: no, but every run of the program carries out this line{others}, which"
-                    " sets compensation other than 0"
+                    f"active: no, but every run of the program executes this line{others}, "
+                    "which sets compensation other than 0"
                 ),
                 file=found.file,
                 place=f"line {first}",
                 expected=f"{EXPORTED}; or active: yes where all of its values were carried out",
+                hint=(
+                    "export the compensation data from the control and give that file, or set "
+                    "`active: yes` if every value was executed"
+                ),
             )
 
 
@@ -122,6 +130,10 @@ def _unclear(found: Found) -> Iterator[Fault]:
             file=found.file,
             place=f"line {line}",
             expected=EXPORTED,
+            hint=(
+                "export the compensation data from the control, then give that file "
+                "instead of the program"
+            ),
         )
 
 
@@ -171,36 +183,31 @@ def _left_out(found: Found) -> Iterator[Fault]:
     for line, past in ways.unreached():
         yield Fault(
             message=(
-                f"active: yes, but line {past} of the program leads past this line in any case:"
-                " the control does not carry it out"
+                f"active: yes, but line {past} of the program always jumps past this line: "
+                "the control never executes it"
             ),
             file=found.file,
             place=f"line {line}",
             expected=f"{EXPORTED}; or active: no where none of the values was carried out",
+            hint=(
+                "export the compensation data from the control and give that file, or set "
+                "`active: no` if no value was executed"
+            ),
         )
         return
     pair = ways.exclusive()
     if pair is not None:
         yield Fault(
             message=(
-                f"active: yes, but no run of the program carries out both line {pair[0]} and this"
-                " line"
+                f"active: yes, but no run of the program executes both line {pair[0]} and this line"
             ),
             file=found.file,
             place=f"line {pair[1]}",
             expected=EXPORTED,
-        )
-        return
-    line = ways.left_out()
-    if line is not None:
-        yield Fault(
-            message=(
-                "active: yes, but by its conditions no run of the program carries out this line and"
-                " all other values"
+            hint=(
+                "export the compensation data from the control, then give that file "
+                "instead of the program"
             ),
-            file=found.file,
-            place=f"line {line}",
-            expected=f"{EXPORTED}; or active: no where none of the values was carried out",
         )
 
 
@@ -214,13 +221,17 @@ def _twice(gathered: Gathered, file: str, program: ProgramFlow) -> Iterator[Faul
         statement, address, which = key(value)
         yield Fault(
             message=(
-                f"the same entry is assigned here and in line {before}, in two branches of a"
-                " program: not both were carried out"
+                f"the same entry is assigned here and in line {before}, in two branches of "
+                "a program. Only one of them was executed"
             ),
             file=file,
             place=f"line {value.line}",
             expected=EXPORTED,
             found=" ".join(filter(None, (statement, address, *which))),
+            hint=(
+                "export the compensation data from the control, then give that file "
+                "instead of the program"
+            ),
         )
 
 
@@ -245,12 +256,16 @@ def _called_late(
         if concerns(value) and value_of(value).upper() != value_of(other).upper():
             yield Fault(
                 message=(
-                    f"the same entry is assigned here and in {other_file}, line {other.line}: which"
-                    " of the two counts depends on the calls of programs"
+                    f"the same entry is assigned here and in {other_file}, line {other.line}. "
+                    "Which one counts depends on the order of the programs"
                 ),
                 file=file,
                 place=f"line {value.line}",
                 expected=EXPORTED,
+                hint=(
+                    "export the compensation data from the control, then give that file "
+                    "instead of the programs"
+                ),
             )
 
 
@@ -262,13 +277,17 @@ def _never(found: Found, unit: str) -> Iterator[Fault]:
     if program.behind and program.ended is not None:
         yield Fault(
             message=(
-                f"compensation data behind the end of the program in line {program.ended.line}:"
-                " the control does not carry them out"
+                "compensation data after the end of the program in line "
+                f"{program.ended.line}: the control does not execute them"
             ),
             file=file,
             place=f"line {program.behind[0].line}",
             expected=EXPORTED,
             found=repr(program.ended.text),
+            hint=(
+                "export the compensation data from the control, then give that file "
+                "instead of the program"
+            ),
         )
     last = program.values[-1].line if program.values else 0
     for line, said in program.units.items():
@@ -278,6 +297,10 @@ def _never(found: Found, unit: str) -> Iterator[Fault]:
                 file=file,
                 place=f"line {line}",
                 expected=EXPORTED,
+                hint=(
+                    "export the compensation data from the control, then give that file "
+                    "instead of the program"
+                ),
             )
 
 
@@ -296,7 +319,7 @@ def _question(found: Found) -> Fault:
     missing = list(dict.fromkeys(one.missing for one in doubts if one.missing))
     files = f"{', '.join(missing)} among the files, where that is a program; " if missing else ""
     return Fault(
-        message=f"the values of a program may not all have been carried out: {message}{more}",
+        message=(f"the control may not have executed all values of the program: {message}{more}"),
         file=file,
         place=f"line {doubts[0].line}",
         expected=(
@@ -305,4 +328,9 @@ def _question(found: Found) -> Fault:
             " active: no where none was"
         ),
         found=repr(doubts[0].text),
+        hint=(
+            "export the compensation data from the control and give that file, or "
+            "answer `active: yes` (every value was executed) or `active: no` (none "
+            "was) in this state of the job"
+        ),
     )

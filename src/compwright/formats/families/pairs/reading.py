@@ -87,7 +87,7 @@ class CecReader(SingleValues):
     ``scale``: that of a table on one axis (`places.as_table`). ``wanted``: the axes that are asked
     for (none: all). ``units``: in what numbers stand. A table that cannot be read as a curve (its
     range no multiple of its step, an output that is no machine axis, a key that is not known, a
-    product with another table, an unknown unit) is a fault where it acts on one of them over
+    product with another table, an unknown unit) is a fault where it is active on one of them over
     itself and may be written, or no job says what may (``writable``); else it is left alone and
     named.
     """
@@ -152,7 +152,7 @@ class CecReader(SingleValues):
                 return table
             if self.writable.sign_known:
                 return replace(table, stays=True)
-            self._name_left(one, "nobody says the sign of its values (option cec_sign)")
+            self._name_left(one, "the sign of its values is not given (option cec_sign)")
             return None
         if is_zero(places) and "cross_value" in places and is_whole(places) and not one.damaged:
             self.quiet.append(index)
@@ -196,7 +196,7 @@ class CecReader(SingleValues):
         state = (
             "it is switched off"
             if not acts
-            else f"it acts on {corrected} over {base}, the same before and after"
+            else f"it is active on {corrected} over {base}, the same before and after"
         )
         self.notes.find(
             "CW-S011" if product else LEFT_ALONE,

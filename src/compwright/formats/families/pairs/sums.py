@@ -53,6 +53,10 @@ def without_cut_sums(
                     ),
                     expected=f"at most {limit:g}",
                     found=reach,
+                    hint=(
+                        "raise MD32720 in the control, or reduce its tables; measure again and "
+                        "export its files again"
+                    ),
                 )
             )
     return cec

@@ -49,14 +49,18 @@ class Switches:
             faults.append(
                 Fault(
                     message=(
-                        f"axis {output}: its CEC tables are switched off together (MD32710"
-                        " $MA_CEC_ENABLE); switching them on would wake others too:"
-                        f" {', '.join(map(str, others))}"
+                        f"axis {output}: its CEC tables are switched off together (MD32710 "
+                        "$MA_CEC_ENABLE). Switching them on would make others active too: "
+                        f"{', '.join(map(str, others))}"
                     ),
                     file=places[-1].occurrence.file,
                     place=places[-1].occurrence.place,
                     expected="1, or SD41300 = 0 for the other tables on this axis",
                     found="0",
+                    hint=(
+                        "set SD41300 = 0 for these tables in the control, then export its files "
+                        "again"
+                    ),
                 )
             )
         else:
@@ -94,9 +98,9 @@ class Switches:
         faults.append(
             Fault(
                 message=(
-                    f"axis {output}: no file says whether its CEC tables are on (MD32710"
-                    " $MA_CEC_ENABLE); if they are off, switching ours on would wake others too:"
-                    f" {', '.join(map(str, others))}"
+                    f"axis {output}: no given file shows whether its CEC tables are on (MD32710 "
+                    "$MA_CEC_ENABLE). If they are off, switching on the new one would make "
+                    f"others active too: {', '.join(map(str, others))}"
                 ),
                 file=place.occurrence.file,
                 place=place.occurrence.place,
@@ -105,6 +109,7 @@ class Switches:
                     " this axis"
                 ),
                 found="in no file",
+                hint=f"add the file with MD32710 of {output} to the state",
             )
         )
 
@@ -138,6 +143,10 @@ class Switches:
                 place=place.occurrence.place,
                 expected="1: metric",
                 found=place.text,
+                hint=(
+                    "remove this axis from `cross`, or set MD32711 to 1 in the control and "
+                    "export its files again"
+                ),
             )
             for place in tables.said_of_axis(output, "cross_metric")[-1:]
             if same_value(place.text, "0")

@@ -22,7 +22,7 @@ def with_sign_unknown(state: ControlState) -> ControlState:
     assumption = Assumption(
         "option cec_sign",
         "correction",
-        "unconfirmed: one manual of Siemens says error; no readings hang on it here",
+        "unconfirmed: one manual of Siemens says error; no readings depend on it here",
     )
     return replace(
         state,

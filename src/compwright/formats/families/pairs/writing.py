@@ -132,8 +132,9 @@ class CecWriter:
                 work.faults.append(
                     Fault(
                         message=(
-                            f"axis {work.axis.name}: CEC table {index} corrects the axis over"
-                            " itself and would act beside the new table"
+                            f"axis {work.axis.name}: CEC table {index} corrects the axis "
+                            "over itself "
+                            "and would be active in addition to the new table"
                         ),
                         place="option cec_tables",
                         expected=(
@@ -141,6 +142,11 @@ class CecWriter:
                             " can be emptied"
                         ),
                         found=", ".join(map(str, tables.allowed)) or "no indices",
+                        hint=(
+                            f"add {index} to `cec_tables` in the options, with the "
+                            "control's own files "
+                            "as the state, so that it can be emptied"
+                        ),
                     )
                 )
                 continue
@@ -186,13 +192,30 @@ class CecWriter:
         if fixed is not None:
             if count > fixed:
                 message = f"CEC table {index} needs more points than the control's tables have"
-                faults.append(Fault(message=message, expected=f"{fixed}", found=str(count)))
+                faults.append(
+                    Fault(
+                        message=message,
+                        expected=f"{fixed}",
+                        found=str(count),
+                        hint=f"give `table: {{spacing: ...}}` that leads to {fixed} points",
+                    )
+                )
             return
         promised = self.control.options.get("points")
         reserved = self.tables.reserved.get(index, 0)
         if 0 < reserved < count and not (isinstance(promised, int) and promised >= count):
             message = f"CEC table {index} needs more points than MD18342 reserves"
-            faults.append(Fault(message=message, expected=f"at most {reserved}", found=str(count)))
+            faults.append(
+                Fault(
+                    message=message,
+                    expected=f"at most {reserved}",
+                    found=str(count),
+                    hint=(
+                        "raise MD18342 of this table in the control (this clears its memory), then "
+                        f"set `points: {count}` in the options; or give a larger spacing"
+                    ),
+                )
+            )
             return
         places = self.tables.said(index, "cross_max_points")
         if self.own is not None and any(int(place.text) < count for place in places):

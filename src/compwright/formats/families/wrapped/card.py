@@ -17,8 +17,9 @@ def table_words(axis: Axis, table: MotorTable, counts: Counts, rate: str) -> dic
     if table.gap is not None:
         turn = table.length * counts.count
         gap = (
-            f"what lies beyond {table.gap[0]:.10g} {unit} and below {table.gap[1]:.10g} {unit} is"
-            f" the gap that nobody may use (the table repeats after {turn:.10g} {unit}): keep the"
+            f"what lies beyond {table.gap[0]:.10g} {unit} and below {table.gap[1]:.10g} "
+            f"{unit} is the gap"
+            f" that must stay unused (the table repeats after {turn:.10g} {unit}): keep the"
             " software limits inside"
         )
     at_zero = table.constant / PARTS * counts.count

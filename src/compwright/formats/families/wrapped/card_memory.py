@@ -44,6 +44,9 @@ class Word:
             place=f"line {self.line}",
             expected=expected,
             found=said,
+            hint=(
+                "correct this line in a copy of the file, or save the script from the control again"
+            ),
         )
 
 

@@ -79,7 +79,9 @@ def counts_of(definition: Definition, options: Mapping[str, object], name: str) 
 
 def counts_question(name: str, given: object) -> Fault:
     """Return what is asked where nobody says the counts of an axis' motor."""
-    message = f"axis {name}: the counts of its motor must be given; no script says them for sure"
+    message = (
+        f"axis {name}: the counts of its motor must be given; scripts do not contain them reliably"
+    )
     return Fault(
         message=message,
         place=COUNTS,
@@ -87,6 +89,10 @@ def counts_question(name: str, given: object) -> Fault:
             f"counts per mm or deg, such as --option {COUNTS}=1000; negative against the axis"
         ),
         found="nothing" if given is None else f"{given}",
+        hint=(
+            "find the counts per unit of the motor in the control, then give "
+            f"`{COUNTS}` in the options of the axis"
+        ),
     )
 
 

@@ -105,7 +105,16 @@ class _WrappedStateReader:
         if not self.wanted and not named and not between:
             names = ", ".join(file.name for file in self.files)
             message = "the scripts say nothing about the compensation of a motor"
-            self.notes.faults.append(Fault(message=message, file=names))
+            self.notes.faults.append(
+                Fault(
+                    message=message,
+                    file=names,
+                    hint=(
+                        "give the scripts with the compensation tables of this control, or correct "
+                        "`format`"
+                    ),
+                )
+            )
         for address in dict.fromkeys(self.wanted or named):
             if address not in named and address in between:
                 continue
@@ -173,8 +182,8 @@ class _WrappedStateReader:
         self.notes.ask(
             Fault(
                 message=(
-                    "compensation in a conditional block, which may not have been sent: it decides"
-                    f" about line {word.line}" + (f" and {more} more" if more else "")
+                    "compensation in a conditional block, which may not have been sent. It "
+                    f"decides about line {word.line}{f' and {more} more' if more else ''}"
                 ),
                 file=word.file,
                 place=f"line {block.line}",
@@ -184,6 +193,10 @@ class _WrappedStateReader:
                     " --option active=yes)"
                 ),
                 found=repr(block.text[:60]),
+                hint=(
+                    "give the script as it was sent, or answer `active: yes` in this state of "
+                    "the job if all of it was sent"
+                ),
             )
         )
 
@@ -199,19 +212,28 @@ class _WrappedStateReader:
 
     def _unnamed(self, address: str, named: Sequence[str]) -> Fault:
         return Fault(
-            message=f"no file says anything about motor {address}; missing is not zero",
+            message=(
+                f"no given file contains data of motor {address}; missing values do not "
+                "count as zero"
+            ),
             file=", ".join(file.name for file in self.files),
             expected=(
                 f"a table of #{address}, or I{address}86 as it is (I{address}86=0 alone: it has"
                 " neither), or the state `none`"
             ),
             found=f"motors {', '.join(named)}" if named else "no motor at all",
+            hint=(
+                "correct the `address` of the axis, or add the file with its table; add "
+                f"the line `I{address}86=0` if it has none"
+            ),
         )
 
     def _check_tables(self) -> None:
         for table in (*self.script.of("COMP"), *self.script.of("BLCOMP")):
             if table.plane and any(table.numbers):
-                message = f"{table.says}: a table over two motors acts, which compwright does not"
+                message = (
+                    f"{table.says}: a table over two motors is active, which compwright does not"
+                )
                 self.notes.faults.append(
                     table.word.fault(f"{message} read", expected="one motor, or all entries 0")
                 )
@@ -328,7 +350,14 @@ class _WrappedStateReader:
         message = f"motor {motor}: the turn of the endless axis is no whole multiple of the length"
         found = f"a table that repeats after {period:.10g}"
         expected = f"{turn:g} or a part of it"
-        self.notes.faults.append(Fault(message=message, expected=expected, found=found))
+        self.notes.faults.append(
+            Fault(
+                message=message,
+                expected=expected,
+                found=found,
+                hint="correct this in the control and save its script again",
+            )
+        )
 
     # --- what switches
 
@@ -376,7 +405,13 @@ class _WrappedStateReader:
         expected = f"{name} as it is in the control (0 switches backlash off)"
         files = ", ".join(file.name for file in self.files)
         self.notes.faults.append(
-            Fault(message=message, file=files, expected=expected, found="nothing")
+            Fault(
+                message=message,
+                file=files,
+                expected=expected,
+                found="nothing",
+                hint="add the file that contains it to the state",
+            )
         )
         return False
 
@@ -406,7 +441,9 @@ class _WrappedStateReader:
     def _check_programs(self, label: str, motor: int) -> None:
         for (_, of), word in self.script.programs.items():
             if of in (0, motor):
-                message = f"{label}: a program sets {word.text.rstrip('= ')}: what acts then is not"
+                message = (
+                    f"{label}: a program sets {word.text.rstrip('= ')}: what is active then is not"
+                )
                 expected = "the assignment outside the program, as it was during the test"
                 self.notes.faults.append(word.fault(f"{message} known", expected=expected))
 

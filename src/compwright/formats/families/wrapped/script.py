@@ -173,7 +173,7 @@ class _ScriptReader:
             if other == key:
                 self._fault(
                     word,
-                    f"the same is said in another branch of a conditional block, in line"
+                    f"the same statement is in another branch of a conditional block, in line"
                     f" {earlier.line}: not both are sent",
                     "the script as it was sent to the card, without conditional blocks",
                     " ".join(word.text.split()),

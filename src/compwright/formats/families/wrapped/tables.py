@@ -108,13 +108,14 @@ def motor_table(
                 message=f"{label}: {message} would help",
                 expected=f"a spacing that is a multiple of {counts.count:.9g} {axis.kind.unit}",
                 found=f"{nodes.step:.10g} {axis.kind.unit}, {length:.6f} counts",
+                hint="set `table: {spacing: ...}` to such a multiple",
             )
         )
         return None
     try:
         entries, lost, constant = _numbers(compensation, nodes, counts, label)
     except NotHeld as error:
-        faults.append(Fault(message=str(error)))
+        faults.append(Fault(message=str(error), hint="correct `table` of this axis in the job"))
         return None
     ends = (axis.reference + nodes.high * nodes.step, axis.reference + nodes.low * nodes.step)
     gap = None if compensation.period is not None else ends
@@ -156,7 +157,15 @@ def _nodes(
     if np.ptp(steps) > slack:
         found = f"{np.min(steps):.10g} to {np.max(steps):.10g} {unit}"
         message = f"{label}: the points are not equally spaced"
-        return None, [*faults, Fault(message=message, expected="one spacing", found=found)]
+        return None, [
+            *faults,
+            Fault(
+                message=message,
+                expected="one spacing",
+                found=found,
+                hint="give equally spaced points",
+            ),
+        ]
     begin = (float(positions[0]) - axis.reference) / step
     first = round(begin)
     last = first + steps.size
@@ -164,7 +173,15 @@ def _nodes(
         message = f"{label}: the control counts whole spacings from the reference, which is a point"
         expected = f"points at {axis.reference:.10g} {unit} plus whole spacings of {step:.10g}"
         found = f"from {positions[0]:.10g} to {positions[-1]:.10g} {unit}"
-        return None, [*faults, Fault(message=message, expected=expected, found=found)]
+        return None, [
+            *faults,
+            Fault(
+                message=message,
+                expected=expected,
+                found=found,
+                hint="set `table: {start, end, spacing}` of this axis accordingly",
+            ),
+        ]
     if compensation.period is not None:
         return (None if faults else _Nodes(step, first, last - 1, first, last - 1)), faults
     low = min(first, int(np.floor((axis.travel[0] - axis.reference) / step + EXACTNESS))) - HELD
@@ -183,7 +200,13 @@ def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
     if compensation.interpolation == "linear" and not beside:
         return []
     message = f"{label}: the control has one table for each direction, with straight lines between"
-    return [Fault(message=f"{message} its points; put everything into it", expected="one table")]
+    return [
+        Fault(
+            message=f"{message} its points",
+            expected="one table",
+            hint="put everything into one table",
+        )
+    ]
 
 
 def _entries_of(curve: FloatArray, nodes: _Nodes, counts: Counts) -> FloatArray:

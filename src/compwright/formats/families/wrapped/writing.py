@@ -296,6 +296,7 @@ def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable])
                 message=f"the new table has no place in this script: {fault.message}",
                 file=fault.file,
                 expected=help_,
+                hint="correct this place in the script of the control, then give it again",
             )
             for fault in after.faults[:1]
         ]
@@ -310,10 +311,17 @@ def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable])
             and (lost is None or (lost.numbers, lost.counts) != (table.lost, table.length))
         ):
             message = f"motor {motor}: the new table has no place in this script"
-            faults.append(Fault(message=message))
+            faults.append(
+                Fault(message=message, hint="give the script with this table as the state")
+            )
     for key, old in before.tables.items():
         new = after.tables.get(key)
         mine = old.motor in own or old.target in own
         if not mine and (new is None or new.numbers != old.numbers or new.counts != old.counts):
-            faults.append(Fault(message=f"{old.says} of another motor would change"))
+            faults.append(
+                Fault(
+                    message=f"{old.says} of another motor would change",
+                    hint="move the table of the other motor to a script of its own",
+                )
+            )
     return faults

@@ -1,0 +1,50 @@
+"""Every error ends with the next step: each fault of the source is made with one."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+from places import PROJECT
+
+SOURCE = PROJECT / "src" / "compwright"
+
+
+def hint_of(call: ast.Call) -> ast.expr | None:
+    """Return what a call passes as ``hint``."""
+    return next((word.value for word in call.keywords if word.arg == "hint"), None)
+
+
+def faults(path: Path) -> list[ast.Call]:
+    """Return the calls of a module that make a fault."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    return [
+        node
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Name)
+        and node.func.id == "Fault"
+    ]
+
+
+def test_every_fault_has_a_next_step() -> None:
+    calls = {path: faults(path) for path in sorted(SOURCE.rglob("*.py"))}
+    assert sum(map(len, calls.values())) > 500
+    without = [
+        f"{path.relative_to(SOURCE)}:{call.lineno}"
+        for path, found in calls.items()
+        for call in found
+        if hint_of(call) is None
+    ]
+    assert without == []
+
+
+def test_next_steps_are_imperatives_without_a_full_stop() -> None:
+    for path in sorted(SOURCE.rglob("*.py")):
+        for call in faults(path):
+            hint = hint_of(call)
+            if isinstance(hint, ast.Constant):
+                place = f"{path.relative_to(SOURCE)}:{call.lineno}"
+                assert isinstance(hint.value, str), place
+                assert hint.value[:1].islower() or hint.value[:1] == "`", place
+                assert not hint.value.endswith("."), place
