@@ -154,6 +154,8 @@ def first_set(places: Sequence[FoundValue]) -> list[FoundValue]:
 
 def same_value(one: str, other: str) -> bool:
     """Return whether two texts are the same number, or the same text."""
+    if one == other:
+        return True
     one, other = _TRUTH.get(one.upper(), one), _TRUTH.get(other.upper(), other)
     if one == other:
         return True

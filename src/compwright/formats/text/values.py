@@ -44,8 +44,8 @@ class Values:
         None where there is none, and where they contradict, which is a fault at the file and line
         of the second. Unless ``quiet``, repetitions are told.
         """
-        if not places:
-            return None
+        if len(places) < 2:
+            return places[0] if places else None
         rule = self.definition.bindings[quantity].repeated
         by_file: dict[int, list[FoundValue]] = {}
         for place in places:

@@ -7,6 +7,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.increments.increment_facts import increments_of
@@ -19,6 +20,8 @@ _LINE = re.compile(r"[ \t]*N0*([0-9]{1,6})[ \t]*(?:Q([0-9]+))?(.*)", re.IGNORECA
 _WORD = re.compile(r"([A-Z])[ \t]*([+-]?[0-9.]*)", re.IGNORECASE)
 _OWNERS = "ALST"
 _POINTS_FROM, _POINTS_TO = 10000, 19999
+#: So many texts: those before, planned and read back, of two files each.
+_KEPT = 6
 _POINT = "point of the pitch error compensation"
 #: Numbers of the parameter in a statement's form.
 _NUMBER = re.compile(r"N#?0*([0-9]+)")
@@ -82,44 +85,53 @@ def entered(
     definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
 ) -> dict[str, Entered]:
     """Return every value of the files."""
-    known = _known(definition)
     sheets = [file for file in files if is_entry_sheet(file)]
     found = by_statements(definition, sheets)
     for file in texts_of([file for file in files if file not in sheets]):
-        lines = re.split(r"[\r\n]+", file.content.decode("latin-1"))
-        for number, line in enumerate(lines, start=1):
-            match = _LINE.match(line)
-            if match is not None:
-                found.update(_values(match, file.name, number, known))
+        found.update(_of_text(definition, file))
+    return found
+
+
+@lru_cache(maxsize=_KEPT)
+def _of_text(definition: Definition, file: ControlFile) -> Mapping[str, Entered]:
+    """Return every value of a text. A comparison asks for the same texts several times."""
+    known = _known(definition)
+    found: dict[str, Entered] = {}
+    lines = re.split(r"[\r\n]+", file.content.decode("latin-1"))
+    for number, line in enumerate(lines, start=1):
+        match = _LINE.match(line)
+        if match is not None:
+            found.update(_values(match, file.name, number, known))
     return found
 
 
 def _values(
     match: re.Match[str], file: str, line: int, known: Mapping[int, _Known]
 ) -> Iterator[tuple[str, Entered]]:
-    number, data, rest = int(match[1]), match[2], match[3].split("(")[0]
+    number, data = int(match[1]), match[2]
+    words = [(letter.upper(), text) for letter, text in _WORD.findall(match[3].split("(")[0])]
     # a large number that names an axis or a path is a parameter of a series without Q
-    owned = any(word[1].upper() in _OWNERS for word in _WORD.finditer(rest))
-    bare = data is None and not owned
+    bare = data is None and not any(letter in _OWNERS for letter, _ in words)
     if data == "0" or (bare and _POINTS_FROM <= number <= _POINTS_TO):
-        value = _WORD.search(rest)
-        if value is not None:
+        for _, text in words[:1]:
             name = f"N{number:05d}" + ("" if data is None else "Q0")
-            entry = Entered(name, _POINT, value[2], file, line, acts=True, meaning=_POINT)
+            entry = Entered(name, _POINT, text, file, line, acts=True, meaning=_POINT)
             yield f"{number} point", entry
         return
     meant = known.get(number, _Known("", acts=False))
-    owner = ""
-    for word in _WORD.finditer(rest):
-        letter = word[1].upper()
-        if letter in _OWNERS and word[2].isdigit():
-            owner = f"{letter}{int(word[2])}"
+    parameter, group, owner = (
+        f"N{number:05d}" + ("" if data is None else f"Q{data}"),
+        f"{number}",
+        "",
+    )
+    for letter, text in words:
+        if letter in _OWNERS and text.isdigit():
+            owner = f"{letter}{int(text)}"
             continue
-        name = f"N{number:05d}" + ("" if data is None else f"Q{data}") + owner
         axis = owner[1:] if owner.startswith("A") else ""
         yield (
-            f"{number} {owner}",
-            Entered(name, f"{number}", word[2], file, line, axis, meant.acts, meant.words),
+            f"{group} {owner}",
+            Entered(parameter + owner, group, text, file, line, axis, meant.acts, meant.words),
         )
 
 
