@@ -13,6 +13,7 @@ from compwright.evaluation.believable import believable
 from compwright.evaluation.standards import evaluate
 from compwright.foundations.findings import Finding
 from compwright.planning.declared import fresh_slope, with_slopes
+from compwright.planning.file_statements import statement_findings
 from compwright.planning.fresh import FreshTests, Like, fresh_tests
 from compwright.planning.guard import guard_bands
 from compwright.planning.limits import (
@@ -210,7 +211,7 @@ def start_axis(
         posterior=posterior,
         planned=planned,
         as_found=as_found,
-        doubts=(*misread, *contradicting),
+        doubts=(*misread, *contradicting, *statement_findings(tests, axis, states)),
         at_targets=posterior.summary(results[0].test.targets),
     )
 

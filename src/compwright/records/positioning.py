@@ -95,7 +95,7 @@ def to_machine(test: PositioningTest, position_map: PositionMap) -> PositioningT
 
 def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
     """Return one test from several files of the same axis: their targets united, their traverses
-    side by side.
+    side by side, of each key of their headers every value once, one per line.
 
     Raises InputError when axes, kinds, cycles or frames differ.
     """
@@ -130,6 +130,10 @@ def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
         runs_positive=tuple(range(1, 1 + sum(test.positive.shape[1] for test in tests))),
         runs_negative=tuple(range(1, 1 + sum(test.negative.shape[1] for test in tests))),
         sources=tuple(source for test in tests for source in test.sources),
+        header={
+            key: "\n".join(dict.fromkeys(test.header[key] for test in tests if key in test.header))
+            for key in dict.fromkeys(key for test in tests for key in test.header)
+        },
         findings=tuple(finding for test in tests for finding in test.findings),
     )
 

@@ -15,6 +15,7 @@ from compwright.planning import axis_tasks
 from compwright.planning.axes import AxisWork
 from compwright.planning.checks import Checks
 from compwright.planning.circles import CircleWork, checked_axes, start_circles
+from compwright.planning.file_statements import with_statements
 from compwright.planning.mirrored import MIRRORED
 from compwright.records.job import Job
 from compwright.records.positioning import PositioningTest
@@ -53,7 +54,7 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
     }
     works, old_tables = with_old_tables(measured, works, each)
     works = {name: _not_twice(job, work) for name, work in works.items()}
-    circles = start_circles(job, measured.circles, axes)
+    circles = with_statements(start_circles(job, measured.circles, axes), axes, measured.states)
     checks = Checks(job, works, measured.acting)
     with_circles, taken = checks.with_circle_backlash(circles)
     places = (
