@@ -235,6 +235,36 @@ def test_all_sent_is_refused_where_one_branch_excludes_the_other() -> None:
         virtual_control("pmac", files(text), options=options, carried_out=True, active=True)
 
 
+APART = {
+    "a name and its absence": f"#ifdef A\n{TABLE}#endif\n#ifndef A\nI186=16\n#endif\n",
+    "a name twice, the other side": f"#ifdef A\n{TABLE}#endif\n#ifdef A\nP1=3\n#else\nI186=16\n#endif\n",
+    "one inside of another": f"#ifdef A\n{TABLE}#endif\n#ifdef B\n#ifndef A\nI186=16\n#endif\n#endif\n",
+    "a value twice": f"#if X > 2\n{TABLE}#endif\n#if X>2\nP1=3\n#else\nI186=16\n#endif\n",
+}
+TOGETHER = {
+    "a name twice": f"#ifdef A\n{TABLE}#endif\n#ifdef A\nI186=16\n#endif\n",
+    "two names": f"#ifdef A\n{TABLE}#endif\n#ifndef B\nI186=16\n#endif\n",
+    "defined between": f"#ifndef A\n{TABLE}#endif\n#define A 1\n#ifdef A\nI186=16\n#endif\n",
+    "removed between": f"#ifdef A\n{TABLE}#endif\n#undef A\n#ifndef A\nI186=16\n#endif\n",
+    "another value between": f"#if X>2\n{TABLE}#endif\n#define X 1\n#if X>2\n#else\nI186=16\n#endif\n",
+}
+
+
+@pytest.mark.parametrize("name", [*APART, *TOGETHER])
+def test_blocks_with_one_question_are_sent_by_one_answer(name: str) -> None:
+    text = {**APART, **TOGETHER}[name] + "I51=1\nI185=32\n"
+    options = {"counts_per_unit": COUNTS}
+    if name in TOGETHER:
+        assert read(text, active=True).axes["1"].positions.size
+        virtual_control("pmac", files(text), options=options, carried_out=True, active=True)
+        return
+    with pytest.raises(InputError, match="branch of a conditional block than line 2") as refused:
+        read(text, active=True)
+    assert "I186" in text.splitlines()[int(refused.value.faults[0].place.split()[1]) - 1]
+    with pytest.raises(InputError, match=r"line \d+: .* than line 2"):
+        virtual_control("pmac", files(text), options=options, carried_out=True, active=True)
+
+
 def test_blocks_of_other_motors_stop_nothing() -> None:
     text = f"#ifdef A\n#2 DEFINE COMP 2,60000000\n16 0\n#endif\n{TABLE}I51=1\n"
     assert read(text).axes["1"].positions.size

@@ -14,7 +14,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from compwright.controllers.places import OfLine
-from compwright.controllers.pmac.sending import Sending, calculated, expression, without_remarks
+from compwright.controllers.pmac.sending import (
+    Block,
+    Sending,
+    apart,
+    calculated,
+    expression,
+    without_remarks,
+)
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -146,7 +153,7 @@ class _Script:
     def __init__(self, card: Card, sending: Sending) -> None:
         self.card = card
         self.sending = sending
-        self.done: dict[tuple[str, int], list[tuple[list[tuple[int, int]], ScriptPlace]]] = {}
+        self.done: dict[tuple[str, int], list[tuple[list[Block], ScriptPlace]]] = {}
         self.motor: int | None = None
         self.waiting: CardTable | None = None
         self.inside: ScriptPlace | None = None
@@ -231,15 +238,14 @@ class _Script:
         here = list(self.sending.blocks)
         before = [(key, one) for key, each in self.done.items() for one in each] if here else []
         for key, (blocks, earlier) in before:
-            for (begun, branch), (other, its) in zip(here, blocks, strict=False):
-                if begun != other or branch == its:
-                    continue
-                if key == (what, motor):
-                    message = f"in another branch than the same in line {earlier.line}"
-                    self.card.faults.append(place.fault(f"{what}: {message}"))
-                    return False
-                message = f"{what} is in a different branch than line {earlier.line}"
-                self.card.not_both.append((motor, place, message))
+            if not apart(here, blocks):
+                continue
+            if key == (what, motor):
+                message = f"in another branch than the same in line {earlier.line}"
+                self.card.faults.append(place.fault(f"{what}: {message}"))
+                return False
+            message = f"{what} is in a different branch than line {earlier.line}"
+            self.card.not_both.append((motor, place, message))
         self.done.setdefault((what, motor), []).append((here, place))
         if here:
             self.card.left_out.append((motor, place))

@@ -9,7 +9,7 @@ from __future__ import annotations
 import ast
 import operator
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 _DIRECTIVE = re.compile(r"#\s*(DEFINE|UNDEF|IFDEF|IFNDEF|IF|ELIF|ELSE|ENDIF)\b(.*)")
@@ -31,12 +31,29 @@ _LONGEST = 500
 _ROUNDS = 20
 
 
+#: Line, branch, question (a value or a name, which, how often it was changed), answer.
+Block = tuple[int, int, tuple[bool, str, int], bool]
+
+
+def apart(here: Sequence[Block], there: Sequence[Block]) -> bool:
+    """Return whether not both of two places in these blocks are sent."""
+    return any(
+        branch != its if begun == other else asked == question and said is not answer
+        for begun, branch, asked, said in here
+        for other, its, question, answer in there
+    )
+
+
 @dataclass(slots=True)
 class Sending:
-    """``macros``: name -> text; ``blocks``: the line and the branch of every block that is open."""
+    """``macros``: name -> text; ``blocks``: the line and the branch of every block that is open,
+    with its question and the answer for which the branch is sent; ``counts``: how often a macro was
+    defined or removed, and (empty name) all of them.
+    """
 
     macros: dict[str, str] = field(default_factory=dict)
-    blocks: list[tuple[int, int]] = field(default_factory=list)
+    blocks: list[Block] = field(default_factory=list)
+    counts: dict[str, int] = field(default_factory=dict)
 
     def takes(self, line: str, number: int) -> str | None:
         """Take a line without remarks that is for the sending program; return what is wrong with it
@@ -49,18 +66,26 @@ class Sending:
         if name == "DEFINE":
             macro, _, value = rest.replace("\t", " ").partition(" ")
             self.macros[macro] = value.strip()
+            self._changed(macro)
         elif name == "UNDEF":
             self.macros.pop(rest, None)
+            self._changed(rest)
         elif name.startswith("IF"):
-            self.blocks.append((number, 0))
+            asked = "" if name == "IF" else rest
+            question = name == "IF", re.sub(r"\s", "", rest), self.counts.get(asked, 0)
+            self.blocks.append((number, 0, question, name != "IFNDEF"))
         elif not self.blocks:
             return f"#{name} outside of a block"
         elif name == "ENDIF":
             self.blocks.pop()
         else:
-            begun, branch = self.blocks.pop()
-            self.blocks.append((begun, branch + 1))
+            begun, branch, question, answer = self.blocks.pop()
+            self.blocks.append((begun, branch + 1, question, answer is (branch > 0)))
         return ""
+
+    def _changed(self, macro: str) -> None:
+        for name in (macro, ""):
+            self.counts[name] = self.counts.get(name, 0) + 1
 
     def put_in(self, text: str) -> str:
         """Return a text with the macros in it replaced."""

@@ -8,6 +8,7 @@ Sources: scripts of a machine as they are sent (github dhidas/IDCommon_ivu23_2.8
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -34,18 +35,26 @@ _LONGEST = 2000
 
 @dataclass(slots=True)
 class ConditionalBlock:
-    """A conditional block: where it began, and which of its branches is read."""
+    """A conditional block: where it began, and which of its branches is read. ``asks``: what its
+    condition is about, with a number that grows where that may have changed; ``truth``: the answer
+    for which its first branch is sent.
+    """
 
     line: int
     text: str
+    asks: tuple[str, int]
+    truth: bool
     branch: int = 0
 
 
 @dataclass(slots=True)
 class Conditions:
-    """The macros that are defined, and the conditional blocks that are open."""
+    """The macros that are defined, how often each was defined or removed, and the conditional
+    blocks that are open.
+    """
 
     macros: dict[str, str] = field(default_factory=dict)
+    changes: Counter[str] = field(default_factory=Counter)
     open: list[ConditionalBlock] = field(default_factory=list)
 
     def apply(self, match: re.Match[str], line: int) -> str:
@@ -53,10 +62,15 @@ class Conditions:
         name, rest = match["name"].upper(), match["rest"]
         if name == "DEFINE" and (macro := _MACRO.fullmatch(rest)) is not None:
             self.macros[macro["name"]] = macro["value"].strip()
+            self.changes[macro["name"]] += 1
         elif name == "UNDEF":
             self.macros.pop(rest.strip(), None)
+            self.changes[rest.strip()] += 1
         elif name.startswith("IF"):
-            self.open.append(ConditionalBlock(line, match[0].strip()))
+            about = "".join(rest.split())
+            version = self.changes.total() if name == "IF" else self.changes[about]
+            asks = f"({about})" if name == "IF" else about, version
+            self.open.append(ConditionalBlock(line, match[0].strip(), asks, name != "IFNDEF"))
         elif not self.open:
             return f"#{name} without the beginning of its block"
         elif name == "ENDIF":
@@ -74,10 +88,20 @@ class Conditions:
 def in_two_branches(
     one: tuple[tuple[ConditionalBlock, int], ...], other: tuple[tuple[ConditionalBlock, int], ...]
 ) -> bool:
-    """Whether two places stand in different branches of one block: not both are sent."""
+    """Whether two places stand in different branches of one block, or in branches of two for
+    opposite answers to one question: not both are sent.
+    """
     return any(
-        mine is theirs and branch != another for mine, branch in one for theirs, another in other
+        branch != another
+        if mine is theirs
+        else mine.asks == theirs.asks and _answer(mine, branch) is not _answer(theirs, another)
+        for mine, branch in one
+        for theirs, another in other
     )
+
+
+def _answer(block: ConditionalBlock, branch: int) -> bool:
+    return block.truth if branch == 0 else not block.truth
 
 
 def expanded(text: str, macros: Mapping[str, str]) -> str:
