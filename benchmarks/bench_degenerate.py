@@ -1,187 +1,253 @@
 """Valid tests that show little or no scatter, through whole commands: counts by outcome.
 
-    python benchmarks/bench_degenerate.py [--targets N]... [--only WORD] [--format ID]...
+    python benchmarks/bench_degenerate.py [N] [--first F] [--seed S] [--seconds S] [--out FILE]
 
-Runs that differ by a constant (all, one alone, alternating, opposite by direction), no scatter in
-one direction, at one target, at all but one, anywhere; whole steps; offsets of a metre; jumps; one
-and two runs, thirty runs. Each is measured, evaluated, planned for, verified with itself, and put
-into the history. Counted by exit code; 70, a code above 5, a Python warning, no end within a minute
-and an absurd prediction with exit 0 (not finite, or above sixty times what the readings differ) end
-it with 1.
+Cases are dealt by number (`degenerate_tests.py`): 2 to 500 targets, 1 to 30 runs, linear, rotary,
+step cycle, one direction; every form of file that holds readings; every control. Each is evaluated,
+planned for, verified with the test itself or with another one of the same axis, one in three with
+the next plan, and put into the history; one in eight with its pages. Every case is a process of its
+own with a limit of processor seconds.
+
+Counted by exit code, and as BROKEN (70, another code above 5), HUNG (the limit), WARNED (a Python
+warning on the terminal), ABSURD (exit 0 or 1 with a number that is not finite, a negative standard
+error, a median far beyond what the readings differ by, or A or E other than the definition gives).
+Any of these ends it with 1. `--out` keeps every answer, for the refusals (2, 3, 4) too.
 """
 
 from __future__ import annotations
 
 import argparse
-import contextlib
-import io
 import json
+import multiprocessing
+import os
+import re
+import resource
 import sys
 import tempfile
 import time
-import warnings
+import traceback
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from loaded_controls import without_reports
-from numpy.typing import NDArray
+from degenerate_tests import Dealt, deal, job_of, write_job, write_test
+from loaded_controls import CONTROLS, without_reports
 
-Floats = NDArray[np.float64]
-LENGTH = 800.0
-SECONDS = 60.0
-CONTROLS: dict[str, tuple[object, dict[str, Any]]] = {
-    "siemens-840d-sl": ("AX1", {"cec": "available", "cec_sign": "error", "cec_tables": [0, 1]}),
-    "fanuc-30i": (1, {"detection_unit": 0.001, "first_point": 100}),
-    "linuxcnc": ("0", {}),
-}
+KINDS = ("0", "1", "2", "3", "4", "5", "BROKEN", "HUNG", "WARNED", "ABSURD")
+WARNING = re.compile(r"\b\w*Warning\b:|Traceback \(most recent")
+ROUNDED = 2e-4  # µm: files hold four decimals
+WAIT = 1800.0
+#: Takes command, outcome, terminal and processor seconds.
+Tell = Callable[[tuple[str, str, str, float]], object]
 
 
-def cases(x: Floats, rotary: bool) -> Iterator[tuple[str, Floats, Floats]]:  # noqa: FBT001
-    """Yield names and readings (m, n) in + and in -, µm or arcsec."""
-    rng, m = np.random.default_rng(1), x.size
-    bend = (10.0 * np.sin(x / 200.0) + 0.01 * x)[:, np.newaxis]
-    curve = 10.0 * np.sin(np.radians(x))[:, np.newaxis] if rotary else bend
-    one = (np.arange(m) == m // 3)[:, np.newaxis]
-    still = np.zeros((m, 5))
-    shapes = {
-        "shifts": np.array([0.0, 1.3, -0.7, 2.2, 0.4]),
-        "alternating": np.array([0.0, 1.0, 0.0, 1.0, 0.0]),
-        "one run": np.array([0.0, 0.0, 1.0, 0.0, 0.0]),
-        "one run by 100": np.array([0.0, 0.0, 100.0, 0.0, 0.0]),
-        "drift": np.arange(5.0),
-        "two runs": np.array([0.0, 1.0]),
-        "thirty runs": np.arange(30.0) % 2,
-    }
-    for name, shift in shapes.items():
-        yield name, curve + shift, curve - 3.0 + shift
-        yield f"{name}, no curve", 0.0 * curve + shift, 0.0 * curve - 3.0 + shift
-        yield f"{name}, opposite", curve + shift, curve - 3.0 - shift
-        yield f"{name}, in + alone", curve + shift, curve - 3.0 + 0.0 * shift
-    noise = [rng.standard_normal((m, 5)) for _ in range(2)]
-    yield "no scatter", curve + still, curve - 3.0 + still
-    yield "scatter in + alone", curve + noise[0], curve - 3.0 + still
-    yield "scatter at one target", curve + one * noise[0], curve - 3.0 + still
-    yield "scatter at all but one", curve + ~one * noise[0], curve - 3.0 + ~one * noise[1]
-    yield "steps of 1", np.round(curve + 0.3 * noise[0]), np.round(curve - 3.0 + 0.3 * noise[1])
-    yield "steps of 5", 5.0 * np.round(curve / 5.0) + still, 5.0 * np.round(curve / 5.0) + still
-    yield "a line", 0.1 * x[:, np.newaxis] + still, 0.1 * x[:, np.newaxis] - 3.0 + still
-    yield "a jump", curve + 100.0 * (x[:, np.newaxis] > 300.0) + still, curve - 3.0 + still
-    yield "one metre off", 1e6 + curve + noise[0], 1e6 + curve - 3.0 + noise[1]
-    yield "one run alone", curve + noise[0][:, :1], curve - 3.0 + noise[1][:, :1]
-    yield "all zero", still, still
-    yield "hundredths of a µm", 0.01 * (curve + noise[0]), 0.01 * (curve - 3.0 + noise[1])
-
-
-def text_of(x: Floats, blocks: Sequence[Floats], cycle: str, rotary: bool) -> str:  # noqa: FBT001
-    """Return the measurement file."""
-    target, unit = ("deg", "arcsec") if rotary else ("mm", "um")
-    lines = ["# axis: X", f"# cycle: {cycle}", f"target_{target},direction,run,deviation_{unit}"]
-    for sign, block in zip("+-", blocks, strict=True):
-        for place, row in zip(x, block, strict=True):
-            lines += [f"{place:.4f},{sign},{run},{v:.4f}" for run, v in enumerate(row, start=1)]
-    return "\n".join(lines) + "\n"
-
-
-def job_of(control: str, rotary: bool) -> str:  # noqa: FBT001
-    """Return the job file."""
-    address, options = CONTROLS[control]
-    axis: dict[str, Any] = {"travel": [0, LENGTH], "address": address, "before": ["x.csv"]}
-    if rotary:
-        axis |= {"kind": "rotary", "travel": [0, 360], "modulo": 360}
-    return json.dumps(
-        {
-            "compwright": 1,
-            "controller": {"format": control, "options": options},
-            "states": {"as_found": "none"},
-            "axes": {"X": axis},
-        }
-    )
-
-
-def done(*arguments: str) -> tuple[int, str, float, list[str]]:
-    """Return exit code, what was said, seconds and warnings of a command."""
+def said_by(words: list[str], folder: Path) -> tuple[int, str]:
+    """Return exit code and terminal of a command in this process, whoever writes there."""
     from compwright.cli import run
 
-    said, start = io.StringIO(), time.perf_counter()
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
-            code = run(list(arguments))
-    seconds = time.perf_counter() - start
-    return code, said.getvalue(), seconds, [str(one.message) for one in caught]
+    sys.stdout.flush()
+    sys.stderr.flush()
+    path = folder / "terminal.txt"
+    kept = [os.dup(1), os.dup(2)]
+    with path.open("wb") as terminal:
+        for place in (1, 2):
+            os.dup2(terminal.fileno(), place)
+        try:
+            code = run(words)
+        finally:
+            sys.stdout.flush()
+            sys.stderr.flush()
+            for place, old in zip((1, 2), kept, strict=True):
+                os.dup2(old, place)
+                os.close(old)
+    return code, path.read_text(encoding="utf-8", errors="replace")
 
 
-def absurd(folder: Path, blocks: Sequence[Floats]) -> bool:
-    """Whether the prediction is no number, or far above anything that the readings show."""
-    document = json.loads((folder / "prediction.json").read_text(encoding="utf-8"))
-    differ = max(float(np.ptp(block)) for block in blocks)
-    shown = document["axes"]["X"]["predicted"] or {}
-    tops = [each["p95"] for each in shown.values() if each]
-    return any(not np.isfinite(top) or abs(top) > 60.0 * differ + 1.0 for top in tops)
+def numbers_in(value: Any, path: str = "") -> Iterator[tuple[str, float]]:
+    """Yield every number of a document with its place."""
+    if isinstance(value, dict):
+        for key, each in value.items():
+            yield from numbers_in(each, f"{path}.{key}")
+    elif isinstance(value, list):
+        for index, each in enumerate(value):
+            yield from numbers_in(each, f"{path}[{index}]")
+    elif isinstance(value, float | int) and not isinstance(value, bool):
+        yield path, float(value)
+
+
+def absurd_numbers(document: Any) -> str:
+    """Return which number of a document cannot be."""
+    for path, value in numbers_in(document):
+        if not np.isfinite(value):
+            return f"{path} is {value}"
+        last = path.rsplit(".", 1)[-1]
+        if value < 0.0 and re.fullmatch(r"U|std_error|s_positive|s_negative|probability", last):
+            return f"{path} is {value}"
+    return ""
+
+
+def absurd_evaluation(document: Any, test: Dealt) -> str:
+    """Return what differs from the definitions of ISO 230-2."""
+    result = document["results"][0]
+    means = [np.nanmean(block, axis=1) for block in test.blocks.values()]
+    own = {"E": float(np.max(means) - np.min(means))}
+    if all(np.all(np.sum(~np.isnan(block), axis=1) > 1) for block in test.blocks.values()):
+        spread = [2.0 * np.nanstd(block, axis=1, ddof=1) for block in test.blocks.values()]
+        ends = [m + s for m, s in zip(means, spread, strict=True)]
+        own["A"] = float(np.max(ends) - np.min(np.array(means) - np.array(spread)))
+    if len(test.blocks) == 1:
+        own = {f"{k}_{'positive' if '+' in test.blocks else 'negative'}": v for k, v in own.items()}
+    for name, value in own.items():
+        found = result["parameters"].get(name)
+        room = ROUNDED * (8.0 if name[0] == "A" else 2.0)
+        if found is None or abs(found - value) > room + 1e-9 * abs(value):
+            return f"{name} is {found}, the definition gives {value:.6g}"
+    return ""
+
+
+def absurd_prediction(document: Any, test: Dealt) -> str:
+    """Return which prediction is far beyond what the readings show."""
+    axis = document["axes"]["X"]
+    for key in ("predicted", "predicted_new_targets"):
+        for name, band in (axis[key] or {}).items():
+            if not band:
+                continue
+            if not band["p05"] <= band["median"] <= band["p95"]:
+                return f"{key} {name} is out of order: {band}"
+            middle, top = abs(band["median"]), max(abs(band["p95"]), abs(band["p05"]))
+            if middle > 6.0 * test.differ + 3.0 or top > 60.0 * test.differ + 3.0:
+                return f"{key} {name} is {band}, the readings differ by {test.differ:.4g}"
+    return ""
+
+
+class Case:
+    """One case in a folder of its own; ``tell`` is told what each command ended with."""
+
+    def __init__(self, number: int, seed: int, folder: Path, tell: Tell) -> None:
+        """Write the test."""
+        self.number, self.seed, self.folder, self.tell = number, seed, folder, tell
+        self.test = deal(number, seed)
+        self.rng = np.random.default_rng([seed, number, 7])
+        self.before, profile = write_test(self.test, folder, "x")
+        self.profile = profile
+        self.known = ["--profile", str(folder / profile)] if profile else []
+
+    def ended(self, command: str, *words: str, answer: Path | None = None) -> int:
+        """Run a command; tell what it ended with, and what is absurd in its answer."""
+        self.tell((command, "begun", "", 0.0))
+        start = time.process_time()
+        code, terminal = said_by([command, *words], self.folder)
+        seconds = round(time.process_time() - start, 1)
+        kind, why = str(code), terminal
+        if code > 5:
+            kind = "BROKEN"
+        elif WARNING.search(terminal):
+            kind = "WARNED"
+        elif code < 2 and answer is not None and answer.exists():
+            document = json.loads(answer.read_text(encoding="utf-8"))
+            wrong = absurd_numbers(document)
+            if not wrong and command in ABSURD:
+                wrong = ABSURD[command](document, self.test)
+            kind, why = ("ABSURD", wrong) if wrong else (kind, terminal)
+        self.tell((command, kind, why, seconds))
+        return code
+
+    def work(self) -> None:
+        """Run all commands."""
+        folder, plan, after = self.folder, self.folder / "out", self.folder / "after"
+        answer = folder / "evaluation.json"
+        words = [str(folder / self.before), *self.known, "--json", str(answer)]
+        self.ended("evaluate", *words, answer=answer)
+        control = str(self.rng.choice(list(CONTROLS)))
+        job = job_of(self.test, self.before, self.profile, control, self.rng)
+        file = str(write_job(job, folder, "job.yaml"))
+        code = self.ended("run", file, "--out", str(plan), answer=plan / "prediction.json")
+        if code > 1 or not plan.is_dir():
+            return
+        again = self.before
+        if self.rng.random() < 0.6:
+            again, _ = write_test(deal(self.number, self.seed, again=1), folder, "y")
+        words = ["--after", f"x={folder / again}", "--plan", str(plan), *self.known]
+        if self.rng.random() < 0.33 and (plan / "tables").is_dir():
+            words += ["--loaded", str(plan / "tables"), "--update"]
+        answer = after / "verification.json"
+        self.ended("verify", file, *words, "--out", str(after), answer=answer)
+        self.ended("history", str(folder))
+
+
+def worked(number: int, seed: int, tell: Tell, *, pages: bool) -> None:
+    """Work on one case."""
+    if not pages:
+        without_reports()
+    with tempfile.TemporaryDirectory() as name:
+        Case(number, seed, Path(name), tell).work()
+
+
+ABSURD = {"evaluate": absurd_evaluation, "run": absurd_prediction}
+
+
+def case(number: int, seed: int, seconds: int, *, pages: bool) -> list[tuple[str, str, str, float]]:
+    """Return what the commands of one case ended with, from a process of its own."""
+    context = multiprocessing.get_context("fork")
+    here, there = context.Pipe(duplex=False)
+
+    def work() -> None:
+        here.close()
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+        try:
+            worked(number, seed, there.send, pages=pages)
+        except Exception:  # noqa: BLE001 - it is what is looked for
+            there.send(("the benchmark", "BROKEN", traceback.format_exc(), 0.0))
+
+    process = context.Process(target=work)
+    process.start()
+    there.close()
+    found: list[tuple[str, str, str, float]] = []
+    while here.poll(WAIT):
+        try:
+            found.append(here.recv())
+        except EOFError:
+            break
+    if process.is_alive():
+        process.join(5)
+        process.kill()
+    process.join()
+    ended = [each for each in found if each[1] != "begun"]
+    if found and found[-1][1] == "begun":
+        ended.append((found[-1][0], "HUNG", "killed by its limit", float(seconds)))
+    return ended
 
 
 def main() -> int:
     """Work, then print."""
-    reader = argparse.ArgumentParser(description="Degenerate tests through whole commands.")
-    reader.add_argument("--targets", type=int, action="append")
-    reader.add_argument("--only", default="")
-    reader.add_argument("--format", action="append", choices=sorted(CONTROLS))
+    reader = argparse.ArgumentParser(description=__doc__)
+    reader.add_argument("count", nargs="?", type=int, default=300)
+    reader.add_argument("--first", type=int, default=0)
+    reader.add_argument("--seed", type=int, default=1)
+    reader.add_argument("--seconds", type=int, default=120, help="limit of a case")
+    reader.add_argument("--out", type=Path)
     words = reader.parse_args()
-    without_reports()
+    worked(0, 1, lambda _: None, pages=True)  # imports what every case needs
+
     counts: dict[str, Counter[str]] = {}
     bad = 0
-    for count in words.targets or [2, 11]:
-        for control in words.format or list(CONTROLS):
-            for rotary, cycle in ((False, "standard"), (True, "standard"), (False, "step")):
-                if (rotary and control != "siemens-840d-sl") or (cycle == "step" and count < 5):
-                    continue
-                x = np.linspace(0.0, LENGTH, count)
-                x = np.arange(count) * (360.0 / count) if rotary else x
-                for name, *blocks in cases(x, rotary):
-                    if words.only in name:
-                        where = f"{name}, {count} targets, {control}, {cycle}"
-                        text = text_of(x, blocks, cycle, rotary)
-                        bad += one(where, text, job_of(control, rotary), blocks, counts)
+    for number in range(words.first, words.first + words.count):
+        name = deal(number, words.seed).name
+        ended = case(number, words.seed, words.seconds, pages=number % 8 == 0)
+        for command, kind, why, seconds in ended:
+            counts.setdefault(command, Counter())[kind] += 1
+            if not kind.isdigit():
+                bad += 1
+                print(f"{kind}: {command}, {name}: {why[-1500:]}", flush=True)
+            if words.out:
+                with words.out.open("a", encoding="utf-8") as stream:
+                    stream.write(json.dumps([name, command, kind, seconds, why[:3000]]) + "\n")
     print("| command | " + " | ".join(KINDS) + " |\n|---|" + "---|" * len(KINDS))
     for command, some in counts.items():
         print(f"| {command} | " + " | ".join(str(some[kind]) for kind in KINDS) + " |")
     return 1 if bad else 0
-
-
-KINDS = ("0", "1", "2", "3", "4", "BROKEN", "WARNED", "SLOW", "ABSURD")
-
-
-def one(
-    where: str, text: str, job: str, blocks: Sequence[Floats], counts: dict[str, Counter[str]]
-) -> int:
-    """Work on one test; returns how many of its commands are not as they should be."""
-    bad = 0
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        (folder / "x.csv").write_text(text, encoding="utf-8")
-        (folder / "job.yaml").write_text(job, encoding="utf-8")
-        file, plan, out = (str(folder / each) for each in ("job.yaml", "out", "after"))
-        for command in (
-            ("evaluate", str(folder / "x.csv")),
-            ("run", file, "--out", plan),
-            ("verify", file, "--after", f"x={folder / 'x.csv'}", "--plan", plan, "--out", out),
-            ("history", str(folder)),
-        ):
-            code, said, seconds, caught = done(*command)
-            kind = str(code) if 0 <= code <= 4 else "BROKEN"
-            kind = "WARNED" if caught else "SLOW" if seconds > SECONDS else kind
-            if command[0] == "run" and code == 0 and absurd(folder / "out", blocks):
-                kind = "ABSURD"
-            counts.setdefault(command[0], Counter())[kind] += 1
-            if not kind.isdigit():
-                bad += 1
-                print(f"{kind}: {command[0]}, {where}: {caught or said[-300:]}")
-            if command[0] == "run" and code > 1:
-                break
-    return bad
 
 
 if __name__ == "__main__":

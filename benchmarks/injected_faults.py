@@ -29,7 +29,7 @@ FACTORS = (2.0, 0.5, 0.1, 10.0)
 SHIFTS = (1, -1, 2, -2, 3, -3)
 NAMES = (
     *("loaded", "not_active", "inverted", "scaled", "shifted", "mirrored", "wrong_axis"),
-    *("one_direction", "backlash", "partial", "thermal"),
+    *("one_direction", "backlash", "partial", "increment", "on_top", "thermal"),
 )
 
 
@@ -89,6 +89,8 @@ def faults_of(plan: Plan, x: Floats, slopes: Sequence[float]) -> Iterator[Fault]
     yield Fault("not_active", "the old one acts", 0.0, old)
     if plan.old is not None:
         yield Fault("not_active", "nothing acts", 0.0, 0 * old, plain=False)
+        yield Fault("increment", "", 0.0, full - old)
+        yield Fault("on_top", "", 0.0, full + old)  # the same as an existing table that was idle
     yield from _sizes(plan, full)
     yield from _places(plan, x)
     for row, word in enumerate("+-"):

@@ -22,9 +22,9 @@ from inspect import unwrap
 import pytest
 from hypothesis import settings
 
-from compwright.estimation import axis, likelihood, model, noise, peaks, step_evidence
+from compwright.estimation import axis, circle, likelihood, model, noise, peaks, step_evidence
 from compwright.foundations.processors import look_for_garbage_seldom
-from compwright.planning import circles, fresh, misread, wanted, worth
+from compwright.planning import circles, diagnosed, fresh, misread, wanted, worth
 from compwright.verification import likelihood as after_tests
 from frames import unpaint
 from remembered import remembered
@@ -37,6 +37,7 @@ _BRIEF, _WHOLE = (
         (after_tests, "noise_of", noise_of),
         (wanted, "estimate_axis", remembered(axis.estimate_axis)),
         (misread, "log_likelihood", remembered(likelihood.log_likelihood)),
+        (diagnosed, "diagnose", remembered(circle.diagnose)),
     )
     for noise_of in (remembered(noise.noise_of), remembered(noise.noise_of))
 )

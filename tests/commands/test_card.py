@@ -224,7 +224,7 @@ def test_in_print_the_tables_of_an_axis_stay_with_their_headings() -> None:
     style = page[page.index("<style>") : page.index("</style>")]
     assert re.search(r"\.keep \{[^}]*break-inside: avoid", style)
     assert style.count("{") == style.count("}")
-    body = page[page.index("<section>") : page.index("</section>")]
+    body = page[page.index('<section class="keep">') : page.index("</section>")]
     assert "<h3>Check positions</h3>" in body
     assert 'class="scroll"' not in body
     parser = Headings()
@@ -268,3 +268,11 @@ def test_a_whole_archive_goes_before_the_files_that_lie_over_it() -> None:
         ControlFile("X1_MD.INI", on),
     ]
     assert loading_order(SIEMENS, given) == ["A.ARC", "X1_EEC.INI", "X1_MD.INI"]
+
+
+def test_no_card_calls_a_sign_confirmed_and_not_confirmed() -> None:
+    """Of one control: the sign of its display is another thing than that of its table."""
+    for definition in DEFINITIONS.values():
+        words = " ".join(rule.text + " " + rule.two_curves for rule in definition.card)
+        confirmed = "sign of this table is confirmed" in words
+        assert not (confirmed and "its sign, which is not confirmed" in words)

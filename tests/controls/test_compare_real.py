@@ -38,12 +38,9 @@ def planned(
 ) -> Path:
     """Run a job of one axis, measured with what the backup does to it, and return its results."""
     machine = Machine(low=travel[0], high=travel[1])
-    axis = (
-        open_control(Session(), control, {})
-        .format.for_a_view()
-        .read(read_files(Session(), files))
-        .axes[address]
-    )
+    given = open_control(Session(), control, {}).format
+    shown = given.listing.shown(given)
+    axis = shown.read(read_files(Session(), files)).axes[address]
 
     def active(x: Floats, sign: int) -> Floats:
         side = Direction.POSITIVE if sign > 0 else Direction.NEGATIVE

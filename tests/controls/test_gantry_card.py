@@ -61,9 +61,9 @@ def test_the_number_of_the_leading_axis_is_not_that_of_the_other(tmp_path: Path)
     )
     assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
     card = (tmp_path / "job" / "card" / "card.md").read_text(encoding="utf-8")
-    rows = [line.split("|")[2:-1] for line in card.splitlines() if "X (Y)" in line]
-    assert rows
-    assert ["X (Y)", "1"] in [[cell.strip() for cell in row][:2] for row in rows]
+    assert "  - [ ] X: MP710.0 = " in card
+    (line,) = [line for line in card.splitlines() if "X (Y): MP710.1 = " in line]
+    assert "MP730 bit 1 = 1" in line
 
 
 @pytest.mark.parametrize(

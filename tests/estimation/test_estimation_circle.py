@@ -97,7 +97,8 @@ def test_a_spike_is_recovered_with_its_decay_left_open(axis: str) -> None:
     machine = replace(one(f"reversal_spike_{axis}", 5.0), **{f"decay_{axis}": 7.0})  # type: ignore[arg-type]
     effect = diagnose(measured(machine, Setup(noise=0.1), rng)).effects[f"reversal_spike_{axis}"]
     assert abs(effect.value - 5.0) < 4.0 * effect.std_error
-    # µm: samples of 0.1 µm, and where within 0.3 mm the axis reversed, of 7 mm of decay.
+    # µm: where within 0.3 mm the axis reversed, of 7 mm of decay, is 5 · 0.3 / 7 / sqrt(3) = 0.12;
+    # the filter of the instrument as much again, and the samples of 0.1 µm.
     assert effect.std_error < 0.3
     assert effect.low == pytest.approx(effect.value - 1.645 * effect.std_error, abs=1e-9)
     other = "second" if axis == "first" else "first"
@@ -106,14 +107,16 @@ def test_a_spike_is_recovered_with_its_decay_left_open(axis: str) -> None:
     ].low == pytest.approx(0.0, abs=0.05)
 
 
-def test_a_spike_inwards_is_no_spike_but_a_finding() -> None:
+def test_a_spike_inwards_is_negative_and_a_finding() -> None:
     found = diagnose(
         measured(Machine(reversal_spike_first=-5.0), Setup(noise=0.1), np.random.default_rng(1))
     )
-    assert found.effects["reversal_spike_first"].value == 0.0
-    assert found.effects["reversal_spike_first"].low == 0.0
-    for end in ("positive", "negative"):
-        assert found.effects[f"reversal_spike_first_at_{end}"].std_error > 0.02  # um
+    for end in ("", "_at_positive", "_at_negative"):
+        effect = found.effects[f"reversal_spike_first{end}"]
+        # As deep as the first samples see it, half a sample after the reversal or at the next one.
+        assert effect.value == pytest.approx(-4.6, abs=0.3)
+        assert abs(effect.value + 5.0) < 4.0 * effect.std_error
+        assert effect.low is None
     (message,) = [f.message for f in found.findings if f.code == "CW-D008"]
     # -5 exp(-s / 4 mm) half a sample (0.31 mm) after the reversal, or at the next one of the two.
     assert float(message.split()[4]) == pytest.approx(4.6, abs=0.3)
@@ -309,7 +312,7 @@ def test_exchanging_the_axes_exchanges_the_causes() -> None:
         sign = -1.0 if name in swapped_signs else 1.0
         # The circle is cut open elsewhere, where a spiral is hardest to tell from lost motion, and
         # other shapes are drawn.
-        assert abs(sign * there[other].value - effect.value) < 2.0 * np.hypot(
+        assert abs(sign * there[other].value - effect.value) < 0.75 * np.hypot(
             there[other].std_error, effect.std_error
         ), name
 
@@ -569,7 +572,7 @@ def test_the_correlation_matrix_belongs_to_the_names() -> None:
     even, odd = found.names.index("squareness"), found.names.index("servo_mismatch")
     assert (
         abs(found.correlation[even, odd]) < 0.25
-    )  # the two halves of a full circle know little of each other
+    )  # the two halves of a full circle know little of each other; 40 choices of shapes: ± 0.16
     assert found.residual == pytest.approx(0.2e-3, rel=0.1)  # mm
     assert found.correlation_length < 2.0  # white
 

@@ -20,6 +20,7 @@ from compwright.estimation.circle_lag import Lag, corrected
 from compwright.estimation.circle_model import (
     Samples,
     SpikeShape,
+    TakeUp,
     cyclic_columns,
     lag_column,
     samples_of,
@@ -108,6 +109,18 @@ def test_a_rising_spike_has_its_peak_of_one_at_its_length() -> None:
     assert shape(np.array([0.0, 2.0, 4.0, 8.0])) == pytest.approx(expected)
 
 
+def test_lost_motion_is_taken_up_over_the_arc_that_covers_it() -> None:
+    """The command of an axis that reversed goes back R (1 - cos φ): 4 µm on 150 mm are 1.095 mm of
+    arc; after half of it a quarter is taken up.
+    """
+    arc = 150.0 * np.arccos(1.0 - 4e-3 / 150.0)
+    shape = TakeUp(float(np.sqrt(2.0 * 4e-3 * 150.0)))
+    assert shape.length == pytest.approx(arc, rel=1e-5)
+    travelled = 150.0 * (1.0 - np.cos(np.array([0.0, arc / 2.0, arc, 2.0 * arc]) / 150.0))
+    expected = np.maximum(1.0 - travelled / 4e-3, 0.0)
+    assert shape(np.array([0.0, arc / 2.0, arc, 2.0 * arc])) == pytest.approx(expected, abs=1e-4)
+
+
 @pytest.mark.parametrize("axis", ["first", "second"])
 def test_a_cyclic_error_and_its_change_with_frequency(axis: str) -> None:
     of, a, b, f = samples(), 2.0, -1.5, 0.1
@@ -185,7 +198,9 @@ def test_a_cyclic_error_is_found_from_the_false_alarm_threshold_on(
     of = samples_of(measured(Machine(**cause), Setup(samples=1504)))
     problem = problem_of(of, grid_of(of))
     always = np.arange(len(problem.names))
-    searched = search(problem, fit(Weighted(problem, white(problem)), always), [axis])
+    searched = search(
+        problem, fit(Weighted(problem, white(problem)), always, problem.widths**-2.0), [axis]
+    )
     assert (axis in searched.found) is found
     if found:
         assert 1.0 / searched.found[axis] == pytest.approx(10.0, abs=0.05)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import replace
 from typing import Any
 
+import cvxpy
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -125,6 +127,20 @@ def test_where_the_solver_gives_up_on_the_square_the_least_range_counts(
     x, proof = solve_ranges(*pulled_up(1.0), slack=0.1)
     assert x == pytest.approx([0.0], abs=1e-6)
     assert max(proof.values()) < 1e-6
+
+
+def test_an_inaccurate_solution_has_failed_without_a_warning(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """As cvxpy does it: a warning for the terminal, and a status."""
+
+    def inaccurate(problem: Any, **_: Any) -> None:
+        warnings.warn("Solution may be inaccurate. Try another solver", UserWarning, stacklevel=2)
+        problem._status = cvxpy.OPTIMAL_INACCURATE
+
+    monkeypatch.setattr(cvxpy.Problem, "solve", inaccurate)
+    with pytest.raises(CapacityError, match="the solver gave up"):
+        solve_ranges(*pulled_up(1.0), slack=0.1)
 
 
 def test_a_chain_of_one_node_is_a_mean() -> None:

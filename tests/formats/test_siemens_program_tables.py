@@ -9,8 +9,12 @@ M30 or RET.
 
 from __future__ import annotations
 
+import operator
+import re
+from collections import Counter
 from collections.abc import Mapping
 
+import numpy as np
 import pytest
 
 from compwright.controllers.virtual import virtual_control
@@ -37,7 +41,7 @@ def by_writer(files: list[ControlFile], active: bool | None) -> None:
     """The reader of the room that writes."""
     control = control_format(SIEMENS, {})
     if active is False:
-        files = list(control.carried_out(files)[0])
+        files = list(control.listing.carried_out(control.definition, files)[0])
     if files:
         activity = Activity(said=active, asking=True, carried_out=active is True)
         control.read(files, [axis_of("AX1")], activity=activity)
@@ -105,6 +109,51 @@ NOTHING = {
     ),
     "no label behind": (f"AA:\nIF R1==1 GOTOF AA\n{ONE}{GRID}", READ),
     "GOTOC without a label": (f"IF R1==1\nR2=1\nENDIF\nGOTOC AA\n{ONE}{GRID}", "! A.MPF line 5"),
+    "a condition twice, then its other side": (
+        f"IF R1==1\n{ONE}ELSE\nM8\nENDIF\nIF R1==1\nM9\nELSE\n{TWO}ENDIF\n{GRID}",
+        "! A.MPF line 2",
+    ),
+    "a condition and its opposite": (
+        f"IF R1==1\n{ONE}ENDIF\nG4 F1\nIF (R1 <> 1)\n{TWO}ENDIF\n{GRID}",
+        "! A.MPF line 2",
+    ),
+    "a comparison and the rest": (
+        f"IF R1>=5\n{ONE}ENDIF\nIF R1>2.5\nR9=1\nELSE\n{TWO}ENDIF\nIF R1<5\n{PLAY}ENDIF\n{GRID}",
+        "! A.MPF line 2",
+    ),
+    "two jumps that belong together": (
+        f"IF R1==1 GOTOF AA\n{ONE}AA:\nIF R1<>1 GOTOF BB\n{TWO}BB:\n{GRID}",
+        "! A.MPF line 2",
+    ),
+    "a whole condition and its opposite": (
+        f"IF R1==1 AND R2==1\n{ONE}ENDIF\nIF NOT (R1==1 AND R2==1)\n{TWO}ENDIF\n{GRID}",
+        "! A.MPF line 2",
+    ),
+    "a flag": (
+        f"DEF BOOL FLAG\nIF NOT FLAG\n{ONE}ENDIF\nIF FLAG==TRUE\n{TWO}ENDIF\n{GRID}",
+        "! A.MPF line 3",
+    ),
+    "a condition twice": (f"IF R1==1\n{ONE}ENDIF\nIF R1==1\nM8\nENDIF\n{GRID}", READ),
+    "conditions of two variables": (
+        f"IF R1==1\n{ONE}ENDIF\nIF R2<>1\n{TWO}ENDIF\n{GRID}",
+        READ,
+    ),
+    "a variable that is assigned between": (
+        f"IF R1==1\n{ONE}ENDIF\nR1=1\nIF R1<>1\n{TWO}ENDIF\n{GRID}",
+        READ,
+    ),
+    "a call between, which may assign it": (
+        f"IF R1==1\n{ONE}ENDIF\nABCD\nIF R1<>1\n{TWO}ENDIF\n{GRID}",
+        READ,
+    ),
+    "a loop that assigns it": (
+        f"REPEAT\nIF R1==1\n{ONE}ENDIF\nR1=R1+1\nUNTIL R1<>1\n{GRID}",
+        READ,
+    ),
+    "an input of the control": (
+        f"IF $A_IN[1]==1\n{ONE}ENDIF\nIF $A_IN[1]<>1\n{TWO}ENDIF\n{GRID}",
+        READ,
+    ),
     "before an endless loop": (f"LOOP\nR1=R1+1\nENDLOOP\n{ONE}{GRID}", READ),
 }
 
@@ -357,3 +406,112 @@ def test_a_subprogram_that_is_not_given_is_asked_for_by_name(call: str, *, judge
     assert asked.startswith("? MAIN.MPF line 2:")
     assert "VORBEREITEN" in asked
     check(files, True, READ, judge=judge)
+
+
+# Conditions that belong together, against a machine that carries programs out
+# --------------------------------------------------------------------------------------------------
+
+_RELATIONS = {
+    "==": operator.eq,
+    "<>": operator.ne,
+    "<": operator.lt,
+    ">": operator.gt,
+    "<=": operator.le,
+    ">=": operator.ge,
+}
+
+
+def random_program(rng: np.random.Generator) -> list[str]:
+    """Values, branches in branches and jumps, on two variables that nothing assigns."""
+    lines: list[str] = []
+    numbers, labels = iter(range(1, 40)), iter(f"LAB{n}" for n in range(40))
+
+    def condition() -> str:
+        return f"{rng.choice(['R1', 'R2'])}{rng.choice(list(_RELATIONS))}{rng.integers(1, 3)}"
+
+    def value() -> str:
+        return f"$AA_ENC_COMP[0,{next(numbers)},AX1]=0.004"
+
+    def block(depth: int) -> None:
+        for _ in range(int(rng.integers(1, 4))):
+            kind = rng.random()
+            if kind < 0.35 or depth == 0:
+                lines.append(value() if rng.random() < 0.6 else "M8")
+            elif kind < 0.75:
+                lines.append(f"IF {condition()}")
+                block(depth - 1)
+                if rng.random() < 0.5:
+                    lines.append("ELSE")
+                    block(depth - 1)
+                lines.append("ENDIF")
+            else:
+                label = next(labels)
+                lines.append(f"IF {condition()} GOTOF {label}")
+                lines.append(value())
+                lines.append(f"{label}:")
+
+    block(2)
+    block(1)
+    return [*lines, "M17"]
+
+
+def carried_out(lines: list[str], given: Mapping[str, float]) -> set[str]:
+    """The values that a run carries out with the variables as ``given``."""
+    done: set[str] = set()
+    place = 0
+    while lines[place] != "M17":
+        line = lines[place]
+        asked = re.match(r"IF (R\d)(==|<>|<=|>=|<|>)(\d)(?: GOTOF (\w+))?", line)
+        if asked is not None:
+            true = _RELATIONS[asked[2]](given[asked[1]], float(asked[3]))
+            if asked[4] is not None:
+                place = lines.index(f"{asked[4]}:") if true else place
+            elif not true:
+                place = other_side(lines, place, {"ELSE", "ENDIF"})
+        elif line == "ELSE":
+            place = other_side(lines, place, {"ENDIF"})
+        elif line.startswith("$"):
+            done.add(line)
+        place += 1
+    return done
+
+
+def other_side(lines: list[str], place: int, ends: set[str]) -> int:
+    depth = 0
+    while True:
+        place += 1
+        if lines[place] in ends and depth == 0:
+            return place
+        depth += lines[place].startswith("IF") and "GOTOF" not in lines[place]
+        depth -= lines[place] == "ENDIF"
+
+
+@pytest.mark.parametrize("judge", [False, True], ids=["writer", "judge"])
+def test_answers_are_believed_where_some_run_fits_them(*, judge: bool) -> None:
+    """`active: no` where a run carries nothing out, `active: yes` where one carries all out."""
+    rng = np.random.default_rng(61)
+    grid = (
+        "$AA_ENC_COMP_STEP[0,AX1]=10\n$AA_ENC_COMP_MIN[0,AX1]=0\n$AA_ENC_COMP_MAX[0,AX1]=400\n"
+        "$AA_ENC_COMP_IS_MODULO[0,AX1]=0\n$AA_ENC_COMP[0,0,AX1]=0\n"
+    )
+    counts: Counter[tuple[bool, bool]] = Counter()
+    for _ in range(120):
+        lines = random_program(rng)
+        values = {line for line in lines if line.startswith("$")}
+        if not values or not any(line.startswith("IF") for line in lines):
+            continue
+        runs = [
+            carried_out(lines, {"R1": one, "R2": other})
+            for one in (0.5, 1.0, 1.5, 2.0, 2.5)
+            for other in (0.5, 1.0, 1.5, 2.0, 2.5)
+        ]
+        text = "\n".join(lines[:-1])
+        rows = "".join(
+            f"$AA_ENC_COMP[0,{n},AX1]=0\n" for n in range(1, 41) if f"[0,{n},AX1]=0.004" not in text
+        )
+        files = {"A.MPF": f"{grid}{rows}{text}\nM17\n"}
+        for active, fits in ((False, set() in runs), (True, values in runs)):
+            refused = [one for one in answer(files, active, judge=judge) if one.startswith("!")]
+            counts[active, fits] += 1
+            assert bool(refused) is not fits, (active, text, refused)
+    assert min(counts.values()) >= 10, counts

@@ -5,7 +5,6 @@ of fresh tests.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,15 +14,13 @@ from compwright.estimation.circle import diagnose
 from compwright.evaluation.circular import evaluate_circle
 from compwright.prediction.circular import (
     CirclePath,
-    _columns,
-    _shapes,
     _smoothed,
     moved_test,
     path_of,
     predict_circle,
 )
 from compwright.records.axis import FloatArray
-from compwright.records.circular import CircularEffect, CircularRun, CircularTest, Diagnosis
+from compwright.records.circular import CircularRun, CircularTest
 from compwright.simulation.circular import CircleErrors, CirclePlan, record_circle
 
 CENTRE = (300.0, -120.0)
@@ -176,48 +173,6 @@ def test_a_parameter_that_the_test_does_not_have_is_not_predicted() -> None:
     assert {"G_ccw", "G_cw", "G_bidirectional", "D"} <= set(prediction.predicted)
 
 
-#: One unit of each cause is small enough for the first order: 1 µm on R = 150 mm leaves 1e-8 mm.
-UNITS = {
-    "squareness": 1.0,
-    "backlash_first_at_positive": 1.0,
-    "backlash_first_at_negative": 1.0,
-    "backlash_second_at_positive": 1.0,
-    "backlash_second_at_negative": 1.0,
-    "servo_mismatch": 0.01,
-    "lateral_play_first": 1.0,
-    "lateral_play_second": 1.0,
-    "straightness_first": 1.0,
-    "straightness_second": 1.0,
-    "radius_change": 1.0,
-}
-
-
-@pytest.mark.parametrize("sense", ["ccw", "cw"])
-@pytest.mark.parametrize("name", sorted(UNITS))
-def test_a_cause_is_spread_over_the_circle_as_on_the_exact_machine(name: str, sense: str) -> None:
-    """What the doubt about a cause adds to a fresh test is that cause's own radial deviation."""
-    value = UNITS[name]
-    cause: dict[str, Any] = {name: value}
-    test = measured(Machine(**cause), Setup(samples=90, senses=(sense,)))
-    (run,) = test.runs
-    assert value * _columns(test, run)[name] == pytest.approx(run.deviations, abs=3e-8)
-
-
-@pytest.mark.parametrize("sense", ["ccw", "cw"])
-def test_causes_of_two_parts_are_the_sum_of_their_parts(sense: str) -> None:
-    test = measured(
-        Machine(scale_error_first=1.0, scale_error_second=-1.0),
-        Setup(samples=90, senses=(sense,)),
-    )
-    (run,) = test.runs
-    columns = _columns(test, run)
-    # e_x - e_y = 2 µm/m over the diameter of 0.3 m: 0.6 µm
-    assert 0.6 * columns["scale_mismatch"] == pytest.approx(run.deviations, abs=1e-8)
-    for axis in ("first", "second"):
-        ends = columns[f"backlash_{axis}_at_positive"] + columns[f"backlash_{axis}_at_negative"]
-        assert columns[f"backlash_{axis}"] == pytest.approx(ends, abs=1e-15)
-
-
 def test_the_noise_of_a_fresh_test_is_what_a_parabola_leaves() -> None:
     """A parabola is no noise; of independent noise the smoothing over 11 samples leaves in the
     residual 1 - 0.2075 of the variance in the middle (quadratic Savitzky-Golay weights: 89/429).
@@ -238,46 +193,3 @@ def test_the_noise_of_a_fresh_test_is_what_a_parabola_leaves() -> None:
     spike = np.zeros(720)
     spike[180] = 1.0
     assert not np.any(_smoothed(CircularRun(sense="ccw", angles=angles, deviations=spike))[:180])
-
-
-def test_doubts_of_the_causes_and_of_the_radius_by_hand() -> None:
-    """900 samples, correlated over 9: 100 independent ones, so that the mean radius of two tests
-    differs by residual sqrt(2 / 100). Squareness ± 10 µm/m in each of two tests: sqrt(2) 10 µm/m
-    times R / 2 at 135°.
-    """
-    test = measured(Machine(), Setup(samples=450))
-    effect = CircularEffect(value=3.0, std_error=10.0, unit="um/m", effect=1.0, share=1.0)
-    plain_diagnosis = Diagnosis(
-        effects={},
-        plain={},
-        names=(),
-        correlation=np.empty((0, 0)),
-        residual=1e-3,
-        correlation_length=9.0,
-    )
-    # the scatter of a standard deviation of 4000 draws is 1.1 %; about four times
-    (radius, _) = _shapes(test, plain_diagnosis, np.random.default_rng(1), 4000)
-    assert np.std(radius[:, 7]) == pytest.approx(1e-3 * np.sqrt(0.02), rel=0.05)
-    assert np.ptp(radius, axis=1) == pytest.approx(np.zeros(4000), abs=1e-15)
-    diagnosis = replace(
-        plain_diagnosis,
-        effects={"squareness": effect},
-        names=("squareness",),
-        correlation=np.eye(1),
-        residual=0.0,
-    )
-    (shape, _) = _shapes(test, diagnosis, np.random.default_rng(1), 4000)
-    at = int(np.argmin(np.abs(test.runs[0].angles - 135.0)))
-    assert np.std(shape[:, at]) == pytest.approx(np.sqrt(2.0) * 10e-6 * 75.0, rel=0.05)
-    both = replace(
-        diagnosis,
-        effects={"squareness": effect, "servo_mismatch": replace(effect, std_error=0.2)},
-        names=("squareness", "servo_mismatch"),
-        correlation=np.array([[1.0, -1.0], [-1.0, 1.0]]),
-    )
-    ccw, cw = _shapes(test, both, np.random.default_rng(1), 4000)
-    # wholly against each other: -sin2θ (5e-6 R + 1e-4 v) z in ccw, the difference in cw
-    ends = [10e-6 * 75.0 + sign * 0.5e-3 * 2000.0 / 60.0 * 0.2 for sign in (1.0, -1.0)]
-    same = int(np.argmin(np.abs(test.runs[1].angles - 135.0)))
-    assert np.std(ccw[:, at]) == pytest.approx(np.sqrt(2.0) * ends[0], rel=0.05)
-    assert np.std(cw[:, same]) == pytest.approx(np.sqrt(2.0) * abs(ends[1]), rel=0.05)

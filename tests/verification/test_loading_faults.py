@@ -26,7 +26,6 @@ from compwright.verification.likelihood import (
 )
 from compwright.verification.loading import judge_loading
 from compwright.verification.views import View, measurement_views, of_other_axis, unit_views
-from compwright.words.sentences import say
 from compwright.workflow.verify.verified_axis import _looks
 from loadings import known, means_of
 
@@ -108,7 +107,7 @@ def judge(
         readings = -readings
     after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
     covariance = np.eye(2 * TARGETS.size) * NOISE**2 / RUNS
-    view = view_of(first, covariance, new, old)
+    view = view_of(first, covariance, new, old, read_back=read_back)
     views = [view, *measurement_views(view)]
     units = unit_views(view, after.sigma / NOISE)
     if read != 1.0:
@@ -119,10 +118,15 @@ def judge(
 
 
 def view_of(
-    first: FloatArray, covariance: FloatArray, new: AxisCompensation, old: AxisCompensation
+    first: FloatArray,
+    covariance: FloatArray,
+    new: AxisCompensation,
+    old: AxisCompensation,
+    *,
+    read_back: bool = False,
 ) -> View:
     others = {"Y": compensation(OTHER, address="Y")}
-    loading = Loading(new=new, old=old, acted=old, others=others)
+    loading = Loading(new=new, old=old, acted=old, others=others, read_back=read_back)
     return View(belief=known(first, covariance), hypotheses=loading_hypotheses(loading, TARGETS))
 
 
@@ -156,6 +160,27 @@ CASES: dict[str, tuple[FloatArray, str]] = {
     "a part": (shown(up_to(9, WAVES, NOTHING), up_to(9, WAVES, NOTHING), LOST), "partial"),
     "the other part": (shown(up_to(9, NOTHING, WAVES), up_to(9, NOTHING, WAVES), LOST), "partial"),
 }
+
+
+EXISTING = np.roll(OTHER, 3)
+WITH_EXISTING: dict[str, tuple[FloatArray, bool, str, str]] = {
+    "the change alone": (shown(WAVES - EXISTING, WAVES - EXISTING, LOST), False, "increment", ""),
+    "on top": (shown(WAVES + EXISTING, WAVES + EXISTING, LOST), False, "on_top", "state"),
+    # the plan is the belief that the existing table was active: what it lacks is the same
+    "it was idle": (shown(WAVES + EXISTING, WAVES + EXISTING, LOST), True, "state", "on_top"),
+    "as planned": (shown(WAVES, WAVES, LOST), False, "loaded", ""),
+    "the existing table": (shown(EXISTING, EXISTING), False, "not_active", ""),
+}
+
+
+@pytest.mark.parametrize("case", WITH_EXISTING)
+def test_faults_with_an_existing_table_are_named(case: str) -> None:
+    acting, read_back, name, equivalent = WITH_EXISTING[case]
+    old = compensation(EXISTING)
+    for seed in range(5):
+        verdict = judge(acting, ONE_TABLE, old, seed=seed, read_back=read_back)
+        assert verdict.verdict == name, verdict.message
+        assert set(verdict.equivalent) == {equivalent} - {""}
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -489,15 +514,10 @@ def test_what_was_read_back_needs_no_second_look() -> None:
     """Values that are the plan's tell a loaded table from one whose values are at fault, not from
     one that does not act."""
     sentences: dict[LoadingName, tuple[str, ...]] = {"loaded": ("save it again",)}
-    part = LoadingVerdict(
-        verdict="loaded", margin=9.0, sentence=say("as_written", text=""), equivalent=("partial",)
-    )
+    part = LoadingVerdict(verdict="loaded", margin=9.0, message="", equivalent=("partial",))
     assert _looks(part, sentences, read_back=False) == ["save it again"]
     assert _looks(part, sentences, read_back=True) == []
     off = LoadingVerdict(
-        verdict="loaded",
-        margin=9.0,
-        sentence=say("as_written", text=""),
-        equivalent=("partial", "not_active"),
+        verdict="loaded", margin=9.0, message="", equivalent=("partial", "not_active")
     )
     assert _looks(off, sentences, read_back=True) == ["save it again"]

@@ -61,7 +61,7 @@ def test_readings_of_the_first_test_are_a_copy_whatever_their_zero(
     fault = measurement_fault(axis_test(TARGETS, positive, negative), FIRST, TRAVEL)
     assert fault is not None
     assert fault.of == "copied"
-    assert words in str(fault.sentence)
+    assert words in fault.message
 
 
 def test_readings_at_other_targets_are_no_copy() -> None:
@@ -86,7 +86,7 @@ def test_the_scatter_of_the_first_test_under_another_error_is_a_copy(sign: float
     assert correlation == pytest.approx(1.0, abs=1e-9)
     fault = measurement_fault(made, FIRST, TRAVEL)
     assert fault is not None
-    assert "run by run (correlation 1.00)" in str(fault.sentence)
+    assert "run by run (correlation 1.00)" in fault.message
 
 
 @pytest.mark.parametrize(
@@ -219,6 +219,20 @@ def test_a_factor_with_a_known_cause_is_named(factor: float, words: str, backlas
         # the largest value of the table is 7 µm, at 350 mm
         assert answer.worst == pytest.approx(abs(factor - 1.0) * 7 * UM)
         assert answer.position == 350.0
+
+
+@pytest.mark.parametrize(("sign", "name"), [(-1.0, "increment"), (1.0, "on_top")])
+def test_the_existing_table_missing_or_twice_is_named(sign: float, name: str) -> None:
+    def existing(where: FloatArray, side: Direction) -> FloatArray:
+        return 4.0 * UM * np.sin(where / 90.0)
+
+    def planned(where: FloatArray, side: Direction) -> FloatArray:
+        return table(positions=where, side=side.sign)
+
+    def loaded(where: FloatArray, side: Direction) -> FloatArray:
+        return planned(where, side) + sign * existing(where, side)
+
+    assert judge_read_back(planned, loaded, existing, NODES, 50.0).verdict == name
 
 
 def rotary(targets: Any, seed: int) -> PositioningTest:

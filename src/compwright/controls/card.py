@@ -26,7 +26,7 @@ from compwright.foundations.units import outside_factor, outside_unit, shown_uni
 from compwright.planning.axes import AxisWork
 from compwright.planning.quick_check import check_positions, moved_by, quick_check
 from compwright.records.axis import Axis, partner_of
-from compwright.records.correction import AxisCompensation, ControlFile
+from compwright.records.correction import AxisCompensation, ControlFile, no_compensation
 from compwright.records.job import Job
 from compwright.records.numbering import NumberedSections
 
@@ -52,7 +52,7 @@ def axis_documents(
             partner,
             (before, _backlash(before, old, partner)),
             (table, _backlash(table, loaded, partner)),
-            typed_backlash(control.definition, partner, card.values),
+            (_typed_before(control, partner, old), _typed(control, partner, card)),
         ),
         "quick_check": [],
         "numbering": _numbering(card.numbered),
@@ -78,7 +78,7 @@ def _axis(
             axis,
             (active, _backlash(active, old, axis)),
             (table, _backlash(table, loaded, axis)),
-            typed_backlash(control.definition, axis, card.values),
+            (_typed_before(control, axis, old), _typed(control, axis, card)),
         ),
         "quick_check": [
             {
@@ -130,14 +130,30 @@ def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) ->
     return own + (in_curves if isinstance(in_curves, float) else 0.0)
 
 
+def _typed(control: Control, axis: Axis, card: AxisCard) -> str:
+    """Return the backlash of a card as the control's parameter."""
+    return typed_backlash(control.definition, axis, card.values)
+
+
+def _typed_before(control: Control, axis: Axis, old: DecodedState) -> str:
+    """Return the backlash that goes back in, as the control's parameter: 0 where nothing was
+    active.
+    """
+    table = old.state.axes.get(axis.address, no_compensation(axis.address, axis.kind))
+    asked = CardRequest(
+        axis=axis, table=table, facts=old.state.facts_of(axis.address), check_at=np.zeros(1)
+    )
+    return _typed(control, axis, control.format.card(asked))
+
+
 def _rows(
     axis: Axis,
     old: tuple[AxisCompensation | None, float],
     new: tuple[AxisCompensation | None, float],
-    typed: str,
+    typed: tuple[str, str],
 ) -> list[dict[str, str]]:
     """Return what changes of a table, each with its unit. ``old``, ``new``: table and backlash;
-    ``typed``: the new backlash as the control's parameter.
+    ``typed``: the old and the new backlash as the control's parameter.
     """
     unit = axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
@@ -162,10 +178,10 @@ def _rows(
         "backlash": "backlash in addition to the table",
     }
     rows = [
-        {"quantity": title, "old": before[key], "new": after[key], "typed": ""}
+        {"quantity": title, "old": before[key], "new": after[key], "typed_old": "", "typed": ""}
         for key, title in titles.items()
     ]
-    rows[-1]["typed"] = typed
+    rows[-1]["typed_old"], rows[-1]["typed"] = typed
     return rows
 
 
@@ -266,8 +282,8 @@ def restore_texts(
     """
     if not files:
         off = (
-            "switch the compensation of these axes off (an empty table, backlash 0), restart and"
-            " reference"
+            "switch the compensation of these axes off as in the steps above (an empty table), set"
+            " the backlash by the parameter in column Old of each axis, restart and reference"
         )
         return [f"The job says that nothing was active. To go back: {off}."]
     names = ", ".join(loading_order(control.definition, files))

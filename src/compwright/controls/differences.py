@@ -108,7 +108,9 @@ def side(
     if not entries:
         raise InputError(*_nothing(control, files))
     files, idle = _with_data(control, files, entries)
-    left = (Finding.of("CW-S082", "info", files=name, idle=idle),) if idle else ()
+    left = (
+        (Finding("CW-S082", "info", f"{name}: no data of the control in {idle}"),) if idle else ()
+    )
     try:
         state, findings = _viewed(control, files, name)
     except (InputError, UsageError) as error:
@@ -138,7 +140,12 @@ def _untold(name: str, what: str, error: InputError | UsageError) -> Finding:
     faults = "; ".join(str(fault) for fault in error.faults[:_MOST_FAULTS])
     more = len(error.faults) - _MOST_FAULTS
     faults += f"; and {more} more" if more > 0 else ""
-    return Finding.of("CW-S080", "warning", files=name, what=what, faults=faults)
+    return Finding(
+        "CW-S080",
+        "warning",
+        f"{name}: what the control makes of {what} is unknown, so only the entries are compared"
+        f" ({faults})",
+    )
 
 
 def _with_data(
@@ -172,10 +179,11 @@ def _viewed(
     try:
         return decode(control, files, address=address).state, ()
     except CompwrightError as error:
-        reading = control.format.for_a_view()
+        reading = control.format.listing.shown(control.format)
         state = reading.read(files, address=address)
         why = "; ".join(str(fault) for fault in error.faults[:1])
-        return state, (Finding.of("CW-S081", "warning", files=name, why=why),)
+        message = f"{name}: corrections are those of one reader alone; the second one says: {why}"
+        return state, (Finding("CW-S081", "warning", message),)
 
 
 def _nothing(control: Control, files: Sequence[ControlFile]) -> list[Fault]:

@@ -11,7 +11,7 @@ ISO 230-4:1996, annex B.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -21,15 +21,21 @@ from compwright.estimation.circle_fit import (
     Fit,
     Problem,
     Weighted,
+    evidence_of,
     fit,
+    path_of,
     problem_of,
-    residual_of,
     spectra_of,
     white,
 )
-from compwright.estimation.circle_lag import Lag, common_lag, corrected, unseen_lag
+from compwright.estimation.circle_lag import Lag, common_lag, corrected, without_lag
 from compwright.estimation.circle_model import AXES, Samples, cyclic_columns, samples_of
-from compwright.estimation.circle_noise import Spectrum, grid_of
+from compwright.estimation.circle_noise import (
+    AngleGrid,
+    Spectrum,
+    grid_of,
+    inverse_cosine_transform,
+)
 from compwright.estimation.circle_path import undetermined_causes
 from compwright.estimation.circle_plain import plain_regression
 from compwright.estimation.circle_report import effects_of
@@ -38,8 +44,15 @@ from compwright.estimation.circle_solution import Solution
 from compwright.estimation.circle_vibration import Vibration, vibration, vibration_columns
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.records.axis import FloatArray
-from compwright.records.circular import CircularRun, CircularTest, Diagnosis, FittedRun
+from compwright.records.circular import (
+    CircularRun,
+    CircularTest,
+    Diagnosis,
+    FittedRun,
+    FreshRun,
+)
 
 #: ISO 230-4 asks for arcs of at least 90°; a shorter one tells hardly anything apart.
 LEAST_ARC: Final = 90.0
@@ -73,13 +86,11 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     _refuse_few(test, samples)
     frequencies, findings = _given(test, samples, periods or {})
     measured, plain, grid = samples, plain_regression(samples), grid_of(samples)
-    lag = common_lag(samples)
+    start, lag = _started(samples, grid)
+    samples = start.problem.samples
     if lag is not None:
-        samples = corrected(samples, lag)
         findings.append(_lag_finding(samples, lag))
-    else:
-        samples = replace(samples, lag_doubt=unseen_lag(samples))
-    solution = _solution(problem_of(samples, grid), frequencies)
+    solution = _solution(start, frequencies)
     effects, correlation, undetermined, noticed = effects_of(
         test, solution, undetermined_causes(test, samples)
     )
@@ -93,7 +104,50 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
         findings=(*findings, *noticed),
         undetermined=undetermined,
         fitted=tuple(_fitted_runs(test, measured, solution.residual)),
+        fresh=_fresh(test, solution),
     )
+
+
+def _fresh(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
+    """Return what a fresh test shows, by run. Samples exactly at a reversal point have no model and
+    are put between their neighbours. The noise has the spectra of the residuals: normal ordinates,
+    and in both directions the sum and the difference of the halves.
+    """
+    problem = solution.problem
+    readings = problem.samples.deviations - problem.target + solution.draws.paths
+    # The angles as they were commanded, before a lag was taken off.
+    theta = problem.samples.theta + problem.samples.sense * problem.samples.lag
+    rng = np.random.default_rng(problem.target.size)
+    where = (np.arange(problem.grid.size) + 0.5) * test.arc[1] / problem.grid.size
+    drawn_halves = {
+        number: [
+            [
+                inverse_cosine_transform(
+                    np.sqrt(spectrum.density) * rng.standard_normal(problem.grid.size)
+                )
+                for spectrum in solution.fitted.spectra
+            ]
+            for _ in readings
+        ]
+        for number in dict.fromkeys(run.number for run in test.runs)
+    }
+    runs = []
+    for index, run in enumerate(test.runs):
+        mine = np.flatnonzero(problem.samples.run == index)
+        at = mine[np.argsort(theta[mine])]
+        paths = [np.interp(run.angles, np.degrees(theta[at]), each[at]) for each in readings]
+        sign = 1.0 if run.sense == "ccw" else -1.0
+        place = np.mod(run.angles - test.arc[0], 360.0)
+        noise = [
+            np.interp(
+                place,
+                where,
+                halves[0] if len(halves) == 1 else (halves[0] + sign * halves[1]) / np.sqrt(2.0),
+            )
+            for halves in drawn_halves[run.number]
+        ]
+        runs.append(FreshRun(run.angles, np.array(paths), np.array(noise)))
+    return tuple(runs)
 
 
 def _fitted_runs(
@@ -151,7 +205,9 @@ def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
     ]
     raise_all(UsageError, faults)
     wrong = []
-    if not test.arc[1] >= LEAST_ARC:
+    # Samples between which 90° lie span one of their distances less.
+    count = max((run.angles.size for run in test.runs), default=0)
+    if not test.arc[1] * (1.0 + 1.0 / max(count - 1, 1)) >= LEAST_ARC - 1e-6:
         wrong.append(
             Fault(
                 message="the arc is too short",
@@ -223,28 +279,68 @@ def _given(
         if least <= period <= most:
             frequencies["first" if axis == test.axes[0] else "second"] = 1.0 / period
         else:
-            findings.append(
-                Finding.of("CW-D009", "warning", period=period, axis=axis, least=least, most=most)
+            message = (
+                f"a period of {period:g} mm along {axis} cannot be seen: the samples show periods"
+                f" of {significant(least, 3)} to {most:g} mm"
             )
+            findings.append(Finding("CW-D009", "warning", message))
     return frequencies, findings
 
 
 def _lag_finding(samples: Samples, lag: Lag) -> Finding:
     time = 1e3 * lag.angle * samples.radius / samples.speed
     doubt = 1e3 * lag.doubt * samples.radius / samples.speed
-    return Finding.of("CW-D011", "info", lag=time, error=doubt)
+    message = (
+        f"the axes reverse {time:.1f} ± {doubt:.1f} ms after their commands; the angles were"
+        " corrected by that"
+    )
+    return Finding("CW-D011", "info", message)
 
 
-def _solution(problem: Problem, given: dict[str, float]) -> Solution:
+@dataclass(frozen=True, slots=True)
+class _Start:
+    """A problem with the likeliest shapes of its reversals and their fit."""
+
+    problem: Problem
+    shapes: Shapes
+    fitted: Fit
+
+
+def _started(samples: Samples, grid: AngleGrid) -> tuple[_Start, Lag | None]:
+    """Return the start with the common lag that explains the samples better, or without one.
+
+    Lost motion that is taken up while an axis stands still looks like a lag beside the reversal
+    points: the evidence of the whole model decides.
+    """
+
+    def started(of: Samples) -> _Start:
+        problem = problem_of(of, grid)
+        shapes = Shapes(problem)
+        return _Start(problem, shapes, _settled(problem, shapes, white(problem)))
+
+    without = started(without_lag(samples))
+    lag = common_lag(samples)
+    if lag is None:
+        return without, None
+    late = started(corrected(samples, lag))
+    better, worse = (
+        evidence_of(each.fitted, each.shapes.precision) + each.shapes.log_prior
+        for each in (late, without)
+    )
+    return (late, lag) if better > worse else (without, None)
+
+
+def _solution(start: _Start, given: dict[str, float]) -> Solution:
     """Return the solution after everything was sought: noise, shapes of the reversals, cyclic
     errors, vibration, and the noise again.
     """
     frequencies = dict(given)
+    problem, shapes, fitted = start.problem, start.shapes, start.fitted
     for axis, frequency in given.items():
         columns = cyclic_columns(problem.samples, axis, frequency, (0.0, 0.0))
         problem = problem.with_columns([c for c in columns if not c.name.startswith("_frequency")])
-    shapes = Shapes(problem)
-    fitted = _settled(problem, shapes, white(problem))
+    if given:
+        fitted = _settled(problem, shapes, fitted.spectra)
     found = search(problem, fitted, [axis for axis in AXES if axis not in frequencies])
     while found.found:
         for axis, frequency in found.found.items():
@@ -277,7 +373,7 @@ def _settled(problem: Problem, shapes: Shapes, spectra: tuple[Spectrum, ...]) ->
     for _ in range(_NOISE_ROUNDS):
         weighted = Weighted(problem, spectra)
         likeliest(weighted, shapes)
-        fitted = fit(weighted, shapes.active())
+        fitted = fit(weighted, shapes.active(), shapes.precision)
         last, spectra = spectra, spectra_of(fitted)
         changes = [
             abs(np.log(new.density[0] / old.density[0]))
@@ -301,7 +397,8 @@ def _tuned(
         problem = problem.with_columns(fixed)
         shapes.adopt(problem)
         active = shapes.active()
-        values = fit(Weighted(problem, fitted.spectra, active), active).values
+        weighted = Weighted(problem, fitted.spectra, active)
+        values = fit(weighted, active, shapes.precision).values
         found = dict(zip(active.tolist(), values.tolist(), strict=True))
         value = {name: found.get(index, 0.0) for index, name in enumerate(problem.names)}
         amplitudes = value[f"_cyclic_cos_{axis}"], value[f"_cyclic_sin_{axis}"]
@@ -313,7 +410,8 @@ def _without_vibration(
     problem: Problem, shapes: Shapes, fitted: Fit
 ) -> tuple[Problem, Fit, Vibration]:
     """Return problem and fit with the clearest vibration, if one was found."""
-    found = vibration(problem, residual_of(problem, fitted))
+    rest = problem.target - path_of(problem, fitted.active, fitted.values)
+    found = vibration(problem, rest)
     if found.frequency is not None:
         problem = problem.with_columns(vibration_columns(problem.samples, found.frequency))
         fitted = _settled(problem, shapes, fitted.spectra)

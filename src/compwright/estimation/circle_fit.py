@@ -18,9 +18,11 @@ from compwright.estimation.circle_centre import recentre
 from compwright.estimation.circle_model import (
     AXES,
     ENDS,
+    UM,
     CauseColumn,
     Samples,
     SpikeShape,
+    TakeUp,
     fixed_columns,
     lag_column,
     spike_column,
@@ -36,23 +38,30 @@ from compwright.records.axis import FloatArray
 
 #: Shortest length of a reversal spike in samples and in seconds, longest as a share of the radius,
 #: and the ratio of two lengths.
-_SHORTEST: Final = 0.4
+_SHORTEST: Final = 0.3
 _QUICKEST: Final = 0.004
 _LONGEST: Final = 0.25
 _RATIO: Final = 1.3
+#: Lost motion that is taken up while the axis stands still, um: least and most, and the ratio of
+#: two lengths.
+_TAKEN: Final = (0.2, 30.0)
+_TAKEN_RATIO: Final = 1.35
+#: A take-up shorter than this, in samples, is over before it is seen.
+_SEEN: Final = 0.6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Reversal:
     """The reversal point of an axis at one end of its travel, and the columns of its spikes.
 
-    ``shapes`` (m,): what they are; ``alike`` (m,) and ``unlike`` (m,): indices of the columns that
-    have the same sign in both directions, and of those that change it (none with one direction).
+    ``shapes`` (m,): what they are, spikes before take-ups; ``alike`` (m,) and ``unlike`` (m,):
+    indices of the columns that have the same sign in both directions, and of those that change it
+    (none with one direction).
     """
 
     axis: str
     end: str
-    shapes: tuple[SpikeShape, ...]
+    shapes: tuple[SpikeShape | TakeUp, ...]
     alike: IndexArray
     unlike: IndexArray
 
@@ -186,12 +195,13 @@ def _reversals(samples: Samples, first: int) -> tuple[tuple[Reversal, ...], list
     if least >= most:
         return (), []
     count = int(np.ceil(np.log(most / least) / np.log(_RATIO))) + 1
-    shapes = tuple(
+    spikes = [
         SpikeShape(float(length), rising)
         for rising in (False, True)
         for length in np.geomspace(least, most, count)
         if not (rising and length < spacing)
-    )
+    ]
+    shapes = (*spikes, *_take_ups(samples.radius, spacing))
     places = [
         (axis, end)
         for axis in AXES
@@ -214,6 +224,15 @@ def _reversals(samples: Samples, first: int) -> tuple[tuple[Reversal, ...], list
     return found, columns
 
 
+def _take_ups(radius: float, spacing: float) -> list[TakeUp]:
+    least, most = (float(np.sqrt(2.0 * UM * lost * radius)) for lost in _TAKEN)
+    least = max(least, _SEEN * spacing)
+    if least >= most:
+        return []
+    count = int(np.ceil(np.log(most / least) / np.log(_TAKEN_RATIO))) + 1
+    return [TakeUp(float(length)) for length in np.geomspace(least, most, count)]
+
+
 def spacing_of(samples: Samples) -> float:
     """Return the arc from one sample of a run to the next, mm."""
     runs = np.unique(samples.run).size
@@ -223,7 +242,7 @@ def spacing_of(samples: Samples) -> float:
 class Weighted:
     """The problem weighted by spectra: its normal equations, mm and the columns' units.
 
-    ``gram`` (k, k) without priors, ``right`` (k,), ``precision`` (k,) of the priors.
+    ``gram`` (k, k) without priors, ``right`` (k,).
     """
 
     def __init__(
@@ -240,34 +259,34 @@ class Weighted:
             block += scaled.T @ scaled
             self.right[chosen] += scaled.T @ (aim * root)
         self.gram[np.ix_(chosen, chosen)] = block
-        self.precision = problem.widths**-2.0
 
     def without(self, always: IndexArray) -> Marginal:
         """Return the normal equations with the columns ``always`` integrated under their priors
         (Schur complement).
         """
-        normal = self.gram[np.ix_(always, always)] + np.diag(self.precision[always])
+        prior = self.problem.widths[always] ** -2.0
+        normal = self.gram[np.ix_(always, always)] + np.diag(prior)
         shared = inverse_of(normal) @ np.column_stack([self.gram[always], self.right[always]])
         return Marginal(
             self.gram - self.gram[:, always] @ shared[:, :-1],
             self.right - self.gram[:, always] @ shared[:, -1],
-            self.precision,
         )
 
-    def posterior(self, active: IndexArray) -> tuple[FloatArray, FloatArray]:
-        """Return mean (a,) and covariance (a, a) of the ``active`` columns, the others being 0."""
-        normal = self.gram[np.ix_(active, active)] + np.diag(self.precision[active])
+    def posterior(self, active: IndexArray, precision: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return mean (a,) and covariance (a, a) of the ``active`` columns, the others being 0.
+        ``precision`` (k,): of the priors of all columns.
+        """
+        normal = self.gram[np.ix_(active, active)] + np.diag(precision[active])
         covariance = inverse_of(normal)
         return covariance @ self.right[active], covariance
 
 
 @dataclass(frozen=True, slots=True)
 class Marginal:
-    """Normal equations ``gram`` (k, k), ``right`` (k,) and ``precision`` of the priors (k,)."""
+    """Normal equations ``gram`` (k, k) without priors and ``right`` (k,)."""
 
     gram: FloatArray
     right: FloatArray
-    precision: FloatArray
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -286,9 +305,9 @@ class Fit:
     spectra: tuple[Spectrum, ...]
 
 
-def fit(weighted: Weighted, active: IndexArray) -> Fit:
-    """Return the fit of the ``active`` columns."""
-    values, covariance = weighted.posterior(active)
+def fit(weighted: Weighted, active: IndexArray, precision: FloatArray) -> Fit:
+    """Return the fit of the ``active`` columns; ``precision`` (k,) of the priors of all."""
+    values, covariance = weighted.posterior(active, precision)
     problem = weighted.problem
     rows = tuple(half[:, active] for half in problem.rows)
     return Fit(
@@ -300,6 +319,21 @@ def fit(weighted: Weighted, active: IndexArray) -> Fit:
         rest=tuple(aim - half @ values for aim, half in zip(problem.aims, rows, strict=True)),
         spectra=weighted.spectra,
     )
+
+
+def evidence_of(found: Fit, precision: FloatArray) -> float:
+    """Return the logarithm of the probability of the readings with the values of a fit integrated
+    under their priors of ``precision`` (k,), and its noise as it is (Whittle 1953; MacKay, Neural
+    Computation 4, 1992).
+    """
+    prior = precision[found.active]
+    unit = np.sqrt(prior)
+    volume = np.linalg.slogdet(found.covariance * np.outer(unit, unit))[1]
+    noise = sum(
+        float(np.sum(np.log(spectrum.density) + rest**2 / spectrum.density))
+        for rest, spectrum in zip(found.rest, found.spectra, strict=True)
+    )
+    return float(0.5 * volume - 0.5 * np.sum(prior * found.values**2) - 0.5 * noise)
 
 
 def white(problem: Problem) -> tuple[Spectrum, ...]:
@@ -318,17 +352,19 @@ def spectra_of(found: Fit) -> tuple[Spectrum, ...]:
     return tuple(spectra)
 
 
-def residual_of(problem: Problem, found: Fit) -> FloatArray:
-    """Return what a fit leaves of every sample, mm (n,)."""
-    values = np.zeros(problem.widths.size)
-    values[found.active] = found.values
+def path_of(problem: Problem, active: IndexArray, values: FloatArray) -> FloatArray:
+    """Return the readings, made linear, that ``values`` (a,) of the ``active`` columns give, mm
+    (n,).
+    """
+    every = np.zeros(problem.widths.size)
+    every[active] = values
     count, half = len(problem.names), problem.spikes.shape[1]
-    plain, alike, unlike = np.split(values, [count, count + half])
+    plain, alike, unlike = np.split(every, [count, count + half])
     spikes = problem.spikes @ alike
     if unlike.size:
         spikes = spikes + problem.samples.sense * (problem.spikes @ unlike)
-    rest: FloatArray = problem.target - problem.slopes @ plain - spikes
-    return rest
+    path: FloatArray = problem.slopes @ plain + spikes
+    return path
 
 
 def inverse_of(normal: FloatArray) -> FloatArray:

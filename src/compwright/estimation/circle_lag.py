@@ -48,22 +48,17 @@ def common_lag(samples: Samples) -> Lag | None:
     None. Angles whose weighted squares differ by less than 9 (three standard errors) count as equal
     (Seber and Wild 1989, chapter 9).
     """
-    per_run = samples.theta.size / np.unique(samples.run).size
-    spacing = samples.arc[1] / per_run
-    most = samples.speed / (SOFTEST_LOOP * samples.radius) * 1.3 + spacing
-    count = int(np.ceil(most / spacing))
-    windows = _windows(samples, _BESIDE + count)
+    spacing, windows, angles, none = _profile(samples)
     if not len(windows):
         return None
-    angles = np.arange(-count, count + 1, dtype=np.float64) * spacing
     squares, freedom = _squares(windows, angles)
-    none, best = float(squares[count]), float(angles[np.argmin(squares)])
+    best = float(angles[np.argmin(squares)])
     near: FloatArray = best + np.linspace(-spacing, spacing, 2 * _STEPS_PER_SAMPLE + 1)
-    squares, freedom = _squares(windows, near)
-    unit = max(float(np.min(squares)) / freedom, _FLOOR**2)
-    if (none - float(np.min(squares))) / unit < _CLEAR:
+    found, freedom = _squares(windows, near)
+    unit = max(float(np.min(found)) / freedom, _FLOOR**2)
+    if (float(squares[none]) - float(np.min(found))) / unit < _CLEAR:
         return None
-    equal = near[squares <= np.min(squares) + _EQUAL * unit]
+    equal = near[found <= np.min(found) + _EQUAL * unit]
     # Samples fall at steps: between two of them every angle is as good.
     low, high = float(equal[0]), float(equal[-1])
     return Lag(0.5 * (low + high), max(0.5 * (high - low), 0.5 * spacing / _STEPS_PER_SAMPLE))
@@ -73,14 +68,40 @@ def corrected(samples: Samples, lag: Lag) -> Samples:
     """Return the samples at the angles where the axes are, not where they were told to be: behind
     by ``lag.angle`` in the sense of the run.
     """
-    return replace(samples, theta=samples.theta - samples.sense * lag.angle, lag_doubt=lag.doubt)
+    return replace(
+        samples,
+        theta=samples.theta - samples.sense * lag.angle,
+        lag=lag.angle,
+        lag_doubt=lag.doubt,
+    )
 
 
-def unseen_lag(samples: Samples) -> float:
-    """Return how late the axes may reverse, rad, where no lag was found: half the distance of two
-    samples, within which a step looks the same.
+def without_lag(samples: Samples) -> Samples:
+    """Return the samples with how late the axes may reverse though no lag was found: the largest
+    angle that explains the samples beside the reversal points as well as none, and at least half
+    the distance of two samples, within which a step looks the same.
     """
-    return float(0.5 * samples.arc[1] * np.unique(samples.run).size / samples.theta.size)
+    spacing, windows, angles, none = _profile(samples)
+    if not len(windows):
+        return replace(samples, lag_doubt=0.5 * spacing)
+    squares, freedom = _squares(windows, angles)
+    unit = max(float(np.min(squares)) / freedom, _FLOOR**2)
+    equal = angles[squares <= squares[none] + _EQUAL * unit]
+    most = max(float(equal[-1]), 0.0) + 0.5 * spacing
+    # Uniform up to that: its standard deviation about zero (JCGM 100:2008, eq. 7).
+    return replace(samples, lag_doubt=max(most / np.sqrt(3.0), 0.5 * spacing))
+
+
+def _profile(samples: Samples) -> tuple[float, FloatArray, FloatArray, int]:
+    """Return the angle between two samples, the windows beside the reversal points, the angles at
+    which the axes may reverse, rad (a,), and the index of zero among them.
+    """
+    per_run = samples.theta.size / np.unique(samples.run).size
+    spacing = samples.arc[1] / per_run
+    most = samples.speed / (SOFTEST_LOOP * samples.radius) * 1.3 + spacing
+    count = int(np.ceil(most / spacing))
+    windows = _windows(samples, _BESIDE + count)
+    return spacing, windows, np.arange(-count, count + 1, dtype=np.float64) * spacing, count
 
 
 def _windows(samples: Samples, half: int) -> FloatArray:

@@ -77,8 +77,8 @@ _AT_REVERSAL: Final = 1e-6
 class Samples:
     """All samples of a test. ``theta`` (n,) rad, commanded; ``sense`` (n,) +1 ccw, -1 cw;
     ``deviations`` (n,) mm; ``run`` (n,) index of the traverse. ``radius`` mm, ``speed`` mm/s,
-    ``arc`` start and extent in rad. ``lag_doubt`` rad: how far a common lag, already taken off
-    ``theta``, may still be wrong; 0 when none was taken off."""
+    ``arc`` start and extent in rad. ``lag`` rad: common lag already taken off ``theta``, 0 where
+    none was found; ``lag_doubt`` how far it may be wrong."""
 
     theta: FloatArray
     sense: FloatArray
@@ -87,6 +87,7 @@ class Samples:
     radius: float
     speed: float
     arc: tuple[float, float]
+    lag: float = 0.0
     lag_doubt: float = 0.0
 
     @property
@@ -276,7 +277,21 @@ class SpikeShape:
         return shape
 
 
-def spike_column(samples: Samples, axis: str, end: str, shape: SpikeShape) -> CauseColumn:
+@dataclass(frozen=True, slots=True)
+class TakeUp:
+    """Lost motion while it is taken up: the axis stands still from its reversal until the command
+    has passed it, travelled = arc² / 2R, that is over ``length`` mm of arc. 1 at the reversal.
+    """
+
+    length: float
+
+    def __call__(self, arc: FloatArray) -> FloatArray:
+        """Return the share not yet taken up after ``arc`` mm (n,)."""
+        left: FloatArray = np.maximum(1.0 - (arc / self.length) ** 2, 0.0)
+        return left
+
+
+def spike_column(samples: Samples, axis: str, end: str, shape: SpikeShape | TakeUp) -> CauseColumn:
     """Return 1 um outward after the reversals of an axis at one ``end``, in both directions (ISO
     230-4:1996, B.3.1).
     """

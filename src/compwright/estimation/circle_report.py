@@ -11,6 +11,7 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.circle_findings import findings_of
+from compwright.estimation.circle_fit import spacing_of
 from compwright.estimation.circle_model import AXES, ENDS, SOFTEST_LOOP, UM, Samples, prior_of
 from compwright.estimation.circle_path import FULL_CIRCLE
 from compwright.estimation.circle_reversal import SpikeDraws
@@ -43,6 +44,8 @@ _ENDS_DIFFER: Final = 1.0
 _NO_SPIKE: Final = 5.0
 #: How slow instrument and drive may be, s: a spike is higher than it shows by this over its decay.
 _RESPONSE: Final = 0.003
+#: The same in samples: instruments filter at about the rate at which they sample.
+_FILTER: Final = 0.3
 #: How far the bandwidth of the instrument may change the amplitude of a vibration, relative.
 _BANDWIDTH: Final = 0.03
 
@@ -159,7 +162,7 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
         return _linear(solution, name, parts, detail=detail)
 
     yield linear("squareness", {"squareness": 1.0})
-    yield linear("scale_mismatch", {"scale_mismatch": 1.0})
+    yield _scale_mismatch(solution)
     if test.calibrated:
         yield from _scale_errors(solution)
     lost = {axis: _lost_motion_parts(solution, axis) for axis in AXES}
@@ -223,6 +226,28 @@ def _lost_motion_parts(solution: Solution, axis: str) -> dict[str, float]:
     return {f"backlash_{axis}": 1.0}
 
 
+def _scale_mismatch(solution: Solution) -> _ReportedCause:
+    """Return the scale mismatch without what unequal lags do to it: a first-order lag T shrinks its
+    axis by (ωT)² / 2, so that a mean lag of angle a and a servo mismatch τ leave -2 a v τ over the
+    diameter; a dead time leaves nothing. Half of it is taken off, uniform between both.
+    """
+    samples = solution.problem.samples
+    cause = _linear(solution, "scale_mismatch", {"scale_mismatch": 1.0})
+    if not samples.both_senses:
+        return cause
+    names = solution.problem.names
+    drawn = solution.draws.values[:, names.index("servo_mismatch")]
+    mismatch = float(np.mean(drawn))
+    most = 2.0 * samples.speed * (samples.lag + samples.lag_doubt) * mismatch
+    off = samples.speed * samples.lag * drawn
+    return replace(
+        cause,
+        value=cause.value + float(np.mean(off)),
+        drawn=cause.drawn + off,
+        variance=cause.variance + most**2 / 12.0,
+    )
+
+
 def _scale_errors(solution: Solution) -> Iterator[_ReportedCause]:
     """Yield e_x and e_y, um/m: the mean radius deviation over R plus and minus a quarter of the
     mismatch over R.
@@ -259,8 +284,9 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
         value=float(np.mean([end.value for end in ends])),
         drawn=np.mean([end.drawn for end in ends], axis=0),
         curve=np.sum([end.curve for end in ends], axis=0),
-        positive=True,
-        variance=float(np.sum([end.variance for end in ends])) / len(ends) ** 2,
+        positive=all(end.positive for end in ends),
+        # Bandwidth and sampling do the same to both ends.
+        variance=float(np.mean([np.sqrt(end.variance) for end in ends])) ** 2,
         reason=next((end.reason for end in ends if end.reason), "")
         or (
             ""
@@ -278,7 +304,8 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
 def _spike(
     solution: Solution, spike: SpikeDraws, index: int | None = None, suffix: str = ""
 ) -> _ReportedCause:
-    """Return the spike of one reversal point, in both directions or the one of ``index``.
+    """Return the spike of one reversal point, in both directions or the one of ``index``: outward
+    positive, negative where the axis is inside after its reversal.
 
     Its variance holds what the samples cannot tell: how far before the first sample the axis
     reversed (lag), whether the rise belongs to the spike or to the bandwidth of the instrument, and
@@ -287,15 +314,20 @@ def _spike(
     samples = solution.problem.samples
     pick = slice(None) if index is None else slice(index, index + 1)
     heights = np.mean(spike.heights[:, pick], axis=1)
-    inward = float(np.mean(spike.depths[:, pick])) > 2.0 * float(np.mean(heights))
-    value = 0.0 if inward else float(np.mean(heights))
-    decay = np.where(spike.decay > 0.0, spike.decay, np.inf)
-    late = np.hypot(samples.lag_doubt * samples.radius, _RESPONSE * samples.speed) / decay
+    depths = np.mean(spike.depths[:, pick], axis=1)
     slow = np.mean(spike.extrapolated[:, pick], axis=1)
+    doubt = np.hypot(np.std(depths), (1.0 - spike.there) * spike.least_error)
+    if float(np.mean(depths)) > 2.0 * max(float(np.mean(heights)), float(doubt)):
+        heights = slow = -depths
+    value = float(np.mean(heights))
+    decay = np.where(spike.decay > 0.0, spike.decay, np.inf)
+    response = max(_RESPONSE * samples.speed, _FILTER * spacing_of(samples))
+    late = np.hypot(samples.lag_doubt * samples.radius, response) / decay
     variance = (
         float(np.mean((heights * late) ** 2)) / 3.0
         + float(np.mean((slow - heights) ** 2)) / 12.0
-        + (1.0 if inward else 1.0 - spike.there) * spike.least_error**2
+        + float(np.mean(spike.unseen[:, pick] ** 2)) / 12.0
+        + (1.0 - spike.there) * spike.least_error**2
     )
     error = float(np.sqrt(np.var(heights) + variance))
     axis, end = spike.reversal.axis, spike.reversal.end
@@ -312,15 +344,15 @@ def _spike(
         name=f"reversal_spike_{axis}_at_{end}{suffix}",
         value=value,
         drawn=heights,
-        curve=curve if value > 0.0 else np.zeros_like(curve),
+        curve=curve,
         detail=True,
-        positive=True,
+        positive=value >= 0.0,
         variance=variance,
         more=more,
         reason=(
             "the samples after the reversal are too few to tell a spike from lost motion: sample"
             " faster or lower the feed"
-            if error > max(_NO_SPIKE, value)
+            if error > max(_NO_SPIKE, abs(value))
             else ""
         ),
     )

@@ -18,13 +18,24 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_fit import Marginal, Problem, Reversal, Weighted, spacing_of
-from compwright.estimation.circle_model import RARE
+from compwright.estimation.circle_fit import (
+    Marginal,
+    Problem,
+    Reversal,
+    Weighted,
+    path_of,
+    spacing_of,
+)
+from compwright.estimation.circle_model import RARE, UM, SpikeShape, TakeUp
 from compwright.estimation.circle_noise import IndexArray
 from compwright.records.axis import FloatArray
 
-#: Decays that a spike may be the sum of.
-SLOTS: Final = 2
+#: Decays that a spike may be the sum of, and the slot of the take-up of lost motion.
+_DECAYS: Final = 2
+SLOTS: Final = _DECAYS + 1
+#: Standard deviations of the amplitudes of a decay or take-up, um, equally probable: a single wide
+#: one would make small ones improbable (Bartlett, Biometrika 44, 1957).
+_SIZES: Final = np.array([0.4, 2.0, 10.0])
 #: Prior probability that a decay is there, and that the two directions differ in it.
 _THERE: Final = 0.5
 _UNLIKE: Final = 0.1
@@ -36,8 +47,11 @@ _SWEEPS: Final = 40
 _ROUNDING: Final = 1e-10
 #: Rare causes are drawn in every so many sweeps.
 _RARELY: Final = 3
-#: Time in which a reversal spike usually dies out, s.
-_USUAL: Final = 0.03
+#: Times in which reversal spikes usually die out, s, how many of them are tried, and how high, um,
+#: one may be that is not seen.
+_USUAL: Final = (0.015, 0.15)
+_TIMES: Final = 5
+_HIDDEN: Final = 4.0
 #: Pairs of draws of the causes for each drawn choice of shapes.
 _PAIRS: Final = 6
 
@@ -49,13 +63,17 @@ class Shapes:
 
     def __init__(self, problem: Problem) -> None:
         self.present = dict.fromkeys(RARE, True)
+        self.place = np.full((len(problem.reversals), SLOTS), -1)
+        self.unlike = np.zeros((len(problem.reversals), SLOTS), dtype=bool)
+        self.size = np.zeros((len(problem.reversals), SLOTS), dtype=np.intp)
         self.adopt(problem)
-        self.place = np.full((len(self.reversals), SLOTS), -1)
-        self.unlike = np.zeros((len(self.reversals), SLOTS), dtype=bool)
 
     def adopt(self, problem: Problem) -> None:
         """Keep the shapes for a problem with other columns."""
         self.reversals = problem.reversals
+        self.precision = problem.widths**-2.0
+        for slot in self.slots():
+            self.precision[self.columns(*slot)] = _SIZES[self.size[slot]] ** -2.0
         self.count = len(problem.names)
         self.always = np.array([i for i, n in enumerate(problem.names) if n not in RARE])
         self.rare = {n: i for i, n in enumerate(problem.names) if n in RARE}
@@ -84,6 +102,29 @@ class Shapes:
         """Return all columns in the model."""
         return np.concatenate([self.always, self.chosen()])
 
+    def options(self, reversal: int, slot: int) -> IndexArray:
+        """Return which shapes of a reversal point a slot may have."""
+        here = self.reversals[reversal].shapes
+        wanted = [isinstance(shape, TakeUp) == (slot >= _DECAYS) for shape in here]
+        return np.flatnonzero(wanted)
+
+    @property
+    def log_prior(self) -> float:
+        """The logarithm of the prior probability of the shapes and rare causes in the model."""
+        total = 0.0
+        for reversal, slot in self.slots():
+            count = self.options(reversal, slot).size * _SIZES.size
+            if self.place[reversal, slot] < 0:
+                total += float(np.log(1.0 - _THERE)) if count else 0.0
+                continue
+            total += float(np.log(_THERE / count))
+            if self.reversals[reversal].unlike.size:
+                unlike = self.unlike[reversal, slot]
+                total += float(np.log(_UNLIKE if unlike else 1.0 - _UNLIKE))
+        for name in self.rare:
+            total += float(np.log(RARE[name] if self.present[name] else 1.0 - RARE[name]))
+        return total
+
     def slots(self) -> Iterator[tuple[int, int]]:
         """Yield every reversal point and slot."""
         for slot in range(SLOTS):
@@ -108,31 +149,36 @@ def likeliest(weighted: Weighted, shapes: Shapes) -> None:
 
 
 def _set(shapes: Shapes, reversal: int, slot: int, option: int) -> None:
-    count = len(shapes.reversals[reversal].shapes)
-    shapes.place[reversal, slot] = -1 if option == 0 else (option - 1) % count
-    shapes.unlike[reversal, slot] = option > count
+    """Give a slot one of the options of `_evidence`."""
+    options = shapes.options(reversal, slot)
+    if option == 0:
+        shapes.place[reversal, slot] = -1
+        return
+    unlike, size, place = np.unravel_index(option - 1, (2, _SIZES.size, options.size))
+    shapes.place[reversal, slot] = options[place]
+    shapes.unlike[reversal, slot], shapes.size[reversal, slot] = bool(unlike), size
+    shapes.precision[shapes.columns(reversal, slot)] = _SIZES[size] ** -2.0
 
 
 def _added(
-    marginal: Marginal, chosen: IndexArray, tried: IndexArray
+    marginal: Marginal, shapes: Shapes, chosen: IndexArray, tried: IndexArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return what columns ``tried`` (t,) find left beside the ``chosen`` ones: right side (t,),
-    weight (t,) with their prior, and the inner products (c, t) of what the chosen ones take of them
-    (columns added to a regression with normal priors: Seber and Lee, Linear Regression Analysis,
-    2nd ed. 2003, section 3.7).
+    weight (t,) without their priors, and the inner products (c, t) of what the chosen ones take of
+    them (columns added to a regression with normal priors: Seber and Lee, Linear Regression
+    Analysis, 2nd ed. 2003, section 3.7).
     """
-    prior = marginal.precision[tried]
     weight = marginal.gram[tried, tried]
     if not chosen.size:
-        return marginal.right[tried], np.maximum(weight, 0.0) + prior, np.zeros((0, tried.size))
+        return marginal.right[tried], np.maximum(weight, 0.0), np.zeros((0, tried.size))
     normal = marginal.gram[np.ix_(chosen, chosen)]
-    normal.flat[:: chosen.size + 1] += marginal.precision[chosen]
+    normal.flat[:: chosen.size + 1] += shapes.precision[chosen]
     unit = 1.0 / np.sqrt(np.diag(normal))
     root = np.linalg.cholesky(normal * np.outer(unit, unit) + _ROUNDING * np.eye(unit.size))
     both = np.column_stack([marginal.gram[np.ix_(chosen, tried)], marginal.right[chosen]])
     inner = np.linalg.solve(root, both * unit[:, np.newaxis])
     known = inner[:, :-1]
-    weight = np.maximum(weight - np.sum(known**2, axis=0), 0.0) + prior
+    weight = np.maximum(weight - np.sum(known**2, axis=0), 0.0)
     return marginal.right[tried] - known.T @ inner[:, -1], weight, known
 
 
@@ -141,36 +187,43 @@ def _odds(marginal: Marginal, shapes: Shapes, name: str) -> tuple[float, float]:
     then has in its unit.
     """
     column = shapes.rare[name]
-    rest, weight, _ = _added(marginal, shapes.chosen(name), np.array([column]))
-    gain = 0.5 * rest**2 / weight - 0.5 * np.log(weight / marginal.precision[column])
+    rest, found, _ = _added(marginal, shapes, shapes.chosen(name), np.array([column]))
+    weight = found + shapes.precision[column]
+    gain = 0.5 * rest**2 / weight - 0.5 * np.log(weight / shapes.precision[column])
     odds = RARE[name] / (1.0 - RARE[name])
     return float(np.log(odds) + gain[0]), float(1.0 / np.sqrt(weight[0]))
 
 
 def _evidence(marginal: Marginal, shapes: Shapes, reversal: int, slot: int) -> FloatArray:
-    """Return the logarithm of prior times evidence of every option of a slot: no spike, each shape
-    alike in both directions, each shape with a difference (1 + 2 m,); with one direction (1 + m,).
+    """Return the logarithm of prior times evidence of every option of a slot: nothing, each size
+    and shape alike in both directions, each with a difference (1 + 2 s m,); with one direction
+    (1 + s m,).
     """
-    here = shapes.reversals[reversal]
-    tried = np.concatenate([here.alike, here.unlike])
-    rest, weight, known = _added(marginal, shapes.chosen((reversal, slot)), tried)
-    prior = marginal.precision[tried]
-    count = here.alike.size
-    alike = 0.5 * rest[:count] ** 2 / weight[:count] - 0.5 * np.log(weight[:count] / prior[:count])
-    there = np.log(_THERE / count)
+    here, options = shapes.reversals[reversal], shapes.options(reversal, slot)
+    if not options.size:
+        return np.zeros(1)
+    count, prior = options.size, (_SIZES**-2.0)[:, np.newaxis]
+    tried = np.concatenate([here.alike[options], here.unlike[options if here.unlike.size else []]])
+    rest, found, known = _added(marginal, shapes, shapes.chosen((reversal, slot)), tried)
+    weight = found[:count] + prior
+    alike = 0.5 * rest[:count] ** 2 / weight - 0.5 * np.log(weight / prior)
+    # Two slots with one shape are one decay of another size.
+    others = [int(shapes.place[reversal, each]) for each in range(SLOTS) if each != slot]
+    alike[:, np.isin(options, others)] = -np.inf
+    there = np.log(_THERE / alike.size)
     if not here.unlike.size:
-        return np.concatenate([[np.log(1.0 - _THERE)], there + alike])
-    cross = marginal.gram[here.alike, here.unlike] - np.sum(
+        return np.concatenate([[np.log(1.0 - _THERE)], there + alike.ravel()])
+    cross = marginal.gram[tried[:count], tried[count:]] - np.sum(
         known[:, :count] * known[:, count:], axis=0
     )
-    left = np.maximum(weight[count:] - cross**2 / weight[:count], prior[count:])
-    more = rest[count:] - cross / weight[:count] * rest[:count]
-    unlike = alike + 0.5 * more**2 / left - 0.5 * np.log(left / prior[count:])
+    left = np.maximum(found[count:] - cross**2 / weight, 0.0) + prior
+    more = rest[count:] - cross / weight * rest[:count]
+    unlike = alike + 0.5 * more**2 / left - 0.5 * np.log(left / prior)
     return np.concatenate(
         [
             [np.log(1.0 - _THERE)],
-            there + np.log(1.0 - _UNLIKE) + alike,
-            there + np.log(_UNLIKE) + unlike,
+            there + np.log(1.0 - _UNLIKE) + alike.ravel(),
+            there + np.log(_UNLIKE) + unlike.ravel(),
         ]
     )
 
@@ -180,11 +233,13 @@ class CircleDraws:
     """Causes and spikes drawn from what the data leave open.
 
     ``values`` (d, p): the columns without decays. ``spikes``: one for each reversal point.
+    ``paths`` (s, n): readings, made linear, mm, one for each choice of the shapes.
     ``least_error``: of rare causes by name, the standard error under the model that holds them.
     """
 
     values: FloatArray
     spikes: tuple[SpikeDraws, ...]
+    paths: FloatArray
     least_error: dict[str, float]
 
 
@@ -192,8 +247,9 @@ class CircleDraws:
 class SpikeDraws:
     """Drawn spikes of one reversal point: ``heights`` (d, s), outward peak above the lost motion,
     µm, for both directions (s = 2: ccw, cw) or the one; ``depths`` (d, s), how far samples go
-    inward; ``extrapolated`` (d, s): the slowest decay at the reversal; ``decay`` and ``rise`` (to
-    the peak) (d,) mm, 0 without; ``there`` and ``unlike``: probability of a spike, and of different
+    inward; ``extrapolated`` (d, s): the slowest decay at the reversal; ``unseen`` (d, s): range of
+    the heights that no sample decides; ``decay`` (from the peak to 1/e of it) and ``rise`` (to the
+    peak) (d,) mm, 0 without; ``there`` and ``unlike``: probability of a spike, and of different
     directions; ``curve``: mean amplitude µm of each shape by direction (s, m).
     """
 
@@ -201,6 +257,7 @@ class SpikeDraws:
     heights: FloatArray
     depths: FloatArray
     extrapolated: FloatArray
+    unseen: FloatArray
     decay: FloatArray
     rise: FloatArray
     there: float
@@ -214,9 +271,9 @@ def drawn(weighted: Weighted, shapes: Shapes, rng: np.random.Generator) -> Circl
     about their mean (antithetic variates: Hammersley and Morton, 1956).
     """
     marginal = weighted.without(shapes.always)
-    spacing = spacing_of(weighted.problem.samples)
+    paths: list[FloatArray] = []
     values, errors = [], dict.fromkeys(shapes.rare, 0.0)
-    recorded = [_Recorder(reversal, spacing) for reversal in shapes.reversals]
+    recorded = [_Recorder(weighted.problem, reversal) for reversal in shapes.reversals]
     for sweep in range(_FORGOTTEN + _SWEEPS):
         for reversal, slot in shapes.slots():
             score = _evidence(marginal, shapes, reversal, slot)
@@ -229,7 +286,8 @@ def drawn(weighted: Weighted, shapes: Shapes, rng: np.random.Generator) -> Circl
         if sweep < _FORGOTTEN:
             continue
         active = shapes.active()
-        drew = _coefficients(weighted, active, rng)
+        drew = _coefficients(weighted, active, shapes.precision, rng)
+        paths.append(path_of(weighted.problem, active, drew[0]))
         row = np.zeros((drew.shape[0], shapes.count))
         plain = active < shapes.count
         row[:, active[plain]] = drew[:, plain]
@@ -240,6 +298,7 @@ def drawn(weighted: Weighted, shapes: Shapes, rng: np.random.Generator) -> Circl
     floors = [_least_error(weighted, marginal, reversal) for reversal in shapes.reversals]
     return CircleDraws(
         values=np.concatenate(values),
+        paths=np.array(paths),
         spikes=tuple(
             recorder.result(floor) for recorder, floor in zip(recorded, floors, strict=True)
         ),
@@ -247,8 +306,10 @@ def drawn(weighted: Weighted, shapes: Shapes, rng: np.random.Generator) -> Circl
     )
 
 
-def _coefficients(weighted: Weighted, active: IndexArray, rng: np.random.Generator) -> FloatArray:
-    normal = weighted.gram[np.ix_(active, active)] + np.diag(weighted.precision[active])
+def _coefficients(
+    weighted: Weighted, active: IndexArray, precision: FloatArray, rng: np.random.Generator
+) -> FloatArray:
+    normal = weighted.gram[np.ix_(active, active)] + np.diag(precision[active])
     unit = 1.0 / np.sqrt(np.diag(normal))
     root = np.linalg.cholesky(normal * np.outer(unit, unit) + _ROUNDING * np.eye(unit.size))
     half = np.linalg.solve(root, unit * weighted.right[active])
@@ -259,31 +320,40 @@ def _coefficients(weighted: Weighted, active: IndexArray, rng: np.random.Generat
 
 
 def _least_error(weighted: Weighted, marginal: Marginal, reversal: Reversal) -> float:
-    """Return the standard error, um, of a single spike that dies out within `_USUAL`: what may be
-    hidden where none was found. A spike that is over before the next sample hides more.
+    """Return the standard error, um, of a single spike that dies out within one of the times of
+    `_USUAL`, all alike: what may be hidden where none was found. A spike that is over before the
+    next sample hides up to its prior.
     """
     samples = weighted.problem.samples
-    sharp = [i for i, shape in enumerate(reversal.shapes) if not shape.rising]
+    sharp = [
+        i
+        for i, shape in enumerate(reversal.shapes)
+        if isinstance(shape, SpikeShape) and not shape.rising
+    ]
     lengths = np.array([reversal.shapes[i].length for i in sharp])
-    usual = _USUAL * samples.speed
-    nearest = int(np.argmin(np.abs(np.log(lengths / usual))))
-    column = reversal.alike[sharp[nearest]]
-    weight = max(marginal.gram[column, column], 0.0) + marginal.precision[column]
+    usual = np.geomspace(*_USUAL, _TIMES) * samples.speed
+    nearest = np.argmin(np.abs(np.log(lengths / usual[:, np.newaxis])), axis=1)
+    columns = reversal.alike[np.array(sharp)[nearest]]
     before = 0.5 * spacing_of(samples)
-    hidden = np.exp(np.clip(before / usual - before / lengths[nearest], 0.0, 20.0))
-    return float(hidden / np.sqrt(weight))
+    seen = np.exp(-np.clip(before / usual - before / lengths[nearest], 0.0, 20.0))
+    weight = np.maximum(marginal.gram[columns, columns], 0.0) * seen**2
+    return float(np.sqrt(np.mean(1.0 / (weight + _HIDDEN**-2.0))))
 
 
 class _Recorder:
     """Spikes of one reversal point, collected draw by draw."""
 
-    def __init__(self, reversal: Reversal, spacing: float) -> None:
+    def __init__(self, problem: Problem, reversal: Reversal) -> None:
         self.reversal = reversal
+        self.radius, self.spacing = problem.samples.radius, spacing_of(problem.samples)
+        own = f"backlash_{reversal.axis}_at_{reversal.end}"
+        self.lost = problem.names.index(
+            own if own in problem.names else f"backlash_{reversal.axis}"
+        )
         self.senses = np.array([1.0, -1.0]) if reversal.unlike.size else np.array([1.0])
         lengths = [shape.length for shape in reversal.shapes]
         arcs = np.geomspace(0.2 * min(lengths), 5.0 * max(lengths), 48)
         self.arcs = np.concatenate([[0.0], arcs])
-        self.seen = self.arcs >= 0.5 * spacing
         self.shapes = np.array([shape(self.arcs) for shape in reversal.shapes])
         self.parts: list[tuple[FloatArray, ...]] = []
         self.there = self.unlike = 0
@@ -302,26 +372,54 @@ class _Recorder:
             if len(columns) > 1:
                 size = size + of[columns[1]][:, np.newaxis] * self.senses
             self.curve[:, place] += np.mean(size, axis=0)
-            sizes[place] = size
+            if slot >= _DECAYS:
+                size = np.maximum(size, 0.0)  # inward it belongs to the lost motion
+            else:
+                sizes[place] = size
             curve += size[:, :, np.newaxis] * self.shapes[place]
         heights = np.maximum(np.max(curve, axis=2), 0.0)
-        depths = np.maximum(-np.min(curve[:, :, self.seen], axis=2), 0.0)
+        first = np.maximum(np.max(curve[:, :, self.arcs >= 0.5 * self.spacing], axis=2), 0.0)
+        # Inside while the lost motion is taken up, the axis stands still.
+        lost = UM * abs(float(np.mean(of[self.lost])))
+        seen = self.arcs >= 0.5 * self.spacing + np.sqrt(2.0 * lost * self.radius)
+        depths = np.maximum(-np.min(curve[:, :, seen], axis=2, initial=0.0), 0.0)
         decay, rise = np.zeros(count), np.zeros(count)
         slow = heights
         if sizes:
             places = sorted(sizes, key=lambda place: self.reversal.shapes[place].length)
             longest = self.reversal.shapes[places[-1]]
-            decay += longest.length
-            rise += self.arcs[int(np.argmax(np.mean(curve, axis=(0, 1))))]
-            if len(places) > 1 and not longest.rising and np.mean(sizes[places[0]]) < 0.0:
+            whole = np.mean(curve, axis=(0, 1))
+            peak = int(np.argmax(whole))
+            rise += self.arcs[peak]
+            decay += self._died(whole, peak)
+            rising = isinstance(longest, SpikeShape) and longest.rising
+            if len(places) > 1 and not rising and np.mean(sizes[places[0]]) < 0.0:
                 slow = sizes[places[-1]]
-        self.parts.append((heights, depths, slow, decay, rise))
+        # Of a decay shorter than the distance of two samples its height at the reversal is a guess.
+        guessed = 1.0 / (1.0 + (decay / self.spacing) ** 2)[:, np.newaxis]
+        unseen = guessed * (heights - first)
+        heights = heights - 0.5 * unseen
+        slow = slow - 0.5 * unseen
+        self.parts.append((heights, depths, slow, unseen, decay, rise))
         self.there += bool(sizes)
-        self.unlike += bool(np.any(shapes.unlike[index] & (shapes.place[index] >= 0)))
+        decays = slice(_DECAYS)
+        turned = shapes.unlike[index, decays] & (shapes.place[index, decays] >= 0)
+        self.unlike += bool(np.any(turned))
+
+    def _died(self, curve: FloatArray, peak: int) -> float:
+        """Return the arc, mm, from the peak of a curve to where 1/e of it is left."""
+        level = curve[peak] / np.e
+        below = np.flatnonzero(curve[peak:] <= level)
+        if not below.size or level <= 0.0:
+            return float(self.reversal.shapes[0].length)
+        last = peak + max(int(below[0]), 1)
+        share = (curve[last - 1] - level) / max(curve[last - 1] - curve[last], 1e-12)
+        died = self.arcs[last - 1] + share * (self.arcs[last] - self.arcs[last - 1])
+        return float(died - self.arcs[peak])
 
     def result(self, least_error: float) -> SpikeDraws:
         count = len(self.parts)
-        heights, depths, slow, decay, rise = (
+        heights, depths, slow, unseen, decay, rise = (
             np.concatenate(part) for part in zip(*self.parts, strict=True)
         )
         return SpikeDraws(
@@ -329,6 +427,7 @@ class _Recorder:
             heights=heights,
             depths=depths,
             extrapolated=slow,
+            unseen=unseen,
             decay=decay,
             rise=rise,
             there=self.there / count,

@@ -15,6 +15,7 @@ from compwright.fitting.problem import QuadraticProblem
 from compwright.fitting.solve import by_columns, no_solution
 from compwright.fitting.sparse import IntArray, SparseMatrix, entries, stacked, sum_of, summed
 from compwright.foundations.errors import CapacityError
+from compwright.foundations.one_thread import warnings_ignored
 from compwright.records.axis import FloatArray
 from compwright.records.settled import settled_number
 
@@ -153,7 +154,8 @@ def _cvxpy(
     limits = [by_columns(G) @ z <= h]
     statement: Any = cp.Problem(cp.Minimize(objective), limits)
     try:
-        statement.solve(solver=cp.CLARABEL)
+        with warnings_ignored("Solution may be inaccurate"):  # such a result has failed, below
+            statement.solve(solver=cp.CLARABEL)
     except cp.error.SolverError as error:
         raise no_solution("the solver gave up", str(error)) from error
     if statement.status != cp.OPTIMAL:

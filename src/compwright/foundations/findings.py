@@ -8,11 +8,9 @@ codes in the source.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, Final, Literal
-
-from compwright.words.sentences import Sentence, say
+from typing import Final, Literal
 
 Severity = Literal["info", "warning", "error"]
 
@@ -58,34 +56,15 @@ ACKNOWLEDGED: Final = "Acknowledged in the job"
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """Something that the user should know. ``code`` is stable across versions, ``sentence`` says it
-    by name and values. ``axes``: those that it is about, where it is not about all: by name, in the
+    """Something that the user should know. ``code`` is stable across versions; ``message`` is one
+    plain sentence. ``axes``: those that it is about, where it is not about all: by name, in the
     control's files by address.
     """
 
     code: str
     severity: Severity
-    sentence: Sentence
+    message: str
     axes: tuple[str, ...] = ()
-
-    @classmethod
-    def of(
-        cls, name: str, severity: Severity, /, axes: tuple[str, ...] = (), **values: object
-    ) -> Finding:
-        """Return a finding with the sentence ``name`` of the catalogue, which is the code of the
-        finding, with a dot and a word more where one code has several sentences.
-        """
-        return cls(name.partition(".")[0], severity, say(name, **values), axes)
-
-    @property
-    def message(self) -> str:
-        """The sentence in English."""
-        return str(self.sentence)
-
-    @property
-    def values(self) -> Mapping[str, Any]:
-        """The values of the sentence by name."""
-        return dict(self.sentence.values)
 
     @property
     def is_doubt(self) -> bool:

@@ -38,7 +38,8 @@ def read_so_finding(readings: Readings, kind: AxisKind, by: str = "") -> Finding
     """
     if not len(readings):
         return None
-    return Finding.of("CW-R060", "info", by=by, readings=worked_readings(readings, kind))
+    told = "; ".join(worked_readings(readings, kind))
+    return Finding("CW-R060", "info", f"Read{by and f' by {by}'}: {told}.")
 
 
 def in_words(reading: ApproachReading, kind: AxisKind) -> str:

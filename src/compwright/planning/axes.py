@@ -114,11 +114,10 @@ class AxisWork:
         if self.refused:
             own = (
                 *own,
-                Finding.of(
+                Finding(
                     "CW-P001",
                     "info" if self.stops else "error",
-                    axis=self.entry.axis.name,
-                    why=self.refused,
+                    f"No table is written for axis {self.entry.axis.name}: {self.refused}.",
                 ),
             )
         return tuple(dict.fromkeys(own))

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.words.sentences import Sentence, say
-
 #: An effect smaller than this many standard errors is not corrected, two values further apart than
 #: this disagree (95 %).
 SIGNIFICANT = 2.0
@@ -26,7 +24,6 @@ class Stated:
             np.hypot(self.std_error, other.std_error)
         )
 
-    def words(self, factor: float, unit: str) -> Sentence:
+    def words(self, factor: float, unit: str) -> str:
         """The value as people read it, with its 95 % uncertainty."""
-        error = SIGNIFICANT * self.std_error * factor
-        return say("value_with_error", value=self.value * factor, error=error, unit=unit)
+        return f"{self.value * factor:+.1f} ± {SIGNIFICANT * self.std_error * factor:.1f} {unit}"

@@ -2,14 +2,15 @@
 change, with fresh noise.
 
 The measured path holds every error of the machine at the place of the circle, so that nothing of it
-has to be modelled to predict the change. What is random in a fresh test is drawn: the noise from
-what a short smoothing of the samples leaves, the causes that a diagnosis separates from their
-standard errors.
+has to be modelled to predict the change. What is random in a fresh test is drawn: the path from
+what the fit of the diagnosis leaves open of it, and the noise from the spectrum of its residuals.
+The measured samples themselves are no path: the largest of them hold the noise of their own test,
+and with fresh noise on top of it the range comes out too large.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Final
@@ -28,9 +29,12 @@ __all__ = ["CirclePath", "moved_test", "path_of", "predict_circle"]
 #: the decay of a reversal spike.
 _WINDOW: Final = 11
 #: Median and the ends of a 90 % interval of a normal distribution, in standard deviations.
+#: Share of independent noise that the parabola keeps in the middle of its window.
+_SHARE: Final = 89.0 / 429.0
 _NINETY: Final = 1.645
-_UM: Final = 1e-3  # mm
-_PPM: Final = 1e-6
+#: A part of the residuals that wanders may be noise or a shape of the machine that no cause has:
+#: one test cannot tell. In so many draws it stays as it is.
+_STAYS: Final = 0.5
 #: A parameter of a fresh test differs from the same one of the last test by the errors of both.
 _BOTH_TESTS: Final = 2.0
 
@@ -104,19 +108,10 @@ def predict_circle(
     Amplitudes are not below zero.
     """
     test = expected.test
-    smooth = [_smoothed(run) for run in test.runs]
-    rest = [run.deviations - curve for run, curve in zip(test.runs, smooth, strict=True)]
-    shapes = _shapes(test, expected.diagnosis, rng, draws)
     rows: dict[str, list[float]] = {}
-    for draw in range(draws):
+    for deviations in _fresh_tests(test, expected.diagnosis, rng, draws):
         runs = tuple(
-            replace(
-                run,
-                deviations=curve
-                + shape[draw]
-                + rng.choice([-1.0, 1.0]) * np.roll(noise, int(rng.integers(noise.size))),
-            )
-            for run, curve, noise, shape in zip(test.runs, smooth, rest, shapes, strict=True)
+            replace(run, deviations=each) for run, each in zip(test.runs, deviations, strict=True)
         )
         for name, value in evaluate_circle(
             replace(test, runs=runs, findings=()), expected.standard
@@ -176,70 +171,48 @@ def _parabolas(values: FloatArray) -> FloatArray:
     )
 
 
-def _shapes(
+def _fresh_tests(
     test: CircularTest, diagnosis: Diagnosis | None, rng: np.random.Generator, draws: int
-) -> list[FloatArray]:
-    """Return, for each run, (draws, n) mm: what the uncertainty of the causes of both tests may
-    add.
+) -> Iterator[list[FloatArray]]:
+    """Yield the deviations (n,) mm of every run of ``draws`` fresh tests. Without a diagnosis the
+    smoothed samples are the path.
     """
-    if diagnosis is None:
-        return [np.zeros((draws, run.angles.size)) for run in test.runs]
-    known = _columns(test, test.runs[0])
-    by_end = {name.split("_at_")[0] for name in diagnosis.names if "_at_" in name}
-    names = [
-        name
-        for name in diagnosis.names
-        if name in known and name not in diagnosis.undetermined and name not in by_end
+    fresh = () if diagnosis is None else diagnosis.fresh
+    paths = [
+        _along(run, each.angles, each.paths)
+        for run, each in zip(test.runs, fresh, strict=bool(fresh))
+    ] or [_smoothed(run)[np.newaxis] for run in test.runs]
+    rest = [
+        replace(run, deviations=run.deviations - np.mean(path, axis=0))
+        for run, path in zip(test.runs, paths, strict=True)
     ]
-    order = [diagnosis.names.index(name) for name in names]
-    errors = np.array([diagnosis.effects[name].std_error for name in names])
-    covariance = (
-        _BOTH_TESTS * diagnosis.correlation[np.ix_(order, order)] * np.outer(errors, errors)
-    )
-    values, vectors = np.linalg.eigh(covariance)
-    # The symmetric root is the only one: signs and order of eigenvectors hang on the processor.
-    root = (vectors * np.sqrt(np.maximum(values, 0.0))) @ vectors.T
-    drawn = rng.standard_normal((draws, len(names))) @ root
-    samples = sum(run.angles.size for run in test.runs)
-    independent = samples / max(diagnosis.correlation_length, 1.0)
-    mean = (
-        diagnosis.residual * np.sqrt(_BOTH_TESTS / independent) * rng.standard_normal((draws, 1))
-    )  # of the radius, mm
-    shapes = []
-    for run in test.runs:
-        columns = _columns(test, run)
-        shapes.append(
-            mean
-            + drawn
-            @ np.array([columns[name] for name in names]).reshape(len(names), run.angles.size)
-        )
-    return shapes
+    slow = [_smoothed(run) for run in rest]
+    # A smoothing over m samples takes its own share of the noise out of the residuals.
+    quick = [
+        (run.deviations - curve) / np.sqrt(1.0 - _SHARE)
+        for run, curve in zip(rest, slow, strict=True)
+    ]
+    noise = [
+        _along(run, each.angles, each.noise)
+        for run, each in zip(test.runs, fresh, strict=bool(fresh))
+    ]
+    for draw in range(draws):
+        stays = not fresh or rng.random() < _STAYS
+        place = int(rng.integers(len(paths[0])))
+        found = []
+        for number, path in enumerate(paths):
+            deviations = path[draw % len(path)] + (slow[number] if stays else noise[number][place])
+            # Samples that were thinned for the fit have quick noise that its spectra do not hold.
+            if stays or fresh[number].angles.size < deviations.size:
+                again = np.roll(quick[number], int(rng.integers(deviations.size)))
+                deviations = deviations + rng.choice([-1.0, 1.0]) * again
+            found.append(deviations)
+        yield found
 
 
-def _columns(test: CircularTest, run: CircularRun) -> Mapping[str, FloatArray]:
-    """Return the radial deviation (n,) mm of one unit of each cause, first order (the table of the
-    circular test's model).
-    """
-    theta, d = np.radians(run.angles), 1.0 if run.sense == "ccw" else -1.0
-    cos, sin = np.cos(theta), np.sin(theta)
-    radius, speed = test.nominal_radius, test.feed / 60.0
-    lost_first, lost_second = (
-        0.5 * _UM * d * np.sign(sin) * cos,
-        -0.5 * _UM * d * np.sign(cos) * sin,
-    )
-    return {
-        "squareness": -0.5 * _PPM * radius * np.sin(2.0 * theta),
-        "scale_mismatch": 0.25 * _UM * np.cos(2.0 * theta),
-        "backlash_first": lost_first,
-        "backlash_second": lost_second,
-        "backlash_first_at_positive": np.where(cos > 0.0, lost_first, 0.0),
-        "backlash_first_at_negative": np.where(cos > 0.0, 0.0, lost_first),
-        "backlash_second_at_positive": np.where(sin > 0.0, lost_second, 0.0),
-        "backlash_second_at_negative": np.where(sin > 0.0, 0.0, lost_second),
-        "servo_mismatch": 0.5e-3 * d * speed * np.sin(2.0 * theta),
-        "lateral_play_first": -0.5 * _UM * d * np.abs(sin),
-        "lateral_play_second": 0.5 * _UM * d * np.abs(cos),
-        "straightness_first": _UM * cos**2 * sin,
-        "straightness_second": _UM * sin**2 * cos,
-        "radius_change": _UM * d * np.ones_like(theta),
-    }
+def _along(run: CircularRun, angles: FloatArray, rows: FloatArray) -> FloatArray:
+    """Return ``rows`` (d, m) at ``angles`` (m,) at the angles of ``run`` (d, n)."""
+    if run.angles.size == angles.size:
+        return rows
+    order = np.argsort(angles)
+    return np.array([np.interp(run.angles, angles[order], row[order]) for row in rows])

@@ -103,6 +103,17 @@ class CircularEffect:
     more: Mapping[str, float | None] = field(default_factory=dict)
 
 
+@dataclass(frozen=True, slots=True)
+class FreshRun:
+    """What the fit of a circular test knows of one run of a fresh test, at the ``angles`` (n,) deg:
+    readings without noise ``paths`` and ``noise`` (d, n) mm, each row as probable as the others.
+    """
+
+    angles: FloatArray
+    paths: FloatArray
+    noise: FloatArray
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedRun:
     """What all causes together make of a run: ``angles`` (n,) deg as measured, ``deviations`` (n,)
@@ -126,7 +137,8 @@ class Diagnosis:
     with other software. ``residual``: rms of what remains, mm. ``correlation_length``: of the
     residuals, in samples. ``undetermined``: reasons of the causes that the path of the test cannot
     separate at all; their numbers in ``effects`` belong to the fit and are no result. ``fitted``:
-    the runs as the causes make them.
+    the runs as the causes make them. ``fresh``: what a fresh test shows, by run; empty where the
+    diagnosis was not made from samples.
     """
 
     effects: Mapping[str, CircularEffect]
@@ -138,6 +150,7 @@ class Diagnosis:
     findings: tuple[Finding, ...] = ()
     undetermined: Mapping[str, str] = field(default_factory=dict)
     fitted: tuple[FittedRun, ...] = ()
+    fresh: tuple[FreshRun, ...] = ()
 
     @property
     def not_given(self) -> Mapping[str, str]:

@@ -1,5 +1,5 @@
 """The commissioning card: what to type, what to look at and how to go back, as Markdown and as a
-page of one or two A4 sheets.
+page: one A4 sheet for the control and at most one for each axis.
 
 A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``axes``,
 ``steps`` (``title``, ``text``, ``evidence``; ``heads`` and ``rows``: what differs by axis, where it
@@ -7,17 +7,19 @@ does), ``changes`` (``entries`` of ``entry``, ``old``, ``new``; ``untouched``: l
 where the control's own files were not given), ``unconfirmed`` and ``restore`` (sentences),
 ``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and ``proven`` (a sentence). Each
 axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``, ``new``,
-``typed``: the new value as the control's parameter), ``numbering`` (see `numbering`; None where
-points have no numbers), ``quick_check`` (``position``, ``direction``, ``adds``: the compensation
-that the control itself shows, ``expected``, ``stop``), ``points_needed``, ``rapid`` (its test was
-taken at rapid traverse, for which everything here holds) and ``fixed_positions`` (``name``,
-``position``, ``moves``).
+``typed`` and ``typed_old``: the values as the control's parameter), ``numbering`` (see `numbering`;
+None where points have no numbers), ``quick_check`` (``position``, ``direction``, ``adds``: the
+compensation that the control itself shows, ``expected``, ``stop``), ``points_needed``, ``rapid``
+(its test was taken at rapid traverse, for which everything here holds) and ``fixed_positions``
+(``name``, ``position``, ``moves``).
 Values to be typed carry a plain minus sign, so that they can be copied.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
+from itertools import groupby
 from typing import Any
 
 from compwright.foundations.utf8 import visible
@@ -48,6 +50,10 @@ RAPID = (
     " hold at rapid traverse. Check there, not at cutting feed."
 )
 _BOX = "[ ]"
+#: Evidence of what a card leaves to the report; what is not confirmed stands above its steps.
+_DEFAULT = "default of the definition"
+_SENTENCE = re.compile(r"(?<=\.)\s+(?=[A-Z‹])|\n")
+_OF_AXIS = re.compile(r"[Aa]xis (\w+)\b")
 #: What the one table of check positions is for.
 HOW_TO_CHECK = (
     "Every check of this card is made here: what the control adds, on its compensation display"
@@ -76,12 +82,12 @@ def card_markdown(card: Document) -> str:
         lines += [_escape(doubts["step"]), ""] if doubts["step"] else []
     lines += _bullets("## Acknowledged doubts", content["acknowledged"])
     lines += _bullets("## Not confirmed: look before the axis moves fast", content["unconfirmed"])
-    lines += _bullets("## Limits, as predicted", content["limits"])
     lines += _steps(content["steps"])
+    lines += _bullets("## Way back", content["restore"])
+    lines += _bullets("## Limits, as predicted", content["limits"])
     for axis in content["axes"]:
         lines += _axis(axis)
     lines += _changes(content["changes"])
-    lines += _bullets("## Way back", content["restore"])
     if content["assumed"]:
         rows = [
             [
@@ -126,12 +132,16 @@ def _content(card: Document) -> dict[str, Any]:
         "doubts": doubts(card.get("doubts")),
         "acknowledged": acknowledged(card.get("acknowledged")),
         "limits": _limits(card.get("limits") or {}, card.get("circle_limits") or {}),
-        "unconfirmed": [plain(text) for text in card.get("unconfirmed") or []],
+        "unconfirmed": _alike_once([plain(text) for text in card.get("unconfirmed") or []]),
         "steps": [_step(step) for step in card.get("steps") or []],
         "axes": [_axis_content(axis) for axis in card.get("axes") or []],
         "changes": changes_content(card.get("changes")),
         "restore": [plain(text) for text in card.get("restore") or []],
-        "assumed": assumed(card.get("assumed")),
+        "assumed": [
+            fact
+            for fact in assumed(card.get("assumed"))
+            if not fact["open"] and fact["evidence"] != _DEFAULT
+        ],
         "files": [plain(file) for file in card.get("files") or []],
         "proven": plain(card.get("proven") or ""),
     }
@@ -141,17 +151,19 @@ def _limits(axes: Document, circles: Document) -> list[str]:
     """Return a sentence for each limit of the prediction's axes and circles, then the rule where it
     is the guarded one.
     """
-    told = []
+    told: list[str] = []
+    rules: list[str] = []
     limited = [(f"Axis {name}", axis, axis.get("unit", "um")) for name, axis in axes.items()]
     limited += [(f"Circle {name}", circle, "um") for name, circle in circles.items()]
     for name, its, its_unit in limited:
         unit, accept = unit_text(its_unit), its.get("accept") or {}
-        told += [
-            f"{name}: {symbol(key)} {plain(entry['limit'])} {unit}: {entry['decision']}."
+        decided = [
+            f"{symbol(key)} {plain(entry['limit'])} {unit}: {entry['decision']}"
             for key, entry in accept.items()
         ]
-        told += rule_lines(accept, unit)
-    return told
+        told += [f"{name}: {'; '.join(decided)}."] if decided else []
+        rules += rule_lines(accept, unit)
+    return [*told, *dict.fromkeys(rules)]
 
 
 def changes_content(changes: Document | None) -> dict[str, Any] | None:
@@ -178,11 +190,50 @@ def changes_content(changes: Document | None) -> dict[str, Any] | None:
 def _step(step: Document) -> dict[str, Any]:
     return {
         "title": plain(step.get("title") or ""),
-        "text": plain(step.get("text") or ""),
-        "heads": [plain(head) for head in step.get("heads") or []],
-        "rows": [[plain(cell) for cell in row] for row in step.get("rows") or []],
+        "lines": _lines(step),
         **evidence_mark(step.get("evidence")),
     }
+
+
+def _lines(step: Document) -> list[dict[str, Any]]:
+    """Return the lines of a step with every number filled in, as ``text`` and whether they have a
+    box of their own (``tick``): a sentence about what differs by axis stands once for each row, the
+    others once.
+    """
+    text = plain(step.get("text") or "")
+    heads, rows = step.get("heads") or (), step.get("rows") or ()
+    if not rows:
+        lines = _alike_once([line for line in text.splitlines() if line.strip()])
+        return [{"text": line, "tick": len(lines) > 1} for line in lines]
+    told = []
+    for named, group in groupby(_SENTENCE.split(text), key=lambda sentence: "‹" in sentence):
+        words = " ".join(group)
+        each = [_filled(words, heads, row) for row in rows] if named else [words]
+        told += [{"text": line, "tick": named} for line in each]
+    return told
+
+
+def _filled(words: str, heads: Sequence[object], row: Sequence[object]) -> str:
+    """Return a sentence with what a row says of each ‹head›, the axis before it."""
+    for head, cell in zip(heads, row, strict=True):
+        words = words.replace(f"‹{plain(head)}›", plain(cell))
+    return words if words.startswith("Axis ") else f"{plain(row[0])}: {words}"
+
+
+def _alike_once(lines: Sequence[str]) -> list[str]:
+    """Return the lines, those that say the same of several axes once, with all their names."""
+    groups: dict[str, list[tuple[str, str]]] = {}
+    for line in lines:
+        found = _OF_AXIS.match(line)
+        name = found[1] if found else ""
+        form = re.sub(rf"\b{re.escape(name)}\b", "‹›", line) if name else line
+        groups.setdefault(form, []).append((name, line))
+    shown = []
+    for group in groups.values():
+        others = [name for name, _ in group[1:] if name]
+        more = f". The same holds for axis {', '.join(others)}." if others else ""
+        shown.append(f"{group[0][1].rstrip('.') if more else group[0][1]}{more}")
+    return shown
 
 
 def _axis_content(axis: Document) -> dict[str, Any]:
@@ -201,7 +252,7 @@ def _axis_content(axis: Document) -> dict[str, Any]:
         "rows": [
             [
                 plain(row.get("quantity")),
-                _typed(row.get("old")),
+                _with_parameter(row.get("old"), row.get("typed_old")),
                 _typed(row.get("new")),
                 plain(row.get("typed") or ""),
             ]
@@ -235,6 +286,11 @@ def _numbering(numbering: Document | None) -> dict[str, Any] | None:
         "picture": numbering_svg(numbering),
         "words": [plain(words) for words in numbering["words"]],
     }
+
+
+def _with_parameter(value: object, typed: object) -> str:
+    """Return a value, behind the control's parameter that holds it where one does."""
+    return f"{plain(typed)} ({_typed(value)})" if typed else _typed(value)
 
 
 def _typed(value: object) -> str:
@@ -283,14 +339,11 @@ def _steps(steps: Iterable[Document]) -> list[str]:
     for step in steps:
         mark = " **(unconfirmed)**" if step["open"] else ""
         lines.append(f"- {_BOX} **{_escape(step['title'])}**{mark}")
-        lines += [f"  {_paragraph(line)}" for line in step["text"].splitlines() if line.strip()]
-        if step["rows"]:
-            rows = [[_BOX, *map(_escape, row)] for row in step["rows"]]
-            lines += [
-                "",
-                *(f"  {line}" for line in _table(["", *map(_escape, step["heads"])], rows)),
-                "",
-            ]
+        for line in step["lines"]:
+            words = line["text"]
+            lines.append(
+                f"  - {_BOX} {_escape(words)}" if line["tick"] else f"  {_paragraph(words)}"
+            )
         if step["evidence"]:
             lines.append(f"  Evidence: {_escape(step['evidence'])}")
     return ["## Steps", "", *lines, ""] if lines else []

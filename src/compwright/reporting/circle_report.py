@@ -10,7 +10,7 @@ from typing import Any, Final
 from compwright.reporting import paper, sections
 from compwright.reporting.axis_figures import residual_figure
 from compwright.reporting.causes import CircleCause, full_cause_words, ranked_causes
-from compwright.reporting.circle_steps import job_lines, next_step
+from compwright.reporting.circle_steps import job_lines, steps_for
 from compwright.reporting.circles import circle_figure
 from compwright.reporting.circular_parameters import (
     parameter_rows,
@@ -20,8 +20,6 @@ from compwright.reporting.circular_parameters import (
 from compwright.reporting.numbers import number, plain
 from compwright.reporting.sections import Document, TextTable
 
-#: The largest causes, for which the page says what to do.
-_STEPS: Final = 3
 #: Standard errors within which our value and the printed one agree.
 _AGREES: Final = 2.0
 _COMPARISON: Final = (
@@ -47,11 +45,7 @@ def circle_page(result: Document, index: int) -> dict[str, Any]:
         "parameters": _parameters(result),
         "causes": _causes(causes) if causes else None,
         "comparison": _COMPARISON if _any_printed(causes) else "",
-        "steps": [
-            f"{cause.words} ({100.0 * cause.share:.0f} % of all effects). {step}"
-            for cause in acting[:_STEPS]
-            if (step := next_step(cause.name, axes))
-        ],
+        "steps": steps_for(causes, axes),
         "job": job_lines([cause.name for cause in acting], result),
         "reasons": _reasons(result),
         "sheet": paper.sheet(result, {}),

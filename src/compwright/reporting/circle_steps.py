@@ -8,12 +8,17 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
+from compwright.reporting.causes import CircleCause
+
+#: The largest causes, for which it is said what to do.
+_MOST: Final = 3
+
 #: Cause (contract name without its axis) -> sentence; {axis} is the axis, {first} and {second} are
 #: those of the plane.
 _STEPS: Final[Mapping[str, str]] = {
     "squareness": (
-        "Mechanic: check level and alignment of the guideways. Table: the job below corrects it"
-        " where the control can."
+        "Mechanic: check level and alignment of the guideways. Table: a job with"
+        " `apply` corrects it where the control can."
     ),
     "scale_mismatch": (
         "Check the temperature of both axes. Table: measure {first} and {second} with a laser and"
@@ -50,6 +55,16 @@ _STEPS: Final[Mapping[str, str]] = {
     "stick_slip": "Mechanic: check lubrication, wipers and preload of the {axis} guideway.",
     "master_slave": "Servo: check the interpolation parameters of {first} and {second}.",
 }
+
+
+def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[str]:
+    """Return what to do about the largest significant causes, a sentence each."""
+    acting = [cause for cause in causes if cause.significant and cause.shown]
+    return [
+        f"{cause.words} ({100.0 * cause.share:.0f} % of all effects). {step}"
+        for cause in acting[:_MOST]
+        if (step := next_step(cause.name, axes))
+    ]
 
 
 def next_step(cause: str, axes: Sequence[str]) -> str:

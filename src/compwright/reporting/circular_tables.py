@@ -16,6 +16,7 @@ from rich.rule import Rule
 from rich.table import Table
 
 from compwright.reporting.causes import CircleCause, cause_words, ranked_causes
+from compwright.reporting.circle_steps import steps_for
 from compwright.reporting.circular_parameters import parameter_rows, printed_parameters
 from compwright.reporting.numbers import MISSING, number, plain, standard_text
 from compwright.reporting.shown import Text
@@ -173,6 +174,9 @@ def _causes(result: Mapping[str, Any]) -> list[RenderableType]:
         lines.append(Text(f"Below 1 % or 0.005 µm each: {small}", style="dim"))
     if any(item.doubtful for cause in shown for item in (cause, *cause.parts)):
         lines.append(Text("(…) the instrument's software itself calls it not valid", style="dim"))
+    steps = steps_for(causes, result["axes"])
+    if steps:
+        lines += [Text(), Text("Check first", style="bold"), *map(Text, steps)]
     return lines
 
 

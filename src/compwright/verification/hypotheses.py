@@ -18,10 +18,14 @@ from compwright.verification.loaded_ways import Ways
 #: than was taken (error for correction) turns the effect of values that are those of the plan.
 _READ_BACK: Final = 0.01
 OF_VALUES: Final = frozenset[LoadingName](
-    ("scaled", "shifted", "mirrored", "wrong_axis", "one_direction", "backlash", "partial")
+    (
+        *("scaled", "shifted", "mirrored", "wrong_axis", "one_direction", "backlash", "partial"),
+        *("increment", "on_top"),
+    )
 )
 _FAULTS: Final = (
     whole_table.inactive,
+    whole_table.with_existing,
     whole_table.inverted,
     whole_table.scaled,
     whole_table.shifted,

@@ -91,6 +91,22 @@ def _causes(
         "nothing is active: the table is off or empty",
         "no table is active: it is off or empty; only backlash is",
     )
+    before = {side: old(where, side) for side in Direction}
+    if any(np.any(np.abs(values) > SAME) for values in before.values()):
+        yield _Mistake(
+            "increment",
+            {side: wish[side] - before[side] for side in Direction},
+            "only the change to the existing table was loaded: load the total",
+            "only the change to the existing table was loaded, apart from the backlash: load the"
+            " total",
+        )
+        yield _Mistake(
+            "on_top",
+            {side: wish[side] + before[side] for side in Direction},
+            "the new total was added to the existing table: clear the table and load it again",
+            "the new total was added to the existing table, apart from the backlash: clear the"
+            " table and load it again",
+        )
     yield _Mistake(
         "inverted",
         {side: -wish[side] for side in Direction},

@@ -45,6 +45,26 @@ def inactive(ways: Ways) -> Iterator[Hypothesis]:
         yield ways.made("not_active", ways.total(nothing), RARE, "the new backlash alone is active")
 
 
+def with_existing(ways: Ways) -> Iterator[Hypothesis]:
+    """Yield the change alone, the total on top of the existing table, and an existing table that
+    was not active while the tests before were taken, although the job says so.
+    """
+    if not ways.has_old:
+        return
+    existing = ways.old - ways.stay - ways.old_backlash
+    jump = ways.old_backlash
+    backlashes = [(ways.backlash - jump, ways.backlash + jump, "")]
+    if np.any(jump):
+        backlashes.append((ways.backlash, ways.backlash, "apart from the backlash"))
+    for less, more, told in backlashes:
+        yield ways.made("increment", ways.total(ways.own - existing, less), COMMON, told)
+        yield ways.made("on_top", ways.total(ways.own + existing, more), COMMON, told)
+    believed = ways.at(ways.loading.acted) - ways.stay
+    if np.any(np.abs(believed) > 0.0):
+        # the same test as on top of it, which happens more often
+        yield ways.made("state", ways.total(ways.own) + believed, RARE)
+
+
 def inverted(ways: Ways) -> Iterator[Hypothesis]:
     """Yield the other sign, of everything or of all but the backlash."""
     yield ways.made("inverted", ways.total(-ways.own, -ways.backlash), COMMON)

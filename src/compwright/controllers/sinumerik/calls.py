@@ -8,6 +8,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 from compwright.controllers.sinumerik.flow import ProgramBlock
+from compwright.controllers.sinumerik.linked import EVERYTHING
 from compwright.controllers.sinumerik.reach import Doubt, Line, comes_back, inevitable
 from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment
 
@@ -106,6 +107,7 @@ class ProgramCalls:
                 line,
                 words=() if line.number in back else line.words,
                 given=line.given or line.number in called,
+                assigned=frozenset({EVERYTHING}) if line.number in back else line.assigned,
             )
             for line in block.trail
         ]

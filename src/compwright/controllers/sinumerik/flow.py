@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
+from compwright.controllers.sinumerik.linked import EVERYTHING
 from compwright.controllers.sinumerik.reach import Doubt, Line, ends_here
 
 #: Words with which a statement begins that leaves the order of the blocks alone.
@@ -40,6 +41,8 @@ _FORKS = frozenset(
     | {"WHILE", "ENDWHILE", "LOOP", "ENDLOOP", "REPEAT", "REPEATB", "UNTIL"}
 )
 _CONDITIONS = frozenset({"IF", "CASE", "WHEN", "WHENEVER", "EVERY", "FROM", "ID", "IDS", "DO"})
+#: A word of an address, no call of a subprogram and no R parameter.
+_ADDRESS = re.compile(r"(?![LPR]\d)[A-Z]\d*\.?\d*|=|[+-]|[\d.]+")
 _NUMBER = re.compile(r"\s*(?P<number>[N:]\d+)?\s*(?P<skipped>/\d?)?\s*", re.IGNORECASE)
 #: The name of a program in a header or a file's name.
 _TITLE = re.compile(
@@ -128,11 +131,12 @@ class ProgramBlock:
         lengths = _LENGTHS.search(bare)
         if lengths is not None:
             self.inches[line] = lengths[1][1] == "0"
-        if not bare or self._quiet(bare):
-            if names:
-                self.trail.append(Line(line, names, ()))
-            return
         words = [word.upper() for word in _WORDS.findall(bare)]
+        if not bare or self._quiet(bare):
+            assigned = _assigned(words)
+            if names or assigned:
+                self.trail.append(Line(line, names, (), assigned=assigned))
+            return
         conditional = skipped or words[0] in _CONDITIONS
         named = _MENTIONED.findall(whole[start:].split(";", maxsplit=1)[0].upper())
         called = [] if words[0] in _NAMES_ONLY else named[: None if _names_programs(words) else 1]
@@ -144,6 +148,7 @@ class ProgramBlock:
                 skipped,
                 mentions=frozenset(called),
                 conditional=conditional,
+                assigned=_assigned_by(words),
             )
         )
         if words[0] == "PROC" and not self.branches:
@@ -179,6 +184,22 @@ class ProgramBlock:
         if not words[0].startswith("$"):
             self.variables.add(words[0])
         return _calculates(index) and _calculates(words[at + 1 :])
+
+
+def _assigned(words: Sequence[str]) -> frozenset[str]:
+    """Return the variable of the program's own that a quiet statement assigns."""
+    if "=" not in words or words[0] in _QUIET or words[0].startswith("$"):
+        return frozenset()
+    return frozenset({words[0] if words[1] == "=" else EVERYTHING})
+
+
+def _assigned_by(words: Sequence[str]) -> frozenset[str]:
+    """Return what any other statement may assign: everything, but for forks, ends, motions and
+    functions.
+    """
+    forks = words[0] in _FORKS and words[0] != "FOR"
+    plain = all(map(_ADDRESS.fullmatch, words))
+    return frozenset() if forks or plain or ends_here(words) else frozenset({EVERYTHING})
 
 
 def _called(statement: str) -> str | None:

@@ -148,6 +148,7 @@ def _not_all(placed: PlacedBlock, calls: ProgramCalls) -> Iterator[Fault]:
     if pair is not None:
         line, other = pair
         why = f"every run that comes to line {other} leaves it out" if other else "no run does"
+        why = "no run does together with all the others" if other == line else why
         yield Fault(
             message=f"not all of the program was executed: of this line, {why}",
             file=placed.content.name,

@@ -1,15 +1,18 @@
 """Which lines of a SINUMERIK's program can be carried out in one run of it.
 
 Every line has a set of lines behind it (bits of a whole number), grown until nothing changes. A
-condition may turn out either way; a line that is not understood may stop everything. Behind the
-last line come the end, from where the calling program goes on, and the stop of everything.
+condition may turn out either way, linked ones in step (`linked`); a line that is not understood may
+stop everything. Behind the last line come the end, from where the calling program goes on, and the
+stop of everything.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+
+from compwright.controllers.sinumerik.linked import EVERYTHING, Fork, answered, question_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +33,10 @@ _OPENS = {"IF": "ENDIF", "WHILE": "ENDWHILE", "FOR": "ENDFOR", "LOOP": "ENDLOOP"
 _OVER = re.compile(r"M0*2|M17|M30|RET")
 #: Ends of a subprogram that lead back to the calling program.
 _BACK = (("M17",), ("M30",), ("RET",))
+#: Motions, speeds and functions behind which the program goes on.
+_GOES_ON = re.compile(
+    r"G0*[0-3]|M0*[345789]|M19|M4[0-5]|[SF][\d.]+|[A-CU-Z][\d.]+|[A-CU-ZSF]|=|-|[\d.]+"
+)
 _NAME = re.compile(r"N\d+|(?!R\d+$)[A-Z_]\w+")
 
 
@@ -38,7 +45,7 @@ class Line:
     """One line: its ``number``, the ``names`` to which a jump may lead, and its ``words`` in
     capitals, none where it does not matter for the order of lines. ``skipped``: with block skip on.
     ``given``: an assignment, or a call of a program of the files. ``mentions``: the programs that
-    it may call; ``conditional``: not in every case.
+    it may call; ``conditional``: not in every case. ``assigned``: variables of the program's own.
     """
 
     number: int
@@ -48,13 +55,14 @@ class Line:
     given: bool = False
     mentions: frozenset[str] = frozenset()
     conditional: bool = False
+    assigned: frozenset[str] = frozenset()
 
 
 def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
     """Return the lines without assignments that follow one another and to which nothing jumps, and
     the numbers for which each of them counts.
     """
-    wanted = {word for line in lines for word in line.words}
+    wanted = {word for line in lines for word in line.words} | {EVERYTHING}
     found: list[Line] = []
     groups: list[set[int]] = []
     for line in lines:
@@ -62,7 +70,7 @@ def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
         behind = found and found[-1].given and not (found[-1].words or found[-1].skipped)
         if quiet and line.given and behind:
             groups[-1].add(line.number)
-        elif line.given or not quiet:
+        elif line.given or line.assigned & wanted or not quiet:
             found.append(line)
             groups.append({line.number})
     return found, groups
@@ -73,7 +81,19 @@ def conflicts(lines: Sequence[Line]) -> tuple[int, int] | None:
     carries out both; None where one run can carry all of them out.
     """
     short, _ = _shortened(lines)
-    behind = _behind(_next(short))
+    found = _conflict(short, _next(short))
+    if found is not None:
+        return found
+    for ways in _in_step(short):
+        other = _conflict(short, ways)
+        if other is None:
+            return None
+        found = found or (other[0], other[1] or other[0])
+    return found
+
+
+def _conflict(short: Sequence[Line], ways: Sequence[int]) -> tuple[int, int] | None:
+    behind = _behind(ways)
     given = [place for place, line in enumerate(short) if line.given]
     for place in given:
         if place and not behind[0] >> place & 1:
@@ -91,7 +111,19 @@ def inevitable(lines: Sequence[Line], among: Collection[int]) -> list[int]:
     never ends.
     """
     short, groups = _shortened(lines)
-    follow, end = _next(short), 3 << len(short)  # the end and the stop
+    found: set[int] = set()
+    for follow in _in_step(short):
+        some = _inevitable(short, groups, follow, among)
+        if not some:
+            return []
+        found |= set(some)
+    return sorted(found)
+
+
+def _inevitable(
+    short: Sequence[Line], groups: Sequence[set[int]], follow: Sequence[int], among: Collection[int]
+) -> list[int]:
+    end = 3 << len(short)  # the end and the stop
     hit = [min(group & set(among), default=0) for group in groups]
 
     def reached(closed: set[int]) -> int:
@@ -105,6 +137,38 @@ def inevitable(lines: Sequence[Line], among: Collection[int]) -> list[int]:
     first = [place for place in sorted(every) if open_places >> place & 1]
     alone = next((place for place in first if not reached({place}) & end), None)
     return [hit[place] for place in (first if alone is None else [alone])]
+
+
+def _in_step(lines: Sequence[Line]) -> Iterator[list[int]]:
+    """Yield what `_next` gives, for each set of answers to linked conditions; motions and switching
+    functions go on.
+    """
+    every = _next(lines)
+    behind = _behind(every)
+    forks = {
+        place: fork
+        for place, line in enumerate(lines)
+        if (fork := _fork(line, every[place], 1 << place + 1)) is not None
+    }
+    assigning = {place: line.assigned for place, line in enumerate(lines) if line.assigned}
+    stop = 1 << len(lines) + 1
+    sure = [
+        bits & ~stop if line.words and all(map(_GOES_ON.fullmatch, line.words)) else bits
+        for line, bits in zip(lines, every, strict=True)
+    ]
+    for goes_on in answered(forks, assigning, behind.__getitem__):
+        yield [goes_on.get(place, bits) for place, bits in enumerate(sure)]
+
+
+def _fork(line: Line, bits: int, after: int) -> Fork | None:
+    if line.skipped or line.words[:1] not in (("IF",), ("WHILE",), ("UNTIL",)):
+        return None
+    jumps = [i for i, word in enumerate(line.words) if word in _JUMPS]
+    here, there = bits & after, bits & ~after
+    question = question_of(line.words[1 : jumps[0] if jumps else None])
+    if question is None or len(jumps) > 1 or not (here and there):
+        return None
+    return Fork(question, there, here) if jumps else Fork(question, here, there)
 
 
 def comes_back(lines: Sequence[Line]) -> bool:

@@ -102,9 +102,11 @@ PLAIN = (
 #: one direction only.
 CROSS = tuple(name for name in (*MEASURES, *CHOICES, *PLAIN) if name.startswith("cross_"))
 
-#: The verdicts of `verify` and `compare` of which a definition says what to look at on the control.
+#: The verdicts of `verify` and `compare` of which a definition says what to look at on the control:
+#: not those of the measurement, nor those with an existing table, whose sentence says what to do.
+_OF_NO_CONTROL = frozenset({"thermal", "measurement", "undecided", "increment", "on_top", "state"})
 LOOKED_AT: tuple[LoadingName, ...] = tuple(
-    name for name in get_args(LoadingName) if name not in ("thermal", "measurement", "undecided")
+    name for name in get_args(LoadingName) if name not in _OF_NO_CONTROL
 )
 
 AddressType = Literal["integer", "name"]

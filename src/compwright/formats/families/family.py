@@ -11,7 +11,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
-from typing import ClassVar, Self
+from typing import ClassVar, TypeVar
 
 import numpy as np
 
@@ -48,7 +48,9 @@ def _own_axis(
     return ((entry.axis,) if entry.axis else ()), None
 
 
+F = TypeVar("F", bound="Family")
 AddressesByName = Mapping[str, tuple[str, str]]
+OwnLimits = Callable[[Axis, AxisCompensation, Capacity, str], Sequence[Fault]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,7 +64,12 @@ class Listing:
     of a table as the files count it. ``names``: the address of each axis, and what says so, by the
     name that the files give to it alone; raises InputError. ``alone``: the addresses that may be
     read alone where one odd axis spoils the whole. ``idle``: whether what was read of other axes
-    tells that nothing acts on the one at an address.
+    tells that nothing acts on the one at an address. ``carried_out``: files without the programs
+    that were not carried out, where the job says so (``active: no``), and findings that name these;
+    raises InputError where that cannot be. ``shown``: the control as it reads files that are only
+    shown: what no readings hang on may be assumed, and is said. ``drafted``: as it reads files for
+    the draft of a job: what no reading of its tests can depend on keeps no axis out; None: as
+    shown.
     """
 
     entered: Callable[[Definition, Sequence[ControlFile], Sequence[ControlFile]], Entries] = (
@@ -75,6 +82,12 @@ class Listing:
     names: Callable[[Family, Sequence[ControlFile]], AddressesByName] = lambda _, __: {}
     alone: Callable[[Family, Sequence[ControlFile]], Sequence[str]] = lambda _, __: ()
     idle: Callable[[ControlState, str], bool] = lambda _, __: False
+    carried_out: Callable[
+        [Definition, Sequence[ControlFile]],
+        tuple[tuple[ControlFile, ...], tuple[Finding, ...]],
+    ] = lambda _, files: (tuple(files), ())
+    shown: Callable[[Family], Family] = lambda control: control
+    drafted: Callable[[Family], Family] | None = None
 
 
 class Family(Bound, ABC):
@@ -83,8 +96,6 @@ class Family(Bound, ABC):
     listing: ClassVar[Listing] = Listing()
     #: The number without which tables cannot be read, where their control has one.
     left_open: LeftOpen | None = None
-    #: What is written has the limits of the files that are patched, whatever was known before.
-    limits_in_files = False
     #: A job is drafted from the files: as in a job, what no option lists stays as it is.
     drafting = False
 
@@ -130,13 +141,19 @@ class Family(Bound, ABC):
         """
 
     @abstractmethod
-    def files_of(
-        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    def write(
+        self,
+        compensations: Sequence[AxisCompensation],
+        axes: Sequence[Axis],
+        files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """Return the files that put ``tables`` into the control; ``files``: its own, patched.
+        """Return exactly the files that put ``compensations`` into the control, in the order of the
+        axes.
 
-        ``faults``: the limits that the tables break. Raises CapacityError with them and with what
-        the text cannot say exactly.
+        ``axes`` holds the axis of every compensation. ``files``: the control's own, to be patched.
+        Same input, same bytes: no dates, no order by chance. Raises UsageError for a compensation
+        without an axis, CapacityError with everything that the control cannot hold exactly: all
+        limits are checked here again (`checked`), whatever was checked before.
         """
 
     @abstractmethod
@@ -174,62 +191,58 @@ class Family(Bound, ABC):
         del own, axes
         return Delivery(tuple(files))
 
-    def carried_out(
-        self, files: Sequence[ControlFile]
-    ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
-        """Return ``files`` without the programs that were not carried out, where the job says so
-        (``active: no``), and findings that name these. Raises InputError where that cannot be.
-        """
-        return tuple(files), ()
 
-    def for_a_view(self) -> Self:
-        """Return the control as it reads files that are only shown: what no readings hang on may
-        be assumed, and is said.
-        """
-        return self
-
-    def for_a_new_job(self) -> Self:
-        """Return the control as it reads files for the draft of a job: what no reading of its tests
-        can depend on keeps no axis out.
-        """
-        return self.for_a_view()
-
-    def write(
-        self,
-        compensations: Sequence[AxisCompensation],
-        axes: Sequence[Axis],
-        files: Sequence[ControlFile] = (),
-    ) -> tuple[ControlFile, ...]:
-        """Return exactly the files that put ``compensations`` into the control, in the order of the
-        axes.
-
-        ``axes`` holds the axis of every compensation. ``files``: the control's own, to be patched.
-        Same input, same bytes: no dates, no order by chance. Raises UsageError for a compensation
-        without an axis, CapacityError with everything that the control cannot hold exactly: all
-        limits are checked here again, whatever was checked before.
-        """
-        pairs = paired(
-            self.definition, compensations, [(self.address(axis)[0], axis) for axis in axes]
-        )
-        bound = self
-        if files and self.limits_in_files:
-            bound = copy(self)
-            bound.state = self.read(files, [axis for _, axis, _ in pairs])
-        pairs = with_partners(self.definition, pairs)
-        faults = [fault for _, axis, table in pairs for fault in _broken(bound, axis, table)]
-        return bound.files_of(pairs, files, list(dict.fromkeys(faults)))
-
-    def own_limits(
-        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
-    ) -> Sequence[Fault]:
-        """Return what breaks limits that only this family has, of endless axes too. ``label``: the
-        axis, in words.
-        """
-        del axis, compensation, capacity, label
-        return ()
+def in_patched_files(
+    control: F,
+    compensations: Sequence[AxisCompensation],
+    axes: Sequence[Axis],
+    files: Sequence[ControlFile],
+) -> F:
+    """Return the control with the limits of the ``files`` that are patched, whatever was known
+    before. Raises UsageError for a table without an axis, InputError for the files.
+    """
+    if not files:
+        return control
+    bound = copy(control)
+    bound.state = control.read(
+        files, [axis for _, axis, _ in _paired(control, compensations, axes)]
+    )
+    return bound
 
 
-def _broken(control: Family, axis: Axis, compensation: AxisCompensation) -> tuple[Fault, ...]:
+def _paired(
+    control: Family, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
+) -> list[AxisTable]:
+    named = [(control.address(axis)[0], axis) for axis in axes]
+    return paired(control.definition, compensations, named)
+
+
+def no_limits(_: Axis, __: AxisCompensation, ___: Capacity, ____: str) -> Sequence[Fault]:
+    """Return no fault: a family without limits of its own."""
+    return ()
+
+
+def checked(
+    control: Family,
+    compensations: Sequence[AxisCompensation],
+    axes: Sequence[Axis],
+    own_limits: OwnLimits = no_limits,
+) -> tuple[list[AxisTable], list[Fault]]:
+    """Return the tables with those of gantry partners, and the limits that they break.
+
+    ``own_limits``: what breaks limits that only one family has, of endless axes too; with the axis
+    in words. Raises UsageError for a table without an axis.
+    """
+    tables = with_partners(control.definition, _paired(control, compensations, axes))
+    faults = [
+        fault for _, axis, table in tables for fault in _broken(control, axis, table, own_limits)
+    ]
+    return tables, list(dict.fromkeys(faults))
+
+
+def _broken(
+    control: Family, axis: Axis, compensation: AxisCompensation, own_limits: OwnLimits
+) -> tuple[Fault, ...]:
     """Return what keeps the control from holding a compensation, apart from single values that
     are not exact.
 
@@ -248,7 +261,7 @@ def _broken(control: Family, axis: Axis, compensation: AxisCompensation) -> tupl
         *limits.size(control.definition, capacity, compensation, label),
         *limits.curves(capacity, compensation, label),
         *limits.endless(control.definition, axis, label),
-        *control.own_limits(axis, compensation, capacity, label),
+        *own_limits(axis, compensation, capacity, label),
         *limits.spacing(capacity, compensation, label),
         *limits.kind(axis, compensation, label),
         *limits.ends(control.definition, compensation, label),

@@ -289,7 +289,7 @@ def _values(
         )
     if facts.lead is not None:
         yield "screw_pitch", Prefilled(facts.lead, f"offered: {facts.lead_evidence}")
-    yield "before", Prefilled(None, "[path of the measurement]")
+    yield "before", Prefilled(None, "[path of the measurement], or delete the axis")
 
 
 def _travel(

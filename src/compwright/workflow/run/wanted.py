@@ -14,6 +14,7 @@ from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning import axis_tasks
 from compwright.planning.axes import AxisWork
 from compwright.planning.checks import Checks
+from compwright.planning.circle_network import network_findings
 from compwright.planning.circles import CircleWork, checked_axes, start_circles
 from compwright.planning.file_statements import with_statements
 from compwright.planning.mirrored import MIRRORED
@@ -70,6 +71,7 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
             *old_tables,
             *places,
             *checks.findings(circles),
+            *network_findings(circles),
             *taken,
         ),
     )

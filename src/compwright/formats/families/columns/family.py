@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.axis_tables import AxisTable
 from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.card_words import (
     AxisCard,
@@ -24,8 +23,8 @@ from compwright.formats.families.columns.entered import entered, whereabouts
 from compwright.formats.families.columns.kept_lines import KEPT
 from compwright.formats.families.columns.reading import read_columns
 from compwright.formats.families.columns.writing import write_columns
-from compwright.formats.families.family import Family, Listing
-from compwright.foundations.errors import CapacityError, Fault, raise_all
+from compwright.formats.families.family import Family, Listing, checked, in_patched_files
+from compwright.foundations.errors import CapacityError, raise_all
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -42,7 +41,6 @@ RULES = ShapeRules(
 class ColumnsFamily(Family):
     """Columns in the user's own tables."""
 
-    limits_in_files = True
     listing = Listing(entered=entered, whereabouts=whereabouts)
 
     def read(
@@ -61,19 +59,22 @@ class ColumnsFamily(Family):
         del one_curve
         return columns_capacity(self, axis)
 
-    def own_limits(
-        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
-    ) -> Sequence[Fault]:
-        """Return what breaks the limits of a column and of the linear error."""
-        del label
-        return tuple(broken_limits(self, axis, compensation, capacity))
-
-    def files_of(
-        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    def write(
+        self,
+        compensations: Sequence[AxisCompensation],
+        axes: Sequence[Axis],
+        files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """See `Family.files_of`."""
+        """See `Family.write`."""
+        bound = in_patched_files(self, compensations, axes, files)
+        tables, faults = checked(
+            bound,
+            compensations,
+            axes,
+            lambda axis, table, capacity, _: tuple(broken_limits(bound, axis, table, capacity)),
+        )
         raise_all(CapacityError, faults)
-        return write_columns(self, tables, files)
+        return write_columns(bound, tables, files)
 
     def card(self, asked: CardRequest) -> AxisCard:
         """See `Family.card`."""

@@ -158,7 +158,12 @@ class Beside:
                 " is taken"
             )
         if said:
-            self.notes.find("CW-S053", "warning", axis=self.address, functions=said)
+            self.notes.find(
+                "CW-S053",
+                "warning",
+                f"axis {self.address}: beside its table acts {'; '.join(said)}. It is left as it"
+                " is, and counts as acting alike during the test and afterwards",
+            )
         return "; ".join(said)
 
     def _temperature(self) -> list[str]:

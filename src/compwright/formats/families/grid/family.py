@@ -11,7 +11,7 @@ from typing import ClassVar
 
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.axis_tables import AxisTable, sound
+from compwright.formats.families.axis_tables import sound
 from compwright.formats.families.between import Between, BetweenRequest, instead
 from compwright.formats.families.card_words import (
     AxisCard,
@@ -19,7 +19,7 @@ from compwright.formats.families.card_words import (
     named_files,
     table_values,
 )
-from compwright.formats.families.family import Family, Listing
+from compwright.formats.families.family import Family, Listing, checked
 from compwright.formats.families.grid.capacity import GridLimits
 from compwright.formats.families.grid.entered import entered
 from compwright.formats.families.grid.joints import sure_joints
@@ -85,7 +85,7 @@ class GridFamily(Family):
         """See `Family.between`: no such table."""
         return instead(self.definition, asked.planned)
 
-    def own_limits(
+    def _own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
         """Return what is wrong with the table of an endless axis that can repeat."""
@@ -93,10 +93,14 @@ class GridFamily(Family):
         repeats = shape_of(self.definition).repeats
         return limits.turn(capacity, compensation, label) if repeats else ()
 
-    def files_of(
-        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    def write(
+        self,
+        compensations: Sequence[AxisCompensation],
+        axes: Sequence[Axis],
+        files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """See `Family.files_of`."""
+        """See `Family.write`."""
+        tables, faults = checked(self, compensations, axes, self._own_limits)
         whole = sound(tables)
         written = self.writer(self, files, [address for address, _, _ in whole]).written(
             whole, faults

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from typing import Self
 
 from compwright.formats.definition.kept_lines import NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.axis_tables import AxisTable, sound
+from compwright.formats.families.axis_tables import sound
 from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.card_words import (
     AxisCard,
@@ -16,7 +15,7 @@ from compwright.formats.families.card_words import (
     named_files,
     sign_check,
 )
-from compwright.formats.families.family import Family, Listing
+from compwright.formats.families.family import Family, Listing, checked
 from compwright.formats.families.increments.against_job import points_question
 from compwright.formats.families.increments.between import straightness_between
 from compwright.formats.families.increments.capacity import IncrementLimits
@@ -71,6 +70,15 @@ def _idle(state: ControlState, address: str) -> bool:
     return not (facts.enabled or increments_of(facts).backlash)
 
 
+def _shown(control: Family) -> Family:
+    """Return the control that counts functions beside the table by their best-known meaning, which
+    is listed.
+    """
+    both = {"inclination", "cyclic"} & control.definition.options.keys()
+    options = {**control.options, **dict.fromkeys(both, "available")}
+    return type(control)(control.definition, options)
+
+
 class IncrementsFamily(Family):
     """Whole steps by section."""
 
@@ -81,6 +89,7 @@ class IncrementsFamily(Family):
         # axes have numbers, and each its own part of the points
         alone=lambda _, __: [str(number) for number in range(1, _MOST_AXES + 1)],
         idle=_idle,
+        shown=_shown,
     )
     left_open = LeftOpen(
         DETECTION_UNIT, "mm or deg per pulse, such as 0.001", stand_in=0.001, lengths=False
@@ -98,14 +107,6 @@ class IncrementsFamily(Family):
         del activity
         return StateReader(self, files, axes, address).read()
 
-    def for_a_view(self) -> Self:
-        """See `Family.for_a_view`: functions beside the table are counted by their best-known
-        meaning, which is listed.
-        """
-        both = {"inclination", "cyclic"} & self.definition.options.keys()
-        shown = {**self.options, **dict.fromkeys(both, "available")}
-        return type(self)(self.definition, shown)
-
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
         """See `Family.questions`: also the first free point number, which one axis gives for all,
         and from where points are counted.
@@ -120,10 +121,14 @@ class IncrementsFamily(Family):
         del one_curve
         return IncrementLimits(self, axis).capacity()
 
-    def files_of(
-        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    def write(
+        self,
+        compensations: Sequence[AxisCompensation],
+        axes: Sequence[Axis],
+        files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """See `Family.files_of`."""
+        """See `Family.write`."""
+        tables, faults = checked(self, compensations, axes)
         raise_all(CapacityError, faults)
         return write_increments(self, sound(tables), files)
 

@@ -10,7 +10,7 @@ from compwright.formats.definition.kept_lines import NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.axis_tables import AxisTable, sound
+from compwright.formats.families.axis_tables import sound
 from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.card_words import (
     AxisCard,
@@ -19,7 +19,7 @@ from compwright.formats.families.card_words import (
     sign_check,
     typed,
 )
-from compwright.formats.families.family import Family
+from compwright.formats.families.family import Family, checked, in_patched_files
 from compwright.formats.families.lists.between import lists_between
 from compwright.formats.families.lists.reading import read_state
 from compwright.formats.families.lists.table import COUNTS, TENTH, VALUE_TYPES, counted
@@ -39,10 +39,33 @@ RULES = ShapeRules(
 )
 
 
+def _own_limits(
+    axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
+) -> Sequence[Fault]:
+    """Return what is wrong with the table of an endless axis, and a fault for a value that the
+    type of the build does not hold.
+    """
+    faults = limits.turn(capacity, compensation, label)
+    low, high = capacity.value_range
+    values = (*compensation.positive, *compensation.negative)
+    if all(low <= value <= high for value in values):
+        return faults
+    message = f"axis {axis.name}: a value does not fit the type of the list"
+    found = f"{max(values, key=abs):g}"
+    return [
+        *faults,
+        Fault(
+            message=message,
+            expected=f"{low:g} to {high:g}",
+            found=found,
+            hint="reduce the value to this range",
+        ),
+    ]
+
+
 class ListsFamily(Family):
     """Entries by index in one list per axis."""
 
-    limits_in_files = True
     left_open = LeftOpen(
         "encoder_increment",
         "mm or deg per encoder increment, such as 0.0001",
@@ -122,37 +145,19 @@ class ListsFamily(Family):
             there=self.grid_there(axis),
         )
 
-    def own_limits(
-        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
-    ) -> Sequence[Fault]:
-        """Return what is wrong with the table of an endless axis, and a fault for a value that the
-        type of the build does not hold.
-        """
-        faults = limits.turn(capacity, compensation, label)
-        low, high = capacity.value_range
-        values = (*compensation.positive, *compensation.negative)
-        if all(low <= value <= high for value in values):
-            return faults
-        message = f"axis {axis.name}: a value does not fit the type of the list"
-        found = f"{max(values, key=abs):g}"
-        return [
-            *faults,
-            Fault(
-                message=message,
-                expected=f"{low:g} to {high:g}",
-                found=found,
-                hint="reduce the value to this range",
-            ),
-        ]
-
-    def files_of(
-        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    def write(
+        self,
+        compensations: Sequence[AxisCompensation],
+        axes: Sequence[Axis],
+        files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """See `Family.files_of`."""
+        """See `Family.write`."""
+        bound = in_patched_files(self, compensations, axes, files)
+        tables, faults = checked(bound, compensations, axes, _own_limits)
         whole = sound(tables)
         writer = ListsWriter(self.definition, files)
         for address, axis, compensation in whole:
-            writer.put_table(address, compensation, self.scale_of(axis), faults)
+            writer.put_table(address, compensation, bound.scale_of(axis), faults)
         raise_all(CapacityError, list(dict.fromkeys(faults)))
         return writer.files_of([address for address, _, _ in whole])
 

@@ -7,13 +7,12 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import ClassVar, Self
+from typing import ClassVar
 
 import numpy as np
 
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.axis_tables import AxisTable
 from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.card_words import (
     CURVES,
@@ -43,10 +42,9 @@ from compwright.formats.text.container import is_container
 from compwright.formats.text.loading_order import loading_order
 from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
-from compwright.records.correction import ControlFile, ControlState
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.delivery import Delivery
 
 _ARCHIVE = (
@@ -58,9 +56,28 @@ _BLANK = "a file with a blank in place of the equals sign, a form that no manual
 _LISTING = "a listing with decimal commas, which the control does not take"
 
 
+def _shown(control: Family) -> Family:
+    """Return the control that shows tables between axes as corrections where nobody says their
+    sign.
+    """
+    if control.options.get("cec_sign", "") is not None:
+        return control
+    shown = PairsFamily(control.definition, {**control.options, "cec_sign": "correction"})
+    shown.sign_assumed = True
+    return shown
+
+
+def _drafted(control: Family) -> Family:
+    """Return the control that reads files for the draft of a job."""
+    shown = _shown(control)
+    draft = PairsFamily(control.definition, shown.options)
+    draft.sign_assumed, draft.drafting = shown is not control, True
+    return draft
+
+
 def _alone(control: Family, files: Sequence[ControlFile]) -> Sequence[str]:
     """Return every axis: each line names its own, and each has its own table."""
-    return PairsReader(control.for_a_view(), files, (), None, Activity()).named()
+    return PairsReader(_shown(control), files, (), None, Activity()).named()
 
 
 class PairsFamily(GridFamily):
@@ -70,7 +87,14 @@ class PairsFamily(GridFamily):
 
     reader = PairsReader
     writer = PairsWriter
-    listing: ClassVar[Listing] = Listing(entered=entered, whereabouts=whereabouts, alone=_alone)
+    listing: ClassVar[Listing] = Listing(
+        entered=entered,
+        whereabouts=whereabouts,
+        alone=_alone,
+        carried_out=not_carried_out,
+        shown=_shown,
+        drafted=_drafted,
+    )
     sign_assumed = False
 
     def read(
@@ -85,29 +109,15 @@ class PairsFamily(GridFamily):
         state = super().read(files, axes, address=address, activity=activity)
         return with_sign_unknown(state) if self.sign_assumed else state
 
-    def for_a_view(self) -> Self:
-        """See `Family.for_a_view`: tables between axes are shown as corrections where nobody says
-        their sign.
-        """
-        if self.options.get("cec_sign", "") is not None:
-            return self
-        shown = type(self)(self.definition, {**self.options, "cec_sign": "correction"})
-        shown.sign_assumed = True
-        return shown
-
-    def for_a_new_job(self) -> Self:
-        """See `Family.for_a_new_job`."""
-        shown = self.for_a_view()
-        draft = type(self)(self.definition, shown.options)
-        draft.sign_assumed, draft.drafting = shown.sign_assumed, True
-        return draft
-
-    def files_of(
-        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    def write(
+        self,
+        compensations: Sequence[AxisCompensation],
+        axes: Sequence[Axis],
+        files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """See `GridFamily.files_of`."""
+        """See `Family.write`."""
         self._check_form(files)
-        return super().files_of(tables, files, faults)
+        return super().write(compensations, axes, files)
 
     def delivered(
         self,
@@ -167,12 +177,6 @@ class PairsFamily(GridFamily):
 
     def _statements_of(self, *quantities: str) -> set[str]:
         return {self.definition.bindings[name].statement for name in quantities}
-
-    def carried_out(
-        self, files: Sequence[ControlFile]
-    ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
-        """See `Family.carried_out`."""
-        return not_carried_out(self.definition, files)
 
     def _check_form(self, own: Sequence[ControlFile]) -> None:
         """Refuse to patch what the control would not take."""

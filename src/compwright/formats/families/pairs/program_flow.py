@@ -15,6 +15,7 @@ from functools import lru_cache
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.entry_keys import NAMES, Key, quantities_of
+from compwright.formats.families.pairs.program_conditions import ANY
 from compwright.formats.families.pairs.program_ways import END, ProgramWays, Step, ways_through
 from compwright.formats.text.texts import KEPT_TEXTS, ReadText, text_reader
 from compwright.foundations.errors import Fault
@@ -109,6 +110,8 @@ _DIVIDING = re.compile(
     r")(?![A-Z_0-9])",
     re.IGNORECASE,
 )
+#: Words of an address and a number: motions and functions, no call and no R parameter.
+_ADDRESSES = re.compile(r"(?:(?![LRP]\d)[A-Z]\d*=?[+-]?\d*\.?\d*\s*)+", re.IGNORECASE)
 #: What to give in place of a program.
 EXPORTED = "the data as the control exports them (AX_EEC.INI, INITIAL.INI, the archive)"
 #: Units of a program's lengths: what they say, and the word of ``units``.
@@ -326,7 +329,21 @@ def _step(number: int, code: str, followed: Collection[str], *, marked: bool) ->
         names.append(label["name"])
     plain = (marked and "$" in bare) or _plain_call(bare) in followed or _PROCEDURE.match(bare)
     does = "" if plain or not bare or harmless(bare) else _STRING.sub('""', bare)
-    return Step(number, tuple(names), does, marked, skipped is not None)
+    called = _plain_call(bare) in followed
+    sets = frozenset({ANY}) if called else frozenset() if marked else _sets(bare)
+    return Step(number, tuple(names), does, marked, skipped is not None, sets=sets)
+
+
+def _sets(code: str) -> frozenset[str]:
+    """Return the variables that a statement assigns: any where that is not known."""
+    assignment = _ASSIGNMENT.fullmatch(code)
+    if code and not harmless(code):
+        forks = _DIVIDING.match(code) is not None and code[:3].upper() != "FOR"
+        quiet = forks or END.search(code) is not None or _ADDRESSES.fullmatch(code) is not None
+        return frozenset() if quiet else frozenset({ANY})
+    if assignment is None or assignment["left"].startswith("$"):
+        return frozenset()
+    return frozenset({ANY if assignment["index"] else assignment["left"].upper()})
 
 
 def _note(code: str, number: int, program: ProgramFlow, known: Collection[str]) -> None:

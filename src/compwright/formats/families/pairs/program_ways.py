@@ -1,6 +1,7 @@
 """The ways through a SINUMERIK's program: which values a run can carry out, and which it must.
 
-Conditions may go either way, an unknown statement may end the program. Nothing here knows values.
+A condition may go either way, but the same way as others of the same variable; an unknown statement
+may end the program. Nothing here knows values.
 """
 
 from __future__ import annotations
@@ -8,6 +9,12 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+
+from compwright.formats.families.pairs.program_conditions import (
+    Decision,
+    condition_of,
+    together,
+)
 
 _GO = re.compile(r"\bGOTO(?P<way>[BFCS]?)\b\s*(?P<target>\$?\w+(?:\s*[\[(<])?)?", re.IGNORECASE)
 _FIRST = re.compile(r"[A-Z]+", re.IGNORECASE)
@@ -18,6 +25,13 @@ END = re.compile(r"(?:\bM\s*=?\s*(?:17|30|0*2)(?!\s*[-+*/.\d=])|\bRET\b)", re.IG
 #: there (programming manual Job Planning, subprogram return).
 _RETURN = re.compile(r"M(?:17|30)|RET", re.IGNORECASE)
 _DEFAULT = re.compile(r"\bDEFAULT\b", re.IGNORECASE)
+#: Motions, speeds and switching functions: the program goes on behind them. M0, M1 and M6 may stop
+#: it, or call a program.
+_WORDS = re.compile(
+    r"(?:(?:G0*[0-3]|M0*(?:[345789]|19|4[0-5])|[SF]\d*=?[\d.]+|[XYZABCUVW]=?[+-]?[\d.]+)\s*)+",
+    re.IGNORECASE,
+)
+_ASKING = re.compile(r"(?:IF|WHILE|UNTIL)\b(?P<condition>.*?)(?:\bGOTO[BFCS]?\b.*)?", re.IGNORECASE)
 _REPEATED = re.compile(r"REPEATB?\s+(?P<target>\w+)", re.IGNORECASE)
 _CLOSING = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDFOR": "FOR", "ENDLOOP": "LOOP"} | {
     "UNTIL": "REPEAT"
@@ -29,7 +43,7 @@ class Step:
     """A line of a program. ``names``: its label and block number; ``code``: what it does, strings
     emptied, empty where that leaves the order of the lines alone; ``marked``: it is one of those
     that are asked about (a value, a call); ``skipped``: on the control's block skip; ``until``: the
-    last of the lines that it is followed by in any case.
+    last of the lines that it is followed by in any case; ``sets``: the variables that it assigns.
     """
 
     line: int
@@ -38,6 +52,7 @@ class Step:
     marked: bool = False
     skipped: bool = False
     until: int = 0
+    sets: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,11 +62,42 @@ class ProgramWays:
     by M2, an alarm, or a statement of which that is not known.
 
     ``unclear``: lines of jumps of which more than one label of that name may be the destination.
+    ``decisions``: by place, steps of which the condition is known.
     """
 
     steps: Sequence[Step]
     next: Sequence[frozenset[int]] = field(repr=False)
     unclear: tuple[int, ...] = ()
+    decisions: Mapping[int, Decision] = field(default_factory=dict)
+
+    def consistent(self) -> Iterator[ProgramWays]:
+        """Yield the ways for each manner in which conditions that belong together may turn out."""
+        setting = {place: step.sets for place, step in enumerate(self.steps) if step.sets}
+
+        def behind(place: int) -> set[int]:
+            return set().union(*(self._reached(one) for one in self.next[place]))
+
+        stop = {len(self.steps) + 1}
+        sure = [
+            found - stop if _WORDS.fullmatch(step.code) else found
+            for step, found in zip(self.steps, self.next, strict=True)
+        ]
+        for goes_on in together(self.decisions, setting, behind):
+            follow = [goes_on.get(place, found) for place, found in enumerate(sure)]
+            yield replace(self, next=tuple(follow), decisions={})
+
+    def left_out(self) -> int | None:
+        """Return the line of a marked step that no run carries out together with all others, by
+        conditions that belong together; None where a run comes to all of them.
+        """
+        first: int | None = None
+        for ways in self.consistent():
+            past, pair = next(ways.unreached(), None), ways.exclusive()
+            if past is None and pair is None:
+                return None
+            line = past[0] if past is not None else 0 if pair is None else pair[1]
+            first = line if first is None else first
+        return first
 
     def unreached(self) -> Iterator[tuple[int, int]]:
         """Yield the lines of marked steps that no run comes to, each with the line that leads past
@@ -77,6 +123,15 @@ class ProgramWays:
         marked steps: one that all of them carry out, else those that may be the first of a run.
         Empty where a run can leave all of them out.
         """
+        found: list[int] = []
+        for ways in self.consistent():
+            some = ways._unavoidable(lines)  # noqa: SLF001 - of its own class
+            if not some:
+                return []
+            found += some
+        return sorted(set(found))
+
+    def _unavoidable(self, lines: Collection[int]) -> list[int]:
         among: dict[int, int] = {}
         for place, step in enumerate(self.steps):
             for line in range(step.line, max(step.line, step.until) + 1) if step.marked else ():
@@ -121,13 +176,27 @@ def ways_through(steps: Iterable[Step]) -> ProgramWays:
         for name in step.names:
             places.setdefault(name.upper(), []).append(place)
     blocks = _blocks(kept)
-    follow, unclear = [], []
+    follow, unclear, decisions = [], [], {}
     for place, step in enumerate(kept):
         found = _following(kept, place, places, blocks) if step.code else {place + 1}
         follow.append(frozenset(found | ({place + 1} if step.skipped else set())))
         if any(len(each) > 1 for each in _destinations(step.code, place, places)):
             unclear.append(step.line)
-    return ProgramWays(tuple(kept), tuple(follow), tuple(unclear))
+        decision = _decision(step, follow[place], place + 1)
+        if decision is not None:
+            decisions[place] = decision
+    return ProgramWays(tuple(kept), tuple(follow), tuple(unclear), decisions)
+
+
+def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None:
+    """Return how a line with a condition goes on; None where that is not its condition alone."""
+    found = _ASKING.fullmatch(step.code)
+    jumps = len(_GO.findall(step.code))
+    condition = None if found is None or step.skipped else condition_of(found["condition"])
+    here, elsewhere = follow & {after}, follow - {after}
+    if condition is None or jumps > 1 or not (here and elsewhere):
+        return None
+    return Decision(condition, *((elsewhere, here) if jumps else (here, elsewhere)))
 
 
 def _merged(steps: list[Step]) -> list[Step]:
@@ -141,7 +210,7 @@ def _merged(steps: list[Step]) -> list[Step]:
         one = replace(step, names=tuple(name for name in step.names if _is_used(name, targets)))
         plain = one.marked and not (one.names or one.code or one.skipped)
         if plain and kept and kept[-1].marked and not (kept[-1].code or kept[-1].skipped):
-            kept[-1] = replace(kept[-1], until=one.line)
+            kept[-1] = replace(kept[-1], until=one.line, sets=kept[-1].sets | one.sets)
         else:
             kept.append(one)
     return kept

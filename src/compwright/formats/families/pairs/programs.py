@@ -43,7 +43,11 @@ def not_carried_out(
         elif len(doubted) < len(own):
             faults.append(_two_kinds(doubted[0]))
         else:
-            findings.append(Finding.of("CW-S073", "warning", file=file.name))
+            message = (
+                f"{file.name}: the job says that none of its values was carried out (active: no)."
+                " No table and no backlash of it count as loaded"
+            )
+            findings.append(Finding("CW-S073", "warning", message))
     raise_all(InputError, faults)
     if findings and not any(_is_data(definition, file) for file in kept):
         kept = []  # programs that call others, and nothing else
@@ -204,6 +208,18 @@ def _left_out(found: Found) -> Iterator[Fault]:
                 "export the compensation data from the control, then give that file "
                 "instead of the program"
             ),
+        )
+        return
+    line = ways.left_out()
+    if line is not None:
+        yield Fault(
+            message=(
+                "active: yes, but by its conditions no run of the program carries out this line and"
+                " all other values"
+            ),
+            file=found.file,
+            place=f"line {line}",
+            expected=f"{EXPORTED}; or active: no where none of the values was carried out",
         )
 
 

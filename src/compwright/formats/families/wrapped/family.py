@@ -10,7 +10,7 @@ from compwright.formats.definition.kept_lines import NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.axis_tables import AxisTable, sound
+from compwright.formats.families.axis_tables import sound
 from compwright.formats.families.between import Between, BetweenRequest, instead
 from compwright.formats.families.card_words import (
     AxisCard,
@@ -18,7 +18,7 @@ from compwright.formats.families.card_words import (
     named_files,
     sign_check,
 )
-from compwright.formats.families.family import Family
+from compwright.formats.families.family import Family, checked
 from compwright.formats.families.wrapped.card import table_words
 from compwright.formats.families.wrapped.card_memory import MOST_MOTORS
 from compwright.formats.families.wrapped.counts import COUNTS, Counts, counts_of, counts_question
@@ -137,7 +137,7 @@ class WrappedFamily(Family):
     def _counts(self, axis: Axis) -> Counts:
         return counts_of(self.definition, self.options_of(axis), axis.name)
 
-    def own_limits(
+    def _own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
         """Return what is wrong with the table of an endless axis, and what the entries of the
@@ -148,10 +148,14 @@ class WrappedFamily(Family):
             self._entries(axis, compensation, faults)
         return faults
 
-    def files_of(
-        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    def write(
+        self,
+        compensations: Sequence[AxisCompensation],
+        axes: Sequence[Axis],
+        files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """See `Family.files_of`: one script, or the user's own ones, all of them in their order."""
+        """See `Family.write`: one script, or the user's own ones, all of them in their order."""
+        tables, faults = checked(self, compensations, axes, self._own_limits)
         raise_all(CapacityError, faults)
         motors = [self._motor_table(axis, table) for _, axis, table in sound(tables)]
         rates = {

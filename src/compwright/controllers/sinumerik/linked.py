@@ -1,0 +1,162 @@
+"""Conditions of a SINUMERIK's program that cannot turn out independently of each other.
+
+Two lines that ask about one variable, which nothing assigns between them, get the same answer from
+it. So the ways through the program are followed once for each value that makes a difference.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+#: Assigned by a statement of which nobody knows what it assigns.
+EVERYTHING = "everything"
+#: More answers than these are not followed: what is left may be answered in any way.
+_MOST_ANSWERS = 2000
+_TURNED = {"==": "==", "<>": "<>", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
+_LOGIC = frozenset({"AND", "OR", "XOR", "NOT", "DIV", "MOD", "TRUE", "FALSE"})
+
+Words = tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """What a line asks: about ``what`` (a variable, or the words of a whole condition), as a test
+    of a number. ``variables``: those in it.
+    """
+
+    what: Words
+    sign: str
+    number: float
+    variables: frozenset[str]
+    two: bool = False
+
+    def answer(self, value: float) -> bool:
+        """Return whether it is true for a value of ``what``."""
+        less, same = value < self.number, value == self.number
+        return {
+            "==": same,
+            "<>": not same,
+            "<": less,
+            ">=": not less,
+            "<=": less or same,
+            ">": not (less or same),
+        }[self.sign]
+
+
+@dataclass(frozen=True, slots=True)
+class Fork:
+    """Where a line goes on, as bits: after a true condition, and after one that is not."""
+
+    question: Question
+    true: int
+    false: int
+
+
+def question_of(words: Words) -> Question | None:
+    """Return what the words of a condition ask, None for what may change without an assignment: a
+    variable of the control, a field, a function.
+    """
+    words = _without_brackets(words)
+    variables = frozenset(
+        word for word in words if (word[0].isalpha() or word[0] == "_") and word not in _LOGIC
+    )
+    called = any(
+        after == "(" and before in variables for before, after in itertools.pairwise(words)
+    )
+    if not variables or called or any(word[0] in "$[\"'" for word in words):
+        return None
+    if words[0] == "NOT" and len(words) > 1:
+        rest = _without_brackets(words[1:])
+        if len(rest) == 1:
+            return Question(rest, "==", 0.0, variables)
+        if len(rest) < len(words) - 1:
+            return Question(rest, "<>", 1.0, variables, two=True)
+    if len(words) == 1:
+        return Question(words, "<>", 0.0, variables)
+    signed = _signed(words)
+    if len(signed) == 3 and signed[1] in _TURNED:
+        left, sign, right = signed
+        if left not in variables:
+            left, sign, right = right, _TURNED[sign], left
+        number = _number(right)
+        if number is not None and variables == {left}:
+            return Question((left,), sign, number, variables, two=right in ("TRUE", "FALSE"))
+    return Question(words, "==", 1.0, variables, two=True)
+
+
+def answered(
+    forks: Mapping[int, Fork],
+    assigning: Mapping[int, frozenset[str]],
+    behind: Callable[[int], int],
+) -> Iterator[dict[int, int]]:
+    """Yield where the lines with linked questions go on, by place, for each set of answers.
+
+    ``assigning``: the variables that lines assign; ``behind``: the lines behind one, as bits.
+    """
+    places: dict[Words, list[int]] = {}
+    for place, fork in forks.items():
+        places.setdefault(fork.question.what, []).append(place)
+    candidates: dict[Words, list[float]] = {}
+    for what, asked in places.items():
+        variables = forks[asked[0]].question.variables | {EVERYTHING}
+        among = sum(1 << place for place in asked)
+        changed = any(
+            not variables.isdisjoint(names)
+            and behind(place) & among
+            and any(behind(one) >> place & 1 for one in asked)
+            for place, names in assigning.items()
+        )
+        if len(asked) > 1 and not changed:
+            candidates[what] = _candidates([forks[place].question for place in asked])
+    taken, size = [], 1
+    for what in sorted(candidates, key=lambda one: (len(candidates[one]), one)):
+        size *= len(candidates[what])
+        if size > _MOST_ANSWERS:
+            break
+        taken.append(what)
+    for values in itertools.product(*map(candidates.__getitem__, taken)):
+        goes_on = {}
+        for what, value in zip(taken, values, strict=True):
+            for place in places[what]:
+                fork = forks[place]
+                goes_on[place] = fork.true if fork.question.answer(value) else fork.false
+        yield goes_on
+
+
+def _candidates(questions: Sequence[Question]) -> list[float]:
+    if any(one.two for one in questions):
+        return [0.0, 1.0]
+    numbers = sorted({one.number for one in questions})
+    found = [numbers[0] - 1.0]
+    for number in numbers:
+        found += [(found[-1] + number) / 2 if len(found) > 1 else number - 0.5, number]
+    return [*found, numbers[-1] + 1.0]
+
+
+def _without_brackets(words: Words) -> Words:
+    while len(words) > 2 and words[0] == "(" and words[-1] == ")":
+        inside, depth = words[1:-1], 0
+        for word in inside:
+            depth += (word == "(") - (word == ")")
+            if depth < 0:
+                return words
+        words = inside
+    return words
+
+
+def _signed(words: Words) -> Words:
+    """Return the words with a sign joined to the number behind it."""
+    if len(words) == 4 and words[2] in "+-" and words[1] in _TURNED:
+        return words[0], words[1], words[2] + words[3]
+    return words
+
+
+def _number(word: str) -> float | None:
+    if word in ("TRUE", "FALSE"):
+        return float(word == "TRUE")
+    try:
+        return float(word)
+    except ValueError:
+        return None

@@ -1,0 +1,159 @@
+"""Conditions of a SINUMERIK's program that belong together: a run in which ``R1==1`` is true in one
+line has it true in the other one too, and ``R1<>1`` false, as long as nothing assigns R1 between.
+
+Conditions with a variable of the control (``$..``), an index or a call are left out: what they give
+may change at any time.
+"""
+
+from __future__ import annotations
+
+import operator
+import re
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise, product
+
+#: What a statement sets that may change any variable.
+ANY = "*"
+#: So many combinations of values are followed; conditions beyond them may turn out either way.
+_MOST = 2000
+_SINGLE = re.compile(
+    r"(?:(?P<name>[A-Z_]\w*)(?P<relation>==|<>|<=|>=|<|>)(?P<value>[+-]?\d+\.?\d*|TRUE|FALSE)"
+    r"|(?P<negated>NOT )?(?P<flag>[A-Z_]\w*))"
+)
+_NAME = re.compile(r"[A-Z_]\w*")
+_OPERATORS = frozenset({"AND", "OR", "XOR", "NOT", "DIV", "MOD", "TRUE", "FALSE"})
+_CALL = re.compile(r"([A-Z_]\w*)\(")
+_TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
+_RELATIONS: Mapping[str, Callable[[float, float], bool]] = {
+    "==": operator.eq,
+    "<>": operator.ne,
+    "<=": operator.le,
+    ">=": operator.ge,
+    "<": operator.lt,
+    ">": operator.gt,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """A condition as a relation of its ``subject`` and a number: of a variable, or of a whole text
+    that is 1 where it is true. ``names``: the variables in it; ``truth``: it is true or false, and
+    no other number.
+    """
+
+    subject: str
+    relation: str
+    value: float
+    names: frozenset[str]
+    truth: bool = False
+
+    def holds(self, value: float) -> bool:
+        """Return whether it is true where its subject is ``value``."""
+        return _RELATIONS[self.relation](value, self.value)
+
+
+@dataclass(frozen=True, slots=True)
+class Decision:
+    """A step that goes on to ``yes`` where its condition is true, else to ``no``."""
+
+    condition: Condition
+    yes: frozenset[int]
+    no: frozenset[int]
+
+
+def condition_of(text: str) -> Condition | None:
+    """Return what a condition says; None where its value may change from line to line."""
+    text = re.sub(r"\s+", " ", text.upper().strip())
+    text = _bare(re.sub(r" (?=\W)|(?<=\W) ", "", text))
+    names = frozenset(_NAME.findall(text)) - _OPERATORS
+    calls = set(_CALL.findall(text)) - _OPERATORS
+    if not names or calls or any(mark in text for mark in '$["'):
+        return None
+    single = _SINGLE.fullmatch(text)
+    if single is None or names != {single["name"] or single["flag"]}:
+        whole = _bare(text[3:]) if text[:4] == "NOT(" else text
+        negated = text[:4] == "NOT(" and f"({whole})" == text[3:]
+        return Condition(
+            whole if negated else text, "<>" if negated else "==", 1.0, names, truth=True
+        )
+    if single["flag"] is not None:
+        return Condition(single["flag"], "==" if single["negated"] else "<>", 0.0, names)
+    word = single["value"]
+    value = _TRUTH.get(word)
+    number = float(word) if value is None else value
+    return Condition(single["name"], single["relation"], number, names, truth=value is not None)
+
+
+def _bare(text: str) -> str:
+    """Return a text without brackets around all of it."""
+    while text[:1] == "(" and text[-1:] == ")":
+        depths, depth = [], 0
+        for sign in text:
+            depth += {"(": 1, ")": -1}.get(sign, 0)
+            depths.append(depth)
+        if 0 in depths[:-1]:
+            break
+        text = text[1:-1]
+    return text
+
+
+def together(
+    decisions: Mapping[int, Decision],
+    setting: Mapping[int, Collection[str]],
+    reached: Callable[[int], set[int]],
+) -> Iterator[dict[int, frozenset[int]]]:
+    """Yield, for each way in which conditions that belong together may turn out, where the steps
+    with such a condition go on.
+
+    ``setting``: what steps set; ``reached``: the steps that may follow one.
+    """
+    uses: dict[str, list[int]] = {}
+    for place, one in decisions.items():
+        uses.setdefault(one.condition.subject, []).append(place)
+    linked = {
+        subject: places
+        for subject, places in uses.items()
+        if len(places) > 1
+        and not _changes(decisions[places[0]].condition, places, setting, reached)
+    }
+    values = {
+        subject: _values([decisions[place].condition for place in places])
+        for subject, places in linked.items()
+    }
+    followed: list[str] = []
+    count = 1
+    for subject in sorted(values, key=lambda each: len(values[each])):
+        count *= len(values[subject])
+        if count <= _MOST:
+            followed.append(subject)
+    for taken in product(*(values[subject] for subject in followed)):
+        yield {
+            place: decisions[place].yes
+            if decisions[place].condition.holds(value)
+            else decisions[place].no
+            for subject, value in zip(followed, taken, strict=True)
+            for place in linked[subject]
+        }
+
+
+def _changes(
+    condition: Condition,
+    places: Sequence[int],
+    setting: Mapping[int, Collection[str]],
+    reached: Callable[[int], set[int]],
+) -> bool:
+    """Return whether a run may set what the conditions in ``places`` ask about, between two."""
+    asked = condition.names | {ANY}
+    behind = set().union(*map(reached, places))
+    between = (place for place, names in setting.items() if not asked.isdisjoint(names))
+    return any(place in behind and not reached(place).isdisjoint(places) for place in between)
+
+
+def _values(conditions: Sequence[Condition]) -> list[float]:
+    """Return values of a subject by which its conditions turn out in every possible way."""
+    if any(one.truth for one in conditions):
+        return [0.0, 1.0]
+    numbers = sorted({one.value for one in conditions})
+    between = [(low + high) / 2 for low, high in pairwise(numbers)]
+    return sorted([numbers[0] - 1, *numbers, *between, numbers[-1] + 1])

@@ -1,0 +1,208 @@
+"""Several circles of one machine as one system of equations: other planes, radii and feeds.
+
+Every circle gives a squareness, two scales, two lost motions and a servo mismatch. The machine has
+one squareness per plane, and one scale, one lost motion, one lag and one shrinking per axis. The
+shrinking separates the lag of the position loop from the scale: a first-order lag T makes the
+travel of its axis smaller by (v T / R)² / 2, so that circles at two feeds or two radii tell both
+(ISO 230-4:1996, B.3.2). Linear least squares with priors of machine-tool size (Tarantola, Inverse
+Problem Theory, 2005, chapter 3).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.circle_model import PRIOR_SCALE, PRIORS, SOFTEST_LOOP
+from compwright.foundations.findings import Finding
+from compwright.planning.circles import CircleWork, effect_of
+from compwright.planning.stated import SIGNIFICANT, Stated
+
+_PPM: Final = 1e6
+#: What the softest usual position loop shrinks, um/m for one rad/s squared: T² / 2.
+_MOST_SHRINKING: Final = _PPM / (2.0 * SOFTEST_LOOP**2)
+#: Least error of a scale by the fit, um/m.
+_LEAST: Final = 0.05
+#: Mean and standard deviation of the prior of each unknown (um/m, um, ms); the shrinking is uniform
+#: up to the softest loop.
+_PRIOR: Final[Mapping[str, tuple[float, float]]] = {
+    "squareness": (0.0, PRIORS["squareness"]),
+    "scale": (0.0, PRIOR_SCALE),
+    "shrinking": (0.5 * _MOST_SHRINKING, _MOST_SHRINKING / np.sqrt(12.0)),
+    "lost motion": (0.0, PRIORS["backlash"]),
+    "lag": (0.0, 50.0 * PRIORS["servo_mismatch"]),
+}
+#: A standard error above this share of the prior's: the circles do not tell the value.
+_TELLS: Final = 0.5
+#: Kinds of observations, in the order of the message, with the unit of their values.
+_UNITS: Final = {"scale": "µm/m", "lost motion": "µm", "servo mismatch": "ms"}
+
+#: An unknown: its kind, and its axis or plane.
+Unknown = tuple[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Observation:
+    """One value that a circle gives: ``kind``, what the unknowns do to it, and the circle."""
+
+    kind: str
+    parts: Mapping[Unknown, float]
+    found: Stated
+    circle: str
+
+
+@dataclass(frozen=True, slots=True)
+class CircleNetwork:
+    """The one machine that fits all circles best, by unknown, and the kinds of values in which they
+    contradict each other with those observations.
+    """
+
+    values: Mapping[Unknown, Stated]
+    contradictions: Mapping[str, tuple[Observation, ...]]
+
+    def told(self, kind: str) -> dict[str, Stated]:
+        """Return the values of a kind that the circles tell, by axis or plane."""
+        most = _TELLS * _PRIOR[kind][1]
+        return {
+            name: value
+            for (own, name), value in self.values.items()
+            if own == kind and value.std_error < most
+        }
+
+
+def solved(circles: Sequence[CircleWork]) -> CircleNetwork:
+    """Return the machine of these circles, which were measured in one state."""
+    seen = [each for work in circles for each in _observations(work)]
+    unknowns = sorted({unknown for each in seen for unknown in each.parts})
+    matrix = np.array([[each.parts.get(name, 0.0) for name in unknowns] for each in seen])
+    matrix = matrix.reshape(len(seen), len(unknowns))
+    target = np.array([each.found.value for each in seen])
+    error = np.array([each.found.std_error for each in seen])
+    centre, width = np.array([_PRIOR[kind] for kind, _ in unknowns]).reshape(-1, 2).T
+    weighted = matrix / error[:, np.newaxis]
+    precision = weighted.T @ weighted + np.diag(width**-2.0)
+    covariance = np.linalg.inv(precision)
+    solution = covariance @ (weighted.T @ (target / error) + centre / width**2)
+    rest = (target - matrix @ solution) / error
+    # Each observation takes its share of the unknowns: the rest are degrees of freedom.
+    leverage = np.einsum("ij,jk,ik->i", weighted, covariance, weighted)
+    contradictions, worse = {}, np.ones(len(unknowns))
+    for kind in dict.fromkeys(each.kind for each in seen):
+        mine = np.array([each.kind == kind for each in seen])
+        free = float(np.sum(1.0 - leverage[mine]))
+        scatter = float(np.sum(rest[mine] ** 2))
+        if free < 0.5 or scatter <= free + SIGNIFICANT * np.sqrt(2.0 * free):
+            continue
+        contradictions[kind] = tuple(each for each in seen if each.kind == kind)
+        touched = np.any(matrix[mine] != 0.0, axis=0)
+        worse[touched] = np.sqrt(scatter / free)
+    errors = worse * np.sqrt(np.diag(covariance))
+    values = {
+        name: Stated(float(value), float(each))
+        for name, value, each in zip(unknowns, solution, errors, strict=True)
+    }
+    return CircleNetwork(values, contradictions)
+
+
+def _observations(work: CircleWork) -> Iterator[Observation]:
+    test, name = work.planned.test, work.name
+    first, second = test.axes
+    turning = (test.feed / 60.0 / test.nominal_radius) ** 2  # (rad/s)²
+    angle = effect_of(work.result, "squareness")
+    if angle is not None:
+        pair = "".join(sorted(test.axes))
+        found = Stated(angle.value, angle.std_error)
+        yield Observation("squareness", {("squareness", pair): 1.0}, found, name)
+    difference = effect_of(work.result, "scale_mismatch")
+    across = 2e-3 * test.nominal_radius  # um of the mismatch for 1 um/m
+    if difference is not None:
+        parts = {
+            ("scale", first): 1.0,
+            ("scale", second): -1.0,
+            ("shrinking", first): -turning,
+            ("shrinking", second): turning,
+        }
+        found = Stated(difference.value / across, difference.std_error / across)
+        yield Observation("scale", parts, found, name)
+        yield from _mean_scale(work, found.std_error, turning)
+    late = effect_of(work.result, "servo_mismatch")
+    if late is not None:
+        parts = {("lag", first): 1.0, ("lag", second): -1.0}
+        yield Observation("servo mismatch", parts, Stated(late.value, late.std_error), name)
+    for axis, side in ((first, "first"), (second, "second")):
+        lost = effect_of(work.result, f"backlash_{side}")
+        if lost is not None:
+            found = Stated(lost.value, lost.std_error)
+            yield Observation("lost motion", {("lost motion", axis): 1.0}, found, name)
+
+
+def _mean_scale(work: CircleWork, of_mismatch: float, turning: float) -> Iterator[Observation]:
+    """Yield the mean scale of both axes, with the error of the fit alone: the shrinking is an
+    unknown of its own here.
+    """
+    both = [effect_of(work.result, f"scale_error_{side}") for side in ("first", "second")]
+    if both[0] is None or both[1] is None:
+        return
+    doubt = turning * _MOST_SHRINKING / np.sqrt(3.0)
+    variance = both[0].std_error ** 2 - doubt**2 - (0.5 * of_mismatch) ** 2
+    parts = {
+        unknown: 0.5 * share
+        for axis in work.planned.test.axes
+        for unknown, share in ((("scale", axis), 1.0), (("shrinking", axis), -turning))
+    }
+    value = 0.5 * (both[0].value + both[1].value)
+    found = Stated(value, float(np.sqrt(max(variance, _LEAST**2))))
+    yield Observation("scale", parts, found, work.name)
+
+
+def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
+    """Yield for all circles of one state, where there are two or more, the machine that they show
+    together and where they contradict each other. What ``run`` says of the squareness of a plane
+    stays with `planning.cross`.
+    """
+    states: dict[str, list[CircleWork]] = {}
+    for work in circles:
+        if work.result.diagnosis is not None:
+            states.setdefault(work.planned.measured_in, []).append(work)
+    for works in states.values():
+        if len(works) < 2:
+            continue
+        network = solved(works)
+        names = ", ".join(work.name for work in works)
+        yield Finding("CW-P135", "info", f"Circles {names} as one machine: {_words(network)}.")
+        for kind, seen in network.contradictions.items():
+            if kind not in _UNITS:
+                continue
+            each = ", ".join(
+                f"{one.circle} {_name(one)} {one.found.words(1.0, _UNITS[kind])}" for one in seen
+            )
+            message = (
+                f"{kind.capitalize()}: the circles contradict each other: {each}. The machine"
+                " changed between them, or its errors depend on place, feed or temperature. Repeat"
+                " the circle that deviates."
+            )
+            yield Finding("CW-P136", "warning", message)
+
+
+def _name(one: Observation) -> str:
+    shares = {axis: share for (kind, axis), share in one.parts.items() if kind != "shrinking"}
+    return (" - " if min(shares.values()) < 0.0 else " and ").join(shares)
+
+
+def _words(network: CircleNetwork) -> str:
+    parts = [
+        f"{kind} of {name} {value.words(1.0, unit)}"
+        for kind, unit in (("squareness", "µm/m"), ("scale", "µm/m"), ("lost motion", "µm"))
+        for name, value in network.told(kind).items()
+    ]
+    for name, value in network.told("shrinking").items():
+        if value.value > SIGNIFICANT * value.std_error:
+            lag = 1e3 * np.sqrt(2.0 * value.value / _PPM)  # ms
+            error = 0.5 * lag * value.std_error / value.value
+            parts.append(
+                f"position loop of {name} {Stated(float(lag), float(error)).words(1, 'ms')}"
+            )
+    return ", ".join(parts) or "nothing that they tell"

@@ -1,0 +1,138 @@
+"""Circles of one machine in several planes, sizes and feeds, from the physics of that machine."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from compwright.planning.circle_network import network_findings, solved
+from compwright.planning.circles import CircleWork
+from planning_samples import circle_of
+
+SQUARENESS = {"XY": 22.0, "YZ": -14.0, "XZ": 9.0}  # um/m
+SCALE = {"X": 31.0, "Y": -12.0, "Z": 45.0}  # um/m
+LOST = {"X": 3.0, "Y": 1.2, "Z": 5.5}  # um
+LOOP = {"X": 32.0, "Y": 30.0, "Z": 41.0}  # ms, first order
+#: What a good fit leaves open: um/m, um, ms.
+FIT = {"squareness": 0.5, "scale": 0.4, "lost": 0.05, "servo": 0.004}
+
+
+def circle(
+    name: str,
+    axes: tuple[str, str] = ("X", "Y"),
+    *,
+    radius: float = 150.0,
+    feed: float = 1000.0,
+    calibrated: bool = True,
+    off: dict[str, float] | None = None,
+    seed: int = 0,
+) -> CircleWork:
+    """What a circle shows: a lag T shrinks its axis by (ω T)² / 2, ω = v / R; the doubt about it,
+    uniform up to Kv = 1000/60, is in the standard error of a single scale.
+    """
+    rng = np.random.default_rng([seed, *name.encode()])
+    omega = feed / 60.0 / radius
+    seen = {axis: SCALE[axis] - 1e6 * (omega * 1e-3 * LOOP[axis]) ** 2 / 2.0 for axis in axes}
+    mean = sum(seen.values()) / 2.0 + FIT["scale"] * rng.standard_normal()
+    difference = seen[axes[0]] - seen[axes[1]] + FIT["scale"] * rng.standard_normal()
+    doubt = 1e6 * (omega / (1000.0 / 60.0)) ** 2 / 2.0 / np.sqrt(3.0)
+    single = float(np.sqrt(1.25 * FIT["scale"] ** 2 + doubt**2))
+    across = 2e-3 * radius
+    true = {
+        "squareness": (SQUARENESS["".join(sorted(axes))], FIT["squareness"]),
+        "scale_mismatch": (across * difference, across * FIT["scale"]),
+        "backlash_first": (LOST[axes[0]], FIT["lost"]),
+        "backlash_second": (LOST[axes[1]], FIT["lost"]),
+        "servo_mismatch": (LOOP[axes[0]] - LOOP[axes[1]], FIT["servo"]),
+    }
+    effects = {
+        cause: (value + error * rng.standard_normal() * (cause != "scale_mismatch"), error)
+        for cause, (value, error) in true.items()
+    }
+    if calibrated:
+        effects["scale_error_first"] = (mean + difference / 2.0, single)
+        effects["scale_error_second"] = (mean - difference / 2.0, single)
+    for cause, more in (off or {}).items():
+        effects[cause] = (effects[cause][0] + more, effects[cause][1])
+    return circle_of(effects, axes, radius=radius, feed=feed, name=name, calibrated=calibrated)
+
+
+FEEDS = [circle("slow", feed=500.0), circle("fast", feed=4000.0)]
+PLANES = [
+    *FEEDS,
+    circle("yz", ("Y", "Z"), feed=500.0),
+    circle("yz-fast", ("Y", "Z"), feed=4000.0, radius=100.0),
+    circle("zx", ("Z", "X"), radius=300.0, calibrated=False),
+]
+
+
+def test_two_feeds_separate_the_loop_from_the_scale() -> None:
+    network = solved(FEEDS)
+    for axis in "XY":
+        scale, shrinking = network.values["scale", axis], network.values["shrinking", axis]
+        assert abs(scale.value - SCALE[axis]) < 3.0 * scale.std_error
+        assert scale.std_error < 1.0
+        expected = 1e6 * (1e-3 * LOOP[axis]) ** 2 / 2.0
+        assert abs(shrinking.value - expected) < 3.0 * shrinking.std_error
+        assert shrinking.std_error < 0.05 * expected
+    assert network.contradictions == {}
+
+
+def test_one_feed_does_not() -> None:
+    """4000 mm/min on 150 mm: the softest loop shrinks 356 µm/m, uniform up to that ± 103."""
+    scale = solved([FEEDS[1], circle("again", feed=4000.0)]).values["scale", "X"]
+    assert scale.std_error > 60.0
+
+
+def test_three_planes_are_one_machine() -> None:
+    network = solved(PLANES)
+    for kind, true in (("squareness", SQUARENESS), ("scale", SCALE), ("lost motion", LOST)):
+        found = network.told(kind)
+        assert set(found) == set(true)
+        for name, value in true.items():
+            assert abs(found[name].value - value) < 3.0 * found[name].std_error, (kind, name)
+    assert network.contradictions == {}
+    (finding,) = network_findings(PLANES)
+    assert finding.code == "CW-P135"
+    assert "position loop of Z +4" in finding.message
+
+
+@pytest.mark.parametrize(
+    ("cause", "more", "kind"),
+    [
+        ("backlash_first", 1.0, "lost motion"),
+        ("scale_error_first", 8.0, "scale"),
+        ("scale_mismatch", 3.0, "scale"),
+        ("servo_mismatch", 0.1, "servo mismatch"),
+    ],
+)
+def test_a_circle_that_contradicts_the_others_is_named(cause: str, more: float, kind: str) -> None:
+    """Every kind has more circles than unknowns here; servo mismatches close around the planes."""
+    wrong = [*PLANES, circle("odd", feed=1500.0, off={cause: more})]
+    assert list(solved(wrong).contradictions) == [kind]
+    messages = [each.message for each in network_findings(wrong) if each.code == "CW-P136"]
+    assert len(messages) == 1
+    assert "odd" in messages[0]
+
+
+def test_consistent_circles_rarely_contradict_each_other() -> None:
+    """A kind is named beyond two standard deviations of its chi-square: 3 to 5 % of each."""
+    named = [
+        kind
+        for seed in range(40)
+        for kind in solved(
+            [
+                circle("slow", feed=500.0, seed=seed),
+                circle("fast", feed=4000.0, seed=seed),
+                circle("mid", feed=1500.0, seed=seed),
+                circle("yz", ("Y", "Z"), seed=seed),
+                circle("zx", ("Z", "X"), seed=seed),
+            ]
+        ).contradictions
+    ]
+    assert len(named) <= 18  # of 160
+
+
+def test_one_circle_or_other_states_are_no_network() -> None:
+    assert list(network_findings(FEEDS[:1])) == []
+    assert list(network_findings([])) == []
