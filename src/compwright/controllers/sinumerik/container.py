@@ -16,11 +16,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from compwright.foundations.errors import Fault, InputError
 from compwright.records.correction import ControlFile
 
 _BLOCK = 512
+#: Archives of which the members are kept: the states of a job, and one that was read back.
+_KEPT = 4
 _SUM = slice(148, 156)
 _BEGIN = re.compile(rb"@@MMCIBN\.[0-9]{3}\x00")
 _ACTIVE = "\\_NC_ACT.DIR\\"
@@ -54,10 +57,12 @@ def is_container(content: bytes) -> bool:
     return _BEGIN.match(content) is not None
 
 
+@lru_cache(maxsize=_KEPT)
 def active_files(file: ControlFile) -> Opened:
     """Return the members that are the control's state, in their order; the same one twice counts
     once. Nothing is raised: a container that is cut short or does not fit its own sizes, and two
-    members of one name that differ, are faults.
+    members of one name that differ, are faults. What was opened is kept by content: it is not to be
+    changed.
     """
     opened = Opened()
     seen: dict[str, bytes] = {}

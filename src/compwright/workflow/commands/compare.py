@@ -81,13 +81,10 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
         if address is not None
     }
     back = side(control, given, "read back", files)
-    entered = control.format.listing.entered
-    partly = partial_load(
-        entered(control.definition, as_found.files, files),
-        entered(control.definition, files, ()),
-        back.entries,
-    )
-    read_back = read_back_differences(control, side(control, files, "the plan", given), back, names)
+    planned_side = side(control, files, "the plan", given)
+    before = control.format.listing.entered(control.definition, as_found.files, files)
+    partly = partial_load(before, planned_side.entries, back.entries)
+    read_back = read_back_differences(control, planned_side, back, names)
     differs = read_back.own or read_back.others.differences
     if refused is not None and not (differs and _speak_of(control, back, axes)):
         raise refused
