@@ -185,7 +185,7 @@ def test_a_last_number_as_long_as_the_others_is_whole() -> None:
 def test_inches_are_answered_with_what_to_do(text: str, column: str) -> None:
     said = refusal(text)
     assert (
-        "is in inches, which are not read; expected target_mm and deviation_um: multiply targets in"
+        "is in inches, which compwright does not read; expected target_mm and deviation_um: multiply targets in"
         " inches by 25.4" in said
     )
     assert f"found '{column}'" in said

@@ -44,16 +44,9 @@ def _entries(session: Session, path: Path, deepest: int) -> list[Path]:
     ]
     if len(found) > 1:
         folders = " or ".join(str(files[0].parent) for files in found)
-        raise _fault(path, "holds several folders of files", f"one of them: {folders}")
+        raise _fault(path, "contains several folders of files", f"one of them: {folders}")
     return found[0] if found else []
 
 
-def _fault(path: Path, message: str, expected: str) -> InputError:
-    return InputError(
-        Fault(
-            message=message,
-            file=str(path),
-            expected=expected,
-            hint="give the files themselves, or a folder with nothing else in it",
-        )
-    )
+def _fault(path: Path, message: str, wanted: str) -> InputError:
+    return InputError(Fault(message=message, file=str(path), hint=f"give {wanted}"))

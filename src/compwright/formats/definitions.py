@@ -60,7 +60,9 @@ def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
     quantities = tuple(name for rules in RULES.values() for name in rules.quantities)
     read, wrong = checked(definition_validator(quantities), text.data)
     faults = [
-        text.fault(each.path, each.message, expected=each.expected, found=each.found)
+        text.fault(
+            each.path, each.message, expected=each.expected, found=each.found, hint=each.hint
+        )
         for each in wrong
     ]
     raise_all(InputError, faults)

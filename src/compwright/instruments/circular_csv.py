@@ -275,7 +275,11 @@ def _value_column(table: CsvTable, faults: FaultList) -> str:
     inches = in_inches(table.columns)
     if inches:
         faults.add(
-            "is in inches, which are not read", place=place, expected=INCHES, found=shown(inches)
+            "is in inches, which compwright does not read",
+            place=place,
+            expected=INCHES,
+            found=shown(inches),
+            hint="export the file again in mm",
         )
     elif not values:
         faults.add(

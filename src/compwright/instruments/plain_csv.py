@@ -180,10 +180,11 @@ def _target_column(table: CsvTable, faults: FaultList) -> str:
     inches = in_inches(table.columns)
     if inches:
         faults.add(
-            "is in inches, which are not read",
+            "is in inches, which compwright does not read",
             place=f"line {table.line}",
             expected=INCHES,
             found=shown(inches),
+            hint="export the file again in mm",
         )
         faults.raise_if_any()
     if not targets:

@@ -104,7 +104,9 @@ def wrong_control(
                 yield KeyFault(("controller", "format"), str(fault))
                 continue
             path = ("options", fault.place) if fault.place else ("format",)
-            yield KeyFault(("controller", *path), fault.message, fault.expected, fault.found)
+            yield KeyFault(
+                ("controller", *path), fault.message, fault.expected, fault.found, fault.hint
+            )
         return
     states = data.get("states")
     given = list(states.values()) if isinstance(states, dict) else []
@@ -176,7 +178,9 @@ def _questions(axes: object, control: Control, *, files: bool, stated: bool) -> 
         # without a state no table is made; what stops the run anyway asks for the rest too
         for fault in found if stated or any(one.place == "address" for one in found) else ():
             own = ("axes", str(name)) if fault.place == "address" else ("controller", "options")
-            yield KeyFault((*own, fault.place), fault.message, fault.expected, fault.found)
+            yield KeyFault(
+                (*own, fault.place), fault.message, fault.expected, fault.found, fault.hint
+            )
 
 
 def _wrong_axis_options(axes: object, control: Control, *, unit_needed: bool) -> Iterator[KeyFault]:
@@ -191,7 +195,9 @@ def _wrong_axis_options(axes: object, control: Control, *, unit_needed: bool) ->
             for fault in error.faults:
                 place = fault.place.rpartition(" ")[2]
                 own = ("axes", str(name)) if place in options else ("controller",)
-                yield KeyFault((*own, "options", place), fault.message, fault.expected, fault.found)
+                yield KeyFault(
+                    (*own, "options", place), fault.message, fault.expected, fault.found, fault.hint
+                )
 
 
 def default_folder(session: Session, job_file: Path) -> Path:
