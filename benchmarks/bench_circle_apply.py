@@ -79,7 +79,7 @@ def decided(text: str) -> float | None:
 def slope_of(found: PlannedJob) -> float | None:
     """Return the squareness that is corrected, µm/m, None where none is."""
     for cross in found.results.prediction["cross"]:
-        return 1e3 * np.polyfit(cross["positions"], cross["correction"], 1)[0]
+        return float(1e3 * np.polyfit(cross["positions"], cross["correction"], 1)[0])
     return None
 
 
@@ -147,7 +147,7 @@ def scale_slopes(found: PlannedJob) -> dict[str, float]:
     for side, name in zip(AXES, "XY", strict=True):
         table = found.results.prediction["axes"].get(name, {}).get("table")
         if table:
-            slopes[side] = -1e3 * np.polyfit(table["positions"], table["correction"], 1)[0]
+            slopes[side] = float(-1e3 * np.polyfit(table["positions"], table["correction"], 1)[0])
     return slopes
 
 

@@ -201,7 +201,7 @@ def _reversals(samples: Samples, first: int) -> tuple[tuple[Reversal, ...], list
         for length in np.geomspace(least, most, count)
         if not (rising and length < spacing)
     ]
-    shapes = (*spikes, *_take_ups(samples.radius, spacing))
+    shapes: tuple[SpikeShape | TakeUp, ...] = (*spikes, *_take_ups(samples.radius, spacing))
     places = [
         (axis, end)
         for axis in AXES
