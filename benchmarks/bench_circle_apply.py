@@ -8,7 +8,8 @@ measured by the examiner without noise.
 ``worse``: the squareness (scale) that is left is larger than before; ``circle worse``: the
 bidirectional circular deviation grows by more than 0.1 µm and a tenth, which `run` calls worse.
 ``determinable``: both axes reverse inside the arc, and two Cramér-Rao errors are below half of the
-value and below 30 µm/m; ``written``: of these a correction was written.
+value and below 30 µm/m; ``written``: of these a correction was written; ``negligible``: of these
+none was, because the squareness is known to be below 15 µm/m.
 """
 
 from __future__ import annotations
@@ -63,17 +64,18 @@ def deviation(test: Circle) -> float:
     return 1e3 * float(evaluate_circle(read).parameters["G_bidirectional"] or 0.0)
 
 
-def decided(text: str) -> float | None:
-    """Return the squareness that a job would correct, µm/m, by the circle of a CSV ``text``; None
-    where it would not.
+def decided(text: str) -> tuple[float | None, bool]:
+    """Return the squareness that a job would correct, µm/m, by the circle of a CSV ``text``, None
+    where it would not, and whether it is known to need no correction.
     """
     diagnosis = diagnosed_circle(
         read_circular_csv(text.encode(), "xy.csv", "xy"), STANDARD
     ).diagnosis
     if diagnosis is None or "squareness" in diagnosis.undetermined:
-        return None
+        return None, False
     effect = diagnosis.effects["squareness"]
-    return effect.value if need_of(effect.value, effect.std_error) == "correct" else None
+    need = need_of(effect.value, effect.std_error)
+    return effect.value if need == "correct" else None, need == "negligible"
 
 
 def slope_of(found: PlannedJob) -> float | None:
@@ -90,15 +92,16 @@ class Counts:
         self.all: Counter[str] = Counter()
         self.notes: list[str] = []
 
-    def squareness(self, number: int, test: Circle, slope: float | None) -> None:
-        """Count a decision about the squareness."""
+    def squareness(self, number: int, test: Circle, slope: float | None, *, small: bool) -> None:
+        """Count a decision about the squareness; ``small``: it is known to need no correction."""
         true = test.values["squareness"]
         bound = test.bound()["squareness"]
         both = test.reverses() and len(test.senses) == len(TURNS)
         if both and 2.0 * bound < min(abs(true) / 2.0, 30.0):
             self.all["determinable"] += 1
             self.all["written"] += slope is not None
-            if slope is None:
+            self.all["negligible"] += small
+            if slope is None and not small:
                 self.note(number, test, f"{true:.1f} ± {bound:.1f} µm/m not corrected")
         if slope is None:
             return
@@ -164,8 +167,8 @@ def main() -> None:
             rng = np.random.default_rng([arguments.seed, number])
             test = circle(rng, KINDS[number % len(KINDS)])
             test.write(folder / "xy.csv", rng)
-            slope = decided((folder / "xy.csv").read_text(encoding="utf-8"))
-            counts.squareness(number, test, slope)
+            slope, small = decided((folder / "xy.csv").read_text(encoding="utf-8"))
+            counts.squareness(number, test, slope, small=small)
             if number % _RUN_EVERY == 0:
                 counts.run(number, test, slope, run(folder, "{squareness: {XY: Y}}"))
                 counts.scale(number, test, run(folder, "{scale: [X, Y]}"))
