@@ -13,7 +13,7 @@ TAGS_windows := win_amd64
 TAGS_macos := $(foreach v,11 12 13 14,macosx_$(v)_0_arm64)
 TAGS_linux := manylinux2014_x86_64 $(foreach v,17 24 27 28,manylinux_2_$(v)_x86_64)
 
-.PHONY: demo test site lint real-linuxcnc bench wheelhouse picture clean
+.PHONY: demo test site pages lint real-linuxcnc bench wheelhouse picture clean
 
 $(VENV)/.report: pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit("Python 3.11 or newer is needed, this is " + sys.version.split()[0] if sys.version_info < (3, 11) else 0)'
@@ -45,6 +45,9 @@ $(VENV)/.site: pyproject.toml $(VENV)/.report
 site: $(VENV)/.site  ## the documentation as a folder of pages with search, into site/
 	$(BIN)/python -m sphinx --quiet --fail-on-warning --keep-going -b html docs site
 	@echo 'Open site/index.html'
+
+pages: $(VENV)/.report  ## docs/job-keys.md anew, from the models of a job
+	$(BIN)/python docs/generate.py docs/job-keys.md
 
 real-linuxcnc: $(VENV)/.test  ## only the tests on the real controller
 	$(BIN)/python -m pytest -m real_linuxcnc -rs

@@ -1,14 +1,18 @@
 """Write the reference pages that are made from the code: commands, keys of a job, controls, the
-library. They are no part of the repository: `make site` makes them anew.
+library. `make site` makes them anew; `job-keys.md` alone stands in the repository, and a test
+compares it with the code (`make pages` renews it).
 """
 
 from __future__ import annotations
 
+import ast
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Literal, get_args, get_origin
 
 import click
+from pydantic import BaseModel
 
 import compwright
 from compwright.cli import compwright as group
@@ -16,6 +20,7 @@ from compwright.cli.help_text import ORDER
 from compwright.controls.definitions import shipped_definitions
 from compwright.controls.description import description
 from compwright.foundations.session import Session
+from compwright.jobs import schema
 
 
 def command_page() -> str:
@@ -38,6 +43,97 @@ def _commands(name: str, command: click.Command) -> Iterator[tuple[str, click.Co
             yield from _commands(f"{name} {word}", below)
     else:
         yield f"compwright {name}", command
+
+
+#: The sections of a job file with the model of each, in the order of the page.
+JOB_SECTIONS = (
+    ("Top level", "JobSection"),
+    ("`machine`", "MachineSection"),
+    ("`controller`", "ControllerSection"),
+    ("`states.NAME`", "StateSection"),
+    ("`axes.NAME`", "AxisSection"),
+    ("`axes.NAME.before`", "TestSection"),
+    ("`axes.NAME.table`", "TableSection"),
+    ("`axes.NAME.encoder`", "EncoderSection"),
+    ("`axes.NAME.position_map`", "PositionMapSection"),
+    ("`axes.NAME.gantry`", "GantrySection"),
+    ("`circles`", "CircleSection"),
+    ("`cross`", "CrossSection"),
+    ("`apply`", "ApplySection"),
+    ("`uncertainty`", "UncertaintySection"),
+    ("`uncertainty.device`", "DeviceSection"),
+    ("`uncertainty.rotary`", "RotaryUncertaintySection"),
+    ("`uncertainty.circular`", "CircularUncertaintySection"),
+    ("`uncertainty.E_VE`", "DriftSection"),
+    ("`thermal`", "ThermalSection"),
+    ("`acknowledged`", "AcknowledgementSection"),
+    ("`proven`", "ProvenSection"),
+    ("`report`", "ReportSection"),
+)
+
+
+def job_page() -> str:
+    """Return the keys of a job file: types and defaults from the models, the meaning from the text
+    below each key in their source.
+    """
+    tree = ast.parse(Path(schema.__file__).read_text(encoding="utf-8"))
+    models = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    parts = [
+        "# Keys of a job file",
+        "Made from the code by `make pages`. How to write a job: [job-file.md](job-file.md).",
+    ]
+    for heading, name in JOB_SECTIONS:
+        rows = ["| key | values | meaning |", "|---|---|---|"]
+        for field, meaning in _fields(models, name).items():
+            info = getattr(schema, name).model_fields[field]
+            values = _values(info.annotation)
+            rows.append(f"| `{field}` | {values} | {meaning.replace('|', chr(92) + '|')} |")
+        about = " ".join((ast.get_docstring(models[name]) or "").split())
+        about = about.replace("``", "`")
+        parts += [f"## {heading}", about, "\n".join(rows)]
+    return "\n\n".join(parts) + "\n"
+
+
+def _fields(models: dict[str, ast.ClassDef], name: str) -> dict[str, str]:
+    """Return the fields of a model with the text below each; those of its base too."""
+    found: dict[str, str] = {}
+    base = models[name].bases[0]
+    if isinstance(base, ast.Name) and base.id in models and base.id != "JobMapping":
+        found = _fields(models, base.id)
+    last = ""
+    for node in models[name].body:
+        if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
+            last = node.target.id
+            found.setdefault(last, "")
+        elif last and isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+            found[last] = " ".join(str(node.value.value).split())
+    return found
+
+
+def _values(annotation: object) -> str:
+    """Return the words that a key takes, else its type."""
+    words: list[str] = []
+    kinds: list[str] = []
+
+    def look(one: object) -> None:
+        if get_origin(one) is Literal:
+            words.extend(f"`{word}`" for word in get_args(one))
+        elif get_origin(one) in (list, tuple):
+            kinds.append("list")
+        elif get_origin(one) is dict or (isinstance(one, type) and issubclass(one, BaseModel)):
+            kinds.append("mapping")
+        elif one in _TYPES:
+            kinds.append(_TYPES[one])
+        else:
+            for inner in get_args(one):
+                if not isinstance(inner, str):
+                    look(inner)
+
+    look(annotation)
+    return ", ".join(dict.fromkeys([*words, *kinds]))
+
+
+_TYPES: dict[object, str] = {str: "text", float: "number", int: "whole number", bool: "yes, no"}
 
 
 def control_pages() -> dict[str, str]:
@@ -108,4 +204,4 @@ def write_pages(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    write_pages(Path(sys.argv[1]))
+    Path(sys.argv[1]).write_text(job_page(), encoding="utf-8")

@@ -5,6 +5,7 @@ commands answer what it shows. Links of all pages lead somewhere, and hand-writt
 from __future__ import annotations
 
 import re
+import runpy
 import shutil
 from pathlib import Path
 
@@ -70,6 +71,13 @@ def test_links_lead_somewhere(page: Path) -> None:
 
 def _anchor(heading: str) -> str:
     return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+
+
+def test_the_keys_of_a_job_are_those_of_the_models() -> None:
+    """`make pages` renews the page."""
+    made = runpy.run_path(str(DOCS / "generate.py"))["job_page"]()
+    assert made == (DOCS / "job-keys.md").read_text(encoding="utf-8")
+    assert made.count("\n| `") > 90
 
 
 def test_every_command_is_on_a_page_in_a_console_or_an_example() -> None:

@@ -171,7 +171,7 @@ def test_complete_example_of_the_page_is_read_key_by_key() -> None:
 def test_page_and_schema_have_the_same_keys() -> None:
     from compwright.jobs import schema
 
-    page = (PROJECT / "docs" / "job-file.md").read_text(encoding="utf-8")
+    page = (PROJECT / "docs" / "job-keys.md").read_text(encoding="utf-8")
     words = set(re.findall(r"[A-Za-z_]+", " ".join(re.findall(r"`([^`\n]+)`", page))))
     sections = [
         s for s in vars(schema).values() if isinstance(s, type) and issubclass(s, schema.JobMapping)

@@ -335,16 +335,14 @@ def demo_tables(
             number(axis["after"]["A"]),
             *_decision(axis["accept"]["A"]),
         )
-    last = Text.assemble(
-        _verdict(document["verdict"], document["headline"]), f". Open {', '.join(pages)}"
-    )
+    last = _verdict(document["verdict"], document["headline"], f". Open {', '.join(pages)}")
     return [done, values, last]
 
 
-def _verdict(verdict: str, headline: str) -> Text:
+def _verdict(verdict: str, headline: str, last: str = "") -> RenderableType:
     """Return the verdict, with its headline where that says more."""
     more = "" if headline.lower().startswith(verdict) else f". {headline}"
-    return Text.assemble("Verdict: ", _word(verdict), more)
+    return Text.assemble("Verdict: ", _word(verdict), f"{more}{last}")
 
 
 def next_lines(then: Mapping[str, Any] | None) -> list[RenderableType]:
