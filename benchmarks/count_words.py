@@ -37,6 +37,8 @@ def _names(tree: ast.AST) -> Iterator[tuple[int, str]]:
     seen = set()
     for node in ast.walk(tree):
         name = None
+        if not isinstance(node, ast.stmt | ast.expr | ast.arg):
+            continue
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
             name = node.name
         elif isinstance(node, ast.arg):

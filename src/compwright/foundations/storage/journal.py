@@ -108,7 +108,7 @@ def read_journal(folder: Path) -> Journal | None:
     staging = folder / UNFINISHED
     try:
         if not stat.S_ISDIR(staging.lstat().st_mode):
-            raise DamagedError("is no folder")
+            raise DamagedError("is not a folder")
         seen = (staging / JOURNAL).lstat()
         if not stat.S_ISREG(seen.st_mode) or seen.st_size > _MOST_BYTES:
             raise DamagedError("its journal is no file that compwright has written")

@@ -67,7 +67,7 @@ def put_right_above(session: Session, path: Path, error: type[CompwrightError]) 
                 Fault(
                     message=what,
                     file=str(path),
-                    hint=(f"run the command again; if the line stays, remove the folder {path}"),
+                    hint="do first what the next line says",
                 ),
                 *faults,
             )

@@ -118,9 +118,7 @@ def _beyond_sum(writer: CecWriter, entry: CrossCompensation) -> list[Fault]:
             ),
             expected=f"at most {facts.max_sum:g}",
             found=f"up to {reach:g}",
-            hint=(
-                "reduce the correction, or raise MD32720 in the control and export its files again"
-            ),
+            hint="reduce the correction or the other tables of this axis, then run the job again",
         )
     ]
 

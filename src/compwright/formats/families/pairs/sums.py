@@ -53,10 +53,7 @@ def without_cut_sums(
                     ),
                     expected=f"at most {limit:g}",
                     found=reach,
-                    hint=(
-                        "raise MD32720 in the control, or reduce its tables; measure again and "
-                        "export its files again"
-                    ),
+                    hint="reduce the tables in the control, measure and export its files again",
                 )
             )
     return cec
