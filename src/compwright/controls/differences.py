@@ -241,15 +241,12 @@ def _corrections(
             continue
         if not (before.tells(address) and after.tells(address)):
             continue
-        where = np.unique(np.concatenate([_probes(one) for one in (was, now) if one is not None]))
+        sides = [probe_positions(one.positions) for one in (was, now) if one is not None]
+        where = np.unique(np.concatenate(sides))
         change = _most(known.kind, where, _curve(was, where), _curve(now, where))
         if change is not None:
             found[address] = change
     return found
-
-
-def _probes(axis: AxisCompensation) -> FloatArray:
-    return probe_positions(axis.positions)
 
 
 def _curve(axis: AxisCompensation | None, where: FloatArray) -> dict[Direction, FloatArray]:

@@ -36,12 +36,6 @@ from compwright.records.delivery import Delivery
 from compwright.records.options import LeftOpen
 
 
-def _all_by_statements(
-    definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile]
-) -> Entries:
-    return by_statements(definition, files)
-
-
 def _own_axis(
     _: Definition, entry: Entered, __: Entries, ___: ControlState | None
 ) -> tuple[tuple[str, ...], float | None]:
@@ -73,7 +67,7 @@ class Listing:
     """
 
     entered: Callable[[Definition, Sequence[ControlFile], Sequence[ControlFile]], Entries] = (
-        _all_by_statements
+        lambda definition, files, _: by_statements(definition, files)
     )
     whereabouts: Callable[
         [Definition, Entered, Entries, ControlState | None],
