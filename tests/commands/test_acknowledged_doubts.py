@@ -17,6 +17,7 @@ from compwright.cli import run as compwright
 from compwright.foundations.findings import DOUBTS, REMARKS, RESULTS, Finding
 from compwright.planning.doubts import Noticed, doubts_among
 from compwright.records.job import Acknowledgement
+from compwright.words.sentences import say
 from loop import Machine, csv_of
 from places import PROJECT
 
@@ -142,9 +143,11 @@ def test_what_cannot_be_acknowledged_is_a_fault_of_the_job(
 
 def test_an_acknowledgement_of_one_axis_leaves_the_others_in_doubt() -> None:
     of = Acknowledgement(code="CW-S002", reason="whole", axis="X")
-    both = Noticed(Finding("CW-S002", "warning", "both"), frozenset({"X", "Y"}))
-    every = Noticed(Finding("CW-S002", "warning", "all"))
-    info = Noticed(Finding("CW-T007", "info", "part of the travel"))
+    both = Noticed(
+        Finding("CW-S002", "warning", say("as_written", text="both")), frozenset({"X", "Y"})
+    )
+    every = Noticed(Finding("CW-S002", "warning", say("as_written", text="all")))
+    info = Noticed(Finding("CW-T007", "info", say("as_written", text="part of the travel")))
     axes = ("X", "Y")
     found = doubts_among([both, every, info], [of], axes)
     assert [one.axes for one in found.open] == [frozenset({"Y"}), frozenset({"Y"})]
@@ -161,7 +164,7 @@ def test_an_acknowledgement_of_one_axis_leaves_the_others_in_doubt() -> None:
 
 
 def test_the_only_axis_of_a_job_answers_a_doubt_about_all() -> None:
-    every = Noticed(Finding("CW-S002", "warning", "all"))
+    every = Noticed(Finding("CW-S002", "warning", say("as_written", text="all")))
     of = Acknowledgement(code="CW-S002", reason="whole", axis="X")
     assert doubts_among([every], [of], ["X"]).open == ()
     assert doubts_among([every], [], ["X"]).open == (every,)

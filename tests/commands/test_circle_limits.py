@@ -30,6 +30,7 @@ from compwright.records.circular import CircularResult, Diagnosis
 from compwright.records.conditions import CircularBudget, Thermal
 from compwright.records.job import Acceptance
 from compwright.records.prediction import CirclePrediction, Quantiles
+from compwright.words.sentences import say
 
 Rule = Literal["simple", "guarded"]
 UM = 1e-3
@@ -188,8 +189,12 @@ def test_measured(D: float, rule: Rule, believed: bool, proven: bool, decision: 
 
 
 def test_a_doubt_about_a_circle_or_its_axes_leaves_its_limits_open() -> None:
-    of_circle = Noticed(Finding("CW-C013", "warning", "zeros"), frozenset(), "xy")
-    of_axis = Noticed(Finding("CW-C013", "warning", "zeros"), frozenset({"Y"}))
+    of_circle = Noticed(
+        Finding("CW-C013", "warning", say("as_written", text="zeros")), frozenset(), "xy"
+    )
+    of_axis = Noticed(
+        Finding("CW-C013", "warning", say("as_written", text="zeros")), frozenset({"Y"})
+    )
     axes = ("X", "Y", "Z")
     assert doubts_among([of_circle], (), axes).about_circle("xy", ("X", "Y"))
     assert not doubts_among([of_circle], (), axes).about_circle("zx", ("Z", "X"))

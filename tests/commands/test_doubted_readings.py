@@ -216,10 +216,8 @@ def test_a_unit_is_doubted_by_size_and_scatter_with_its_odds(
     assert "CW-T030" not in {one.code for one in plausibility_findings(as_test(readings))}
     scaled = as_test({sign: block * change for sign, block in readings.items()})
     (found,) = (one for one in plausibility_findings(scaled) if one.code == "CW-T030")
-    assert says in found.message
-    times = re.search(r"(\d+) times more usual", found.message)
-    assert times is not None
-    assert float(times[1]) >= 20
+    assert "{unit} read as {read_as}".format(**found.values) == says
+    assert found.values["odds"] >= 20
 
 
 def test_the_odds_of_turned_directions_grow_with_the_reversal() -> None:

@@ -30,6 +30,7 @@ from compwright.foundations.session import Session
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
+from compwright.words.sentences import say
 from compwright.workflow.commands import verify
 from compwright.workflow.commands.compare import compare_plan
 from compwright.workflow.inputs.handed_over import files_of_job, kept
@@ -300,7 +301,9 @@ def test_only_what_is_loaded_is_added_to(pair: Pair, verdict: str) -> None:
 @pytest.mark.parametrize("code", ["CW-V020", "CW-V021", "CW-V024", "CW-E010"])
 def test_a_test_in_doubt_is_not_built_upon(pair: Pair, code: str) -> None:
     doubted = {
-        name: replace(axis, findings=(Finding(code, "warning", "Look again."),))
+        name: replace(
+            axis, findings=(Finding(code, "warning", say("as_written", text="Look again.")),)
+        )
         for name, axis in pair.found.axes.items()
     }
     then = pair.next(**doubted)
@@ -385,7 +388,9 @@ def test_a_definition_that_lies_in_the_folder_is_not_kept_twice(pair: Pair, tmp_
 
 
 def test_limits_that_were_edited_after_the_run(pair: Pair) -> None:
-    edited = Finding("CW-V022", "warning", "The job was edited after the run.")
+    edited = Finding(
+        "CW-V022", "warning", say("as_written", text="The job was edited after the run.")
+    )
     found = replace(pair.found, findings=(edited,))
     then = next_round(Session(), found, pair.compared, pair.folder / "job")
     assert not then.files

@@ -316,7 +316,7 @@ def test_corrections_worked_by_hand_for_another_control_are_called_that(
     said = capsys.readouterr().out
     assert "they are those of linuxcnc.yaml, none of its own" in said
     (doubt,) = ran(job(tmp_path, "mine.yaml", ', address: "0"'))["doubts"]
-    assert doubt["message"].endswith("those of linuxcnc.yaml: nobody worked one out for mine")
+    assert doubt["message"].endswith("those of linuxcnc.yaml: none was worked out for mine")
     card = (tmp_path / "job/card/card.md").read_text(encoding="utf-8")
     assert doubt["message"] in card[: card.index("## Steps")]
     tutorial(tmp_path / "nc7.yaml")

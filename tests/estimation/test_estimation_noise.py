@@ -198,7 +198,7 @@ def test_one_traverse_off_is_no_sign_that_all_of_them_move() -> None:
     assert np.median(found.fresh.moved[moving]) < 0.35
     assert np.mean((1.0 - found.fresh.moved[moving]) ** (2 * N)) > 0.15
     told = message(found, "CW-E022")
-    assert told.startswith("Single traverses stand off the others by ")
+    assert told.startswith("Single traverses are off the others by ")
     assert "run 3 in +: look at" in told
 
 

@@ -103,7 +103,7 @@ def test_what_may_be_hidden_is_said_as_a_chance() -> None:
 def test_known_periods_that_the_data_do_not_tell_are_counted() -> None:
     (finding,) = said(known=(5.0, 10.0, 20.0), fitted=(10.0,))
     assert finding.code == "CW-E015"
-    assert "Of 3 known periods the readings tell 1: 10 mm" in finding.message
+    assert finding.values == {"known": 3, "fitted": 1, "periods": (10.0,), "unit": "mm"}
 
 
 @pytest.mark.parametrize(

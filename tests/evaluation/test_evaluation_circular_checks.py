@@ -21,6 +21,7 @@ from circular_samples import (
 from compwright.evaluation.circular import evaluate_circle
 from compwright.foundations.findings import Finding
 from compwright.records.circular import CircularTest
+from compwright.words.sentences import say
 from places import REAL, needs_shared
 
 
@@ -52,7 +53,7 @@ def test_real_circles_have_no_findings(file: str) -> None:
 
 
 def test_findings_of_the_reader_come_first() -> None:
-    told = Finding("CW-R001", "info", "taken as the message says")
+    told = Finding("CW-R001", "info", say("as_written", text="taken as the message says"))
     result = evaluate_circle(replace(circular_test([run_of(perfect, "ccw")]), findings=(told,)))
     assert [finding.code for finding in result.findings] == ["CW-R001", "CW-C002"]
 

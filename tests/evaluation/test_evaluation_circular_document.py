@@ -17,6 +17,7 @@ from compwright.evaluation.circular import evaluate_circle
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import source_of
 from compwright.records.circular import CIRCULAR_NAMES, CircularEffect, CircularResult, Diagnosis
+from compwright.words.sentences import say
 from places import SHARED, needs_shared
 
 KEYS = {
@@ -109,7 +110,8 @@ def test_one_direction_leaves_nulls() -> None:
         got["not_applicable"]
     )
     assert [entry["code"] for entry in got["findings"]] == ["CW-C002"]
-    assert set(got["findings"][0]) == {"code", "severity", "message"}
+    assert set(got["findings"][0]) == {"code", "severity", "message", "values"}
+    assert got["findings"][0]["values"] == {"direction": "cw"}
 
 
 def test_without_a_diagnosis() -> None:
@@ -121,7 +123,11 @@ def test_with_a_diagnosis() -> None:
     """Its values are in their own units and stay as they are; only the rms of the residuals is
     turned from mm into µm.
     """
-    finding = Finding("CW-D001", "warning", "squareness and servo mismatch cannot be told apart")
+    finding = Finding(
+        "CW-D001",
+        "warning",
+        say("as_written", text="squareness and servo mismatch cannot be told apart"),
+    )
     diagnosis = Diagnosis(
         effects={
             "squareness": CircularEffect(
@@ -161,7 +167,13 @@ def test_with_a_diagnosis() -> None:
     assert got["correlation"] == [[1.0, -0.25], [-0.25, 1.0]]
     assert got["correlation_names"] == ["squareness", "cyclic_first"]
     assert (got["residual"], got["correlation_length"]) == (0.6, 4.5)
-    told = {"code": "CW-D001", "severity": "warning", "message": finding.message}
+    values = {"text": finding.message}
+    told = {
+        "code": "CW-D001",
+        "severity": "warning",
+        "message": finding.message,
+        "values": values,
+    }
     assert got["findings"] == [told]
     # whoever adds the diagnosis may have put its findings among those of the result already: told
     # once

@@ -24,8 +24,8 @@ from one_test import read_positioning
 from places import REAL, STANDARD_TABLES, needs_shared
 
 
-def no_comparison(_: PositioningTest) -> str:
-    return ""
+def no_comparison(_: PositioningTest) -> None:
+    return None
 
 
 def share(found: list[bool]) -> float:
@@ -162,7 +162,11 @@ def test_a_shifted_traverse_is_found_and_named() -> None:
         shifted = test.negative.copy()
         shifted[:, 3] -= 10.0 * UM
         told = suspect_traverses(replace(test, negative=shifted), no_comparison)
-        found.append(len(told) == 1 and told[0].message.startswith("Traverse 4 in − lies -"))
+        found.append(
+            len(told) == 1
+            and (told[0].values["run"], told[0].values["direction"]) == (4, "−")
+            and told[0].values["off"].value < 0.0
+        )
     assert share(found) >= 0.95
 
 
@@ -172,9 +176,8 @@ def test_a_run_off_in_both_directions_is_one_finding_shown_without_both() -> Non
     """
     compared: list[PositioningTest] = []
 
-    def kept(test: PositioningTest) -> str:
+    def kept(test: PositioningTest) -> None:
         compared.append(test)
-        return ""
 
     found = []
     for seed in range(50):
@@ -183,7 +186,12 @@ def test_a_run_off_in_both_directions_is_one_finding_shown_without_both() -> Non
         up[:, 2] += 8.0 * UM
         down[:, 2] += 8.0 * UM
         told = suspect_traverses(replace(test, positive=up, negative=down), kept)
-        found.append(len(told) == 1 and told[0].message.startswith("Run 3 lies +"))
+        found.append(
+            len(told) == 1
+            and told[0].sentence.name == "CW-T013.run"
+            and told[0].values["run"] == 3
+            and told[0].sentence.outside()["off"][0]["value"]["value"] > 0.0
+        )
     assert share(found) >= 0.95
     for left in compared:
         for block in (left.positive, left.negative):
@@ -270,9 +278,9 @@ def test_rotary_findings_speak_of_arcsec() -> None:
     readings = np.random.default_rng(1).normal(size=(2, 11, 5)) / 3600.0
     readings[0, :, 0] += 30.0 / 3600.0
     test = axis_test(targets, readings[0], readings[1], kind=AxisKind.ROTARY)
-    told = next(finding.message for finding in evaluate(test).findings if finding.code == "CW-T013")
-    size = re.search(r"lies \+([0-9.]+) arcsec", told)
-    assert size is not None
-    assert float(size[1]) == pytest.approx(
+    told = next(finding for finding in evaluate(test).findings if finding.code == "CW-T013")
+    off = told.sentence.outside()["off"]
+    assert off["unit"] == "arcsec"
+    assert off["value"] == pytest.approx(
         30.0, abs=2.0
-    )  # arcsec; the median of 11 targets scatters by 0.4, that of four runs by 0.6
+    )  # the median of 11 targets scatters by 0.4, that of four runs by 0.6

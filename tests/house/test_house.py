@@ -37,33 +37,34 @@ ROOMS = (
         "planning",
     ),
     *("verification", "simulation", "documents", "reporting", "jobs", "controls", "workflow"),
-    "library",
+    *("library", "words"),
 )
 MAY_IMPORT: dict[str, set[str]] = {
-    "foundations": set(),
-    "records": {"foundations"},
-    "instruments": {"foundations", "records"},
-    "evaluation": {"foundations", "records"},
-    "estimation": {"foundations", "records"},
-    "fitting": {"foundations", "records"},
-    "formats": {"foundations", "records"},
-    "controllers": {"foundations", "records"},
-    "prediction": {"foundations", "records", "evaluation"},
+    "words": set(),
+    "foundations": {"words"},
+    "records": {"words", "foundations"},
+    "instruments": {"words", "foundations", "records"},
+    "evaluation": {"words", "foundations", "records"},
+    "estimation": {"words", "foundations", "records"},
+    "fitting": {"words", "foundations", "records"},
+    "formats": {"words", "foundations", "records"},
+    "controllers": {"words", "foundations", "records"},
+    "prediction": {"words", "foundations", "records", "evaluation"},
     "planning": {
-        *("foundations", "records", "evaluation", "estimation", "fitting", "prediction"),
+        *("words", "foundations", "records", "evaluation", "estimation", "fitting", "prediction"),
     },
-    "verification": {"foundations", "records", "evaluation", "estimation"},
-    "simulation": {"foundations", "records"},
-    "documents": {"foundations", "records"},
-    "reporting": {"foundations"},
-    "jobs": {"foundations", "records"},
+    "verification": {"words", "foundations", "records", "evaluation", "estimation"},
+    "simulation": {"words", "foundations", "records"},
+    "documents": {"words", "foundations", "records"},
+    "reporting": {"words", "foundations"},
+    "jobs": {"words", "foundations", "records"},
     "controls": {
-        *("foundations", "records", "formats", "controllers", "prediction", "planning"),
+        *("words", "foundations", "records", "formats", "controllers", "prediction", "planning"),
         *("evaluation", "verification", "documents"),
     },
     "workflow": set(ROOMS) - {"workflow", "library"},
     "library": {
-        *("foundations", "records", "evaluation", "estimation", "planning", "documents"),
+        *("words", "foundations", "records", "evaluation", "estimation", "planning", "documents"),
         *("reporting", "controls", "workflow"),
     },
     "cli": {"foundations", "workflow"},
@@ -934,61 +935,29 @@ def codes() -> dict[str, set[str]]:
             if (
                 isinstance(node, ast.Constant)
                 and isinstance(node.value, str)
-                and CODE.fullmatch(node.value)
+                and CODE.fullmatch(node.value.partition(".")[0])
+                and not name.startswith("words.")
             ):
-                found.setdefault(node.value, set()).add(name)
+                found.setdefault(node.value.partition(".")[0], set()).add(name)
     return found
 
 
 @cache
 def made() -> dict[str, set[str]]:
-    """Return each code -> modules that make a finding with it (others only look for it)."""
+    """Return each sentence of a finding -> modules that make a finding with it (others only look
+    for its code).
+    """
     found: dict[str, set[str]] = {}
     for name, tree in trees().items():
-        constants = dict(constants_of(tree))
         for node in nodes_below(tree):
-            if not isinstance(node, ast.Call):
-                continue
-            called = last_name(node.func)
-            if called not in ("Finding", "find"):
-                continue
-            for word in (
-                *node.args[:1],
-                *(word.value for word in node.keywords if word.arg == "code"),
+            if not isinstance(node, ast.Call) or last_name(node.func) not in (
+                *("Finding", "of", "find"),
             ):
-                code = (
-                    constants.get(word.id)
-                    if isinstance(word, ast.Name)
-                    else getattr(word, "value", None)
-                )
-                if isinstance(code, str) and (
-                    called == "Finding" or CODE.fullmatch(code)
-                ):  # str.find is no finding
-                    assert CODE.fullmatch(code), (
-                        f"{name} line {node.lineno}: {code!r} is no finding code"
-                    )
-                    found.setdefault(code, set()).add(name)
+                continue
+            word = getattr(node.args[0], "value", None) if node.args else None
+            if isinstance(word, str) and CODE.fullmatch(word.partition(".")[0]):
+                found.setdefault(word, set()).add(name)  # str.find is no finding
     return found
-
-
-def constants_of(tree: ast.Module) -> Iterator[tuple[str, object]]:
-    """Yield name and value of the constants at the top of a module."""
-    for node in tree.body:
-        targets = (
-            node.targets
-            if isinstance(node, ast.Assign)
-            else [node.target]
-            if isinstance(node, ast.AnnAssign)
-            else []
-        )
-        if (
-            targets
-            and isinstance(node, ast.Assign | ast.AnnAssign)
-            and isinstance(node.value, ast.Constant)
-        ):
-            yield from (
-                (target.id, node.value.value) for target in targets if isinstance(target, ast.Name)
-            )
 
 
 def listed() -> Counter[str]:
@@ -997,14 +966,14 @@ def listed() -> Counter[str]:
     return Counter(re.findall(rf"^\| `({CODE.pattern})` \|", page, re.MULTILINE))
 
 
-def test_each_finding_code_is_made_in_one_place() -> None:
-    assert {code: modules for code, modules in made().items() if len(modules) > 1} == {}
+def test_each_finding_is_made_in_one_place() -> None:
+    assert {name: modules for name, modules in made().items() if len(modules) > 1} == {}
 
 
 def test_finding_codes_belong_to_the_room_that_makes_them() -> None:
-    for code, modules in made().items():
+    for name, modules in made().items():
         rooms = {module.partition(".")[0] for module in modules}
-        assert rooms <= FAMILIES[code[3]], f"{code} in {rooms}"
+        assert rooms <= FAMILIES[name[3]], f"{name} in {rooms}"
 
 
 def test_every_finding_code_is_explained_once() -> None:

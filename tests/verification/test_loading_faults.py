@@ -26,6 +26,7 @@ from compwright.verification.likelihood import (
 )
 from compwright.verification.loading import judge_loading
 from compwright.verification.views import View, measurement_views, of_other_axis, unit_views
+from compwright.words.sentences import say
 from compwright.workflow.verify.verified_axis import _looks
 from loadings import known, means_of
 
@@ -514,10 +515,15 @@ def test_what_was_read_back_needs_no_second_look() -> None:
     """Values that are the plan's tell a loaded table from one whose values are at fault, not from
     one that does not act."""
     sentences: dict[LoadingName, tuple[str, ...]] = {"loaded": ("save it again",)}
-    part = LoadingVerdict(verdict="loaded", margin=9.0, message="", equivalent=("partial",))
+    part = LoadingVerdict(
+        verdict="loaded", margin=9.0, sentence=say("as_written", text=""), equivalent=("partial",)
+    )
     assert _looks(part, sentences, read_back=False) == ["save it again"]
     assert _looks(part, sentences, read_back=True) == []
     off = LoadingVerdict(
-        verdict="loaded", margin=9.0, message="", equivalent=("partial", "not_active")
+        verdict="loaded",
+        margin=9.0,
+        sentence=say("as_written", text=""),
+        equivalent=("partial", "not_active"),
     )
     assert _looks(off, sentences, read_back=True) == ["save it again"]

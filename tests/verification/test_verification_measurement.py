@@ -61,7 +61,7 @@ def test_readings_of_the_first_test_are_a_copy_whatever_their_zero(
     fault = measurement_fault(axis_test(TARGETS, positive, negative), FIRST, TRAVEL)
     assert fault is not None
     assert fault.of == "copied"
-    assert words in fault.message
+    assert words in str(fault.sentence)
 
 
 def test_readings_at_other_targets_are_no_copy() -> None:
@@ -86,7 +86,7 @@ def test_the_scatter_of_the_first_test_under_another_error_is_a_copy(sign: float
     assert correlation == pytest.approx(1.0, abs=1e-9)
     fault = measurement_fault(made, FIRST, TRAVEL)
     assert fault is not None
-    assert "run by run (correlation 1.00)" in fault.message
+    assert "run by run (correlation 1.00)" in str(fault.sentence)
 
 
 @pytest.mark.parametrize(

@@ -171,12 +171,12 @@ def test_two_axes_with_one_measurement_are_both_named() -> None:
     )
     found = copies([own[0], AfterTest("Y", shifted, "y")])
     assert {name: fault.of for name, fault in found.items()} == {"X": "copied", "Y": "copied"}
-    assert "Axis X and axis Y were given the same measurement" in found["X"].message
+    assert "Axis X and axis Y were given the same measurement" in str(found["X"].sentence)
 
 
 def test_one_file_twice_within_a_test_is_a_copy_too() -> None:
     twice = AfterTest("X", measured(1, Source("x.csv", "aa"), Source("x2.csv", "aa")), "x")
-    assert "The test of axis X holds one file twice" in copies([twice])["X"].message
+    assert "The test of axis X holds one file twice" in str(copies([twice])["X"].sentence)
 
 
 def test_the_circle_from_before_is_no_circle_after() -> None:

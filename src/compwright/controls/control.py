@@ -55,17 +55,8 @@ from compwright.records.plan import Plan, Texts
 from compwright.records.serial_line import from_line, whole
 from compwright.records.verification import LoadingName
 
-#: What has to be known of everything that a definition of one's own, by its id, says.
-READ_BACK = (
-    "Read back, not independently judged: only your own definition of {} says what its files do"
-)
 #: Every digit as 0, every other byte as a blank.
 _DIGITS = bytes(ord("0") if chr(byte) in "0123456789" else ord(" ") for byte in range(256))
-_PROVE_IT = (
-    "A sign or a unit that is wrong in it is wrong in all of this. Prove it on the machine, at one"
-    " position and from both sides, before the whole table acts"
-)
-NOT_WORKED = "The corrections worked by hand are those of {}: nobody worked one out for {}"
 #: Options of decode that the axes of a job say themselves, and that the reading of files without a
 #: job lists itself.
 _SAID_ELSEWHERE = frozenset({KIND, REFERENCE, REFERENCE_RETURN})
@@ -155,10 +146,13 @@ class Control:
         """What has to be known of results for this control: whether they were judged."""
         if self.definition.judged == "independent":
             return self.notes
-        said = f"{READ_BACK.format(self.id)}. {_PROVE_IT}"
-        if self.definition.worked_for:
-            said += f". {NOT_WORKED.format(self.definition.worked_for, self.id)}"
-        return (Finding("CW-S060", "warning", said), *self.notes)
+        judged = Finding.of(
+            "CW-S060",
+            "warning",
+            definition=self.id,
+            expectation=self.definition.worked_for,
+        )
+        return (judged, *self.notes)
 
     def look_at(self, axis: Axis, table: AxisCompensation) -> Mapping[LoadingName, tuple[str, ...]]:
         """Return, by verdict of loading, what to look at on the control where a ``table`` of an
@@ -262,17 +256,13 @@ def _definition(
 
 
 def _taken_for(name: str, definition: Definition) -> Finding:
-    message = f"the control format {name} is taken for {definition.id}: {definition.title}"
-    return Finding("CW-S062", "info", message)
+    return Finding.of(
+        "CW-S062", "info", name=name, definition=definition.id, title=definition.title
+    )
 
 
 def _not_as_planned(carried: Definition, what: str) -> Finding:
-    return Finding(
-        "CW-S061",
-        "warning",
-        f"{what}: {carried.id} is taken as the plan carries it; run the job again to plan with"
-        " another definition",
-    )
+    return Finding.of("CW-S061", "warning", what=what, carried=carried.id)
 
 
 def _endless_number(file: ControlFile) -> Fault | None:

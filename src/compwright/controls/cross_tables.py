@@ -91,7 +91,7 @@ def write_planned(
     outcome = CrossOutcome(
         files=tables,
         planned=tuple(replace(entry, written=False) for entry in planned),
-        findings=tuple(Finding("CW-P113", how, message) for how, message in answer.remarks),
+        findings=tuple(Finding("CW-P113", how, sentence) for how, sentence in answer.remarks),
         steps=answer.steps,
         sheets=answer.sheets,
     )

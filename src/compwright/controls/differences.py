@@ -108,9 +108,7 @@ def side(
     if not entries:
         raise InputError(*_nothing(control, files))
     files, idle = _with_data(control, files, entries)
-    left = (
-        (Finding("CW-S082", "info", f"{name}: no data of the control in {idle}"),) if idle else ()
-    )
+    left = (Finding.of("CW-S082", "info", files=name, idle=idle),) if idle else ()
     try:
         state, findings = _viewed(control, files, name)
     except (InputError, UsageError) as error:
@@ -140,12 +138,7 @@ def _untold(name: str, what: str, error: InputError | UsageError) -> Finding:
     faults = "; ".join(str(fault) for fault in error.faults[:_MOST_FAULTS])
     more = len(error.faults) - _MOST_FAULTS
     faults += f"; and {more} more" if more > 0 else ""
-    return Finding(
-        "CW-S080",
-        "warning",
-        f"{name}: what the control makes of {what} is unknown, so only the entries are compared"
-        f" ({faults})",
-    )
+    return Finding.of("CW-S080", "warning", files=name, what=what, faults=faults)
 
 
 def _with_data(
@@ -182,8 +175,7 @@ def _viewed(
         reading = control.format.listing.shown(control.format)
         state = reading.read(files, address=address)
         why = "; ".join(str(fault) for fault in error.faults[:1])
-        message = f"{name}: corrections are those of one reader alone; the second one says: {why}"
-        return state, (Finding("CW-S081", "warning", message),)
+        return state, (Finding.of("CW-S081", "warning", files=name, why=why),)
 
 
 def _nothing(control: Control, files: Sequence[ControlFile]) -> list[Fault]:

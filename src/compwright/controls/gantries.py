@@ -192,26 +192,30 @@ def skew_findings(
         was, now = (_skew(axis, state, where) for state in (as_found, loaded))
         moved = float(np.max(np.abs(np.subtract(now, was)))) * factor
         before, after = (float(np.max(np.abs(one))) * factor for one in (was, now))
-        gets = {"same": "the same total", "change": "the same change to its own total"}
-        yield Finding(
+        yield Finding.of(
             "CW-S036",
             "warning" if moved > _SKEW * factor else "info",
-            f"Axis {axis.gantry} gets {gets[axis.gantry_table]} as axis {axis.name}, as the job"
-            f" says. The corrections of both differ by up to {after:.2f} {small} afterwards,"
-            f" {before:.2f} {small} before; at no position by more than {moved:.2f} {small}"
-            " otherwise than before",
-            (axis.address,),
+            axes=(axis.address,),
+            gantry=axis.gantry,
+            table=axis.gantry_table,
+            axis=axis.name,
+            after=after,
+            unit=small,
+            before=before,
+            moved=moved,
         )
         gain = gains.get(axis.name, 0.0) * factor
         if axis.gantry_table == "change" and moved > _APART * factor:
-            yield Finding(
+            yield Finding.of(
                 "CW-S038",
                 "warning",
-                f"Axes {axis.name} and {axis.gantry} move apart by up to {moved:.2f} {small}"
-                f" (limit {_APART * factor:.2f} {small}); axis {axis.name} gains {gain:.2f}"
-                f" {small}. Their grids do not fit together. Give both axes the same grid in the"
-                " control, or say table: same",
-                (axis.address,),
+                axes=(axis.address,),
+                axis=axis.name,
+                gantry=axis.gantry,
+                moved=moved,
+                unit=small,
+                limit=_APART * factor,
+                gain=gain,
             )
 
 

@@ -38,11 +38,7 @@ def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
     own = storage.resolved(plan_file.parent / "tables")
     for path in loaded:
         if own in (there := storage.resolved(path), *there.parents):
-            message = (
-                f"{path} is what run wrote, not what was read back: nothing here says what is in"
-                " the control; save it from the control and give that"
-            )
-            yield Finding("CW-S085", "warning", message)
+            yield Finding.of("CW-S085", "warning", path=path)
 
 
 def read_back_differences(
@@ -143,8 +139,6 @@ def _unsaid(whole: Differences, known: set[str]) -> Iterator[Finding]:
         for one in whole.entries
     )
     if missing:
-        text = f"{missing} values that compensate were not read back, and not looked at"
-        yield Finding("CW-S083", "info", text)
+        yield Finding.of("CW-S083.not_read", "info", missing=missing)
     if new:
-        text = f"{new} values that compensate stood in no file of the plan, and were not looked at"
-        yield Finding("CW-S083", "info", text)
+        yield Finding.of("CW-S083.new", "info", new=new)

@@ -4,13 +4,13 @@ deviations in µm.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any, Final
 
 import numpy as np
 
 from compwright.documents.evaluation import uncertainty_document
-from compwright.foundations.findings import Finding
+from compwright.documents.findings import finding_documents
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularResult, CircularRun, Diagnosis
@@ -68,7 +68,7 @@ def circular_document(result: CircularResult) -> dict[str, Any]:
         },
         "header": dict(test.header),
         "runs": [_run(run) for run in test.runs],
-        "findings": _findings(findings),
+        "findings": finding_documents(findings),
     }
 
 
@@ -175,10 +175,3 @@ def _numbers(values: FloatArray) -> list[float | None]:
     if not np.all(np.isfinite(values)):
         return [_number(value) for value in values.tolist()]
     return [round(value, _DIGITS) + 0.0 for value in values.tolist()]
-
-
-def _findings(findings: Iterable[Finding]) -> list[dict[str, str]]:
-    return [
-        {"code": entry.code, "severity": entry.severity, "message": entry.message}
-        for entry in dict.fromkeys(findings)
-    ]

@@ -8,8 +8,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from compwright.documents.decode import assumed_documents, finding_documents
+from compwright.documents.decode import assumed_documents
 from compwright.documents.diff import MOST_EXAMPLES, EntryDifference, others_document
+from compwright.documents.findings import finding_documents
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import AxisKind

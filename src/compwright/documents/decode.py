@@ -6,7 +6,8 @@ from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from compwright.documents.prediction import cross_outside, findings_outside, table_outside
+from compwright.documents.findings import finding_documents
+from compwright.documents.prediction import cross_outside, table_outside
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor
 from compwright.records.axis import AxisKind, FloatArray
@@ -54,11 +55,6 @@ def assumed_documents(assumed: Iterable[Assumption]) -> list[dict[str, str]]:
         {"fact": entry.fact, "value": entry.value, "evidence": entry.evidence}
         for entry in reversed(unique.values())
     ]
-
-
-def finding_documents(findings: Iterable[Finding]) -> list[dict[str, str]]:
-    """Return findings, each once, in their order."""
-    return findings_outside(dict.fromkeys(findings))
 
 
 def _cross(entry: CrossCompensation, *, known: bool) -> dict[str, Any]:

@@ -11,8 +11,8 @@ from typing import Any, Final
 
 import numpy as np
 
+from compwright.documents.findings import finding_documents
 from compwright.foundations.errors import Fault
-from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import FloatArray
 from compwright.records.positioning import PositioningTest
@@ -80,7 +80,7 @@ def result_document(result: PositioningResult) -> dict[str, Any]:
         "targets": _targets(result, factor),
         "not_applicable": dict(result.not_applicable),
         "header": dict(test.header),
-        "findings": findings_document(result.findings),
+        "findings": finding_documents(result.findings),
     }
 
 
@@ -192,12 +192,3 @@ def _expansion(test: PositioningTest, i: int, factor: float) -> dict[str, float 
 
 def _count(test: PositioningTest, i: int) -> tuple[int, int]:
     return int(np.isfinite(test.positive[i]).sum()), int(np.isfinite(test.negative[i]).sum())
-
-
-def findings_document(findings: Iterable[Finding]) -> list[dict[str, str]]:
-    """Return the findings of a result as they stand in its entry, each once."""
-    unique = dict.fromkeys(findings)
-    return [
-        {"code": entry.code, "severity": entry.severity, "message": entry.message}
-        for entry in unique
-    ]

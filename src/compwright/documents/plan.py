@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from compwright.documents.findings import planned_finding
 from compwright.documents.json_text import read_json
 from compwright.documents.plan_reading import plan_of
 from compwright.foundations.errors import Fault, InputError
@@ -149,7 +150,7 @@ def _circle_out(circle: PlannedCircle) -> dict[str, Any]:
             "runs": [_arrays_out(run) for run in test.runs],
             "sources": [asdict(source) for source in test.sources],
             "header": dict(test.header),
-            "findings": [asdict(finding) for finding in test.findings],
+            "findings": [planned_finding(finding) for finding in test.findings],
         },
     }
 
@@ -172,7 +173,8 @@ def _axis_out(axis: PlannedAxis) -> dict[str, Any]:
         "periods": [asdict(period) for period in axis.estimate.periods],
         "estimate": {
             key: value for key, value in _arrays_out(axis.estimate).items() if key != "periods"
-        },
+        }
+        | {"findings": [planned_finding(finding) for finding in axis.estimate.findings]},
         "active": _optional(axis.active, _compensation_out),
         "wanted": _optional(axis.wanted, _wanted_out),
         "request": asdict(axis.request),
@@ -202,7 +204,7 @@ def _test_out(test: PositioningTest) -> dict[str, Any]:
         "runs_negative": list(test.runs_negative),
         "sources": [asdict(source) for source in test.sources],
         "header": dict(test.header),
-        "findings": [asdict(finding) for finding in test.findings],
+        "findings": [planned_finding(finding) for finding in test.findings],
         **({} if test.thermal is None else {"thermal": asdict(test.thermal)}),
     }
 
@@ -241,7 +243,7 @@ def _fitted_out(fitted: FittedTable) -> dict[str, Any]:
         "mode_reason": fitted.mode_reason,
         "certificate": dict(fitted.certificate),
         "limits": [asdict(limit) for limit in fitted.limits],
-        "findings": [asdict(finding) for finding in fitted.findings],
+        "findings": [planned_finding(finding) for finding in fitted.findings],
     }
 
 

@@ -12,8 +12,10 @@ import numpy as np
 from pydantic_core import SchemaValidator
 from pydantic_core import core_schema as cs
 
+from compwright.documents.findings import read_sentence
 from compwright.documents.plain_values import PLAIN, is_number
 from compwright.documents.plan_rules import RULES, contradictions
+from compwright.foundations.findings import Finding
 from compwright.foundations.key_faults import KeyFault, shown
 from compwright.foundations.record_schemas import RecordForm, RecordSchemas, mapping
 from compwright.foundations.validation import checked, refuse
@@ -47,6 +49,11 @@ def _periods(values: dict[str, Any]) -> dict[str, Any]:
     """The periods of an estimate stand beside it."""
     estimate = replace(values["estimate"], periods=values.get("periods", ()))
     return {**values, "estimate": estimate}
+
+
+def _finding(values: dict[str, Any]) -> dict[str, Any]:
+    """The sentence of a finding, as the plan states it where it is of another version."""
+    return {**values, "sentence": read_sentence(values.get("sentence"), values["message"])}
 
 
 def _unit(unit: Any, info: cs.ValidationInfo) -> None:
@@ -125,6 +132,12 @@ FORMS: Final[Mapping[type, RecordForm]] = {
         inline="test",
         absent=frozenset({"motion", "backlash_more", "slope_std", "acted"}),
         types={"acted": cs.nullable_schema(_ACTED)},
+    ),
+    Finding: RecordForm(
+        more={"message": str},
+        absent=frozenset({"sentence"}),
+        types={"sentence": cs.any_schema()},
+        build=_finding,
     ),
     PositioningTest: RecordForm(
         constant={"frame": "machine"},

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from typing import Any
 
+from compwright.documents.findings import finding_documents
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, outside_factor, outside_unit
 from compwright.records.axis import AxisKind, Direction, FloatArray
@@ -49,7 +50,7 @@ def prediction_document(
     return {
         "schema": SCHEMA,
         "format": format_id,
-        "doubts": findings_outside(doubts),
+        "doubts": finding_documents(doubts),
         "acknowledged": acknowledged_outside(acknowledged),
         "axes": {name: _axis(axis, judged) for name, axis in axes.items()},
         "cross": [cross_outside(entry) for entry in cross],
@@ -57,18 +58,10 @@ def prediction_document(
     }
 
 
-def findings_outside(findings: Iterable[Finding]) -> list[dict[str, str]]:
-    """Return findings as every document holds them."""
-    return [
-        {"code": finding.code, "severity": finding.severity, "message": finding.message}
-        for finding in findings
-    ]
-
-
-def acknowledged_outside(acknowledged: Iterable[Acknowledged]) -> list[dict[str, str]]:
+def acknowledged_outside(acknowledged: Iterable[Acknowledged]) -> list[dict[str, Any]]:
     """Return the doubts that a job acknowledges, with its reasons."""
     return [
-        {**findings_outside([each.finding])[0], "reason": each.by.reason} for each in acknowledged
+        {**finding_documents([each.finding])[0], "reason": each.by.reason} for each in acknowledged
     ]
 
 
@@ -252,7 +245,7 @@ def _axis(axis: AxisPrediction, judged: Judged) -> dict[str, Any]:
         "accept": _accept(axis.accept),
         "periods": [asdict(period) for period in axis.periods],
         "period_search": None if axis.evidence is None else _evidence(axis.evidence),
-        "findings": findings_outside(axis.findings),
+        "findings": finding_documents(axis.findings),
     }
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
-from compwright.documents.decode import finding_documents
+from compwright.documents.findings import finding_documents
 from compwright.documents.prediction import (
     acknowledged_outside,
     circle_quantiles,
@@ -24,6 +24,7 @@ from compwright.records.correction_need import MOST_UNCERTAIN
 from compwright.records.job import Acknowledged
 from compwright.records.prediction import AcceptDecision, CirclePrediction, Decision, Quantiles
 from compwright.records.result import ExpandedUncertainty, PositioningResult
+from compwright.words.sentences import say
 
 SCHEMA = "compwright/verification/1"
 
@@ -107,10 +108,16 @@ def verification_document(
     general, tests = tuple(findings), circles or {}
     every: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *tests.values()]
     of_tests = [
-        replace(finding, message=f"{kind} {name}: {finding.message}")
-        for kind, its in (("Axis", axes), ("Circle", tests))
-        for name, one in its.items()
-        for finding in one.findings
+        *(
+            replace(finding, sentence=say("of_axis", axis=name, finding=finding.sentence))
+            for name, axis in axes.items()
+            for finding in axis.findings
+        ),
+        *(
+            replace(finding, sentence=say("of_circle", circle=name, finding=finding.sentence))
+            for name, circle in tests.items()
+            for finding in circle.findings
+        ),
     ]
     return {
         "schema": SCHEMA,

@@ -22,6 +22,7 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.noise import NoiseDraws
 from compwright.records.targets import told_targets
+from compwright.words.sentences import Sentence
 
 #: No noise below this is claimed: 10 nm, 0.0036 arcsec (the resolution of the instruments is
 #: coarser or equal).
@@ -414,25 +415,13 @@ def findings_of(
     unit = kind.unit
     found: list[Finding] = []
     if not cells.bidirectional:
-        message = (
-            "Measured in one direction only: the same error is assumed in both, lost motion is not"
-            " known."
-        )
-        found.append(Finding("CW-E001", "warning", message))
+        found.append(Finding.of("CW-E001", "warning"))
     if not cells.repeated:
-        message = (
-            "One approach per target and direction: the noise is inferred from the scatter between"
-            " neighbouring targets."
-        )
-        found.append(Finding("CW-E002", "warning", message))
+        found.append(Finding.of("CW-E002", "warning"))
     found += folded_findings(cells.targets, periods, unit)
     found += [
-        Finding(
-            "CW-E003",
-            "warning",
-            f"The targets cannot show an error of period {period:g} {unit} (their spacing hides"
-            " it): it is left out, and a test at other targets may show more than is predicted;"
-            f" {_told(cells.targets, unit)}",
+        Finding.of(
+            "CW-E003", "warning", period=period, unit=unit, better=_told(cells.targets, unit)
         )
         for period in periods
         if float(period) not in shown and hidden_share(cells.targets, float(period)) >= HIDDEN
@@ -444,16 +433,20 @@ def findings_of(
     )
     beyond = max(-low, -high)
     if beyond > 0.01 * (cells.targets[-1] - cells.targets[0]):
-        message = (
-            f"The travel reaches up to {beyond:g} {unit} beyond the measured range"
-            f" ({cells.targets[0]:g} to {cells.targets[-1]:g} {unit}): there the error is continued"
-            " with the measured slope, and its uncertainty grows"
+        found.append(
+            Finding.of(
+                "CW-E004",
+                "info",
+                beyond=beyond,
+                unit=unit,
+                first=cells.targets[0],
+                last=cells.targets[-1],
+            )
         )
-        found.append(Finding("CW-E004", "info", message))
     return tuple(found)
 
 
-def _told(targets: FloatArray, unit: str) -> str:
+def _told(targets: FloatArray, unit: str) -> Sentence:
     return told_targets(float(targets[0]), float(targets[-1]), targets.size, unit)
 
 
@@ -467,11 +460,16 @@ def folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) ->
         if wave is None or hidden_share(targets, period) >= HIDDEN:
             continue
         interval = float(np.ptp(targets)) / (targets.size - 1)
-        longer = "a constant" if np.isinf(wave) else f"a wave of {wave:.4g} {unit}"
-        message = (
-            f"At these targets, {interval:.4g} {unit} apart, an error of period {period:g} {unit}"
-            f" looks like {longer}: the two cannot be separated, the period is not fitted, and no"
-            f" limit is accepted; {_told(targets, unit)}"
+        longer = 0.0 if np.isinf(wave) else wave
+        found.append(
+            Finding.of(
+                "CW-E010",
+                "warning",
+                interval=interval,
+                unit=unit,
+                period=period,
+                wave=longer,
+                better=_told(targets, unit),
+            )
         )
-        found.append(Finding("CW-E010", "warning", message))
     return found

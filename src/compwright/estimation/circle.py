@@ -44,7 +44,6 @@ from compwright.estimation.circle_solution import Solution
 from compwright.estimation.circle_vibration import Vibration, vibration, vibration_columns
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.records.axis import FloatArray
 from compwright.records.circular import (
     CircularRun,
@@ -279,22 +278,16 @@ def _given(
         if least <= period <= most:
             frequencies["first" if axis == test.axes[0] else "second"] = 1.0 / period
         else:
-            message = (
-                f"a period of {period:g} mm along {axis} cannot be seen: the samples show periods"
-                f" of {significant(least, 3)} to {most:g} mm"
+            findings.append(
+                Finding.of("CW-D009", "warning", period=period, axis=axis, least=least, most=most)
             )
-            findings.append(Finding("CW-D009", "warning", message))
     return frequencies, findings
 
 
 def _lag_finding(samples: Samples, lag: Lag) -> Finding:
     time = 1e3 * lag.angle * samples.radius / samples.speed
     doubt = 1e3 * lag.doubt * samples.radius / samples.speed
-    message = (
-        f"the axes reverse {time:.1f} ± {doubt:.1f} ms after their commands; the angles were"
-        " corrected by that"
-    )
-    return Finding("CW-D011", "info", message)
+    return Finding.of("CW-D011", "info", lag=time, error=doubt)
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,9 +16,9 @@ import numpy as np
 
 from compwright.estimation.step_evidence import FoundStep, StepEvidence
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import AxisKind, FloatArray
+from compwright.words.sentences import Amount
 
 #: Odds from which on a jump is named, a judgement.
 _NAMED: Final = 20.0
@@ -94,23 +94,18 @@ class Jump:
         factor, small = outside_factor(kind.unit), shown_unit(kind.unit)
         std = self.std * factor
         decimals = max(0, 1 - int(np.floor(np.log10(max(std, 1e-3)))))
-        size = f"{self.size * factor:+.{decimals}f} ± {std:.{decimals}f} {small}"
         high = self.high if self.turn is None else self.high % self.turn
-        place = f"between {self.low:.10g} and {high:.10g} {kind.unit}"
-        if self.odds >= _NAMED:
-            sure = "over 1000" if self.odds > _SURE else significant(self.odds)
-            what = f"The error jumps by {size} {place} (odds {sure} to 1)"
-        else:
-            what = (
-                f"The error jumps by {size} {place}, or the target at {self.end:.10g} {kind.unit}"
-                " alone is off by so much"
-            )
-        return Finding(
-            "CW-E030",
+        return Finding.of(
+            "CW-E030.jump" if self.odds >= _NAMED else "CW-E030.jump_or_target",
             "warning",
-            f"{what}: look at the scale there (damage, dirt, a joint), at its reading head, and at"
-            " the line count of the encoder. Between these targets the place of the jump is"
-            " unknown: measure there at targets a few mm apart before a table is loaded",
+            size=Amount(self.size * factor, "", f"+.{decimals}f"),
+            error=Amount(std, small, f".{decimals}f"),
+            low=self.low,
+            high=high,
+            unit=kind.unit,
+            odds=self.odds,
+            sure=self.odds > _SURE,
+            target=self.end,
         )
 
 

@@ -116,12 +116,7 @@ def _thinned(test: PositioningTest) -> PositioningTest:
 def _thinning(test: PositioningTest, readings: CellReadings) -> Iterator[Finding]:
     runs = max(test.positive.shape[1], test.negative.shape[1])
     if readings.runs < runs:
-        yield Finding(
-            "CW-E031",
-            "info",
-            f"The noise is estimated from {readings.runs} of {runs} runs, evenly spaced over the"
-            " test; the means use all runs",
-        )
+        yield Finding.of("CW-E031", "info", used=readings.runs, runs=runs)
 
 
 def _as_shown(sigma: FloatArray, step: float) -> FloatArray:

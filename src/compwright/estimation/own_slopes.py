@@ -11,7 +11,6 @@ from compwright.estimation.cells import Cells
 from compwright.estimation.model import MixturePart
 from compwright.estimation.observed import ObservedTest
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind
 from compwright.records.settled import settled_number
 
@@ -36,14 +35,14 @@ def slope_findings(
         if abs(difference) < max(_CLEAR * error, _LEAST):
             continue
         mine, other = each.test.name, tests[0].test.name
-        yield Finding(
+        yield Finding.of(
             "CW-E028",
             "warning",
-            f"Test {mine} has another slope than test {other}: {difference:+.1f} ± {error:.1f} µm/m"
-            f" from it, as much as {significant(abs(difference) / _STEEL)} K make of steel. It"
-            " counts as the temperature or the set-up of one of the tests, not as an error of the"
-            " axis; which slope is right they do not tell: give the temperatures of the tests"
-            " (thermal), or measure again at an even temperature",
+            test=mine,
+            other=other,
+            difference=difference,
+            error=error,
+            kelvin=abs(difference) / _STEEL,
         )
 
 

@@ -11,9 +11,9 @@ import numpy as np
 from compwright.estimation.period_models import PeriodSearch
 from compwright.estimation.usual_periods import USUAL_PERIODS
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.targets import told_targets
+from compwright.words.sentences import Sentence, say
 
 #: A period is a usual one within this part of it.
 _NEAR = 0.004
@@ -44,44 +44,42 @@ def period_findings(
         each for each in search.found if each.period not in grouped and each.probability >= _SAID
     ]
     found += [
-        Finding(
-            "CW-E012",
+        Finding.of(
+            "CW-E012.found",
             "info",
-            f"The error repeats every {each.period:.5g} {unit} (probability"
-            f" {100 * each.probability:.0f} %, {_odds(each.probability)}):"
-            f" {meaning(each.period, kind)}.{_of_nodes(each.period, nodes, unit)} It counts in the"
-            " estimate and the prediction with that probability",
+            period=each.period,
+            unit=unit,
+            probability=100 * each.probability,
+            odds=_odds(each.probability),
+            meaning=meaning(each.period, kind),
+            nodes=_of_nodes(each.period, nodes),
         )
         for each in told
         if each.named
     ]
-    open_ = ", ".join(
-        f"{each.period:.5g} {unit} ({100 * each.probability:.0f} %)"
+    open_ = [
+        say("CW-E012.period", period=each.period, unit=unit, percent=100 * each.probability)
         for each in told
         if not each.named
-    )
+    ]
     if open_:
-        message = (
-            f"The error may repeat every {open_}: these targets do not settle it, and each counts"
-            " with its probability. More targets at random offsets would tell"
-        )
-        found.append(Finding("CW-E012", "info", message))
+        found.append(Finding.of("CW-E012.possible", "info", periods=open_))
     low, high = float(targets[0]), float(targets[-1])
     for group in search.sure:
-        named = ", ".join(f"{period:.4g}" for period in sorted(group, reverse=True)[:8])
-        more = f" and {len(group) - 8} others" if len(group) > 8 else ""
+        named = sorted(group, reverse=True)[:8]
+        more = max(0, len(group) - 8)
         found.append(
-            Finding(
+            Finding.of(
                 "CW-E013",
                 "warning",
-                f"The error repeats, but these targets cannot tell with which period: {named}"
-                f"{more} {unit} look the same there. None is certainly taken out, and a test at"
-                f" other targets may show all of it;"
-                f" {told_targets(low, high, targets.size, unit)}",
+                periods=named,
+                more=more,
+                unit=unit,
+                better=told_targets(low, high, targets.size, unit),
             )
         )
     if not told and not search.sure and not known:
-        found.append(Finding("CW-E014", "info", _nothing(search, targets, unit)))
+        found.append(_nothing(search, targets, unit))
     found += _left_out(known, fitted, unit)
     return found
 
@@ -95,65 +93,49 @@ def unseen_findings(
     if not unseen or not found:
         return []
     unit = kind.unit
-    told, instead = (" and ".join(f"{one:.5g}" for one in each) for each in (unseen, found))
-    message = (
-        f"The readings show no error that repeats every {told} {unit}, as the job says"
-        f" (screw_pitch), but one that repeats every {instead} {unit}: is the pitch right? Both"
-        " stay in the estimate; a wrong one does no harm there, but the grid is chosen for it"
-    )
-    return [Finding("CW-E016", "warning", message)]
+    told, instead = ([f"{one:.5g}" for one in each] for each in (unseen, found))
+    return [Finding.of("CW-E016", "warning", stated=told, unit=unit, found=instead)]
 
 
-def _nothing(search: PeriodSearch, targets: FloatArray, unit: str) -> str:
+def _nothing(search: PeriodSearch, targets: FloatArray, unit: str) -> Finding:
     intervals = np.diff(targets)
     if search.curve is None:
-        return (
-            f"Too few targets ({targets.size}) to look for a periodic error: eight at random"
-            " offsets show some, more are better"
-        )
+        return Finding.of("CW-E014.few_targets", "info", targets=targets.size)
     if np.ptp(intervals) <= 1e-3 * np.mean(intervals):
-        return (
-            "No period was found, but equal spacing hides those that divide it"
-            f" ({np.mean(intervals):.4g} {unit}); the targets that CW-T008 proposes would show them"
+        return Finding.of(
+            "CW-E014.equal_spacing", "info", interval=float(np.mean(intervals)), unit=unit
         )
     probability = sum(model.probability for model in search.models if not model.periods)
     hidden = 1.0 - probability
-    chance = "of less than 1 %" if hidden < 0.01 else f"of {100 * hidden:.0f} %"
-    return (
-        "No screw pitch or other period is given, and none was found: there is"
-        f" a chance {chance} that the error repeats with a period that these targets hardly show"
-    )
+    if hidden < 0.01:
+        return Finding.of("CW-E014.unlikely", "info", probability=hidden)
+    return Finding.of("CW-E014.hidden", "info", probability=100 * hidden)
 
 
 def _left_out(known: Sequence[float], fitted: Sequence[float], unit: str) -> list[Finding]:
     if len(fitted) == len(known) or not fitted:
         return []
-    named = ", ".join(f"{period:g}" for period in fitted)
-    message = (
-        f"Of {len(known)} known periods the readings tell {len(fitted)}: {named} {unit}; the others"
-        " are not fitted"
-    )
-    return [Finding("CW-E015", "info", message)]
+    return [
+        Finding.of(
+            "CW-E015", "info", known=len(known), fitted=len(fitted), periods=fitted, unit=unit
+        )
+    ]
 
 
-def _of_nodes(period: float, nodes: Sequence[float], unit: str) -> str:
-    """Return what a period says that is also the spacing of the nodes of a table that acted."""
+def _of_nodes(period: float, nodes: Sequence[float]) -> float | None:
+    """Return the spacing of the nodes of a table that was active where the period is as long."""
     spacing = float(np.median(np.diff(nodes))) if len(nodes) > 2 else 0.0
     if abs(period - spacing) > _AS_SPACED * period:
-        return ""
-    return (
-        f" The nodes of the table in the control are also {spacing:.5g} {unit} apart: a table that"
-        " was not active as its files say leaves an error that looks like this; check first that it"
-        " was."
-    )
+        return None
+    return spacing
 
 
-def _odds(probability: float) -> str:
+def _odds(probability: float) -> Sentence:
     if probability > 0.999:
-        return "odds above 1000 to 1"
+        return say("odds.above_1000")
     if probability >= 0.5:
-        return f"odds {significant(probability / (1.0 - probability))} to 1"
-    return f"odds 1 to {significant((1.0 - probability) / probability)}"
+        return say("odds.to_1", odds=probability / (1.0 - probability))
+    return say("odds.1_to", odds=(1.0 - probability) / probability)
 
 
 def meaning(period: float, kind: AxisKind) -> str:

@@ -23,19 +23,19 @@ def longer_tests(
     high = max(float(test.targets[-1]) for test in fitted)
     interval = float(first.targets[-1] - first.targets[0]) / max(first.targets.size - 1, 1)
     unit = first.kind.unit
-    names = " and ".join(test.name for test in fitted)
-    which = f"test {names} alone, which covers" if len(fitted) == 1 else f"tests {names}, over"
+    names = [test.name for test in fitted]
     return [
-        Finding(
+        Finding.of(
             "CW-E011",
             "warning",
-            f"The table is made from the {which} {low:g} to {high:g}"
-            f" {unit}; the test {other.name} measured {other.targets[0]:g} to {other.targets[-1]:g}"
-            f" {unit} and is not fitted. Beyond {low:g} to {high:g} {unit} the error is only"
-            " continued and may be wrong by more than it is: name the state that was active in"
-            " the control while"
-            f" it was measured (measured_in), list the test {other.name} first, or let the table"
-            " end at the measured range (table: start, end)",
+            tests=names,
+            number=len(names),
+            low=low,
+            high=high,
+            unit=unit,
+            other=other.name,
+            other_low=other.targets[0],
+            other_high=other.targets[-1],
         )
         for other in others
         if other.targets[0] < low - interval or other.targets[-1] > high + interval

@@ -65,7 +65,7 @@ def disagreeing_test(
         _rms(_without(measured[known] - meant[known], places[known], unknown)),
         max(_rms(measured[known]), _rms(meant[known])),
     )
-    what = "the error itself"
+    what = "error"
     if apart <= max(
         _OF_THE_ERROR * size, _OF_THE_NOISE * float(np.sqrt(np.mean(error[known] ** 2)))
     ):
@@ -75,7 +75,7 @@ def disagreeing_test(
         apart, size, what = (
             abs(mine - theirs),
             max(abs(mine), abs(theirs)),
-            "the mean reversal itself",
+            "reversal",
         )
         if apart <= max(
             _OF_THE_ERROR * size,
@@ -84,13 +84,15 @@ def disagreeing_test(
         ):
             return None
     factor, unit = outside_factor(test.kind.unit), shown_unit(test.kind.unit)
-    return Finding(
+    return Finding.of(
         "CW-T036",
         "warning",
-        f"The tests {names[0]} and {names[1]} contradict each other: they differ by"
-        f" {apart * factor:.2f} {unit}, {what} is {size * factor:.2f} {unit}. Were sign,"
-        f" directions, unit, axis and state the same? Only {names[0]}"
-        f" counts, {names[1]} does not.",
+        test=names[0],
+        other=names[1],
+        difference=apart * factor,
+        unit=unit,
+        what=what,
+        size=size * factor,
     )
 
 

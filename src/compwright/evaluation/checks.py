@@ -17,6 +17,7 @@ from compwright.foundations.findings import Finding, Severity
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import PositioningTest
 from compwright.records.targets import told_targets
+from compwright.words.sentences import Sentence, say
 
 #: Longest axis that is tested with n = 5 over its whole length, mm and deg.
 LONG: Final = {AxisKind.LINEAR: 2000.0, AxisKind.ROTARY: 360.0}
@@ -53,14 +54,7 @@ def plan_findings(
         *_spacing(test, periods),
     ]
     if test.cycle == "step":
-        findings.append(
-            Finding(
-                "CW-T009",
-                "warning",
-                "Step cycle: not for acceptance unless agreed in writing (annex of ISO 230-2). A"
-                " drift D during the test puts about 0.92 D into E and M, and hardly any into R.",
-            )
-        )
+        findings.append(Finding.of("CW-T009", "warning"))
     return findings
 
 
@@ -84,30 +78,20 @@ def _runs(test: PositioningTest) -> list[Finding]:
     measured = {d: n for d, n in counts.items() if n}
     if len(measured) == 1:
         only = next(iter(measured))
-        one_way = [
-            Finding(
-                "CW-T003",
-                "info",
-                f"Only the approach in {sign_text(only)} was measured; parameters of both"
-                " directions do not exist.",
-            )
-        ]
+        one_way = [Finding.of("CW-T003", "info", direction=sign_text(only))]
     else:
         one_way = []
     if set(measured.values()) == {1} and _length(test) > LONG[test.kind]:
         return one_way
-    wrong = [f"{n} in {sign_text(d)}" for d, n in measured.items() if n != 5]
+    wrong = [
+        say("CW-T001.count", count=n, direction=sign_text(d)) for d, n in measured.items() if n != 5
+    ]
     if not wrong:
         return one_way
     severity: Severity = "warning" if min(measured.values()) < 5 else "info"
     return [
         *one_way,
-        Finding(
-            "CW-T001",
-            severity,
-            "The standard asks for 5 approaches to each target and direction; found"
-            f" {' and '.join(wrong)}.",
-        ),
+        Finding.of("CW-T001", severity, counts=wrong),
     ]
 
 
@@ -122,11 +106,8 @@ def _linear_targets(test: PositioningTest) -> list[Finding]:
     if test.targets.size >= needed:
         return []
     return [
-        Finding(
-            "CW-T002",
-            "warning",
-            f"{test.targets.size} targets over {length:.10g} mm are too few: at least 5 per metre"
-            f" and 5 in all are needed, here {needed}.",
+        Finding.of(
+            "CW-T002.linear", "warning", targets=test.targets.size, length=length, needed=needed
         )
     ]
 
@@ -141,26 +122,19 @@ def _rotary_targets(test: PositioningTest, standard: str) -> list[Finding]:
     if standard == _FIRST_EDITION:
         others = sum(not any(_has(np.array([x]), p) for p in _PRINCIPAL) for x in test.targets)
         if others < 3:
-            message = (
-                "ISO 230-2:1988, 4.3.4 asks for three positions in addition to 0°, 90°, 180°,"
-                " 270°; there"
-                f" are {others}."
-            )
-            findings.append(Finding("CW-T002", "warning", message))
+            findings.append(Finding.of("CW-T002.principal", "warning", others=others))
     else:
         needed = 3 if length <= 90.0 else 5 if length <= 180.0 else 8
         if number < needed:
-            message = (
-                f"{number} targets over {length:.10g}° are too few: this travel needs at least"
-                f" {needed} (table of target positions)."
+            findings.append(
+                Finding.of(
+                    "CW-T002.rotary", "warning", targets=number, length=length, needed=needed
+                )
             )
-            findings.append(Finding("CW-T002", "warning", message))
     if missing:
         severity: Severity = "warning" if standard == _FIRST_EDITION else "info"
-        named = ", ".join(f"{p:g}°" for p in missing)
-        findings.append(
-            Finding("CW-T004", severity, f"Principal position not among the targets: {named}.")
-        )
+        named = [f"{p:g}°" for p in missing]
+        findings.append(Finding.of("CW-T004", severity, positions=named))
     return findings
 
 
@@ -194,34 +168,12 @@ def _long_axis(
     findings = []
     if _is_single(test):
         if all(approaches(other) == 1 for other in beside):
-            findings.append(
-                Finding(
-                    "CW-T005",
-                    "info",
-                    f"The axis is longer than {limit}; in addition to this test with one approach"
-                    f" per direction a test with n = 5 over {limit} belongs to it.",
-                )
-            )
+            findings.append(Finding.of("CW-T005.repeated_missing", "info", limit=limit))
         findings += _long_interval(test, standard)
     elif _length(test) > LONG[test.kind] * (1.0 + 1e-9):
-        findings.append(
-            Finding(
-                "CW-T005",
-                "warning",
-                f"Repeated approaches over more than {limit}: the standard tests the whole length"
-                f" with one approach per direction, and n = 5 over {limit} in the normal working"
-                " area, as two tests. Evaluated as measured.",
-            )
-        )
+        findings.append(Finding.of("CW-T005.repeated_long", "warning", limit=limit))
     elif not any(_is_single(other) for other in beside):
-        findings.append(
-            Finding(
-                "CW-T005",
-                "info",
-                f"The axis is longer than {limit}; a test of its whole length with one approach per"
-                " direction belongs to it too.",
-            )
-        )
+        findings.append(Finding.of("CW-T005.whole_missing", "info", limit=limit))
     return findings
 
 
@@ -239,43 +191,17 @@ def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
         mean = length / max(number - 1, 1)
         if mean <= 250.0 * (1.0 + 1e-9):
             return []
-        return [
-            Finding(
-                "CW-T006",
-                "warning",
-                f"The mean interval of the targets is {mean:.5g} mm; over 2 000 mm it is to be 250"
-                " mm at most.",
-            )
-        ]
+        return [Finding.of("CW-T006.linear", "warning", interval=mean)]
     findings = []
     widest = float(np.diff(test.targets).max())
     if standard in _EIGHT_PER_TURN:
         turns = length / 360.0
         if number < 8.0 * turns - 1e-9:
-            findings.append(
-                Finding(
-                    "CW-T006",
-                    "warning",
-                    f"{number} targets over {turns:.4g} turns: at least eight per turn are needed.",
-                )
-            )
+            findings.append(Finding.of("CW-T006.per_turn", "warning", targets=number, turns=turns))
     elif widest > 45.0 * (1.0 + 1e-9):
-        findings.append(
-            Finding(
-                "CW-T006",
-                "warning",
-                f"The widest interval of the targets is {widest:.5g}°; over 360° it is to be 45° at"
-                " most.",
-            )
-        )
+        findings.append(Finding.of("CW-T006.rotary", "warning", interval=widest))
     if length > 1800.0 * (1.0 + 1e-9):
-        findings.append(
-            Finding(
-                "CW-T006",
-                "info",
-                f"{length:.10g}° were measured; the standard asks for 1 800° (five turns) at most.",
-            )
-        )
+        findings.append(Finding.of("CW-T006.turns", "info", length=length))
     return findings
 
 
@@ -290,31 +216,28 @@ def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -
     full_turn = test.kind is AxisKind.ROTARY and travel[1] - travel[0] >= 360.0 - 1e-6
     first, last = float(test.targets[0]), float(test.targets[-1])
     if not full_turn and (first < travel[0] - 1e-6 or last > travel[1] + 1e-6):
-        message = (
-            f"Targets {position_text(first, test)} to {position_text(last, test)} lie outside the"
-            f" travel {position_text(travel[0], test)} to {position_text(travel[1], test)}: check"
-            " the offset and the sense of the positions."
-        )
-        return [Finding("CW-T007", "warning", message)]
+        return [
+            Finding.of(
+                "CW-T007.outside",
+                "warning",
+                first=position_text(first, test),
+                last=position_text(last, test),
+                travel_start=position_text(travel[0], test),
+                travel_end=position_text(travel[1], test),
+            )
+        ]
     if _is_long(test, travel) or full_turn or test.targets.size < 2:
         return []
     interval = (last - first) / (test.targets.size - 1)
     ends = [(first - travel[0], "lower"), (travel[1] - last, "upper")]
     told = [
-        f"{position_text(round(gap, 6), test)} at the {end} end"
+        say("CW-T007.end", length=position_text(round(gap, 6), test), end=end)
         for gap, end in ends
         if gap > interval * (1.0 + 1e-9)
     ]
     if not told:
         return []
-    return [
-        Finding(
-            "CW-T007",
-            "info",
-            f"Part of the travel was not measured: {' and '.join(told)}, more than one interval of"
-            " the targets.",
-        )
-    ]
+    return [Finding.of("CW-T007.uncovered", "info", ends=told)]
 
 
 def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
@@ -324,12 +247,8 @@ def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
     if test.targets.size < 3:
         return []
     hidden = [
-        Finding(
-            "CW-T008",
-            "warning",
-            f"The targets hit the period of {position_text(period, test)} always at the same"
-            " phases: a periodic error of this period can stay hidden. Choose targets at varying"
-            f" phases (clause on target positions); {_told(test)}",
+        Finding.of(
+            "CW-T008.period", "warning", period=position_text(period, test), better=_told(test)
         )
         for period in periods
         if _phases_seen(test.targets, period) < _PHASES_SEEN
@@ -339,15 +258,17 @@ def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
     intervals = np.diff(test.targets)
     if intervals.max() - intervals.min() > 1e-3 * intervals.mean():
         return []
-    message = (
-        f"The targets are equally spaced ({position_text(float(intervals.mean()), test)}): a"
-        " periodic error (screw pitch, scale pitch) that divides the spacing stays hidden. The"
-        f" standard asks for random offsets; {_told(test)}"
-    )
-    return [Finding("CW-T008", "info", message)]
+    return [
+        Finding.of(
+            "CW-T008.equal",
+            "info",
+            interval=position_text(float(intervals.mean()), test),
+            better=_told(test),
+        )
+    ]
 
 
-def _told(test: PositioningTest) -> str:
+def _told(test: PositioningTest) -> Sentence:
     low, high = float(test.targets[0]), float(test.targets[-1])
     return told_targets(low, high, test.targets.size, test.kind.unit)
 

@@ -29,6 +29,7 @@ from compwright.records.circular import (
     CircularTest,
     Sense,
 )
+from compwright.words.sentences import Amount, say
 
 DEFAULT_CIRCULAR_STANDARD: Final = "iso230-4:2005"
 #: The shortest arc of a circular test, deg (ISO 230-4:1996, 3.1).
@@ -234,20 +235,16 @@ def _further_runs(ordered: Mapping[Sense, list[ActualPath]]) -> list[Finding]:
     for sense, runs in ordered.items():
         for path in runs[1:]:
             _, inner, outer = minimum_zone(path.points)
-            told.append(
-                f"{sense} run {path.run.number}: G"
-                f" {(outer - inner) * MICROMETRES_PER_MILLIMETRE:.2f} µm"
-            )
+            G = Amount((outer - inner) * MICROMETRES_PER_MILLIMETRE, "µm")
+            told.append(say("CW-C001.other", direction=sense, run=path.run.number, G=G))
     if not told:
         return []
-    first = " and ".join(
-        f"{sense} run {runs[0].run.number}" for sense, runs in ordered.items() if runs
-    )
-    message = (
-        f"Each parameter belongs to one traverse (clauses 3.2 and 5); given are those of {first}."
-        f" Others: {', '.join(told)}."
-    )
-    return [Finding("CW-C001", "info", message)]
+    first = [
+        say("CW-C001.run", direction=sense, run=runs[0].run.number)
+        for sense, runs in ordered.items()
+        if runs
+    ]
+    return [Finding.of("CW-C001", "info", first=first, others=told)]
 
 
 def _require_sound(test: CircularTest) -> None:

@@ -15,10 +15,10 @@ import numpy as np
 from compwright.evaluation.circular_fit import Point
 from compwright.evaluation.circular_points import SAME_ANGLE, ActualPath
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularTest
+from compwright.words.sentences import Amount
 
 #: Samples farther apart (deg) can miss a reversal spike, which lasts about 1 mm of path (a 20 ms
 #: answer at 3 m/min); 1° is 2.6 mm at 150 mm. The examples of ISO 230-4:1996 (figures 4 and 5) have
@@ -79,8 +79,8 @@ def _named(path: ActualPath) -> str:
     return f"{path.run.sense} run {path.run.number}"
 
 
-def _um(value: float) -> str:
-    return f"{value * MICROMETRES_PER_MILLIMETRE:.2f} µm"
+def _um(value: float) -> Amount:
+    return Amount(value * MICROMETRES_PER_MILLIMETRE, "µm")
 
 
 def _directions(test: CircularTest) -> list[Finding]:
@@ -90,22 +90,14 @@ def _directions(test: CircularTest) -> list[Finding]:
     measured = [sense for sense in ("ccw", "cw") if any(run.sense == sense for run in test.runs)]
     if len(measured) == 2:
         return []
-    message = (
-        f"Only {measured[0]} was measured: parameters of both directions do not exist, and"
-        " squareness, servo mismatch and lost motion cannot be separated."
-    )
-    return [Finding("CW-C002", "info", message)]
+    return [Finding.of("CW-C002", "info", direction=measured[0])]
 
 
 def _calibration(test: CircularTest) -> list[Finding]:
     """CW-C003: what rests on the length of the bar (clause 4.5, 3.4 note 3)."""
     if test.calibrated:
         return []
-    message = (
-        "The length of the bar was not calibrated: F is not given; D and F about the least-squares"
-        " centre rest on the nominal length."
-    )
-    return [Finding("CW-C003", "warning", message)]
+    return [Finding.of("CW-C003", "warning")]
 
 
 def _feed(test: CircularTest) -> list[Finding]:
@@ -114,13 +106,16 @@ def _feed(test: CircularTest) -> list[Finding]:
         seconds = 60.0 * 2.0 * np.pi * test.nominal_radius / test.feed
         if _CIRCLE_SECONDS[0] <= seconds <= _CIRCLE_SECONDS[1]:
             return []
-        found = (
-            f"at {test.feed:g} mm/min a circle of {test.nominal_radius:g} mm takes"
-            f" {significant(seconds, 3)} s: check the unit of the feed"
-        )
-    else:
-        found = f"{test.feed:g} mm/min is no feed"
-    return [Finding("CW-C006", "warning", f"{found[0].upper()}{found[1:]}.")]
+        return [
+            Finding.of(
+                "CW-C006.time",
+                "warning",
+                feed=test.feed,
+                radius=test.nominal_radius,
+                seconds=seconds,
+            )
+        ]
+    return [Finding.of("CW-C006.no_feed", "warning", feed=test.feed)]
 
 
 def _unequal(test: CircularTest) -> list[Finding]:
@@ -132,11 +127,7 @@ def _unequal(test: CircularTest) -> list[Finding]:
     )
     if max(counts) <= (1.0 + _UNEQUAL) * min(counts):
         return []
-    message = (
-        f"{counts[0]} samples ccw and {counts[1]} cw: the common circle is drawn towards the"
-        " direction with more."
-    )
-    return [Finding("CW-C008", "info", message)]
+    return [Finding.of("CW-C008", "info", ccw=counts[0], cw=counts[1])]
 
 
 def _offset(test: CircularTest, centres: Mapping[str, Point], *, F_given: bool) -> list[Finding]:
@@ -147,19 +138,10 @@ def _offset(test: CircularTest, centres: Mapping[str, Point], *, F_given: bool) 
     offset = float(np.hypot(x, y))
     findings = []
     if F_given and not test.full_circle:
-        message = (
-            "F on an arc counts from the set-up centre (3.5 a) and contains its offset, here about"
-            f" {_um(offset)}; F about the least-squares centre is given as well."
-        )
-        findings.append(Finding("CW-C010", "info", message))
+        findings.append(Finding.of("CW-C010", "info", offset=_um(offset)))
     effect = offset**2 / test.nominal_radius
     if effect > _OFFSET_EFFECT:
-        message = (
-            f"The circle lies {_um(offset)} from the set-up centre. The angles were taken as"
-            " commanded; if they were measured from the set-up centre, radii are off by up to"
-            f" {_um(effect)}. Centring better settles it."
-        )
-        findings.append(Finding("CW-C011", "warning", message))
+        findings.append(Finding.of("CW-C011", "warning", offset=_um(offset), effect=_um(effect)))
     return findings
 
 
@@ -168,11 +150,7 @@ def _sampling(path: ActualPath) -> list[Finding]:
     interval = float(np.ptp(path.run.angles)) / (path.run.angles.size - 1)
     if interval <= _COARSE:
         return []
-    message = (
-        f"The samples of {_named(path)} are {significant(interval, 3)}° apart: spikes at the"
-        " reversal points can be missed, and G, F and H come out too small."
-    )
-    return [Finding("CW-C004", "warning", message)]
+    return [Finding.of("CW-C004", "warning", run=_named(path), interval=interval)]
 
 
 def _holes(test: CircularTest, path: ActualPath) -> list[Finding]:
@@ -187,21 +165,19 @@ def _holes(test: CircularTest, path: ActualPath) -> list[Finding]:
         closing = float(angles[0] + 360.0 - angles[-1])
         holes += [(float(angles[-1]), float(angles[0]) + 360.0)] if closing > limit else []
     elif test.arc[1] - float(np.ptp(angles)) > 2.0 * limit:
-        message = (
-            f"{_named(path)} covers {float(np.ptp(angles)):.5g}° of an arc of {test.arc[1]:.5g}°."
-        )
-        return [Finding("CW-C005", "warning", message)]
+        return [
+            Finding.of(
+                "CW-C005.arc",
+                "warning",
+                run=_named(path),
+                covered=float(np.ptp(angles)),
+                arc=test.arc[1],
+            )
+        ]
     if not holes:
         return []
-    where = ", ".join(f"{begin:.5g}° to {end:.5g}°" for begin, end in holes[:5])
-    return [
-        Finding(
-            "CW-C005",
-            "warning",
-            f"No samples of {_named(path)} from {where}: what the path does there is not"
-            " evaluated.",
-        )
-    ]
+    where = [f"{begin:.5g}° to {end:.5g}°" for begin, end in holes[:5]]
+    return [Finding.of("CW-C005.gap", "warning", run=_named(path), gaps=where)]
 
 
 def _duplicates(path: ActualPath) -> list[Finding]:
@@ -211,8 +187,7 @@ def _duplicates(path: ActualPath) -> list[Finding]:
     repeated = int(np.count_nonzero(np.diff(np.sort(path.run.angles)) <= SAME_ANGLE))
     if repeated == 0:
         return []
-    message = f"{repeated} samples of {_named(path)} repeat an angle; all of them count."
-    return [Finding("CW-C009", "warning", message)]
+    return [Finding.of("CW-C009", "warning", repeated=repeated, run=_named(path))]
 
 
 def _beyond(test: CircularTest, path: ActualPath) -> list[Finding]:
@@ -222,11 +197,7 @@ def _beyond(test: CircularTest, path: ActualPath) -> list[Finding]:
     covered = float(np.ptp(path.run.angles))
     if covered <= test.arc[1] + SAME_ANGLE:
         return []
-    message = (
-        f"{_named(path)} covers {covered:.5g}°, more than the arc of {test.arc[1]:.5g}°: starting"
-        " and stopping arcs seem not to be cut."
-    )
-    return [Finding("CW-C007", "warning", message)]
+    return [Finding.of("CW-C007", "warning", run=_named(path), covered=covered, arc=test.arc[1])]
 
 
 def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Finding]:
@@ -240,11 +211,7 @@ def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Findin
     step = abs(float(np.median(radial[-_ENDS:]) - np.median(radial[:_ENDS])))
     if step <= max(_OPEN_LEAST, _OPEN_SCATTER * _scatter(radial)):
         return []
-    message = (
-        f"The ends of {_named(path)} differ by {_um(step)} at the same place: drift during the run,"
-        " a moved bar, or readings of the starting arc among the samples."
-    )
-    return [Finding("CW-C012", "warning", message)]
+    return [Finding.of("CW-C012", "warning", run=_named(path), step=_um(step))]
 
 
 def _scatter(radial: FloatArray) -> float:
@@ -258,10 +225,4 @@ def _zeros(path: ActualPath) -> list[Finding]:
     """CW-C013: a run of zeros was not measured."""
     if np.any(path.run.deviations):
         return []
-    return [
-        Finding(
-            "CW-C013",
-            "warning",
-            f"{_named(path)} is exactly zero throughout: probably it was not measured.",
-        )
-    ]
+    return [Finding.of("CW-C013", "warning", run=_named(path))]

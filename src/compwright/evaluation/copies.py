@@ -19,6 +19,7 @@ from compwright.evaluation.readings import sign_text, text_of
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.positioning import PositioningTest
+from compwright.words.sentences import Sentence, say
 
 #: Scatter below this is rounding of binary numbers, not a measurement: 1 pm, 1e-9 deg.
 _ROUNDING: Final = 1e-9
@@ -84,39 +85,39 @@ def same_runs_findings(test: PositioningTest) -> list[Finding]:
     exact = _exact(test)
     if exact and not _by_chance(test):
         rest = len(exact) - _MOST_LISTED
-        others = f" and {rest} more such groups" if rest > 0 else ""
-        message = (
-            f"The same readings to the last digit: {'; '.join(exact[:_MOST_LISTED])}{others}. Was"
-            " one run copied, or are"
-            " the readings rounded too coarsely? Repeatability and noise cannot be found from them."
-        )
-        return [Finding("CW-T031", "warning", message)]
+        return [Finding.of("CW-T031.same", "warning", runs=exact[:_MOST_LISTED], more=max(0, rest))]
     near, noise = _near(test)
     if not near:
         return []
-    more = f" and {len(near) - _NAMED} more pairs" if len(near) > _NAMED else ""
-    message = (
-        f"Nearly the same readings: {'; '.join(near[:_NAMED])}{more}, while runs of this test"
-        f" differ by {text_of(noise, test)}. Was one run copied and changed a little? Repeatability"
-        " and noise cannot be told from them."
-    )
-    return [Finding("CW-T031", "warning", message)]
+    more = max(0, len(near) - _NAMED)
+    return [
+        Finding.of(
+            "CW-T031.near", "warning", runs=near[:_NAMED], more=more, noise=text_of(noise, test)
+        )
+    ]
 
 
-def _exact(test: PositioningTest) -> list[str]:
+def _exact(test: PositioningTest) -> list[Sentence]:
     parts = []
     for direction, groups in same_runs(test).items():
         for group in groups:
             names = [_number(test, direction, column) for column in group]
-            last = names[-1] if len(names) <= _MOST_LISTED else f"{len(names) - _MOST_LISTED} more"
-            told = ", ".join(names[: min(len(names) - 1, _MOST_LISTED)])
-            parts.append(f"runs {told} and {last} in {sign_text(direction)}")
+            more = max(0, len(names) - _MOST_LISTED)
+            parts.append(
+                say(
+                    "CW-T031.runs",
+                    runs=names[: min(len(names) - 1, _MOST_LISTED)],
+                    last=names[-1],
+                    more=more,
+                    direction=sign_text(direction),
+                )
+            )
     if (
         test.positive.shape == test.negative.shape
         and all(map(_same, test.positive.T, test.negative.T))
         and test.positive.size
     ):
-        parts.append("the runs in + and those in −")
+        parts.append(say("CW-T031.directions"))
     return parts
 
 
@@ -138,7 +139,7 @@ def _by_chance(test: PositioningTest) -> bool:
     return count > 0 and pairs * (agree / count) ** test.targets.size > _CHANCE
 
 
-def _near(test: PositioningTest) -> tuple[list[str], float]:
+def _near(test: PositioningTest) -> tuple[list[Sentence], float]:
     """Return the pairs of runs that are nearly the same, in words, and what the runs of a direction
     differ by (mm or deg, rms); none among many runs.
     """
@@ -159,7 +160,12 @@ def _near(test: PositioningTest) -> tuple[list[str], float]:
     if noise <= _STEPS * test.step:
         return [], noise
     near = [
-        f"{_name(test, *one)} and {_name(test, *other)} ({text_of(gap, test)})"
+        say(
+            "CW-T031.pair",
+            one=_name(test, *one),
+            other=_name(test, *other),
+            difference=text_of(gap, test),
+        )
         for (one, other), gap in apart.items()
         if gap < _COPY * noise
     ]

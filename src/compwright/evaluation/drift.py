@@ -15,6 +15,7 @@ import numpy as np
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.drift import DriftTest
+from compwright.words.sentences import Amount, say
 
 #: min: no positioning test is shorter. 5 targets, five times in both directions (4.3.2), 6 s each.
 SHORTEST: Final = 5.0
@@ -34,15 +35,14 @@ def environmental_variation(
     over = length if duration_min is None else min(duration_min, length)
     value = _largest_range(drift, over) * outside_factor(drift.kind.unit)
     unit = shown_unit(drift.kind.unit)
-    told = f"E_VE is {value:.2f} {unit}, the largest range of {drift.source.file} within"
-    if duration_min is None:
-        told += (
-            f" all of its {length:g} min. It has to be as long as a positioning test: give"
-            " duration_min where that is another time."
-        )
-    else:
-        told += f" {over:g} min."
-    return value, (Finding("CW-T026", "info", told), *_too_short(drift, length, duration_min))
+    found = Finding.of(
+        "CW-T026.whole" if duration_min is None else "CW-T026.within",
+        "info",
+        E_VE=Amount(value, unit),
+        file=drift.source.file,
+        minutes=over,
+    )
+    return value, (found, *_too_short(drift, length, duration_min))
 
 
 def _largest_range(drift: DriftTest, over: float) -> float:
@@ -61,20 +61,9 @@ def _too_short(drift: DriftTest, length: float, duration_min: float | None) -> t
     widest = float(np.max(np.diff(drift.minutes)))
     faults = []
     if length < needed:
-        whose = (
-            "no positioning test is so short"
-            if duration_min is None
-            else (f"a positioning test of the job takes {duration_min:g} min")
-        )
-        faults.append(f"it lasts {length:g} min, and {whose}: the drift of a test is larger")
+        faults.append(say("CW-T027.short", minutes=length, test=duration_min))
     if widest > _COARSE * min(duration_min or length, length):
-        faults.append(
-            f"up to {widest:g} min lie between two readings: what comes and goes is missed"
-        )
+        faults.append(say("CW-T027.coarse", minutes=widest))
     if not faults:
         return ()
-    message = (
-        f"The stand-still test {drift.source.file} says too little of E_VE: {'; '.join(faults)}."
-        " Record the reading of the axis at rest for as long as a test takes."
-    )
-    return (Finding("CW-T027", "warning", message),)
+    return (Finding.of("CW-T027", "warning", file=drift.source.file, reasons=faults),)

@@ -12,10 +12,10 @@ import numpy as np
 
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind
 from compwright.records.conditions import Thermal
 from compwright.records.positioning import PositioningTest
+from compwright.words.sentences import say
 
 _CODE: Final = "CW-T024"
 _NOTHING: Final = frozenset({"", "-", "no", "none", "nothing", "nichts", "keine", "0", "false"})
@@ -80,13 +80,16 @@ def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> Po
         )
     per_mm = thermal.slope
     expansion = ((test.targets - thermal.x_fix) * per_mm)[:, np.newaxis]
-    finding = Finding(
-        _CODE,
+    finding = Finding.of(
+        "CW-T024",
         "info",
-        f"Referred to 20 °C ({thermal.refer_to}): {1e6 * per_mm:+.3f} µm/m removed about"
-        f" {thermal.x_fix:.10g} mm, from {thermal.alpha_m:g} µm/(m K) at {thermal.T_m:g} °C for the"
-        f" {thermal.refer_to} and {thermal.alpha_d:g} µm/(m K) at {thermal.T_d:g} °C for the"
-        " instrument.",
+        refer_to=thermal.refer_to,
+        slope=1000000.0 * per_mm,
+        x_fix=thermal.x_fix,
+        alpha_m=thermal.alpha_m,
+        T_m=thermal.T_m,
+        alpha_d=thermal.alpha_d,
+        T_d=thermal.T_d,
     )
     return replace(
         test,
@@ -104,18 +107,8 @@ def _risen(test: PositioningTest, thermal: Thermal) -> tuple[Finding, ...]:
     length = float(test.targets[-1] - test.targets[0]) / 1000.0
     drift = length * (thermal.alpha_m * thermal.rise_m - thermal.alpha_d * thermal.rise_d)
     rose = [
-        f"that of the {whose} by {significant(rise, signed=True)} K"
+        say("CW-T025.change", of=whose, kelvin=rise)
         for whose, rise in ((thermal.refer_to, thermal.rise_m), ("instrument", thermal.rise_d))
         if rise != 0.0
     ]
-    return (
-        Finding(
-            "CW-T025",
-            "info",
-            f"The temperature changed from start to end of the test: {' and '.join(rose)}. Over the"
-            f" {1000.0 * length:.5g} mm of the targets that is {drift:+.2f} µm from the first run"
-            " to the last. The expansion was removed with the mean of start and end, because the"
-            " file does not say when each reading was taken: what differs from it stays in the"
-            " readings as drift.",
-        ),
-    )
+    return (Finding.of("CW-T025", "info", changes=rose, length=1000.0 * length, drift=drift),)

@@ -124,39 +124,35 @@ def _small(test: PositioningTest) -> list[Finding]:
         return []
     certain = certain_fault(test)
     if certain:
-        return [Finding("CW-T030", "warning", f"This cannot be right: {certain}.")]
+        return [Finding.of("CW-T030.certain", "warning", why=certain)]
     spread = spread_of(test)
     unusual = _other_unit(test)
-    if unusual:
-        return [Finding("CW-T030", "warning", unusual)]
+    if unusual is not None:
+        return [unusual]
     if not 0.0 < spread < _RARE[test.kind]:
         return []
-    message = (
-        f"All readings lie within {text_of(spread, test)}: few machines are that good. Is the unit"
-        " right?"
-    )
-    return [Finding("CW-T030", "warning", message)]
+    return [Finding.of("CW-T030.small", "warning", spread=text_of(spread, test))]
 
 
-def _other_unit(test: PositioningTest) -> str:
+def _other_unit(test: PositioningTest) -> Finding | None:
     """Return that size and scatter are far more usual of another unit, with the odds; else
     nothing.
     """
     factor, finer, coarser = _CONFUSED[test.kind]
     small, large = unit_odds(test, factor), unit_odds(test, 1.0 / factor)
     if max(small, large) < _UNUSUAL:
-        return ""
-    odds = significant(max(small, large), 1)
-    times, read = (
-        (f"{factor:g} times as large", f"{coarser} read as {finer}")
-        if small >= large
-        else (f"{factor:g} times smaller", f"{finer} read as {coarser}")
-    )
-    s = pooled_scatter(test)[0]
-    return (
-        f"The readings spread over {text_of(spread_of(test), test)} and scatter by"
-        f" {text_of(s, test)}: of machine tools it is {odds} times more usual {times} ({read}). Is"
-        " the unit right? Compare one reading with the instrument."
+        return None
+    true, read = (coarser, finer) if small >= large else (finer, coarser)
+    return Finding.of(
+        "CW-T030.unit",
+        "warning",
+        spread=text_of(spread_of(test), test),
+        scatter=text_of(pooled_scatter(test)[0], test),
+        odds=max(small, large),
+        factor=factor,
+        larger=small >= large,
+        unit=true,
+        read_as=read,
     )
 
 
@@ -178,15 +174,8 @@ def _turned(test: PositioningTest) -> list[Finding]:
     if not mean:
         return []
     return [
-        Finding(
-            "CW-T032",
-            "warning",
-            f"The mean reversal value is +{text_of(mean, test)}, while lost motion gives a negative"
-            f" one: {significant(turned_odds(mean, test.kind), 1)} to 1 that the directions + and −"
-            " are swapped or the sign of the deviations is turned, unless the backlash compensation"
-            " is too large. A table made from swapped directions doubles"
-            " the lost motion. Check at one target: with lost motion the deviation of an approach"
-            " in + is the smaller one.",
+        Finding.of(
+            "CW-T032", "warning", reversal=text_of(mean, test), odds=turned_odds(mean, test.kind)
         )
     ]
 
@@ -204,14 +193,7 @@ def _inches(test: PositioningTest) -> list[Finding]:
         position_text(float(test.targets[0]), test),
         position_text(float(test.targets[-1]), test),
     )
-    return [
-        Finding(
-            "CW-T033",
-            "warning",
-            f"The targets, {first} to {last}, are whole millimetres when they are taken for inches:"
-            " are they in inches?",
-        )
-    ]
+    return [Finding.of("CW-T033", "warning", first=first, last=last)]
 
 
 def _few(test: PositioningTest) -> list[Finding]:
@@ -219,16 +201,7 @@ def _few(test: PositioningTest) -> list[Finding]:
     count, fewest = test.targets.size, FEWEST_TARGETS[test.kind]
     if count >= fewest:
         return []
-    targets = "target" if count == 1 else "targets"
-    message = (
-        f"{count} {targets}, where the standard asks for {fewest} at least: of what lies between"
-        " them nothing is known."
-    )
-    return [
-        Finding(
-            "CW-T035", "warning", f"{message} Parameters and limits speak of these {targets} alone."
-        )
-    ]
+    return [Finding.of("CW-T035", "warning", targets=count, fewest=fewest)]
 
 
 #: Factors between the unit of the targets and mm, by name of the unit that was taken for mm.

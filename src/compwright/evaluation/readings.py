@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import replace
 from functools import lru_cache
 from itertools import permutations
 from typing import Final
@@ -28,10 +29,11 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.positioning import PositioningTest
+from compwright.words.sentences import Amount, Sentence, say
 
 #: Returns one sentence that compares the result with and without some readings; "" where nothing
 #: can be compared.
-Compare = Callable[[PositioningTest], str]
+Compare = Callable[[PositioningTest], Sentence | None]
 
 #: A traverse: its direction and its column among the readings.
 Traverse = tuple[Direction, int]
@@ -58,19 +60,16 @@ _ROUNDING: Final = 1e-9
 _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
-def text_of(value: float, test: PositioningTest) -> str:
-    """Return a deviation (mm or deg) as text in µm or arcsec."""
-    outside = value * outside_factor(test.kind.unit)
-    return (
-        f"{outside:.2f} {unit_text(test)}"
-        if abs(outside) >= 1.0
-        else f"{outside:.3f} {unit_text(test)}"
-    )
+def text_of(value: float, test: PositioningTest) -> Amount:
+    """Return a deviation (mm or deg) as it is shown, in µm or arcsec."""
+    outside = float(value * outside_factor(test.kind.unit))
+    return Amount(outside, unit_text(test), ".2f" if abs(outside) >= 1.0 else ".3f")
 
 
-def signed_text(value: float, test: PositioningTest) -> str:
-    """Return a deviation (mm or deg) as text in µm or arcsec, with its sign."""
-    return f"{'+' if value > 0 else ''}{text_of(value, test)}"
+def signed_text(value: float, test: PositioningTest) -> Amount:
+    """Return a deviation (mm or deg) as it is shown, in µm or arcsec, with its sign."""
+    shown = text_of(value, test)
+    return replace(shown, form=f"+{shown.form}") if value > 0 else shown
 
 
 def unit_text(test: PositioningTest) -> str:
@@ -78,9 +77,9 @@ def unit_text(test: PositioningTest) -> str:
     return "µm" if test.kind.unit == "mm" else "arcsec"
 
 
-def position_text(position: float, test: PositioningTest) -> str:
+def position_text(position: float, test: PositioningTest) -> Amount:
     """Return a target position with its unit."""
-    return f"{position:.10g} {test.kind.unit}"
+    return Amount(float(position), test.kind.unit, ".10g")
 
 
 def sign_text(direction: Direction) -> str:
@@ -124,19 +123,18 @@ def missing_readings(test: PositioningTest) -> list[Finding]:
                 if 0 < n < number.max()
             ]
             parts.append(
-                f"in {sign_text(direction)} {len(few)} of {number.size} targets "
-                f"({', '.join(few[:_SHOWN])}{' ...' * (len(few) > _SHOWN)})"
+                say(
+                    "CW-T010.direction",
+                    direction=sign_text(direction),
+                    fewer=len(few),
+                    targets=number.size,
+                    at=few[:_SHOWN],
+                    more=len(few) > _SHOWN,
+                )
             )
     if not parts:
         return []
-    return [
-        Finding(
-            "CW-T010",
-            "warning",
-            f"Readings are missing: {'; '.join(parts)} have fewer than the others; each target is"
-            " evaluated with its own n.",
-        )
-    ]
+    return [Finding.of("CW-T010", "warning", where=parts)]
 
 
 def zero_traverses(test: PositioningTest) -> list[Finding]:
@@ -152,21 +150,22 @@ def zero_traverses(test: PositioningTest) -> list[Finding]:
         deviations = test.deviations(direction)
         for column in range(deviations.shape[1]):
             values = deviations[:, column][np.isfinite(deviations[:, column])]
-            name = f"{_run_number(test, direction, column)} in {sign_text(direction)}"
+            name = say(
+                "in_direction",
+                value=_run_number(test, direction, column),
+                direction=sign_text(direction),
+            )
             if values.size > 1 and not np.any(values):
-                message = (
-                    f"Traverse {name} is exactly zero at all {values.size} targets: probably not"
-                    " measured."
-                )
                 findings += (
                     []
                     if told
                     else [
-                        Finding(
-                            "CW-T011",
+                        Finding.of(
+                            "CW-T011.traverse",
                             "warning",
-                            f"{message} It is part of the result as it stands; where the others"
-                            " scatter, table and prediction are made without it.",
+                            run=_run_number(test, direction, column),
+                            direction=sign_text(direction),
+                            targets=values.size,
                         )
                     ]
                 )
@@ -175,15 +174,15 @@ def zero_traverses(test: PositioningTest) -> list[Finding]:
             ) > 1 and values.size * chance**row < BY_CHANCE:
                 filled.append((name, row))
     if filled:
-        names = ", ".join(name for name, _ in filled[:_SHOWN]) + (
-            f" and {len(filled) - _SHOWN} more" if len(filled) > _SHOWN else ""
+        findings.append(
+            Finding.of(
+                "CW-T011.rows",
+                "warning",
+                targets=max(row for _, row in filled),
+                traverses=[name for name, _ in filled[:_SHOWN]],
+                more=max(0, len(filled) - _SHOWN),
+            )
         )
-        message = (
-            f"Up to {max(row for _, row in filled)} targets side by side are exactly zero in"
-            f" traverse {names}, while the other readings scatter: probably not measured, and"
-            " filled up with zeros. They are part of the result as it stands."
-        )
-        findings.append(Finding("CW-T011", "warning", message))
     return findings
 
 
@@ -225,12 +224,11 @@ def drift(test: PositioningTest) -> list[Finding]:
     means, growths = sizes[0::2], sizes[1::2] * _STEEPEST
     if chance > DRIFT_CHANCE or max(np.abs(means).max(), np.abs(growths).max()) < scale:
         return []
-    message = (
-        f"The readings drift: {_told(test, scores, means, growths)}; in runs without drift such an"
-        f" order has a chance of {100.0 * chance:.1f} %. Warm the axis up and measure again: the"
-        " drift is part of R and A."
-    )
-    return [Finding("CW-T012", "warning", message)]
+    return [
+        Finding.of(
+            "CW-T012", "warning", how=_told(test, scores, means, growths), chance=100.0 * chance
+        )
+    ]
 
 
 def _told(
@@ -238,25 +236,30 @@ def _told(
     directions: Iterable[Direction],
     means: FloatArray,
     growths: FloatArray,
-) -> str:
+) -> Sentence:
     """Return the drift of each direction in words: its mean, or, where that hides most of it, what
     it is at both ends of the travel.
     """
     if np.abs(growths).max() <= np.abs(means).max():
         each = [
-            f"{signed_text(float(mean), test)} in {sign_text(direction)}"
+            say(
+                "in_direction",
+                value=signed_text(float(mean), test),
+                direction=sign_text(direction),
+            )
             for direction, mean in zip(directions, means, strict=True)
         ]
-        return f"{' and '.join(each)} from the first run to the last (mean over the targets)"
+        return say("CW-T012.mean", drifts=each)
     each = [
-        f"{signed_text(float(mean - growth), test)} and {signed_text(float(mean + growth), test)}"
-        f" in {sign_text(direction)}"
+        say(
+            "CW-T012.ends",
+            lower=signed_text(float(mean - growth), test),
+            upper=signed_text(float(mean + growth), test),
+            direction=sign_text(direction),
+        )
         for direction, mean, growth in zip(directions, means, growths, strict=True)
     ]
-    return (
-        f"from the first run to the last, at the lower and the upper end of the travel,"
-        f" {'; '.join(each)} (it grows along the travel, as expansion does)"
-    )
+    return say("CW-T012.growing", drifts=each)
 
 
 def _along(targets: FloatArray) -> FloatArray:
@@ -311,19 +314,28 @@ def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
         traverses = suspect[run]
         changed = _without(test, traverses)
         both = len(traverses) > 1
-        who = f"Run {run}" if both else f"Traverse {run} in {sign_text(traverses[0][0])}"
-        off = " and ".join(
-            signed_text(shifts[each], test) + (f" in {sign_text(each[0])}" if both else "")
+        offs = [
+            say("in_direction", value=signed_text(shifts[each], test), direction=sign_text(each[0]))
             for each in traverses
+        ]
+        scatter, compared = text_of(pooled(changed)[1], test), compare(changed)
+        findings.append(
+            Finding.of(
+                "CW-T013.run", "warning", run=run, off=offs, scatter=scatter, compared=compared
+            )
+            if both
+            else Finding.of(
+                "CW-T013.traverse",
+                "warning",
+                run=run,
+                direction=sign_text(traverses[0][0]),
+                off=signed_text(shifts[traverses[0]], test),
+                scatter=scatter,
+                compared=compared,
+            )
         )
-        message = (
-            f"{who} lies {off} off the others (robust standard deviation of their readings:"
-            f" {text_of(pooled(changed)[1], test)}). {compare(changed)}"
-        )
-        findings.append(Finding("CW-T013", "warning", message.strip()))
     if len(farthest) > _MOST_TRAVERSES:
-        message = f"{len(farthest) - _MOST_TRAVERSES} more runs are outliers, by less."
-        findings.append(Finding("CW-T013", "warning", message))
+        findings.append(Finding.of("CW-T013.more", "warning", more=len(farthest) - _MOST_TRAVERSES))
     return findings
 
 
@@ -383,20 +395,31 @@ def suspect_readings(
     changed = without_readings(test, found)
     if told:
         compared = compare(changed)
-        which = f"the {len(found)} suspect readings" if len(found) > 1 else "the suspect reading"
-        message = f"The result with {which} and without: {compared}"
-        return [Finding("CW-T014", "info", message)] if compared else []
-    named = ", ".join(
-        f"run {_run_number(test, d, j)} in {sign_text(d)} at"
-        f" {position_text(float(test.targets[i]), test)} ({signed_text(off, test)} off)"
+        return (
+            [Finding.of("CW-T014.compared", "info", readings=len(found), compared=compared)]
+            if compared
+            else []
+        )
+    where = [
+        say(
+            "reading_off",
+            traverse=say("traverse", run=_run_number(test, d, j), direction=sign_text(d)),
+            target=position_text(float(test.targets[i]), test),
+            off=signed_text(off, test),
+        )
         for off, d, i, j in found[:_SHOWN]
-    )
-    more = f" and {len(found) - _SHOWN} more" if len(found) > _SHOWN else ""
-    message = (
-        f"Suspect reading{'s' * (len(found) > 1)}: {named}{more}; robust standard deviation of a"
-        f" reading: {text_of(scale, test)}. {compare(changed)}"
-    )
-    return [Finding("CW-T014", "warning", message.strip())]
+    ]
+    return [
+        Finding.of(
+            "CW-T014.listed",
+            "warning",
+            readings=len(found),
+            where=where,
+            more=max(0, len(found) - _SHOWN),
+            scatter=text_of(scale, test),
+            compared=compare(changed),
+        )
+    ]
 
 
 def _run_scores(residual: FloatArray, along: FloatArray, scale: float) -> FloatArray:

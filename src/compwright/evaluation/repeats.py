@@ -252,13 +252,7 @@ def _top(above: list[int], index: int) -> int:
 
 
 def _repeated(names: Sequence[str]) -> Finding:
-    others = " and others" if len(names) > _NAMED else ""
-    return Finding(
-        "CW-T034",
-        "warning",
-        f"The same measurement as {', '.join(names[:_NAMED])}{others}: given twice it proves"
-        " nothing new.",
-    )
+    return Finding.of("CW-T034", "warning", tests=names[:_NAMED], others=len(names) > _NAMED)
 
 
 def _file(test: PositioningTest) -> str:

@@ -18,7 +18,6 @@ import numpy as np
 from compwright.evaluation.scatter import pooled_scatter
 from compwright.evaluation.statistics import count_readings, mean_deviation
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.positioning import SAME_READING, PositioningTest
 
@@ -43,13 +42,17 @@ def same_error_findings(tests: dict[str, list[PositioningTest]]) -> list[Finding
         )
         if odds < _DOUBTED:
             continue
-        much = "more than 1000000" if odds >= _MOST else significant(odds, 1)
-        message = (
-            f"The tests of axes {one} and {other} show the same error: {much} to 1 that one axis"
-            " was measured for both, or one file given for the other. A table made from the test of"
-            " another axis makes its error larger. Which axis moved in each test?"
+        found.append(
+            Finding.of(
+                "CW-T037",
+                "warning",
+                axes=(one, other),
+                one=one,
+                other=other,
+                odds=odds,
+                most=odds >= _MOST,
+            )
         )
-        found.append(Finding("CW-T037", "warning", message, (one, other)))
     return found
 
 

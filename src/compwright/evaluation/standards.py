@@ -40,6 +40,7 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import Extreme, PositioningResult, TargetColumns
+from compwright.words.sentences import Sentence, say
 
 Spread = Literal["std", "range"]
 Entry = TypeVar("Entry")
@@ -204,7 +205,7 @@ def evaluate(
     findings += plausibility_findings(test)
     findings += plan_findings(test, chosen.id, travel, periods, beside)
 
-    def compare(other: PositioningTest) -> str:
+    def compare(other: PositioningTest) -> Sentence | None:
         return _comparison(test, given, other, chosen, spread)
 
     findings += reading_findings(test, compare, told)
@@ -429,37 +430,25 @@ def _target_findings(
     findings = []
     if not np.all(measured):
         where = _listed(test.targets[~measured], test)
-        findings.append(
-            Finding("CW-T015", "warning", f"Targets without any reading are left out: {where}.")
-        )
+        findings.append(Finding.of("CW-T015", "warning", targets=where))
     directions = [d for d in _BOTH if np.any(np.isfinite(test.deviations(d)))]
     complete = measured & np.all([test.readings(d) >= 2 for d in directions], axis=0)
     if np.array_equal(complete, measured) or not np.any(complete):
         return findings
     where = _listed(test.targets[measured & ~complete], test)
     others = _values(columns, standard, complete)
-    told = ", ".join(
-        f"{name} {text_of(value, test)}"
+    parameters = [
+        say("parameter", parameter=name, value=text_of(value, test))
         for name, value in others.items()
         if name in {"A", "R", "P", "Ps_max"} and np.isfinite(value)
-    )
-    message = (
-        f"Fewer than two readings per direction at {where}: no standard deviation there, so what"
-        " needs it is not given."
-    )
-    findings.append(
-        Finding(
-            "CW-T016", "warning", f"{message} Over the other targets: {told}." if told else message
-        )
-    )
+    ]
+    findings.append(Finding.of("CW-T016", "warning", targets=where, others=parameters))
     return findings
 
 
-def _listed(targets: FloatArray, test: PositioningTest) -> str:
-    told = ", ".join(position_text(float(x), test) for x in targets[:_MOST_LISTED])
-    return (
-        told if targets.size <= _MOST_LISTED else f"{told} and {targets.size - _MOST_LISTED} more"
-    )
+def _listed(targets: FloatArray, test: PositioningTest) -> Sentence:
+    shown = [position_text(float(x), test) for x in targets[:_MOST_LISTED]]
+    return say("listed_places", items=shown, more=max(0, targets.size - _MOST_LISTED))
 
 
 def _comparison(
@@ -468,14 +457,14 @@ def _comparison(
     other: PositioningTest,
     standard: Standard,
     spread: str,
-) -> str:
-    """Return "A 5.00 µm with it, 4.00 µm without; R ..." for the readings that ``other`` lacks; ""
-    where s is missing.
+) -> Sentence | None:
+    """Return "A 5.00 µm with it, 4.00 µm without; R ..." for the readings that ``other`` lacks;
+    None where s is missing.
     """
     try:
         columns = _columns(other, standard, spread)
     except UsageError:  # fewer readings than the range method has factors for
-        return ""
+        return None
     measured = np.isfinite(columns.mean_positive) | np.isfinite(columns.mean_negative)
     values = _values(columns, standard, measured)
     told = []
@@ -488,5 +477,12 @@ def _comparison(
             or (one_way and given.get(name[0]) is not None)
         ):
             continue
-        told.append(f"{name} {text_of(value, test)} with, {text_of(values[name], test)} without")
-    return f"{'; '.join(told)}. Not removed." if told else ""
+        told.append(
+            say(
+                "with_and_without",
+                parameter=name,
+                value=text_of(value, test),
+                without=text_of(values[name], test),
+            )
+        )
+    return say("compared_not_removed", parameters=told) if told else None

@@ -190,14 +190,7 @@ def expanded_uncertainties(
     uncertainty of an earlier test has put into the axis by the table made from it: one more draw.
     """
     if "P" in given:
-        return None, [
-            Finding(
-                "CW-T021",
-                "info",
-                "No uncertainty is stated for VDI/DGQ 3441: annex A of ISO 230-2 treats its own"
-                " parameters only.",
-            )
-        ]
+        return None, [Finding.of("CW-T021", "info")]
     names = [name for name, value in given.items() if value is not None]
     there = _measured(test)
     added = _added(there, budget, thermal, table_slope)
@@ -323,46 +316,23 @@ def _normal_scores(count: int) -> FloatArray:
     return np.array([law.inv_cdf((i + 0.5) / count) for i in range(count)])
 
 
-def _one_sided(test: PositioningTest, budget: UncertaintyBudget) -> str:
-    """Return what U does not hold of a misalignment; an empty text without one."""
+def _propagation(test: PositioningTest, budget: UncertaintyBudget) -> Finding:
+    """Return how U was found (CW-T020), and what it does not hold of a misalignment."""
     length = float(test.targets[-1] - test.targets[0]) / 1000.0
     if test.kind is AxisKind.ROTARY or budget.misalignment_mm == 0.0 or length <= 0.0:
-        return ""
+        return Finding.of("CW-T020", "info", misalignment=None, counted=0.0)
     most = budget.misalignment_mm**2 / (2.0 * length)
-    return (
-        f" A misaligned beam only reads too short, by up to {most:.2f} µm over these targets; U"
-        f" counts {FROM_RANGE * most:.2f} µm of it, to either side."
-    )
+    return Finding.of("CW-T020", "info", misalignment=most, counted=FROM_RANGE * most)
 
 
 def _assumptions(
     test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None
 ) -> list[Finding]:
     findings = [
-        Finding(
-            "CW-T020",
-            "info",
-            "Uncertainty: U (k = 2) from the contributors of ISO 230-2:2006, annex A, as far as the"
-            " job declares them; their distributions are propagated (JCGM 101:2008), not the"
-            " coefficients of the annex." + _one_sided(test, budget),
-        )
+        _propagation(test, budget),
     ]
     if test.kind is AxisKind.LINEAR and thermal is None and budget.U_theta > 0.0:
-        findings.append(
-            Finding(
-                "CW-T022",
-                "warning",
-                f"U_theta is given without thermal.alpha_m: {_STEEL} µm/(m K) (steel) was assumed"
-                " for the machine.",
-            )
-        )
+        findings.append(Finding.of("CW-T022", "warning", alpha_m=_STEEL))
     if test.kind is AxisKind.LINEAR and thermal is None and budget.U_alpha > 0.0:
-        findings.append(
-            Finding(
-                "CW-T023",
-                "warning",
-                "U_alpha is given without thermal.T_m: the temperature is unknown, so its term is"
-                " missing from U.",
-            )
-        )
+        findings.append(Finding.of("CW-T023", "warning"))
     return findings

@@ -40,8 +40,7 @@ def zero_in_the_zero_state(
     findings: tuple[Finding, ...] = ()
     if not nodes[0] <= place <= nodes[-1]:
         rule = capacity.below if place < nodes[0] else capacity.above
-        acts = "its end value, which is therefore zero" if rule == "hold" else "nothing"
-        findings = (_outside(wanted, nodes, acts),)
+        findings = (_outside(wanted, nodes, held=rule == "hold"),)
         place = float(np.clip(place, nodes[0], nodes[-1])) if rule == "hold" else place
     home = wanted.total(wanted.reference_return)
     return _shifted(wanted, float(np.interp(place, wanted.positions, home))), place, findings
@@ -76,12 +75,14 @@ def _beside_the_mean(
     return 0.5 * (held - here)
 
 
-def _outside(wanted: WantedCorrection, nodes: FloatArray, acts: str) -> Finding:
+def _outside(wanted: WantedCorrection, nodes: FloatArray, *, held: bool) -> Finding:
     unit = wanted.kind.unit
-    return Finding(
+    return Finding.of(
         "CW-F003",
         "warning",
-        f"The reference position ({wanted.reference:g} {unit}) lies outside the table"
-        f" ({nodes[0]:g} to {nodes[-1]:g} {unit}): there the control applies {acts}, and the error"
-        " between them is not corrected",
+        reference=wanted.reference,
+        unit=unit,
+        start=nodes[0],
+        end=nodes[-1],
+        held=held,
     )

@@ -19,10 +19,10 @@ from compwright.fitting.problem import hat_matrix, sampled
 from compwright.fitting.solve import least_squares
 from compwright.fitting.sparse import summed
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
+from compwright.words.sentences import Amount
 
 #: A period is held from three points per period on (25 % of its rms is left then).
 _HOLD: Final = 3.0
@@ -159,44 +159,33 @@ def _finding(
     unit = wanted.kind.unit
     factor, small = (1e3, "µm") if unit == "mm" else (3600.0, "arcsec")
     left, whole = rms
-    size = f"{significant(whole * factor)} {small} rms"
-    partly = f"of {size} it leaves {significant(left * factor)} {small}"
-    stays = (
-        f"it is left out of the table, {size}"
-        if len(unfollowed(nodes, lost)) == len(lost)
-        else f"{partly} ({left / whole:.0%})"
-        if whole > 0.0
-        else "it leaves nothing of it"
-    )
-    who = "this control allows" if capacity.max_points else "is chosen automatically"
-    step = f"{float(np.max(np.diff(shown))):g} {unit}"
-    which = (
-        f"The spacing of {step}"
-        if finest is None
-        else f"The finest spacing that {who} here, {step} ({shown.size} points),"
-    )
-    named = ", ".join(f"{period:g}" for period in lost)
-    return Finding(
+    need, points = _holding(min(lost), wanted)
+    most = capacity.max_points
+    return Finding.of(
         "CW-F002",
         "info",
-        f"{which} cannot hold an error of period {named} {unit}: {stays}."
-        f" {_holding(min(lost), wanted, capacity)}",
+        finest=finest is not None,
+        allowed=bool(capacity.max_points),
+        spacing=Amount(float(np.max(np.diff(shown))), unit, "g"),
+        points=shown.size,
+        periods=lost,
+        unit=unit,
+        left_out=len(unfollowed(nodes, lost)) == len(lost),
+        whole=Amount(whole * factor, small, "2sig"),
+        left=Amount(left * factor, small, "2sig"),
+        share=left / whole if whole > 0.0 else None,
+        needed_spacing=need,
+        needed_points=points,
+        most_points=most if most is not None and most < points else None,
     )
 
 
-def _holding(period: float, wanted: WantedCorrection, capacity: Capacity) -> str:
-    """Return which spacing holds a ``period`` (mm or deg), and whether the control has so many
-    points.
-    """
+def _holding(period: float, wanted: WantedCorrection) -> tuple[float, int]:
+    """Return which spacing holds a ``period`` (mm or deg), and how many points that takes."""
     need = period / _HOLD
     # Three significant digits, downward, so that the named spacing does hold it.
     digit = 10.0 ** (np.floor(np.log10(need)) - 2)
     need = float(np.floor(need / digit + 1e-9)) * digit
     length = float(wanted.positions[-1] - wanted.positions[0])
     points = int(np.ceil(length / need - 1e-9)) + 1
-    most = capacity.max_points
-    has = f"; this control has {most}" if most is not None and most < points else ""
-    return (
-        f"A third of the period holds it: {need:g} {wanted.kind.unit}, {points} points over the"
-        f" travel{has}"
-    )
+    return need, points

@@ -4,18 +4,19 @@ limits cost.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Final
 
 import numpy as np
 
 from compwright.fitting.problem import bends
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import Limit
 from compwright.records.settled import settled_number
+from compwright.words.sentences import Amount
 
 #: A limit that costs less than this share of a quantum is not worth a word.
 WORTH_SAYING: Final = 0.05
@@ -63,17 +64,17 @@ def edge_findings(
     ):
         if uncovered > hair:
             step = max(abs(float(table.positive[edge])), abs(float(table.negative[edge])))
-            acts = (
-                "the end value is held"
-                if rule == "hold"
-                else f"the table gives nothing: a step of {significant(step * factor, 3)}"
-                f" {name_small}"
+            findings.append(
+                Finding.of(
+                    "CW-F001.held" if rule == "hold" else "CW-F001.step",
+                    "warning",
+                    uncovered=uncovered,
+                    unit=unit,
+                    side=name,
+                    end=nodes[edge],
+                    step=Amount(step * factor, name_small, "3sig"),
+                )
             )
-            message = (
-                f"The table leaves {uncovered:g} {unit} of the travel uncovered, {name}"
-                f" {nodes[edge]:g} {unit}: there {acts}"
-            )
-            findings.append(Finding("CW-F001", "warning", message))
     if kept:
         return tuple(findings)
     beyond = max(float(where[0] - nodes[0]), float(nodes[-1] - where[-1]))
@@ -83,18 +84,18 @@ def edge_findings(
         and not where[0] - hair <= wanted.reference <= where[-1] + hair
         and extra >= _MANY
     ):
-        message = (
-            f"The control counts from the reference position ({wanted.reference:g} {unit}), which"
-            f" lies outside the travel: {extra} of the table's {nodes.size} points lie beyond the"
-            " travel"
+        findings.append(
+            Finding.of(
+                "CW-F006.reference",
+                "info",
+                reference=wanted.reference,
+                unit=unit,
+                extra=extra,
+                nodes_size=nodes.size,
+            )
         )
-        findings.append(Finding("CW-F006", "info", message))
     elif beyond > hair:
-        message = (
-            f"The table reaches up to {beyond:g} {unit} beyond the travel: its points lie at round"
-            " positions, or where other columns of the same table need them"
-        )
-        findings.append(Finding("CW-F006", "info", message))
+        findings.append(Finding.of("CW-F006.grid", "info", beyond=beyond, unit=unit))
     return tuple(findings)
 
 
@@ -102,27 +103,18 @@ def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[
     """Return warnings for limits that cost so much that a test would show it."""
     least = max(_SHOWN[wanted.kind], _OF_THE_NOISE * wanted.noise)
     factor, unit = small(wanted.kind)
-    says = {
-        "number of points": (
-            "CW-F004",
-            "The control holds too few points for this error: {} rms remain between them",
-        ),
-        "no backlash value": (
-            "CW-F005",
-            "The control cannot correct the reversal with one table: {} rms remain",
-        ),
-        "value range": ("CW-F007", "The error exceeds the control's value range: {} rms remain"),
-        "largest increment": (
-            "CW-F008",
-            "The error is steeper than the control's largest increment: {} rms remain",
-        ),
-    }
-    return tuple(
-        Finding(
-            says[limit.cause][0],
-            "warning",
-            says[limit.cause][1].format(f"{significant(limit.value * factor)} {unit}"),
-        )
-        for limit in limits
-        if limit.cause in says and limit.value >= least
-    )
+    costly = [limit for limit in limits if limit.value >= least]
+    lost = ((limit.cause, Amount(limit.value * factor, unit, "2sig")) for limit in costly)
+    return tuple(found for cause, left in lost for found in _loss(cause, left))
+
+
+def _loss(cause: str, left: Amount) -> Iterator[Finding]:
+    """Yield what a limit of the control costs: ``left`` of the error remains."""
+    if cause == "number of points":
+        yield Finding.of("CW-F004", "warning", left=left)
+    elif cause == "no backlash value":
+        yield Finding.of("CW-F005", "warning", left=left)
+    elif cause == "value range":
+        yield Finding.of("CW-F007", "warning", left=left)
+    elif cause == "largest increment":
+        yield Finding.of("CW-F008", "warning", left=left)

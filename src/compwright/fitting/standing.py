@@ -66,12 +66,11 @@ def too_close(nodes: FloatArray, capacity: Capacity, unit: str) -> tuple[Finding
     least = float(np.min(np.diff(nodes)))
     if least >= capacity.min_spacing * (1 - 1e-9):
         return ()
-    message = (
-        f"The grid that is there stays although its points are {least:g} {unit} apart:"
-        f" {capacity.min_spacing_reason}; the control has run with it. table.spacing: auto chooses"
-        " one that keeps the rule"
+    return (
+        Finding.of(
+            "CW-F011", "warning", spacing=least, unit=unit, reason=capacity.min_spacing_reason
+        ),
     )
-    return (Finding("CW-F011", "warning", message),)
 
 
 def _no_use(why: str, expected: str, found: str) -> CapacityError:

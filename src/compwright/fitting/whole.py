@@ -19,12 +19,12 @@ from compwright.fitting.problem import Rows, Shape, quadrature, rows_at
 from compwright.fitting.remarks import added, edge_findings, loss_findings, small, worth_saying
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity, Lattice
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, Goal, Limit
+from compwright.words.sentences import Amount, say
 
 _HAIR: Final = 1e-6
 #: Less than this (µm or arcsec) is arithmetic.
@@ -270,24 +270,33 @@ def _magnification_finding(
         return ()
     factor, unit = small(aim.kind)
     chosen, least, largest = solution.magnification, *lattice.increments
-    span = f"±{largest}" if least == -largest else f"{least} to {largest}"
-    left = np.sqrt(solution.objective) * factor
-    says = f"{significant(left)} {unit} rms" if left > _NOTHING else "nothing"
+    left = float(np.sqrt(solution.objective)) * factor
+    span = say("increments", least=least, largest=largest, symmetric=least == -largest)
+    rest = Amount(left, unit, "2sig") if left > _NOTHING else None
     if solution.before is None:
-        one = lattice.unit * factor
-        message = (
-            f"Magnification {chosen}, the smallest: increments of {span} times {one:.4g} {unit}"
-            f" leave {says}"
+        return (
+            Finding.of(
+                "CW-F009.smallest",
+                "info",
+                magnification=chosen,
+                increments=span,
+                step=Amount(lattice.unit * factor, unit, ".4g"),
+                left=rest,
+            ),
         )
-    else:
-        before, bound = solution.before
-        reach = f"{span} times {before * lattice.unit * factor:.4g} {unit}"
-        at_least = f"{significant(np.sqrt(max(0.0, bound)) * factor)} {unit}"
-        message = (
-            f"Magnification {chosen}: with {before} increments of {reach} would leave at least"
-            f" {at_least} rms, with {chosen} {says}"
-        )
-    return (Finding("CW-F009", "info", message),)
+    before, bound = solution.before
+    return (
+        Finding.of(
+            "CW-F009.compared",
+            "info",
+            magnification=chosen,
+            before=before,
+            increments=span,
+            step=Amount(before * lattice.unit * factor, unit, ".4g"),
+            at_least=Amount(float(np.sqrt(max(0.0, bound))) * factor, unit, "2sig"),
+            left=rest,
+        ),
+    )
 
 
 def goal_finding(goal: Goal, why: str) -> tuple[Finding, ...]:
@@ -296,11 +305,7 @@ def goal_finding(goal: Goal, why: str) -> tuple[Finding, ...]:
     """
     if goal == "expected":
         return ()
-    message = (
-        f"The job asks for the least {goal}. The table of least expected square is taken instead:"
-        f" {why}"
-    )
-    return (Finding(GOAL_LEFT, "info", message),)
+    return (Finding.of("CW-F010", "info", goal=goal, why=why),)
 
 
 def whole_table(

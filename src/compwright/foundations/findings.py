@@ -8,9 +8,11 @@ codes in the source.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Any, Final, Literal
+
+from compwright.words.sentences import Sentence, say
 
 Severity = Literal["info", "warning", "error"]
 
@@ -36,7 +38,8 @@ _REMARKS: Final = """
     E020 E021 E022 E023 E024 E025 E026 E027 E028 E029 E031 D001 D002 D003 D004 D005 D006
     D007 D008 D009 D010 D011 F001 F002 F003 F004 F005 F006 F007 F008 F009 F010 F011 P001 P101
     P102 P103 P104 P105 P106 P107 P108 P109 P110 P111 P112 P113 P114 P115 P116 P117 P118 P119
-    P120 P130 P132 P133 P140 P141 P142 P143 P144 P150 P151 P152 P155 P156 P163 V001 V010 V011 V030
+    P120 P130 P132 P133 P135 P136 P140 P141 P142 P143 P144 P150 P151 P152 P155 P156 P163 V001
+    V010 V011 V030
     V031
 """
 
@@ -56,15 +59,34 @@ ACKNOWLEDGED: Final = "Acknowledged in the job"
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """Something that the user should know. ``code`` is stable across versions; ``message`` is one
-    plain sentence. ``axes``: those that it is about, where it is not about all: by name, in the
+    """Something that the user should know. ``code`` is stable across versions, ``sentence`` says it
+    by name and values. ``axes``: those that it is about, where it is not about all: by name, in the
     control's files by address.
     """
 
     code: str
     severity: Severity
-    message: str
+    sentence: Sentence
     axes: tuple[str, ...] = ()
+
+    @classmethod
+    def of(
+        cls, name: str, severity: Severity, /, axes: tuple[str, ...] = (), **values: object
+    ) -> Finding:
+        """Return a finding with the sentence ``name`` of the catalogue, which is the code of the
+        finding, with a dot and a word more where one code has several sentences.
+        """
+        return cls(name.partition(".")[0], severity, say(name, **values), axes)
+
+    @property
+    def message(self) -> str:
+        """The sentence in English."""
+        return str(self.sentence)
+
+    @property
+    def values(self) -> Mapping[str, Any]:
+        """The values of the sentence by name."""
+        return dict(self.sentence.values)
 
     @property
     def is_doubt(self) -> bool:

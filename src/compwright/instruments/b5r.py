@@ -346,29 +346,20 @@ def _findings(
     )
     if finite(coefficient) and temperatures:
         findings.append(
-            Finding(
+            Finding.of(
                 "CW-R030",
                 "info",
-                "The readings hold the ballbar's calibration and its temperature correction"
-                f" already (expansion {shown(coefficient)} um/(m K),"
-                f" {', '.join(map(shown, temperatures))} °C): nothing was applied again.",
+                expansion=shown(coefficient),
+                temperatures=map(shown, temperatures),
             )
         )
     if abs(feed / spec.feed - 1.0) > _FEED_SHARE:
-        findings.append(
-            Finding(
-                "CW-R031",
-                "warning",
-                f"The true feed, from sample rate and number of samples, is {feed:.4g} mm/min and"
-                f" not the programmed {spec.feed:.4g} mm/min: override, or an axis that did not"
-                " follow. The true one is used.",
-            )
-        )
+        findings.append(Finding.of("CW-R031", "warning", feed=feed, programmed=spec.feed))
     findings.extend(_stray_finding(run) for run in runs if run.stray)
     measured = {run.run.sense for run in runs}
     wanted = [_SENSES.get(element.text.upper()) for element in bar.all("RUN_SPEC", "RUN_DIRECTION")]
     findings.extend(
-        Finding("CW-R033", "warning", f"The test asks for a {sense} run, but the file holds none.")
+        Finding.of("CW-R033", "warning", sense=sense)
         for sense in dict.fromkeys(
             sense for sense in wanted if sense is not None and sense not in measured
         )
@@ -389,10 +380,11 @@ def _elsewhere(root: Element, elements: Sequence[Element]) -> list[Finding]:
 
 
 def _stray_finding(run: _FeedRun) -> Finding:
-    return Finding(
+    return Finding.of(
         "CW-R032",
         "warning",
-        f"Run {run.run.sense} {run.run.number} has {abs(run.stray)}"
-        f" {'more' if run.stray > 0 else 'fewer'} readings after the arc than before it: a reading"
-        " may be doubled or lost.",
+        direction=run.run.sense,
+        run=run.run.number,
+        number=abs(run.stray),
+        more=run.stray > 0,
     )

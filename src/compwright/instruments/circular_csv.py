@@ -432,9 +432,6 @@ def _gap_finding(sweep: Sweep) -> Finding | None:
     width, begin = sweep.gap
     if width <= _MANY_STEPS * sweep.step:
         return None
-    return Finding(
-        "CW-R034",
-        "warning",
-        f"Samples are missing in {sweep.name} from {begin % 360.0:.6g} deg on, over {width:.4g} deg"
-        f" (samples are {sweep.step:.3g} deg apart).",
+    return Finding.of(
+        "CW-R034", "warning", run=sweep.name, angle=begin % 360.0, width=width, step=sweep.step
     )

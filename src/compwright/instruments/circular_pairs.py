@@ -109,9 +109,8 @@ def _joined(one: CircularTest, other: CircularTest) -> CircularTest:
         else " + ".join(dict.fromkeys((one.name, other.name)))
     )
     joined = merge_circular((one, other), name)
-    files = " and ".join(f"{_file_of(test)} ({_only(test)})" for test in (one, other))
-    message = f"{files} were taken as the two directions of one test."
-    return replace(joined, findings=(*joined.findings, Finding("CW-R038", "info", message)))
+    files = [f"{_file_of(test)} ({_only(test)})" for test in (one, other)]
+    return replace(joined, findings=(*joined.findings, Finding.of("CW-R038", "info", files=files)))
 
 
 def _bare(name: str) -> str:
@@ -133,9 +132,7 @@ def _doubtful(test: CircularTest, others: Sequence[CircularTest]) -> CircularTes
     """Return the test with a finding: files that nobody took fit it, and no pair of them is
     certain.
     """
-    message = (
-        f"The other direction may be in {', '.join(map(_file_of, others))}, but no pair is certain:"
-        " not joined. Evaluate one pair at a time, or give its files names that differ only by ccw"
-        " and cw."
+    return replace(
+        test,
+        findings=(*test.findings, Finding.of("CW-R039", "warning", files=map(_file_of, others))),
     )
-    return replace(test, findings=(*test.findings, Finding("CW-R039", "warning", message)))

@@ -228,40 +228,20 @@ def _joined_vendor(tests: Sequence[CircularTest]) -> Mapping[str, object]:
 def _differences(tests: Sequence[CircularTest]) -> list[Finding]:
     if len({test.calibrated for test in tests}) == 1:
         return []
-    without = ", ".join(_file_of(test) for test in tests if not test.calibrated)
-    return [
-        Finding(
-            "CW-R037",
-            "warning",
-            f"The bar was not calibrated for {without}: radii of the whole test do not count.",
-        )
-    ]
+    without = [_file_of(test) for test in tests if not test.calibrated]
+    return [Finding.of("CW-R037", "warning", files=without)]
 
 
 def _plausibility(test: CircularTest) -> list[Finding]:
     findings = []
     largest = max(float(np.abs(run.deviations).max()) for run in test.runs)
     if largest > LARGEST_PLAUSIBLE:
-        findings.append(
-            Finding(
-                "CW-R035",
-                "warning",
-                f"The largest deviation from the nominal radius is {largest:.4g} mm: are unit,"
-                " nominal radius and set-up right?",
-            )
-        )
+        findings.append(Finding.of("CW-R035", "warning", largest=largest))
     zero = [
         f"{run.sense} {run.number}"
         for run in test.runs
         if float(np.abs(run.deviations).max()) < SMALLEST_PLAUSIBLE
     ]
     if zero:
-        findings.append(
-            Finding(
-                "CW-R036",
-                "warning",
-                f"Every deviation of run {', '.join(zero)} is zero (below 0.001 um): was it"
-                " measured?",
-            )
-        )
+        findings.append(Finding.of("CW-R036", "warning", runs=zero))
     return findings

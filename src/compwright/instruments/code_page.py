@@ -47,10 +47,4 @@ def _in_row(fault: Fault, number: int, line: str, name: str) -> Fault:
 
 
 def _finding(name: str, number: int, line: str) -> Finding:
-    return Finding(
-        "CW-R062",
-        "info",
-        f"The file is not UTF-8 and was read as {name}; only comments and"
-        " names of columns depend on it, no number does. Line"
-        f" {number} says {shown(line.strip())}.",
-    )
+    return Finding.of("CW-R062", "info", code_page=name, line=number, text=shown(line.strip()))

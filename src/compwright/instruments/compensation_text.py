@@ -332,9 +332,4 @@ def _check_directions(
 
 
 def _a_table(sign: str) -> Finding:
-    return Finding(
-        "CW-R058",
-        "warning",
-        f"The file is a compensation table made by the laser's software ({sign}), not a test: it is"
-        " read as one run per direction of its errors. To make a table, use the test itself.",
-    )
+    return Finding.of("CW-R058", "warning", sign=sign)

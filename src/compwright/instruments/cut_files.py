@@ -10,11 +10,11 @@ from typing import Final
 import numpy as np
 
 from compwright.foundations.findings import Finding
-from compwright.instruments.assembling import as_text
 from compwright.instruments.numbers import parse_count
 from compwright.instruments.reading_findings import cut_finding
 from compwright.instruments.readings import IntArray, Readings
 from compwright.records.axis import AxisKind
+from compwright.words.sentences import Amount, Sentence, say
 
 #: Keys of a header that say how much a file holds (small letters, one blank between words).
 _TARGETS: Final = frozenset({"targets", "n targets", "number of targets", "positions"})
@@ -24,37 +24,40 @@ _RUNS: Final = frozenset({"runs", "n runs", "number of runs", "cycles", "number 
 def cut_findings(readings: Readings, kind: AxisKind, header: Mapping[str, str]) -> list[Finding]:
     """Return the findings; ``readings`` in the order of the file."""
     why = (_unfinished(readings, kind), *_promises(readings, header))
-    return [cut_finding(words) for words in why if words]
+    return [cut_finding(sentence) for sentence in why if sentence is not None]
 
 
-def _unfinished(readings: Readings, kind: AxisKind) -> str:
-    """Return why the last rows may be the rest of a traverse or target that was cut, in words."""
+def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
+    """Return why the last rows may be the rest of a traverse or target that was cut."""
     if not len(readings):
-        return ""
+        return None
     last = readings.one(-1)
     _, traverse = np.unique(2 * readings.runs + readings.positive, return_inverse=True)
     _, target = np.unique(readings.targets, return_inverse=True)
-    return _short(traverse, f"run {last.direction}{last.run}") or _short(
-        target, f"target {as_text(last.target)} {kind.unit}"
-    )
+    if lacking := _lacking(traverse):
+        number, of = lacking
+        run = f"{last.direction}{last.run}"
+        return say("CW-R053.last_run", run=run, lacking=number, readings=of)
+    if lacking := _lacking(target):
+        number, of = lacking
+        place = Amount(last.target, kind.unit, ".10g")
+        return say("CW-R053.last_target", target=place, lacking=number, readings=of)
+    return None
 
 
-def _short(groups: IntArray, words: str) -> str:
-    """Return in words that the group of the last reading alone has fewer readings than the others,
-    empty where it has not; ``groups`` (n,): the group of each, from 0.
+def _lacking(groups: IntArray) -> tuple[int, int] | None:
+    """Return how many readings of how many the group of the last reading lacks where it alone has
+    fewer than the others; ``groups`` (n,): the group of each, from 0.
     """
     counts = np.bincount(groups)
     mine = groups[-1]
     whole = int(counts.max())
     if counts.size < 3 or np.flatnonzero(counts < whole).tolist() != [mine]:
-        return ""
-    return (
-        f"The last rows are of {words}, which lacks {whole - counts[mine]} of {whole} readings"
-        " while the others have all: the file may have been cut off."
-    )
+        return None
+    return whole - int(counts[mine]), whole
 
 
-def _promises(readings: Readings, header: Mapping[str, str]) -> list[str]:
+def _promises(readings: Readings, header: Mapping[str, str]) -> list[Sentence]:
     found = {
         "targets": (_TARGETS, len(set(readings.targets.tolist()))),
         "runs": (_RUNS, len(set(readings.runs.tolist()))),
@@ -66,8 +69,7 @@ def _promises(readings: Readings, header: Mapping[str, str]) -> list[str]:
                 promised = _count(value)
                 if promised > count:
                     told.append(
-                        f"The file says that it has {promised} {what} (key {key}) and holds"
-                        f" {count}: it may have been cut off."
+                        say("CW-R053.header", what=what, promised=promised, key=key, found=count)
                     )
     return told
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Final
 
 from compwright.foundations.errors import InputError
 from compwright.foundations.findings import Finding
+from compwright.words.sentences import Sentence, say
 
 if TYPE_CHECKING:
     from compwright.instruments.safe_xml import Element
@@ -111,24 +112,17 @@ def hidden_finding(hidden: Hidden, lines: Sequence[str]) -> Finding | None:
     told = list(_told(hidden, rows, columns))
     if not told:
         return None
-    return Finding(
-        "CW-R064",
-        "warning",
-        f"Hidden in the workbook, and read like the rest: {'; '.join(told)}. Compare the number of"
-        " readings with the instrument, and take out what is not of the test.",
-    )
+    return Finding.of("CW-R064", "warning", hidden=told)
 
 
-def _told(hidden: Hidden, rows: Sequence[int], columns: Sequence[int]) -> Iterator[str]:
+def _told(hidden: Hidden, rows: Sequence[int], columns: Sequence[int]) -> Iterator[Sentence]:
     if hidden.whole:
-        yield "the whole sheet"
+        yield say("CW-R064.sheet")
     if rows:
-        more = f" and {len(rows) - _NAMED} more" if len(rows) > _NAMED else ""
-        which = f"{', '.join(map(str, rows[:_NAMED]))}{more}"
-        yield f"{len(rows)} row{'s' * (len(rows) > 1)}, hidden or filtered out (row {which})"
+        more = max(0, len(rows) - _NAMED)
+        yield say("CW-R064.rows", number=len(rows), rows=rows[:_NAMED], more=more)
     if columns:
-        letters = ", ".join(map(_letters, columns))
-        yield f"{len(columns)} column{'s' * (len(columns) > 1)} ({letters})"
+        yield say("CW-R064.columns", number=len(columns), columns=map(_letters, columns))
 
 
 def _letters(column: int) -> str:

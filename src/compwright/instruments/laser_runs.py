@@ -42,6 +42,7 @@ from compwright.instruments.sections import (
 )
 from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.words.sentences import say
 
 _TARGETS, _RUNS, _ROWS = "TARGET DATA", "RUNS", "DEVIATIONS"
 _ROW_HEADER = re.compile(r"run\s+target\s+data\s*:?", re.IGNORECASE)
@@ -354,29 +355,15 @@ def _traverses(runs: Sequence[int]) -> str:
 
 
 def _zeros_left_out(even: Sequence[int]) -> Finding:
-    return Finding(
-        "CW-R054",
-        "warning",
-        f"Runs left out: {', '.join(map(str, even[:6]))}{', ..' if len(even) > 6 else ''}. They are"
-        " exactly zero throughout, as some programs fill the way back of a test in one direction.",
-    )
+    return Finding.of("CW-R054", "warning", runs=even[:6], more=len(even) > 6)
 
 
 def _unproven_way_back(run: int, back: Direction) -> Finding:
-    return Finding(
-        "CW-R055",
-        "warning",
-        f"Even runs were taken as the way back (direction {back}) by their number alone: the rows"
-        f" of run {run} are in the same order as those of run 1. If the test went one way only,"
-        " reversal and backlash are not in it.",
-    )
+    return Finding.of("CW-R055", "warning", back=back, run=run)
 
 
 def _falling_targets(out: Direction) -> Finding:
-    return falling_finding(
-        f"The targets are listed from high to low, so odd runs were taken as approaches in"
-        f" direction {out}: check it at the machine.",
-    )
+    return falling_finding(say("CW-R014.odd_runs", direction=out))
 
 
 def _fewer_runs(runs: _Runs) -> Finding | None:
@@ -386,10 +373,7 @@ def _fewer_runs(runs: _Runs) -> Finding | None:
     last = max(runs.rows)
     if runs.promised is None or last >= runs.promised:
         return None
-    return cut_finding(
-        f"The file promises {runs.promised} runs (Run-count) and holds {last}: it may have been cut"
-        " off, or the test was stopped.",
-    )
+    return cut_finding(say("CW-R053.run_count", promised=runs.promised, found=last))
 
 
 def _unit(
@@ -420,8 +404,8 @@ def _unit(
             found=f"no deviation larger than {as_text(largest)}",
         )
     arcsec = as_text(round(largest * factor * ARCSECONDS_PER_DEGREE, 4))
-    words = (
-        "The file does not tell the unit of its deviations; microradian was taken: the largest,"
-        f" {as_text(largest)}, is then {arcsec} arcsec. Compare it with the instrument."
+    return (
+        factor,
+        ("unit: urad",),
+        Finding.of("CW-R056", "warning", largest=as_text(largest), arcsec=arcsec),
     )
-    return factor, ("unit: urad",), Finding("CW-R056", "warning", words)

@@ -36,6 +36,7 @@ from compwright.instruments.sections import spans_of as spans_of_sections
 from compwright.instruments.spans import Spans, TextSpan
 from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction
+from compwright.words.sentences import say
 
 _TITLE = re.compile(
     r"\s*Position\s+(?P<which>Bidirectional|Forward|Reverse|Backward)(?:\s+Directional)?"
@@ -244,18 +245,7 @@ def _both_ways(
 
 
 def _means_only(*, computed: bool) -> Finding:
-    way_back = (
-        " The means of the way back are not in it: they are twice those of both directions less"
-        " those of the way out."
-        if computed
-        else ""
-    )
-    return Finding(
-        "CW-R057",
-        "warning",
-        "The file holds means of several runs, not readings: it is read as one run per direction,"
-        f" and repeatability is unknown.{way_back}",
-    )
+    return Finding.of("CW-R057", "warning", way_back=computed)
 
 
 def _not_in_order(listed: Sequence[float]) -> list[Finding]:
@@ -263,16 +253,11 @@ def _not_in_order(listed: Sequence[float]) -> list[Finding]:
     if steps <= {1}:
         return []
     return [
-        falling_finding(
-            "The positions are not listed from low to high: check at the machine which direction"
-            " forward is.",
-        )
+        falling_finding(say("CW-R014.forward")),
     ]
 
 
 def _cut(sections: Mapping[str, object]) -> Finding | None:
     if _ENVIRONMENT in sections:
         return None
-    return cut_finding(
-        "The file has no section ENVIRONMENT:: after its means: it may have been cut off.",
-    )
+    return cut_finding(say("CW-R053.environment"))

@@ -37,6 +37,7 @@ from compwright.instruments.reading_findings import (
 from compwright.instruments.spans import Meaning, Spans, TextSpan, whole
 from compwright.instruments.target_data import is_target_data, read_target_data, split_target_data
 from compwright.instruments.target_data import spans_in as spans_in_target_data
+from compwright.words.sentences import say
 
 #: All columns that a plain CSV form reads, but for those of traverses.
 _COLUMNS = COLUMNS | {*CIRCULAR_COLUMNS, AXIS_COLUMN, TIME}
@@ -100,18 +101,11 @@ def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
     findings = measured_findings(comments.header, sign_said=bool(comments.get("deviation")))
     if read.descending:
         findings.append(
-            falling_finding(
-                "The targets are listed from high to low, and FWD was taken as the approach in"
-                " direction +: check the labels.",
-            )
+            falling_finding(say("CW-R014.labels")),
         )
     if read.alone:
         findings.append(
-            cut_finding(
-                f"Only {read.alone} is there. In this form all of one direction stands before the"
-                " other, so a file that was cut off between them reads like a test in one"
-                " direction: compare with the instrument."
-            )
+            cut_finding(say("CW-R053.one_direction", direction=read.alone)),
         )
     assumed = ["FWD: approach in direction +, BWD: in direction -"]
     if not read.unit_said:

@@ -44,6 +44,7 @@ from compwright.foundations.findings import Finding
 from compwright.instruments.assembling import ReadingGrid, as_text
 from compwright.instruments.reading_findings import cut_finding, missing_finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.words.sentences import Amount, Sentence, say
 
 #: Plausible deviations lie between these, in mm or deg: outside, the unit is probably not the one
 #: stated.
@@ -85,46 +86,42 @@ def _all_deviations(grid: ReadingGrid) -> FloatArray:
 
 def _missing(grid: ReadingGrid, kind: AxisKind) -> list[Finding]:
     gaps = [
-        f"{as_text(grid.targets[row])} {kind.unit} in run {direction}{grid.runs[direction][column]}"
+        say(
+            "CW-R006.place",
+            target=Amount(grid.targets[row], kind.unit, ".10g"),
+            run=f"{direction}{grid.runs[direction][column]}",
+        )
         for direction in Direction
         for row, column in np.argwhere(np.isnan(grid.deviations[direction]))
     ]
     if not gaps:
         return []
     total = _all_deviations(grid).size
-    found = [missing_finding(f"{len(gaps)} of {total} readings are missing: {_list(gaps)}.")]
+    found = [
+        missing_finding(
+            say("CW-R006.readings", missing=len(gaps), readings=total, places=_list(gaps))
+        )
+    ]
     if len(gaps) >= _CUT_SHARE * total:
-        share = f"{len(gaps) / total:.0%} of the readings are missing"
-        found.append(cut_finding(f"{share}: the file may have been cut off, or rows were lost."))
+        found.append(cut_finding(say("CW-R053.share", share=len(gaps) / total)))
     return found
 
 
 def _one_sided(grid: ReadingGrid) -> Finding | None:
     if not grid.one_sided:
         return None
-    return Finding(
-        "CW-R050",
-        "warning",
-        "Left out, because a test in two directions approached them in one only: target"
-        f" {_list(list(grid.one_sided))}.",
-    )
+    return Finding.of("CW-R050", "warning", targets=_list(list(grid.one_sided)))
 
 
-def _list(items: list[str]) -> str:
-    told = "; ".join(items[:_LISTED])
-    return told if len(items) <= _LISTED else f"{told}; and {len(items) - _LISTED} more"
+def _list(items: Sequence[object]) -> Sentence:
+    return say("listed", items=items[:_LISTED], more=max(0, len(items) - _LISTED))
 
 
 def _unequal_traverses(grid: ReadingGrid) -> Finding | None:
     positive, negative = (len(grid.runs[direction]) for direction in Direction)
     if not positive or not negative or positive == negative:
         return None
-    return Finding(
-        "CW-R007",
-        "warning",
-        f"There are {positive} traverses in direction + and {negative} in direction -: one was not"
-        " made, or the file was cut off.",
-    )
+    return Finding.of("CW-R007", "warning", positive=positive, negative=negative)
 
 
 def _as_measured(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
@@ -137,12 +134,7 @@ def _as_measured(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
     squares = float(spread @ spread)
     if squares <= 0.0 or abs(float(spread @ deviations[made]) / squares - 1.0) > _SLOPE_TOLERANCE:
         return None
-    return Finding(
-        "CW-R011",
-        "warning",
-        f"The deviations grow by about 1 {kind.unit} per {kind.unit} of target, as measured"
-        f" positions do: if they are measured positions, name the column measured_{kind.unit}.",
-    )
+    return Finding.of("CW-R011", "warning", unit=kind.unit)
 
 
 def _too_large(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
@@ -153,25 +145,22 @@ def _too_large(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
         return None
     row, column = np.unravel_index(int(np.argmax(size)), size.shape)
     turn = kind is AxisKind.ROTARY and bool(np.any(np.abs(size - 360.0) <= LARGEST_PLAUSIBLE))
-    hint = " or do the readings count modulo 360 deg?" if turn else "?"
-    return Finding(
+    return Finding.of(
         "CW-R008",
         "warning",
-        f"{count} of {int(np.isfinite(deviations).sum())} deviations are larger than 1 {kind.unit},"
-        f" the largest {as_text(float(deviations[row, column]))} {kind.unit} at target"
-        f" {as_text(grid.targets[row])} {kind.unit}: is the unit right{hint}",
+        count=count,
+        of=int(np.isfinite(deviations).sum()),
+        unit=kind.unit,
+        largest=as_text(float(deviations[row, column])),
+        target=as_text(grid.targets[row]),
+        turn=turn,
     )
 
 
 def _too_small(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
     if np.nanmax(np.abs(_all_deviations(grid))) >= SMALLEST_PLAUSIBLE:
         return None
-    return Finding(
-        "CW-R009",
-        "warning",
-        f"All deviations are smaller than 0.000001 {kind.unit}: is the unit right, and were the"
-        " readings taken?",
-    )
+    return Finding.of("CW-R009", "warning", unit=kind.unit)
 
 
 def _zero_traverses(grid: ReadingGrid) -> Finding | None:
@@ -191,13 +180,7 @@ def _zero_traverses(grid: ReadingGrid) -> Finding | None:
     share = float(np.mean(np.concatenate(others) == 0.0))
     if len(columns) * share ** min(size for _, size in zero) > _CHANCE:
         return None
-    return Finding(
-        "CW-R010",
-        "warning",
-        f"Every deviation of run {', '.join(name for name, _ in zero)} is exactly zero while others"
-        " are not: some programs fill runs that were not made with zeros. Take them out if so. The"
-        " result holds them; where the others scatter, table and prediction are made without them.",
-    )
+    return Finding.of("CW-R010", "warning", runs=tuple(name for name, _ in zero))
 
 
 def _near_targets(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
@@ -209,16 +192,16 @@ def _near_targets(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
     middle = np.sort(gaps)[[(gaps.size - 1) // 2, gaps.size // 2]].mean()
     near = (gaps < _NEAR_SHARE * middle) & ~np.any(made[:-1] & made[1:], axis=1)
     pairs = [
-        f"{as_text(grid.targets[row])} and {as_text(grid.targets[row + 1])} {kind.unit}"
+        say(
+            "CW-R012.pair",
+            low=grid.targets[row],
+            high=Amount(grid.targets[row + 1], kind.unit, ".10g"),
+        )
         for row in np.flatnonzero(near)
     ]
     if not pairs:
         return None
-    return Finding(
-        "CW-R012",
-        "warning",
-        f"Targets almost the same that no run has both of, perhaps one target: {_list(pairs)}.",
-    )
+    return Finding.of("CW-R012", "warning", targets=_list(pairs))
 
 
 def skipped_finding(names: Sequence[str]) -> Finding | None:
@@ -227,8 +210,4 @@ def skipped_finding(names: Sequence[str]) -> Finding | None:
     """
     if not names:
         return None
-    return Finding(
-        "CW-R052",
-        "info",
-        f"Skipped in the folder, by their endings no measurements: {', '.join(names)}.",
-    )
+    return Finding.of("CW-R052", "info", files=names)

@@ -435,10 +435,5 @@ def _unused(rows: Sequence[int], table: ForeignTable, profile: Profile) -> Findi
     for row in rows[:_LISTED]:
         cells = filter(None, (column[row] for column in table.cells))
         told.append(f"{table.lines[row]} {shown('; '.join(cells))}")
-    more = f" and {len(rows) - _LISTED} more" if len(rows) > _LISTED else ""
-    return Finding(
-        "CW-R059",
-        "warning",
-        f"Rows without a number in the column {shown(profile.target)} were left out: line"
-        f" {', '.join(told)}{more}.",
-    )
+    more = max(0, len(rows) - _LISTED)
+    return Finding.of("CW-R059", "warning", column=shown(profile.target), lines=told, more=more)

@@ -42,6 +42,7 @@ from compwright.instruments.text_input import read_any_lines, read_lines
 from compwright.instruments.workbook import WorkbookSheet, is_workbook, sheets_of
 from compwright.records.axis import Direction
 from compwright.records.positioning import PositioningTest, to_machine
+from compwright.words.sentences import say
 
 #: First lines of a file of samples over time: text, and then numbers as bytes.
 _DYNAMIC: Final = re.compile(
@@ -87,7 +88,7 @@ def read_tests(
         for read in reads
     )
     if left_out:
-        finding = sheets_finding(f"Sheets that were left out: {_listed(left_out)}.")
+        finding = sheets_finding(say("CW-R061.sheets", sheets=left_out[:8], more=len(left_out) > 8))
         tests = tuple(replace(test, findings=(*test.findings, finding)) for test in tests)
     return tuple(_mapped(test, profile) for test in tests)
 

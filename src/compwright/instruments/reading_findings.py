@@ -12,6 +12,7 @@ from compwright.instruments.fault_list import shown
 from compwright.instruments.readings import Readings
 from compwright.instruments.text_input import unfinished_number
 from compwright.records.axis import AxisKind, FloatArray
+from compwright.words.sentences import Sentence, say
 
 _LISTED = 5
 #: Values of ``compensated_for`` that say the instrument corrected nothing.
@@ -20,22 +21,14 @@ _NOTHING = frozenset({"", "no", "none", "nothing", "-"})
 
 def assumed_finding(assumed: Sequence[str]) -> Finding | None:
     """Return the finding that says what the file leaves open, None when that is nothing."""
-    return (
-        Finding("CW-R001", "info", f"Not stated in the file, assumed: {'; '.join(assumed)}.")
-        if assumed
-        else None
-    )
+    return Finding.of("CW-R001", "info", assumed=assumed) if assumed else None
 
 
 def left_out_finding(columns: Sequence[str]) -> Finding | None:
     """Return the finding that names columns without a part in the form, None when there are
     none.
     """
-    return (
-        Finding("CW-R005", "warning", f"Columns that were left out: {', '.join(columns)}.")
-        if columns
-        else None
-    )
+    return Finding.of("CW-R005", "warning", columns=columns) if columns else None
 
 
 def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
@@ -44,14 +37,8 @@ def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
     """
     if not lines:
         return None
-    told = ", ".join(f"{number} {shown(text)}" for number, text in lines[:_LISTED])
-    more = f" and {len(lines) - _LISTED} more" if len(lines) > _LISTED else ""
-    return Finding(
-        "CW-R063",
-        "warning",
-        "Lines that look like readings stand outside the readings and were not read: line"
-        f" {told}{more}. Compare with the instrument.",
-    )
+    told = [f"{number} {shown(text)}" for number, text in lines[:_LISTED]]
+    return Finding.of("CW-R063", "warning", lines=told, more=max(0, len(lines) - _LISTED))
 
 
 def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> Finding | None:
@@ -61,22 +48,19 @@ def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> F
     without = np.setdiff1d(targets[np.isfinite(targets)], readings.targets)
     if not without.size:
         return None
-    told = ", ".join(as_text(target) for target in without[:_LISTED].tolist())
-    more = f" and {without.size - _LISTED} more" if without.size > _LISTED else ""
-    return missing_finding(
-        f"Rows without any reading were left out: target {told}{more} {kind.unit}. The results do"
-        " not speak of them."
-    )
+    shown_first = [as_text(target) for target in without[:_LISTED].tolist()]
+    more = max(0, without.size - _LISTED)
+    return missing_finding(say("CW-R006.rows", targets=shown_first, more=more, unit=kind.unit))
 
 
-def missing_finding(words: str) -> Finding:
-    """Return the finding about readings that are missing; ``words``: a sentence."""
-    return Finding("CW-R006", "warning", words)
+def missing_finding(sentence: Sentence) -> Finding:
+    """Return the finding about readings that are missing."""
+    return Finding("CW-R006", "warning", sentence)
 
 
-def sheets_finding(words: str) -> Finding:
-    """Return the finding about sheets of a workbook that were left out; ``words``: a sentence."""
-    return Finding("CW-R061", "warning", words)
+def sheets_finding(sentence: Sentence) -> Finding:
+    """Return the finding about sheets of a workbook that were left out."""
+    return Finding("CW-R061", "warning", sentence)
 
 
 def unfinished_finding(lines: Sequence[str]) -> Finding | None:
@@ -86,12 +70,7 @@ def unfinished_finding(lines: Sequence[str]) -> Finding | None:
     number = unfinished_number(lines)
     if not number:
         return None
-    return Finding(
-        "CW-R051",
-        "warning",
-        f"The file ends without a line end after {shown(number)} (line {len(lines)}): if it was cut"
-        " off while it was copied, digits are missing there, or readings after it.",
-    )
+    return Finding.of("CW-R051", "warning", number=shown(number), line=len(lines))
 
 
 def doubtful_finding(number: str) -> Finding | None:
@@ -100,12 +79,7 @@ def doubtful_finding(number: str) -> Finding | None:
     """
     if not number:
         return None
-    return Finding(
-        "CW-R015",
-        "warning",
-        f"{shown(number)} was read with a decimal point, but whole numbers are in the same column"
-        " and no number proves the point: if it marks thousands, take it out.",
-    )
+    return Finding.of("CW-R015", "warning", number=shown(number))
 
 
 def header_findings(header: Mapping[str, str]) -> list[Finding]:
@@ -114,45 +88,28 @@ def header_findings(header: Mapping[str, str]) -> list[Finding]:
     """
     findings = []
     if not header.get("axis"):
-        findings.append(
-            Finding(
-                "CW-R002", "info", "The file does not name its axis (comment line '# axis: X')."
-            )
-        )
+        findings.append(Finding.of("CW-R002", "info"))
     compensated = header.get("compensated_for", "")
     if compensated.lower() not in _NOTHING:
-        findings.append(
-            Finding("CW-R004", "info", f"The instrument already compensated for: {compensated}.")
-        )
+        findings.append(Finding.of("CW-R004", "info", compensated=compensated))
     return findings
 
 
 def measured_findings(header: Mapping[str, str], *, sign_said: bool) -> list[Finding]:
     """Return the findings about a file of measured positions instead of deviations."""
-    findings = [
-        Finding(
-            "CW-R003", "info", "Measured values were turned into deviations, measured minus target."
-        )
-    ]
+    findings = [Finding.of("CW-R003", "info")]
     if sign_said and header.get("deviation"):
-        findings.append(
-            Finding(
-                "CW-R013",
-                "warning",
-                f"The key 'deviation: {header.get('deviation')}' has no effect: the file gives"
-                " measured values, not deviations.",
-            )
-        )
+        findings.append(Finding.of("CW-R013", "warning", deviation=header.get("deviation")))
     return findings
 
 
-def cut_finding(why: str) -> Finding:
-    """Return the finding about a file that may have been cut off; ``why``: a sentence."""
-    return Finding("CW-R053", "warning", why)
+def cut_finding(sentence: Sentence) -> Finding:
+    """Return the finding about a file that may have been cut off; ``sentence``: why."""
+    return Finding("CW-R053", "warning", sentence)
 
 
-def falling_finding(what: str) -> Finding:
-    """Return the finding about targets that do not stand from low to high; ``what``: how the
-    directions were taken, a sentence.
+def falling_finding(sentence: Sentence) -> Finding:
+    """Return the finding about targets that are not listed from low to high; ``sentence``: how the
+    directions were taken.
     """
-    return Finding("CW-R014", "warning", what)
+    return Finding("CW-R014", "warning", sentence)

@@ -16,6 +16,7 @@ from compwright.foundations.findings import Finding
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.reading_findings import cut_finding
 from compwright.instruments.spans import Spans, TextSpan, by_key, whole
+from compwright.words.sentences import say
 
 #: A line of a file: its number from 1, and its text without blanks around it.
 Line = tuple[int, str]
@@ -217,7 +218,4 @@ def no_end_finding(sections: FileSections) -> Finding | None:
     if sections.ended:
         return None
     number, text = sections.last
-    return cut_finding(
-        f"The file ends without EOF::, its last line is {shown(text)} (line {number}): it may have"
-        " been cut off, and digits or readings may be missing. Compare with the instrument.",
-    )
+    return cut_finding(say("CW-R053.no_end", text=shown(text), line=number))

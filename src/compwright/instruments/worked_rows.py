@@ -38,8 +38,7 @@ def read_so_finding(readings: Readings, kind: AxisKind, by: str = "") -> Finding
     """
     if not len(readings):
         return None
-    told = "; ".join(worked_readings(readings, kind))
-    return Finding("CW-R060", "info", f"Read{by and f' by {by}'}: {told}.")
+    return Finding.of("CW-R060", "info", by=by, readings=worked_readings(readings, kind))
 
 
 def in_words(reading: ApproachReading, kind: AxisKind) -> str:

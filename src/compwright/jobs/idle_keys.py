@@ -26,20 +26,9 @@ def idle_keys(job: Job, *, systems: bool, numbers: bool, motions: bool) -> list[
             for request in entry.before
             if not motions and request.motion != "feed"
         ]
-    return [
-        Finding("CW-J020", "warning", f"{key} has no effect on this control ({job.format})")
-        for key in keys
-    ]
+    return [Finding.of("CW-J020", "warning", key=key, format=job.format) for key in keys]
 
 
 def unused_acknowledgements(unused: Iterable[Acknowledgement]) -> list[Finding]:
     """Report each acknowledgement of a doubt that was not found."""
-    return [
-        Finding(
-            "CW-J021",
-            "warning",
-            f"acknowledged.{each.code} is not needed: nothing of the kind was found"
-            f"{f' on axis {each.axis}' if each.axis else ''}. Take it out of the job.",
-        )
-        for each in unused
-    ]
+    return [Finding.of("CW-J021", "warning", code=each.code, axis=each.axis) for each in unused]

@@ -365,10 +365,7 @@ def _pending_findings(section: JobSection) -> list[Finding]:
         keys["report.language"] = f"{section.report.language}: reports are in English"
     if section.environment is not None:
         keys["environment"] = section.environment
-    return [
-        Finding("CW-J001", "warning", f"read, but not used yet: {key}: {value}")
-        for key, value in keys.items()
-    ]
+    return [Finding.of("CW-J001", "warning", key=key, value=value) for key, value in keys.items()]
 
 
 def _absent_axes(section: JobSection) -> list[Finding]:
@@ -386,12 +383,7 @@ def _absent_axes(section: JobSection) -> list[Finding]:
             for plane, bent in section.apply.squareness.items()
         ]
     return [
-        Finding(
-            "CW-J004",
-            "error",
-            f"{place} does nothing: axis {name} is not among the axes of the job, which give its"
-            " travel and address (before: [] where it has no positioning test)",
-        )
+        Finding.of("CW-J004", "error", place=place, axis=name)
         for place, names in asked
         for name in names
         if name not in section.axes
@@ -400,11 +392,7 @@ def _absent_axes(section: JobSection) -> list[Finding]:
 
 def _idle_findings(section: JobSection) -> list[Finding]:
     return [
-        Finding(
-            "CW-J003",
-            "warning",
-            f"axes.{name}.modulo has no meaning on a linear axis and is not used",
-        )
+        Finding.of("CW-J003", "warning", axis=name)
         for name, axis in section.axes.items()
         if axis.modulo is not None and axis.kind == "linear"
     ]
@@ -414,10 +402,4 @@ def _state_findings(section: JobSection) -> list[Finding]:
     if not section.states or AS_FOUND in section.states:
         return []
     names = ", ".join(section.states)
-    return [
-        Finding(
-            "CW-J002",
-            "warning",
-            f"states names {names} but not as_found: no table is written without it",
-        )
-    ]
+    return [Finding.of("CW-J002", "warning", states=names)]

@@ -114,10 +114,11 @@ class AxisWork:
         if self.refused:
             own = (
                 *own,
-                Finding(
+                Finding.of(
                     "CW-P001",
                     "info" if self.stops else "error",
-                    f"No table is written for axis {self.entry.axis.name}: {self.refused}.",
+                    axis=self.entry.axis.name,
+                    why=self.refused,
                 ),
             )
         return tuple(dict.fromkeys(own))

@@ -116,22 +116,28 @@ class Checks:
         if circle is None or not circle.differs(laser.lost_motion):
             return
         counts = "circle" if self.job.apply.backlash_from == "circle" else "laser"
-        message = (
-            f"{work.planned.test.axes[index]}: lost motion {laser.lost_motion.words(_UM, 'µm')} by"
-            f" the laser, {circle.words(_UM, 'µm')} by {work.name} (moving): they disagree; that of"
-            f" the {counts} counts."
+        yield Finding.of(
+            "CW-P114",
+            "warning",
+            axis=work.planned.test.axes[index],
+            laser=laser.lost_motion.words(_UM, "µm"),
+            circle=circle.words(_UM, "µm"),
+            test=work.name,
+            counts=counts,
         )
-        yield Finding("CW-P114", "warning", message)
 
     def _scale(self, work: CircleWork, index: int, laser: ByLaser) -> Iterator[Finding]:
         circle = scale_error(work, index)
         if circle is None or not circle.differs(laser.scale):
             return
-        message = (
-            f"{work.planned.test.axes[index]}: scale {laser.scale.words(_PPM, 'µm/m')} by the"
-            f" laser, {circle.words(_PPM, 'µm/m')} by {work.name}: they disagree; the laser counts."
+        yield Finding.of(
+            "CW-P115",
+            "warning",
+            axis=work.planned.test.axes[index],
+            laser=laser.scale.words(_PPM, "µm/m"),
+            circle=circle.words(_PPM, "µm/m"),
+            test=work.name,
         )
-        yield Finding("CW-P115", "warning", message)
 
     def _mismatch(self, work: CircleWork, first: ByLaser, second: ByLaser) -> Iterator[Finding]:
         circle = mismatch(work)
@@ -140,11 +146,14 @@ class Checks:
         if circle is None or not circle.differs(laser):
             return
         axes = " minus ".join(work.planned.test.axes)
-        message = (
-            f"Scale of {axes}: {laser.words(_PPM, 'µm/m')} by the laser,"
-            f" {circle.words(_PPM, 'µm/m')} by {work.name}: they disagree; the laser counts."
+        yield Finding.of(
+            "CW-P116",
+            "warning",
+            pair=axes,
+            laser=laser.words(_PPM, "µm/m"),
+            circle=circle.words(_PPM, "µm/m"),
+            test=work.name,
         )
-        yield Finding("CW-P116", "warning", message)
 
     def with_circle_backlash(
         self, circles: Sequence[CircleWork]
@@ -167,41 +176,21 @@ class Checks:
                 findings.append(self._not_taken(name, circles))
                 continue
             works[name] = _shifted(axis, shift.value)
-            message = (
-                f"{name}: its lost motion is taken from the circles: {shift.words(_UM, 'µm')}"
-                " against the laser's."
-            )
-            findings.append(Finding("CW-P117", "info", message))
+            findings.append(Finding.of("CW-P117", "info", axis=name, shift=shift.words(_UM, "µm")))
         if not any(finding.code == "CW-P117" for finding in findings):
-            message = (
-                "apply.backlash_from: the lost motion of no axis is taken from circles: no circle"
-                " of the job tells it."
-            )
-            findings.append(Finding("CW-P130", "error", message))
+            findings.append(Finding.of("CW-P130.none", "error"))
         return works, tuple(findings)
 
     def _no_test(self, name: str) -> Finding:
-        message = (
-            f"{name}: its lost motion by the circles is not corrected: it has no positioning test,"
-            " and so no table to put it into."
-        )
-        return Finding("CW-P130", "error", message)
+        return Finding.of("CW-P130.no_test", "error", axis=name)
 
     def _not_taken(self, name: str, circles: Sequence[CircleWork]) -> Finding:
         """Return why the lost motion of an axis stays that of the laser: no failure where no circle
         lies on the axis.
         """
         if not _on(circles, name):
-            message = (
-                f"{name}: no circle lies on it; its lost motion stays that of the laser, although"
-                " the job asks for the circles'."
-            )
-            return Finding("CW-P130", "warning", message)
-        message = (
-            f"{name}: its lost motion is not taken from the circles, as the job asks: they do not"
-            " tell it, or its positioning test has one direction only."
-        )
-        return Finding("CW-P130", "error", message)
+            return Finding.of("CW-P130.no_circle", "warning", axis=name)
+        return Finding.of("CW-P130.unknown", "error", axis=name)
 
     def _shift(self, name: str, circles: Sequence[CircleWork]) -> Stated | None:
         """Return how much more lost motion (mm) than the laser the circles of an axis show, their

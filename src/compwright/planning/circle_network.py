@@ -20,6 +20,7 @@ from compwright.estimation.circle_model import PRIOR_SCALE, PRIORS, SOFTEST_LOOP
 from compwright.foundations.findings import Finding
 from compwright.planning.circles import CircleWork, effect_of
 from compwright.planning.stated import SIGNIFICANT, Stated
+from compwright.words.sentences import Sentence, say
 
 _PPM: Final = 1e6
 #: What the softest usual position loop shrinks, um/m for one rad/s squared: T² / 2.
@@ -171,20 +172,29 @@ def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
         if len(works) < 2:
             continue
         network = solved(works)
-        names = ", ".join(work.name for work in works)
-        yield Finding("CW-P135", "info", f"Circles {names} as one machine: {_words(network)}.")
+        yield Finding.of(
+            "CW-P135",
+            "info",
+            circles=[work.name for work in works],
+            machine=list(_machine(network)),
+        )
         for kind, seen in network.contradictions.items():
             if kind not in _UNITS:
                 continue
-            each = ", ".join(
-                f"{one.circle} {_name(one)} {one.found.words(1.0, _UNITS[kind])}" for one in seen
+            yield Finding.of(
+                "CW-P136",
+                "warning",
+                kind=kind,
+                values=[
+                    say(
+                        "CW-P136.circle",
+                        circle=one.circle,
+                        axes=_name(one),
+                        value=one.found.words(1.0, _UNITS[kind]),
+                    )
+                    for one in seen
+                ],
             )
-            message = (
-                f"{kind.capitalize()}: the circles contradict each other: {each}. The machine"
-                " changed between them, or its errors depend on place, feed or temperature. Repeat"
-                " the circle that deviates."
-            )
-            yield Finding("CW-P136", "warning", message)
 
 
 def _name(one: Observation) -> str:
@@ -192,17 +202,16 @@ def _name(one: Observation) -> str:
     return (" - " if min(shares.values()) < 0.0 else " and ").join(shares)
 
 
-def _words(network: CircleNetwork) -> str:
-    parts = [
-        f"{kind} of {name} {value.words(1.0, unit)}"
-        for kind, unit in (("squareness", "µm/m"), ("scale", "µm/m"), ("lost motion", "µm"))
-        for name, value in network.told(kind).items()
-    ]
+def _machine(network: CircleNetwork) -> Iterator[Sentence]:
+    for kind, unit in (("squareness", "µm/m"), ("scale", "µm/m"), ("lost motion", "µm")):
+        for name, value in network.told(kind).items():
+            yield say("CW-P135.error", kind=kind, of=name, value=value.words(1.0, unit))
     for name, value in network.told("shrinking").items():
         if value.value > SIGNIFICANT * value.std_error:
             lag = 1e3 * np.sqrt(2.0 * value.value / _PPM)  # ms
             error = 0.5 * lag * value.std_error / value.value
-            parts.append(
-                f"position loop of {name} {Stated(float(lag), float(error)).words(1, 'ms')}"
+            yield say(
+                "CW-P135.position_loop",
+                axis=name,
+                value=Stated(float(lag), float(error)).words(1, "ms"),
             )
-    return ", ".join(parts) or "nothing that they tell"

@@ -31,6 +31,7 @@ from compwright.records.conditions import CircularBudget, Thermal
 from compwright.records.job import CircleRequest, Job
 from compwright.records.plan import PlannedCircle
 from compwright.records.prediction import CirclePrediction
+from compwright.words.sentences import say
 
 CIRCULAR_STANDARD = "iso230-4:2005"
 #: A circular deviation that grows by this factor or less is told by the numbers alone.
@@ -166,12 +167,11 @@ def _centre(
 
 
 def _middle_assumed(test: CircularTest, centre: tuple[float, float]) -> Finding:
-    where = ", ".join(f"{name} {value:g}" for name, value in zip(test.axes, centre, strict=True))
-    message = (
-        f"Circle {test.name}: its place in the machine is not given; the middle of the travel is"
-        f" assumed ({where}). Give its centre: the effect of the tables depends on it."
-    )
-    return Finding("CW-P101", "warning", message)
+    where = [
+        say("CW-P101.axis", axis=name, position=value)
+        for name, value in zip(test.axes, centre, strict=True)
+    ]
+    return Finding.of("CW-P101", "warning", circle=test.name, centre=where)
 
 
 def checked_axes(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, ...]:
@@ -189,12 +189,11 @@ def checked_axes(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, .
             or reach[0] < axis.travel[0]
             or reach[1] > axis.travel[1]
         ):
-            span = f"{reach[0]:g} to {reach[1]:g}"
-            message = (
-                f"Circle {test.name}: a whole circle about its centre reaches from {span} on"
-                f" {name}, beyond the travel."
+            found.append(
+                Finding.of(
+                    "CW-P102", "warning", circle=test.name, low=reach[0], high=reach[1], axis=name
+                )
             )
-            found.append(Finding("CW-P102", "warning", message))
     return tuple(found)
 
 
@@ -219,13 +218,11 @@ def undecided_circles(predictions: Mapping[str, CirclePrediction]) -> tuple[Find
     52 % were within the 90 % bands.
     """
     return tuple(
-        Finding(
+        Finding.of(
             "CW-P134",
             "warning",
-            f"Circle {name}: its causes are not known"
-            f" ({circle.before.not_applicable.get('diagnosis', 'not determined')}), so that the"
-            " predicted band is too narrow to decide its limits: undecided. Measure a full circle"
-            " in both directions, or decide by the test after loading.",
+            circle=name,
+            why=circle.before.not_applicable.get("diagnosis", "not determined"),
         )
         for name, circle in predictions.items()
         if circle.accept and circle.before.diagnosis is None
@@ -257,13 +254,16 @@ def _growing(circle: CirclePrediction) -> str | None:
 
 def _worse(name: str, circle: CirclePrediction, parameter: str) -> Finding:
     was, becomes = (circle.before.parameters[parameter] or 0.0) * 1e3, circle.predicted[parameter]
-    message = (
-        f"Circle {name}: {parameter.replace('_', ' ')} is predicted to grow from {was:.1f} to"
-        f" {becomes.median * 1e3:.1f} µm ({becomes.p05 * 1e3:.1f} to {becomes.p95 * 1e3:.1f}) with"
-        " these tables. Positioning and circle contradict each other, or one axis of the plane is"
-        " corrected and the other not. Undecided: find out why before you load anything."
+    return Finding.of(
+        "CW-P131",
+        "warning",
+        circle=name,
+        parameter=parameter.replace("_", " "),
+        was=was,
+        median=becomes.median * 1000.0,
+        p05=becomes.p05 * 1000.0,
+        p95=becomes.p95 * 1000.0,
     )
-    return Finding("CW-P131", "warning", message)
 
 
 def predicted_circle(

@@ -15,7 +15,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.foundations.findings import Finding, Severity
-from compwright.foundations.numerals import significant
 from compwright.planning.circles import CircleWork, effect_of, why_undetermined
 from compwright.planning.stated import SIGNIFICANT
 from compwright.prediction.acting import Acting
@@ -26,6 +25,7 @@ from compwright.records.correction import CrossCompensation
 from compwright.records.correction_need import REPEAT, need_of, shortfall
 from compwright.records.job import CrossRequest, Job, other_axis
 from compwright.records.plan import PlannedCross
+from compwright.words.sentences import Sentence, say
 
 #: What a good granite square is true to, rad: two values closer than this agree.
 SQUARE = 5e-6
@@ -51,9 +51,10 @@ class Squareness:
     diameter: float
 
     @property
-    def words(self) -> str:
+    def words(self) -> Sentence:
         """The value as people read it."""
-        return f"{self.value * _PPM:+.1f} ± {SIGNIFICANT * self.std_error * _PPM:.1f} µm/m"
+        error = SIGNIFICANT * self.std_error * _PPM
+        return say("value_with_error", value=self.value * _PPM, error=error, unit="µm/m")
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,9 +99,9 @@ class _Planner:
         self.angles = dict(self._angles(circles))
         self.measured_pairs: dict[frozenset[str], PlannedCross] = {}
 
-    def find(self, code: str, severity: Severity, message: str) -> None:
-        """Note a finding."""
-        self.findings.append(Finding(code, severity, message))
+    def find(self, name: str, severity: Severity, /, **values: object) -> None:
+        """Note a finding (`Finding.of`)."""
+        self.findings.append(Finding.of(name, severity, (), **values))
 
     # --- direct measurements
     # ----------------------------------------------------------------------------------------------
@@ -166,11 +167,7 @@ class _Planner:
             )
             tables.append(table)
         if missed > 2.0 * QUANTUM:
-            message = (
-                f"{given} on {bent}: nodes at equal steps miss the measured points by up to"
-                f" {significant(missed * 1e3)} µm."
-            )
-            self.find("CW-P103", "info", message)
+            self.find("CW-P103", "info", input=given, output=bent, missed=missed * 1000.0)
         return _compensation(axis, self.axes[bent], nodes, *tables)
 
     def _check_by_circle(self, planned: PlannedCross) -> None:
@@ -178,22 +175,16 @@ class _Planner:
         if circle is None:
             return
         difference = abs(circle.value - planned.squareness)
-        named = (
-            f"{planned.input} and {planned.output}: squareness {planned.squareness * _PPM:+.1f}"
-            " µm/m by the direct measurement"
+        named = say(
+            "direct_squareness",
+            input=planned.input,
+            output=planned.output,
+            squareness=planned.squareness * _PPM,
         )
         if difference > max(SIGNIFICANT * circle.std_error, SQUARE):
-            text = (
-                f"{named}, {circle.words} by {', '.join(circle.tests)}; they disagree. The direct"
-                " measurement is corrected."
-            )
-            self.find("CW-P104", "warning", text)
+            self.find("CW-P104", "warning", measured=named, circle=circle.words, tests=circle.tests)
         elif need_of(circle.value * _PPM, circle.std_error * _PPM) != "undetermined":
-            self.find(
-                "CW-P105",
-                "info",
-                f"{named}, which {', '.join(circle.tests)} confirms ({circle.words}).",
-            )
+            self.find("CW-P105", "info", measured=named, tests=circle.tests, circle=circle.words)
 
     # --- squareness from circles
     # ----------------------------------------------------------------------------------------------
@@ -213,10 +204,9 @@ class _Planner:
             angle = self.angles.get(pair)
             need = None if angle is None else need_of(angle.value * _PPM, angle.std_error * _PPM)
             if angle is None or need == "undetermined":
-                self.find("CW-P106", "error", self._not_corrected(plane, pair, angle))
+                self._not_corrected(plane, pair, angle)
             elif need == "negligible":
-                message = f"{plane}: squareness {angle.words}: nothing to correct."
-                self.find("CW-P107", "info", message)
+                self.find("CW-P107", "info", plane=plane, angle_words=angle.words)
             else:
                 yield self._ramp(other, bent, angle)
         for pair, angle in self.angles.items():
@@ -226,36 +216,34 @@ class _Planner:
                 and need_of(angle.value * _PPM, angle.std_error * _PPM) == "correct"
             ):
                 plane = "".join(sorted(pair))
-                message = (
-                    f"{plane}: squareness {angle.words} by {', '.join(angle.tests)}; nothing asks"
-                    " for its correction (apply)."
-                )
-                self.find("CW-P108", "info", message)
+                self.find("CW-P108", "info", plane=plane, squareness=angle.words, tests=angle.tests)
 
-    def _not_corrected(self, plane: str, pair: frozenset[str], angle: Squareness | None) -> str:
-        """Return why the squareness of a plane is not corrected, and what to measure."""
-        start = f"apply.squareness.{plane} is not corrected"
+    def _not_corrected(self, plane: str, pair: frozenset[str], angle: Squareness | None) -> None:
+        """Say why the squareness of a plane is not corrected, and what to measure."""
+        mine = (work for work in self.circles if frozenset(work.planned.test.axes) == pair)
         if angle is not None:
             why = shortfall(angle.value * _PPM, angle.std_error * _PPM)
-            return f"{start}: squareness {why}. To correct it, {REPEAT}."
-        mine = (work for work in self.circles if frozenset(work.planned.test.axes) == pair)
-        reasons = list(why_undetermined(mine, "squareness"))
-        if not reasons:
-            return f"{start}: the job has no circle of this plane. Measure one in both directions."
-        return f"{start}: its squareness is not determined. {'; '.join(reasons)}."
+            self.find("CW-P106.uncertain", "error", plane=plane, why=why, repeat=REPEAT)
+        elif reasons := list(why_undetermined(mine, "squareness")):
+            self.find("CW-P106.undetermined", "error", plane=plane, reasons=reasons)
+        else:
+            self.find("CW-P106.no_circle", "error", plane=plane)
 
     def _ramp(self, given: str, bent: str, angle: Squareness) -> PlannedCross:
         axis = self.axes[given]
         nodes = np.array(axis.travel)
         values = np.round(angle.value * (nodes - axis.reference) / QUANTUM) * QUANTUM
         plane = f"{given} on {bent}"
-        self._reach(plane, axis, angle.diameter, "diameter of the circle")
+        self._reach(plane, axis, angle.diameter, "diameter")
         self._gantry(bent)
         self.find(
             "CW-P109",
             "info",
-            f"{plane}: squareness {angle.words} by {', '.join(angle.tests)}; {bent} is to follow"
-            f" {given}.",
+            plane=plane,
+            squareness=angle.words,
+            tests=angle.tests,
+            output=bent,
+            input=given,
         )
         return PlannedCross(
             input=given,
@@ -287,15 +275,11 @@ class _Planner:
             2.0 * free
         ):  # 95 % of the chi-square law, roughly
             error *= float(np.sqrt(scatter / free))
-            each = ", ".join(
-                f"{work.name} {value * _PPM:+.1f}"
+            each = [
+                say("CW-P110.circle", circle=work.name, squareness=value * _PPM)
                 for work, value in zip(works, values, strict=True)
-            )
-            self.find(
-                "CW-P110",
-                "warning",
-                f"{plane}: its circles disagree about the squareness (µm/m: {each}).",
-            )
+            ]
+            self.find("CW-P110", "warning", plane=plane, values=each)
         diameter = max(2.0 * work.planned.test.nominal_radius for work in works)
         return Squareness(mean, error, tuple(work.name for work in works), diameter)
 
@@ -313,20 +297,19 @@ class _Planner:
     def _reach(self, label: str, axis: Axis, length: float, of: str) -> None:
         travel = axis.travel[1] - axis.travel[0]
         if travel > FAR * length:
-            message = (
-                f"{label}: corrected over {travel:g} mm of {axis.name}, the {of} is {length:g} mm:"
-                " an extrapolation."
+            self.find(
+                "CW-P111",
+                "warning",
+                pair=label,
+                travel=travel,
+                axis=axis.name,
+                what=of,
+                length=length,
             )
-            self.find("CW-P111", "warning", message)
 
     def _gantry(self, bent: str) -> None:
         if self.axes[bent].gantry is not None:
-            message = (
-                f"{bent} is a gantry axis: moving it by micrometres while another axis travels"
-                " risks stick-slip; its squareness belongs into the reference offset of the"
-                " synchronised axis first."
-            )
-            self.find("CW-P112", "warning", message)
+            self.find("CW-P112", "warning", axis=bent)
 
 
 def angle_of(work: CircleWork, state: Acting) -> float:

@@ -21,6 +21,7 @@ from compwright.planning.fresh import FreshTests
 from compwright.planning.reversals import drift_within, own_reversal, rise_of, rises_as_drift
 from compwright.records.axis import Direction
 from compwright.records.settled import settled_number
+from compwright.words.sentences import Amount
 
 #: A backlash value is doubted from where the drift may make out so much of it, and so much of the
 #: standard deviation of one reading.
@@ -57,14 +58,8 @@ def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Findi
     if not rises_as_drift(rises, within):
         return
     risen, drifted, shown = _texts(work, rises, drift, within)
-    yield Finding(
-        "CW-P153",
-        "warning",
-        f"Axis {work.planned.axis.name}: the second table may hold the drift of this test. The"
-        f" reversal changes by {risen} along the travel; the drift found, {drifted} from the first"
-        f" run to the last, would show {shown} of that within every run, up and down again, with a"
-        " constant play. Warm the axis up and measure again before two tables are loaded, or take"
-        " one (mode: single)",
+    yield Finding.of(
+        "CW-P153", "warning", axis=work.planned.axis.name, risen=risen, drifted=drifted, shown=shown
     )
 
 
@@ -78,17 +73,17 @@ def _backlash_value(work: AxisWork, drift: float, moved: float) -> Iterator[Find
     if abs(moved) < max(_OF_THE_REVERSAL * abs(mean), _OF_THE_NOISE * noise, 1e-9):
         return
     measured, drifted, shown = _texts(work, mean, drift, moved)
-    yield Finding(
+    yield Finding.of(
         "CW-P154",
         "warning",
-        f"Axis {work.planned.axis.name}: the backlash value may hold the drift of this test. The"
-        f" mean reversal is {measured}; the drift found, {drifted} from the first run to the last,"
-        f" moves it by {shown} if it goes on within every run, up and down again. Warm the axis up"
-        " and measure again before the backlash value is loaded",
+        axis=work.planned.axis.name,
+        measured=measured,
+        drifted=drifted,
+        shown=shown,
     )
 
 
-def _texts(work: AxisWork, *sizes: float) -> Iterator[str]:
+def _texts(work: AxisWork, *sizes: float) -> Iterator[Amount]:
     unit = work.planned.axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
-    return (f"{one * factor:+.2f} {small}" for one in sizes)
+    return (Amount(one * factor, small, "+.2f") for one in sizes)

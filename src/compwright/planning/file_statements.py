@@ -18,6 +18,7 @@ from compwright.records.axis import Axis
 from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
+from compwright.words.sentences import Sentence, say
 
 _KEY: Final = "compensation"
 _ON: Final = re.compile(r"(on|yes|active|ein|an|ja|oui|вкл\w*|да)\b", re.IGNORECASE)
@@ -35,9 +36,9 @@ def statement_findings(
     for planned in tests:
         yield from _differences(planned.test, axis)
         what = _contradiction(planned.test.header, planned.measured_in, (axis,), states)
-        if what:
-            message = f"Axis {axis.name}, test {planned.test.name}: {what}"
-            yield Finding("CW-P162", "warning", message, axes=(axis.name,))
+        if what is not None:
+            sentence = say("of_test", axis=axis.name, test=planned.test.name, finding=what)
+            yield Finding("CW-P162", "warning", sentence, axes=(axis.name,))
 
 
 def with_statements(
@@ -49,7 +50,7 @@ def with_statements(
         test = work.result.test
         both = [axes[name] for name in test.axes if name in axes]
         what = _contradiction(test.header, work.planned.measured_in, both, states)
-        if what:
+        if what is not None:
             findings = (*work.result.findings, Finding("CW-P162", "warning", what))
             checked.append(replace(work, result=replace(work.result, findings=findings)))
         else:
@@ -62,30 +63,21 @@ def _contradiction(
     measured_in: str,
     axes: Sequence[Axis],
     states: Mapping[str, ControlState],
-) -> str:
+) -> Sentence | None:
     """Return how a header contradicts the state in which its test was taken, as far as ``axes``
-    show it, and what to do; empty where it does not.
+    show it, and what to do; None where it does not.
     """
     stated, state = _stated(header), states.get(measured_in)
     if len(stated) > 1:
-        what = "the files state compensation both on and off"
-    elif not stated or state is None or not axes:
-        return ""
-    else:
-        (on,) = stated
-        active = any(_is_active(state, axis) for axis in axes)
-        if on == active:
-            return ""
-        held = "holds an active table or backlash" if active else "holds nothing active"
-        names = " and ".join(axis.name for axis in axes)
-        what = (
-            f"the file states compensation {'on' if on else 'off'}, but the state {measured_in} of"
-            f" the job {held} for {names}"
-        )
-    return (
-        f"{what}. The new total is wrong if the job is wrong. Check at the control what was active,"
-        " then correct the key compensation of the file, or measured_in and states of the job."
-    )
+        return say("CW-P162.both")
+    if not stated or state is None or not axes:
+        return None
+    (on,) = stated
+    active = any(_is_active(state, axis) for axis in axes)
+    if on == active:
+        return None
+    names = [axis.name for axis in axes]
+    return say("CW-P162.state", on=on, state=measured_in, active=active, names=names)
 
 
 def _is_active(state: ControlState, axis: Axis) -> bool:
@@ -110,5 +102,6 @@ def _differences(test: PositioningTest, axis: Axis) -> Iterator[Finding]:
         if len(lines := [line.strip() for line in text.splitlines() if line.strip()]) > 1
     ]
     if told:
-        message = f"Axis {axis.name}, test {test.name}: its files differ in {'; '.join(told)}"
-        yield Finding("CW-P163", "info", message, axes=(axis.name,))
+        yield Finding.of(
+            "CW-P163", "info", axes=(axis.name,), axis=axis.name, test=test.name, keys=told
+        )

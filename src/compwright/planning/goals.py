@@ -12,7 +12,7 @@ from compwright.planning.axes import AxisWork
 from compwright.planning.fresh import FreshTests
 from compwright.planning.scenarios import alike
 from compwright.prediction.acting import Correction, difference
-from compwright.records.fitted import FittedTable, Goal
+from compwright.words.sentences import say
 
 #: What is told: of both directions, of the one that was measured, or of VDI/DGQ 3441.
 _TOLD: Final = (
@@ -37,28 +37,27 @@ def goal_told(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Fi
     unit = planned.axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
     names = next(found for told in _TOLD if (found := [name for name in told if name in mine]))
-    shown = ", ".join(
-        f"{name} {mine[name].median * factor:.2f}"
-        + ("" if same else f" ({others[name].median * factor:.2f})")
-        for name in names
-    )
-    made, beside = _made(goal, planned.fitted, same=same, taken=planned.request.goal == goal)
-    yield Finding(
+    left = any(finding.code == GOAL_LEFT for finding in planned.fitted.findings)
+    yield Finding.of(
         "CW-P152",
         "info",
-        f"Axis {planned.axis.name}: {made}; expected at new targets{beside}: {shown} {small}",
+        axis=planned.axis.name,
+        tables="left"
+        if left
+        else "same"
+        if same
+        else "taken"
+        if planned.request.goal == goal
+        else "no_gain",
+        goal=goal,
+        parameters=[
+            say(
+                "CW-P152.parameter",
+                parameter=name,
+                value=mine[name].median * factor,
+                other=None if same else others[name].median * factor,
+            )
+            for name in names
+        ],
+        unit=small,
     )
-
-
-def _made(goal: Goal, table: FittedTable, *, same: bool, taken: bool) -> tuple[str, str]:
-    """Return what was made for the ``goal``, and what stands in brackets beside it."""
-    if any(finding.code == GOAL_LEFT for finding in table.findings):
-        return f"the table of least expected square is taken, not one for the least {goal}", ""
-    if same:
-        return f"the table of least expected square is the one of least {goal} too", ""
-    if taken:
-        return f"made for the least {goal}", ", in brackets with the table of least expected square"
-    return (
-        f"a table made for the least {goal} shows no less of it in tests that it has not seen, so"
-        " the table of least expected square is taken"
-    ), f", in brackets with the one made for {goal}"

@@ -205,11 +205,7 @@ def _without_guard(what: str, names: Iterable[str], give: str) -> tuple[Finding,
     lacking = ", ".join(names)
     if not lacking:
         return ()
-    message = (
-        f"{what}: no uncertainty U of {lacking} is known, and the decision is guarded: undecided;"
-        f" {give}."
-    )
-    return (Finding("CW-P132", "warning", message),)
+    return (Finding.of("CW-P132", "warning", what=what, lacking=lacking, give=give),)
 
 
 def magnitude(quantiles: Quantiles) -> Quantiles:

@@ -121,11 +121,11 @@ def _noise(bare: ObservedTest) -> float:
 def _doubt(planned: PlannedTest, axis: Axis, shown: FloatArray) -> Finding:
     unit = shown_unit(axis.kind.unit)
     size = float(np.ptp(shown)) * outside_factor(axis.kind.unit)
-    return Finding(
-        MIRRORED,
+    return Finding.of(
+        "CW-P161",
         "warning",
-        f"The table in state {planned.measured_in} is the mirror image of test"
-        f" {planned.test.name} ({size:.1f} {unit}): the table was made from this test and was not"
-        " active in it. A further table would correct the same error twice. Measure again with the"
-        " table active, or name under measured_in the state in which the test was taken.",
+        measured_in=planned.measured_in,
+        test=planned.test.name,
+        size=size,
+        unit=unit,
     )

@@ -28,7 +28,6 @@ from compwright.estimation.observed import ObservedTest
 from compwright.evaluation.copies import same_runs_findings
 from compwright.evaluation.plausibility import reversal_above_zero
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.planning.mirrored import mirrored_tests
 from compwright.planning.together import acted_at
 from compwright.planning.ways_of_reading import (
@@ -43,6 +42,7 @@ from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedTest
 from compwright.records.result import PositioningResult
 from compwright.records.settled import LOGARITHM, settled_number
+from compwright.words.sentences import say
 
 #: How much less usual than a test as stated each other way of reading is: a weak prior.
 _PRIOR: Final[Mapping[WayOfReading, float]] = {
@@ -66,35 +66,6 @@ _SHARES: Final = (0.4, 0.4, 0.2)
 _FEWEST: Final = 6
 #: Ratios are told up to here: beyond, what the model leaves out decides.
 _MOST: Final = 1e6
-
-_WORDS: Final[Mapping[WayOfReading, tuple[str, str]]] = {
-    "off": (
-        "if the table of the control was not active in it",
-        (
-            "Was compensation switched on, and the axis referenced, while it was measured? If not,"
-            " name that state under measured_in."
-        ),
-    ),
-    "sign": (
-        "with the sign of the deviations turned (target minus measured)",
-        "Compare one reading with the instrument: too far in + is a positive deviation.",
-    ),
-    "directions": (
-        "with + and - exchanged",
-        "Look into the instrument's file which way the axis went in the first run.",
-    ),
-    "order": (
-        "with the readings in the opposite order of the targets",
-        "Compare the readings at the first and the last target with the instrument's file.",
-    ),
-    "against": (
-        "with an instrument that counts against the machine",
-        (
-            "Move the axis in +: if the instrument counts down, the test needs position_map:"
-            " {sense: -1, offset: ..}."
-        ),
-    ),
-}
 
 
 def misread_tests(
@@ -129,9 +100,12 @@ def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> Positi
     """
     if reversal_above_zero(bare.test):
         return result
-    said = " The backlash compensation in the control's files is larger than the lost motion."
     findings = tuple(
-        replace(finding, severity="info", message=f"{finding.message}{said}")
+        replace(
+            finding,
+            severity="info",
+            sentence=say("backlash_compensation_larger", finding=finding.sentence),
+        )
         if finding.code == "CW-T032"
         else finding
         for finding in result.findings
@@ -184,20 +158,10 @@ def _doubt(logs: Mapping[WayOfReading, float], name: str) -> tuple[Finding, ...]
         (way for way in probability if way != "stated" and probability[way] >= _NAMED),
         key=lambda way: -probability[way],
     )
-    said = [
-        f"{_times(logs[way] - logs['stated'])} times more likely {_WORDS[way][0]}" for way in others
+    ratios = {way: math.exp(min(logs[way] - logs["stated"], math.log(_MOST))) for way in others}
+    ways = [
+        say("CW-P160.way", way=way, odds=ratio, most=ratio >= 0.999 * _MOST)
+        for way, ratio in ratios.items()
     ]
-    checks = " ".join(_WORDS[way][1] for way in others)
-    return (
-        Finding(
-            "CW-P160",
-            "warning",
-            f"The readings of test {name} do not look like what its file and state say: they are"
-            f" {', or '.join(said)}. A table made from them would be wrong. {checks}",
-        ),
-    )
-
-
-def _times(log_ratio: float) -> str:
-    ratio = math.exp(min(log_ratio, math.log(_MOST)))
-    return f"more than {_MOST:.0f}" if ratio >= 0.999 * _MOST else significant(ratio, 1)
+    checks = [say("CW-P160.check", way=way) for way in others]
+    return (Finding.of("CW-P160", "warning", test=name, ways=ways, checks=checks),)

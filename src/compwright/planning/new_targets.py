@@ -9,7 +9,6 @@ from typing import Final, Literal
 
 from compwright.estimation.hidden_periods import HiddenPeriods
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.declared import fresh_slope
 from compwright.planning.fresh import FreshTests, Like, fresh_tests, generator
@@ -23,6 +22,7 @@ from compwright.records.plan import PlannedAxis
 from compwright.records.prediction import AcceptDecision, Quantiles, TestPrediction
 from compwright.records.result import PositioningResult
 from compwright.records.targets import told_targets
+from compwright.words.sentences import Amount, say
 
 #: Periods that are named: of this probability and more.
 _NAMED: Final = 0.05
@@ -71,7 +71,12 @@ def _left_open(
     """
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
     left = [
-        f"{name} {magnitude(new[name]).p95 * factor:.2f} {unit} (limit {entry.limit:g})"
+        say(
+            "CW-P133.parameter",
+            parameter=name,
+            value=Amount(magnitude(new[name]).p95 * factor, unit),
+            limit=entry.limit,
+        )
         for name, entry in accept.items()
         if entry.decision == "undecided"
         and name in new
@@ -82,24 +87,32 @@ def _left_open(
         return
     targets, periods = test.before.test.targets, posterior.own.periods
     reasons = [
-        f"every {each.period:.5g} {axis.kind.unit} ({each.probability:.0%})"
+        say(
+            "CW-P133.period",
+            period=each.period,
+            unit=axis.kind.unit,
+            probability=each.probability,
+        )
         for each in periods
         if _NAMED <= each.probability < 1.0
     ]
     if hidden.probability >= _NAMED:
-        likely = ", ".join(significant(period, 3) for period, _ in hidden.periods[:3])
         reasons.append(
-            f"with a period that these targets leave open ({hidden.probability:.0%}; first of all"
-            f" {likely} {axis.kind.unit})"
+            say(
+                "CW-P133.open",
+                probability=hidden.probability,
+                periods=[period for period, _ in hidden.periods[:3]],
+                unit=axis.kind.unit,
+            )
         )
-    why = f" The error may repeat {', or '.join(reasons)}." if reasons else ""
     known = any(each.source == "job" for each in periods)
     better = told_targets(float(targets[0]), float(targets[-1]), targets.size, axis.kind.unit)
-    give = "" if known else " Give the lead of the screw, where it is known (screw_pitch)."
-    yield Finding(
+    yield Finding.of(
         "CW-P133",
         "warning",
-        f"Axis {axis.name}: the limit is predicted to be kept at the same targets, not at new ones:"
-        f" 5 % of tests there show more than {', '.join(left)}. Undecided.{why} Measure at"
-        f" {better}.{give}",
+        axis=axis.name,
+        parameters=left,
+        reasons=reasons,
+        better=better,
+        known=known,
     )

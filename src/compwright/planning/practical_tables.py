@@ -170,9 +170,15 @@ def _fewer_points(
     few, many = (grid_words(one.compensation.positions, unit) for one in (fewer, best))
     nodes = best.compensation.positions
     spacing = float(nodes[-1] - nodes[0]) / (nodes.size - 1)
-    message = (
-        f"Axis {axis.name}: the points are typed by hand, so few are taken: {few}, {mine}. The"
-        f" other choice is {many}, {other}: start: {nodes[0]:.10g}, end: {nodes[-1]:.10g},"
-        f" spacing: {spacing:.10g} in the table of the axis takes it"
+    return Finding.of(
+        "CW-P144",
+        "info",
+        axis=axis.name,
+        few=few,
+        mine=mine,
+        many=many,
+        other=other,
+        start=nodes[0],
+        end=nodes[-1],
+        spacing=spacing,
     )
-    return Finding(FEWER_POINTS, "info", message)

@@ -29,6 +29,7 @@ from compwright.records.estimate import ErrorEstimate
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import AS_FOUND, AxisJob, Job
 from compwright.records.plan import PlannedAxis
+from compwright.words.sentences import say
 
 #: A feed is low when the softest usual position loop shrinks the circle by no more than this part
 #: of its radius.
@@ -72,8 +73,7 @@ def scaled_axes(
         if entry is None:
             continue  # CW-J004 says so
         if entry.before:
-            message = f"{name}: its scale is that of its positioning test; circles only check it."
-            found.append(Scaled(name, None, Finding("CW-P118", "info", message)))
+            found.append(Scaled(name, None, Finding.of("CW-P118", "info", axis=name)))
             continue
         found.append(_scaled(entry, circles, checks, capacity, state))
     return tuple(found)
@@ -91,36 +91,44 @@ def _scaled(
     values = [entry for entry in found if not isinstance(entry, str)]
     reasons = [entry for entry in found if isinstance(entry, str)]
     if not values:
-        reason = "; ".join(reasons) or "no circle lies on it"
         return Scaled(
             name,
             None,
-            Finding("CW-P119", "error", f"{name}: its scale is not taken from a circle: {reason}."),
+            Finding.of("CW-P119.not_taken", "error", axis=name, reasons=reasons),
         )
     weights = [stated.std_error**-2 for stated, _ in values]
     scale = Stated(
         float(np.average([stated.value for stated, _ in values], weights=weights)),
         float(np.sum(weights) ** -0.5),
     )
-    source = "; ".join(how for _, how in values)
-    words = f"{name}: scale {scale.words(_PPM, 'µm/m')} by {source}"
+    source = [how for _, how in values]
+    words = say("scale_by", axis=name, scale=scale.words(_PPM, "µm/m"), tests=source)
     need = need_of(scale.value * _PPM, scale.std_error * _PPM)
     if need == "negligible":
-        return Scaled(name, None, Finding("CW-P119", "info", f"{words}; nothing to correct."))
+        return Scaled(name, None, Finding.of("CW-P119.negligible", "info", scale=words))
     if need == "undetermined":
         why = shortfall(scale.value * _PPM, scale.std_error * _PPM)
-        message = f"{name}: its scale is not corrected: {why}. It comes from {source}."
-        return Scaled(name, None, Finding("CW-P119", "error", f"{message} {MEASURE}"))
+        return Scaled(
+            name,
+            None,
+            Finding.of(
+                "CW-P119.undetermined", "error", axis=name, why=why, tests=source, measure=MEASURE
+            ),
+        )
     try:
         planned = _planned(entry, scale, capacity, state)
     except CapacityError as error:
-        message = f"{words}; not corrected: {'; '.join(str(fault) for fault in error.faults)}."
-        return Scaled(name, None, Finding("CW-P119", "error", message))
-    message = (
-        f"{words}; its table corrects it. The temperature of bar and scale at the test is in it: 1"
-        " K is 11 µm/m of steel."
-    )
-    return Scaled(name, planned, Finding("CW-P120", "warning", message))
+        return Scaled(
+            name,
+            None,
+            Finding.of(
+                "CW-P119.impossible",
+                "error",
+                scale=words,
+                reasons=[str(fault) for fault in error.faults],
+            ),
+        )
+    return Scaled(name, planned, Finding.of("CW-P120", "warning", scale=words))
 
 
 def _values(

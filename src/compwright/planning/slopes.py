@@ -21,6 +21,7 @@ from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
+from compwright.words.sentences import Amount
 
 #: The line is worth it where it takes away more than this part of what is left at the nodes.
 WORTH: Final = 0.1
@@ -59,16 +60,16 @@ def with_line(
     kind = wanted.kind
     factor, unit = outside_factor(kind.unit), shown_unit(kind.unit)
     slope = float(line.positive[-1] - line.positive[0]) / float(nodes[-1] - nodes[1])
-    rise = f"{slope * factor * 1000:+.2f} {unit}/m" if kind.unit == "mm" else f"{slope:+.6f}"
-    told = (
-        f"{left * factor:.3f} {unit} rms are left at its points, {left_beside * factor:.3f} {unit}"
-        " with it"
+    rise = (
+        Amount(slope * factor * 1000, f"{unit}/m", "+.2f")
+        if kind.unit == "mm"
+        else Amount(slope, "", "+.6f")
     )
+    alone, with_line_ = (Amount(each * factor, unit, ".3f") for each in (left, left_beside))
     if left - left_beside <= WORTH * left:
-        message = f"The slope of {rise} stays in the table: without a line of its own {told}"
-        return replace(plain, findings=(*plain.findings, Finding("CW-P142", "info", message)))
-    message = f"The slope of {rise} goes into a line of its own, because without it {told}"
-    found = Finding("CW-P142", "info", message)
+        found = Finding.of("CW-P142.table", "info", slope=rise, left=alone, with_line=with_line_)
+        return replace(plain, findings=(*plain.findings, found))
+    found = Finding.of("CW-P142.line", "info", slope=rise, left=alone, with_line=with_line_)
     return replace(inclined, findings=(*inclined.findings, found))
 
 

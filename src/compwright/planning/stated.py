@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from compwright.words.sentences import Sentence, say
+
 #: An effect smaller than this many standard errors is not corrected, two values further apart than
 #: this disagree (95 %).
 SIGNIFICANT = 2.0
@@ -24,6 +26,7 @@ class Stated:
             np.hypot(self.std_error, other.std_error)
         )
 
-    def words(self, factor: float, unit: str) -> str:
+    def words(self, factor: float, unit: str) -> Sentence:
         """The value as people read it, with its 95 % uncertainty."""
-        return f"{self.value * factor:+.1f} ± {SIGNIFICANT * self.std_error * factor:.1f} {unit}"
+        error = SIGNIFICANT * self.std_error * factor
+        return say("value_with_error", value=self.value * factor, error=error, unit=unit)

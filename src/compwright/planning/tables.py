@@ -26,6 +26,7 @@ from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.prediction import TestPrediction
+from compwright.words.sentences import Amount
 
 #: The finding that a new grid is chosen.
 NEW_GRID: Final = "CW-P140"
@@ -94,11 +95,20 @@ def fit_staying(
         why = "; ".join(str(fault) for fault in error.faults)
     chosen, unit = fit(replace(request, spacing="auto")), axis.kind.unit
     new = grid_words(chosen.compensation.positions, unit)
-    message = (
-        f"Axis {axis.name}: a new grid is chosen, {new}, in place of the one that is there,"
-        f" {grid_words(np.array(capacity.there), unit)}: {why}"
+    return replace(
+        chosen,
+        findings=(
+            Finding.of(
+                "CW-P140",
+                "warning",
+                axis=axis.name,
+                grid=new,
+                existing=grid_words(np.array(capacity.there), unit),
+                why=why,
+            ),
+            *chosen.findings,
+        ),
     )
-    return replace(chosen, findings=(Finding(NEW_GRID, "warning", message), *chosen.findings))
 
 
 def freely_chosen(
@@ -182,13 +192,19 @@ def offer(
     unit = axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
     (same, better), (new, better_new) = (
-        [f"{one.median * factor:.2f} {small}" for one in pair] for pair in pairs
+        [Amount(one.median * factor, small) for one in pair] for pair in pairs
     )
     old, new_grid = (grid_words(nodes, unit) for nodes in (there, chosen.compensation.positions))
-    message = (
-        f"Axis {axis.name}: the grid that is there {'stays' if written else 'does not serve'},"
-        f" {old}, predicted {name} {same} ({new} at new targets); a new one, {new_grid}, would give"
-        f" {name} {better} ({better_new}): spacing: auto in the table of the axis takes it; what"
-        " depends on the old one moves along, or is named where it cannot"
+    return Finding.of(
+        "CW-P141",
+        "info",
+        axis=axis.name,
+        stays=written,
+        existing=old,
+        parameter=name,
+        same=same,
+        new=new,
+        grid=new_grid,
+        better=better,
+        better_new=better_new,
     )
-    return Finding("CW-P141", "info", message)

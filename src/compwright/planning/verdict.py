@@ -11,6 +11,7 @@ from compwright.planning.limiting import DRIFT, NOISE, OUTLIERS, TRAVERSES, UNKN
 from compwright.planning.shortfalls import PERIOD, REVERSAL
 from compwright.records.axis import Axis
 from compwright.records.limits import Cause, Limiting
+from compwright.words.sentences import Amount
 
 #: From this share of the parameter on a cause is the reason.
 _DOMINATES: Final = 0.5
@@ -62,7 +63,7 @@ def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> I
     helps = gained > limiting.spread
     scatter = limiting.least / limiting.now if limiting.now > 0.0 else 0.0
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
-    name, now = limiting.parameter, f"{limiting.now * factor:.2f} {unit}"
+    name, now = limiting.parameter, Amount(limiting.now * factor, unit)
     if helps and tabled:
         yield from _what_remains(axis, limiting, scatter)
     if helps:
@@ -71,13 +72,18 @@ def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> I
     if main is None:
         return
     share = main.value / limiting.then
-    without = "" if not tabled else f" ({limiting.then * factor:.2f} {unit} with it)"
-    yield Finding(
+    yield Finding.of(
         "CW-P150",
         "warning",
-        f"Axis {axis.name}: a table will not help here. {name} is {now} at new targets{without};"
-        f" the largest cause is {main.cause} ({main.value * factor:.2f} {unit}, {share:.0%}):"
-        f" {_ADVICE[main.cause]}",
+        axis=axis.name,
+        parameter=name,
+        now=now,
+        with_table=Amount(limiting.then * factor, unit) if tabled else None,
+        cause=main.cause,
+        value=main.value * factor,
+        unit=unit,
+        share=share,
+        advice=_ADVICE[main.cause],
     )
 
 
@@ -94,35 +100,45 @@ def stopped(axis: Axis, limiting: Limiting) -> Finding:
         cause, value = NOISE, limiting.least
     else:
         cause, value = "what no table of this control takes away", left - limiting.least
-    return Finding(
+    return Finding.of(
         "CW-P155",
         "info",
-        f"Axis {axis.name}: stop here: what is left is {cause} ({value * factor:.2f} {unit} of"
-        f" {name} {left * factor:.2f} {unit} at new targets). A further table would change less"
-        " than one test differs from the next.",
+        axis=axis.name,
+        cause=cause,
+        value=value * factor,
+        unit=unit,
+        parameter=name,
+        left=left * factor,
     )
 
 
 def _what_remains(axis: Axis, limiting: Limiting, scatter: float) -> Iterator[Finding]:
     """Yield what makes most of the parameter although the table helps."""
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
-    name, now = limiting.parameter, f"{limiting.now * factor:.2f} {unit}"
-    taken = (
-        f"Axis {axis.name}: of {name} {now} at new targets the table takes away"
-        f" {1.0 - limiting.then / limiting.now:.0%}"
-    )
     main = _main_cause(limiting, 0.0)
     if main is not None and main.cause != NOISE:
-        message = (
-            f"{taken}; most of what is left is {main.cause}"
-            f" ({main.value * factor:.2f} of {limiting.then * factor:.2f} {unit}):"
-            f" {_ADVICE[main.cause]}"
+        yield Finding.of(
+            "CW-P151.cause",
+            "info",
+            axis=axis.name,
+            parameter=limiting.parameter,
+            now=Amount(limiting.now * factor, unit),
+            taken=1.0 - limiting.then / limiting.now,
+            cause=main.cause,
+            value=main.value * factor,
+            left=Amount(limiting.then * factor, unit),
+            advice=_ADVICE[main.cause],
         )
     elif scatter >= _DOMINATES:
-        message = f"{taken}; {scatter:.0%} is scatter, which no table takes away"
-    else:
-        return
-    yield Finding("CW-P151", "info", message)
+        yield Finding.of(
+            "CW-P151.scatter",
+            "info",
+            axis=axis.name,
+            parameter=limiting.parameter,
+            now=Amount(limiting.now * factor, unit),
+            taken=1.0 - limiting.then / limiting.now,
+            scatter=scatter,
+        )
 
 
 def _main_cause(limiting: Limiting, scatter: float) -> Cause | None:

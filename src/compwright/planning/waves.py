@@ -23,6 +23,7 @@ from compwright.records.capacity import Capacity, Wave
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
+from compwright.words.sentences import Amount, say
 
 #: A grid holds a period that is at least so many spacings long.
 HELD: Final = 2.5
@@ -64,16 +65,19 @@ def with_wave(
         return plain
     left, with_it = (float(np.std(_left(wanted, each.compensation, ()))) for each in (plain, waved))
     factor, unit = outside_factor(wanted.kind.unit), shown_unit(wanted.kind.unit)
-    told = (
-        f"the period of {wave.period:g} {wanted.kind.unit}, too short for sections of {spacing:g}:"
-        f" without a table of its own {left * factor:.3f} {unit} rms are left,"
-        f" {with_it * factor:.3f} {unit} with it"
+    told = say(
+        "CW-P143.period",
+        period=wave.period,
+        unit=wanted.kind.unit,
+        sections=spacing,
+        left=Amount(left * factor, unit, ".3f"),
+        with_it=Amount(with_it * factor, unit, ".3f"),
     )
     if left - with_it <= WORTH * left:
-        said = Finding("CW-P143", "info", f"No table of its own for {told}")
-        return replace(plain, findings=(*plain.findings, said))
-    said = Finding("CW-P143", "info", f"A second table for {told}")
-    return replace(waved, findings=(*waved.findings, said))
+        note = Finding.of("CW-P143.none", "info", period=told)
+        return replace(plain, findings=(*plain.findings, note))
+    note = Finding.of("CW-P143.second", "info", period=told)
+    return replace(waved, findings=(*waved.findings, note))
 
 
 def _left(

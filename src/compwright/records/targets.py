@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 
 from compwright.records.axis import FloatArray
+from compwright.words.sentences import Sentence, say
 
 #: Random part of a target, in intervals: what `run` predicts new targets with.
 DITHER: Final = 0.3
@@ -39,7 +40,7 @@ def proposed_targets(low: float, high: float, count: int) -> FloatArray:
 
 
 @lru_cache(maxsize=64)  # tests of one machine have the same targets
-def told_targets(low: float, high: float, count: int, unit: str) -> str:
-    """Return a proposal of targets in words: all of them, or thirty where they are more."""
+def told_targets(low: float, high: float, count: int, unit: str) -> Sentence:
+    """Return a proposal of targets: all of them, or thirty where they are more."""
     targets = proposed_targets(low, high, int(np.clip(count, 12, 30)))
-    return f"targets that would show it: {', '.join(f'{each:g}' for each in targets)} {unit}"
+    return say("better_targets", targets=targets, unit=unit)

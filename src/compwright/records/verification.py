@@ -7,6 +7,7 @@ from typing import Literal
 
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Direction
+from compwright.words.sentences import Sentence
 
 LoadingName = Literal[
     "loaded",
@@ -44,7 +45,7 @@ class LoadingVerdict:
     """Did the loaded table act as planned?
 
     ``margin``: natural logarithm of the odds for what the data favour over the next candidate (4.6
-    is 100:1). ``message``: plain sentences with numbers. ``equivalent``: names that no test could
+    is 100:1). ``sentence``: what is said of it. ``equivalent``: names that no test could
     tell from the verdict; ``near``: names of which this test tells little, whatever is likely
     beforehand (less than eight standard errors off). ``candidates``: the likeliest names, first the
     likeliest, empty where nothing known fits. ``detail``: which variant of the verdict, in words.
@@ -56,7 +57,7 @@ class LoadingVerdict:
 
     verdict: LoadingName
     margin: float
-    message: str
+    sentence: Sentence
     equivalent: tuple[LoadingName, ...] = ()
     factor: float = 1.0
     shift_nodes: int = 0
@@ -66,6 +67,11 @@ class LoadingVerdict:
     candidates: tuple[Candidate, ...] = ()
     slope: tuple[float, float] | None = None
     findings: tuple[Finding, ...] = ()
+
+    @property
+    def message(self) -> str:
+        """What is said of it, in English."""
+        return str(self.sentence)
 
 
 @dataclass(frozen=True, slots=True)

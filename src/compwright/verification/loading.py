@@ -39,6 +39,7 @@ from compwright.verification.loading_words import (
 )
 from compwright.verification.rating import Rated, rate
 from compwright.verification.views import View
+from compwright.words.sentences import Sentence, say
 
 #: A name is given from this probability on, those that no test could tell from it counted with it.
 CLEAR: Final = 0.99
@@ -74,7 +75,7 @@ def judge_loading(
         return LoadingVerdict(
             verdict="undecided",
             margin=0.0,
-            message="Cannot tell: the after test has fewer than 3 measured means.",
+            sentence=say("loading.too_few"),
         )
     slope = None if declared_slope is None else math.hypot(declared_slope, LEAST_SLOPE)
     found, effect = rate(after, views, slope)
@@ -103,17 +104,17 @@ def _verdict(
         return LoadingVerdict(
             verdict="undecided",
             margin=names.margin,
-            message=open_message(shown, names.candidates, None if names.fits else best.expected),
+            sentence=open_message(shown, names.candidates, None if names.fits else best.expected),
             near=names.near,
             candidates=names.candidates,
             slope=best.slope if best.hypothesis.sloped else None,
         )
-    text = _message(shown, names, ways, declared_slope)
+    sentence = _sentence(shown, names, ways, declared_slope)
     way = best.hypothesis
     return LoadingVerdict(
         verdict=best.name,
         margin=names.margin,
-        message=text,
+        sentence=sentence,
         equivalent=names.equivalent,
         factor=factor_of(best),
         shift_nodes=way.shift_nodes,
@@ -122,26 +123,28 @@ def _verdict(
         near=names.near,
         candidates=names.candidates,
         slope=best.slope if way.sloped else None,
-        findings=_findings(best.name, text),
+        findings=_findings(best.name, sentence),
     )
 
 
 def _neither(shown: Shown, names: NamedLoading) -> LoadingVerdict:
     """Return the verdict where nothing fits: the least unlikely of that is no lead."""
-    text = neither_message(shown)
+    sentence = neither_message(shown)
     return LoadingVerdict(
         verdict="undecided",
         margin=0.0,
-        message=text,
+        sentence=sentence,
         near=names.near,
-        findings=(Finding("CW-V001", "warning", text),),
+        findings=(Finding.of("CW-V001", "warning", verdict=sentence),),
     )
 
 
-def _findings(verdict: LoadingName, text: str) -> tuple[Finding, ...]:
+def _findings(verdict: LoadingName, sentence: Sentence) -> tuple[Finding, ...]:
     if verdict in ("loaded", "measurement"):
         return ()
-    return (Finding("CW-V027" if verdict == "thermal" else "CW-V028", "warning", text),)
+    if verdict == "thermal":
+        return (Finding.of("CW-V027", "warning", verdict=sentence),)
+    return (Finding.of("CW-V028", "warning", verdict=sentence),)
 
 
 def _explains(shown: Shown, best: Rated) -> bool:
@@ -158,22 +161,25 @@ def _explains(shown: Shown, best: Rated) -> bool:
     return mine <= _EXPLAINED * min(ends)
 
 
-def _message(
+def _sentence(
     shown: Shown, names: NamedLoading, ways: Sequence[Rated], declared_slope: float | None
-) -> str:
+) -> Sentence:
     """Return what is said of a name that is given."""
-    best = names.best
-    slope = slope_text(*best.slope, declared_slope or 0.0) if best.hypothesis.sloped else ""
+    best, declared = names.best, declared_slope or 0.0
     if best.name == "thermal":
+        slope = slope_text(*best.slope, declared)
         if "scaled" in names.equivalent:
             free = [each for each in ways if each.hypothesis.free is not None]
             return straight_line_message(
                 shown, slope, factor_of(max(free, key=lambda each: each.log))
             )
         return thermal_message(shown, best.expected, slope)
+    rise = None
     if best.name == "loaded":
-        slope = declared_slope_text(*best.slope, declared_slope or 0.0)
-    text = named_message(
+        rise = declared_slope_text(*best.slope, declared)
+    elif best.hypothesis.sloped:
+        rise = slope_text(*best.slope, declared)
+    sentences = named_message(
         shown, best.name, best.hypothesis, best.expected, factor_of(best), names.equivalent
     )
-    return f"{text} {slope}".strip()
+    return say("paragraph", sentences=[*sentences, *([] if rise is None else [rise])])

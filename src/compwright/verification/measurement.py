@@ -24,10 +24,10 @@ from compwright.evaluation.readings import position_text, text_of
 from compwright.evaluation.scatter import pooled_scatter, spread_of
 from compwright.evaluation.statistics import mean_deviation
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.verification import MeasurementFault
+from compwright.words.sentences import Sentence, say
 
 #: Honest tests of one axis scatter differently: another day, another averaging of the instrument.
 #: Up to three times as quiet or as loud is believed; beyond, the ratio of the pooled variances has
@@ -51,12 +51,12 @@ _FEW_REPEATS: Final = 5
 
 @dataclass(frozen=True, slots=True)
 class NamedFault:
-    """A fault of the measurement that is certain: ``of`` by the contract's words, ``message`` what
+    """A fault of the measurement that is certain: ``of`` by the contract's words, ``sentence`` what
     was seen and what to do.
     """
 
     of: MeasurementFault
-    message: str
+    sentence: Sentence
 
 
 def measurement_fault(
@@ -67,47 +67,39 @@ def measurement_fault(
     """
     spread = spread_of(after)
     if spread <= SAME_READING or any(finding.code == "CW-R009" for finding in after.findings):
-        return NamedFault(
-            "zeros",
-            "Every reading of the test is the same: nothing was measured. Measure the axis.",
-        )
+        return NamedFault("zeros", say("CW-V026.zeros"))
     copy = _copied(after, first)
-    if copy:
-        return NamedFault("copied", f"{copy} Measure the axis anew.")
+    if copy is not None:
+        return NamedFault("copied", copy)
     unit = wrong_target_unit(after, travel) if not wrong_target_unit(first, travel) else ""
     if unit:
-        return NamedFault(
-            "unit", f"The targets of the test are in {unit}, not in mm. Export it in mm."
-        )
+        return NamedFault("unit", say("CW-V026.targets", unit=unit))
     scale = _thousand(after, first)
-    if scale:
-        return NamedFault("unit", f"{scale} Export the test in the unit that its file states.")
+    if scale is not None:
+        return NamedFault("unit", scale)
     return None
 
 
-def _copied(after: PositioningTest, first: PositioningTest) -> str:
-    """Return how the readings were copied; empty where they are a measurement of their own."""
-    for words, positive, negative in (
-        ("", first.positive, first.negative),
-        (", with the sign turned", -first.positive, -first.negative),
-        (", with the directions exchanged", first.negative, first.positive),
+def _copied(after: PositioningTest, first: PositioningTest) -> Sentence | None:
+    """Return how the readings were copied; None where they are a measurement of their own."""
+    for way, positive, negative in (
+        ("same", first.positive, first.negative),
+        ("sign", -first.positive, -first.negative),
+        ("direction", first.negative, first.positive),
     ):
         if _shifted(after, first, positive, negative):
-            return f"The readings are those of the test {first.name} from before loading{words}."
+            return say("CW-V026.copied", test=first.name, way=way)
     groups = same_runs(after)
     every = all(
         len(groups[side]) == 1 and len(groups[side][0]) == after.deviations(side).shape[1]
         for side in _measured(after)
     )
     if every and not any(same_runs(first).values()) and after.positive.shape[0] > 3:
-        return "All runs hold the same readings: one run was copied."
+        return say("CW-V026.one_run")
     correlation = copied_scatter(after, first)
     if correlation is not None:
-        return (
-            f"The scatter of the readings is that of the test {first.name} run by run (correlation"
-            f" {correlation:.2f}): the test was made from it."
-        )
-    return ""
+        return say("CW-V026.scatter", test=first.name, correlation=correlation)
+    return None
 
 
 def _measured(test: PositioningTest) -> list[Direction]:
@@ -172,28 +164,27 @@ def _scatter(block: FloatArray) -> FloatArray:
     return left
 
 
-def _thousand(after: PositioningTest, first: PositioningTest) -> str:
+def _thousand(after: PositioningTest, first: PositioningTest) -> Sentence | None:
     """Return that the readings are 1000 times too small or too large, by their scatter beside the
     first test's.
     """
     certain = certain_fault(after)
     if certain:
-        return f"This cannot be right: {certain}."
+        return say("CW-V026.certain", why=certain)
     (s, dof), (s_first, dof_first) = pooled_scatter(after), pooled_scatter(first)
     if min(s, s_first) <= SAME_READING:
-        return ""
-    for factor, words in (
-        (_THOUSAND, "small (mm read as µm)"),
-        (1.0 / _THOUSAND, "large (µm read as mm)"),
-    ):
+        return None
+    for factor, small in ((_THOUSAND, True), (1.0 / _THOUSAND, False)):
         if noise_odds(s, dof, s_first, dof_first) and not noise_odds(
             s * factor, dof, s_first, dof_first
         ):
-            return (
-                f"The readings scatter by {text_of(s, after)}, those of the first test by"
-                f" {text_of(s_first, first)}: 1000 times too {words}."
+            return say(
+                "CW-V026.thousand",
+                scatter=text_of(s, after),
+                first=text_of(s_first, first),
+                small=small,
             )
-    return ""
+    return None
 
 
 def noise_odds(
@@ -235,39 +226,31 @@ def proof_lacking(after: PositioningTest, first: PositioningTest) -> list[Findin
 
 
 def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
-    wanted = f"{first.targets.size} targets from {_ends(first)}"
+    wanted = first.targets.size
     interval = float(first.targets[-1] - first.targets[0]) / max(first.targets.size - 1, 1)
     widest = float(np.max(np.diff(first.targets), initial=interval))
     lacks = []
     fewest = FEWEST_TARGETS[after.kind]
     if after.targets.size < fewest:
-        lacks.append(
-            f"it has {after.targets.size} targets, and the standard asks for {fewest} at least"
-        )
-        wanted = f"{max(fewest, first.targets.size)} targets from {_ends(first)}"
+        lacks.append(say("CW-V020.fewest", targets=after.targets.size, fewest=fewest))
+        wanted = max(fewest, wanted)
     elif after.targets.size < first.targets.size:
-        lacks.append(f"it has {after.targets.size} targets")
+        lacks.append(say("CW-V020.fewer", targets=after.targets.size))
     ends = (
         after.targets[0] > first.targets[0] + interval
         or after.targets[-1] < first.targets[-1] - interval
     )
     if ends and not (_full_turn(after) and _full_turn(first)):
-        lacks.append(f"it covers {_ends(after)}")
+        lacks.append(say("CW-V020.range", range=_ends(after)))
     elif np.max(np.diff(after.targets), initial=0.0) > _GAP * widest:
-        lacks.append(
-            f"{position_text(float(np.max(np.diff(after.targets))), after)} of the travel are"
-            " without a target"
-        )
+        gap = position_text(float(np.max(np.diff(after.targets))), after)
+        lacks.append(say("CW-V020.gap", gap=gap))
     for side in _measured(first):
         runs, before = (int(np.max(test.readings(side), initial=0.0)) for test in (after, first))
         if runs < min(before, 5):
-            lacks.append(f"it has {runs} approaches in {side.value} (the first test: {before})")
+            lacks.append(say("CW-V020.approaches", runs=runs, direction=side.value, first=before))
     if lacks:
-        message = (
-            f"The test after loading does not cover what the first one did: {'; '.join(lacks)}."
-            f" Measure {wanted}, as before."
-        )
-        yield Finding("CW-V020", "warning", message)
+        yield Finding.of("CW-V020", "warning", gaps=lacks, targets=wanted, range=_ends(first))
 
 
 def _full_turn(test: PositioningTest) -> bool:
@@ -280,11 +263,9 @@ def _full_turn(test: PositioningTest) -> bool:
     )
 
 
-def _ends(test: PositioningTest) -> str:
-    return (
-        f"{position_text(float(test.targets[0]), test)} to"
-        f" {position_text(float(test.targets[-1]), test)}"
-    )
+def _ends(test: PositioningTest) -> Sentence:
+    low, high = (position_text(float(test.targets[end]), test) for end in (0, -1))
+    return say("range", low=low, high=high)
 
 
 def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
@@ -293,18 +274,14 @@ def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
     if not odds or (odds == "quiet" and s_first < _ROUNDED * first.step):
         return
     ratio = s / s_first if odds == "loud" else s_first / s if s > 0.0 else math.inf
-    times = (
-        f"{significant(ratio, 3)} times less"
-        if odds == "quiet"
-        else f"{significant(ratio, 3)} times more"
-    )
-    yield Finding(
+    yield Finding.of(
         "CW-V021",
         "warning",
-        f"Repeated readings scatter by {text_of(s, after)}, {times} than in the first test"
-        f" ({text_of(s_first, first)}): an honest test whose noise differs by up to {_BELIEVED:g}"
-        " times does so less than once in 1000. Are unit and readings right? Measure again with"
-        " the instrument set as for the first test.",
+        scatter=text_of(s, after),
+        ratio=ratio,
+        less=odds == "quiet",
+        first=text_of(s_first, first),
+        factor=_BELIEVED,
     )
 
 

@@ -101,17 +101,15 @@ class OldTable:
         between = f"Tests {self.off} (without it) and {self.on} (with it)"
         if self.verdict.verdict in ACTED:
             percent = min(100.0 * self.acted, 99.9)
-            text = (
-                f"{between}: the table of state {self.state} was active as its files say,"
-                f" {percent:.1f} % sure."
-            )
-            return Finding("CW-V030", "info", text)
+            return Finding.of("CW-V030", "info", between=between, state=self.state, percent=percent)
         said = _words(self.likely) or "nothing that is known fits"
-        text = (
-            f"{between} do not tell whether the table of state {self.state} was active as its"
-            f" files say: {said}. They count as far as they agree."
+        return Finding.of(
+            "CW-V031",
+            "info" if self.acted >= _TOLD else "warning",
+            between=between,
+            state=self.state,
+            likely=said,
         )
-        return Finding("CW-V031", "info" if self.acted >= _TOLD else "warning", text)
 
 
 def _words(likely: Sequence[Candidate]) -> str:

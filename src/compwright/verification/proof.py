@@ -25,6 +25,7 @@ from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
 from compwright.verification.measurement import NamedFault, copied_scatter
+from compwright.words.sentences import say
 
 #: Warnings that only say that values are larger than those of a quiet machine, or that an
 #: assumption was stated: they leave the verdict.
@@ -114,11 +115,7 @@ def _limits(accept: Any) -> str:
 
 
 def _changed(what: str) -> Finding:
-    message = (
-        f"The job was edited after the run: {what}. Run the job again, so that prediction and"
-        " verdict speak of the same."
-    )
-    return Finding("CW-V022", "warning", message)
+    return Finding.of("CW-V022", "warning", what=what)
 
 
 # ---------------------------------------------------------------- what has to be there
@@ -196,9 +193,7 @@ def _circles(plan: Plan, axes: set[str]) -> str:
 
 
 def _missing(what: str, measure: str) -> Finding:
-    return Finding(
-        "CW-V023", "warning", f"Nothing is proven where nothing was measured: {what}. {measure}"
-    )
+    return Finding.of("CW-V023", "warning", what=what, measure=measure)
 
 
 def doubts_after(after: PositioningResult | CircularResult) -> tuple[Finding, ...]:
@@ -231,10 +226,7 @@ def doubted(
         ):
             continue
         if finding.is_doubt or code in _OF_READINGS or code not in had:
-            message = (
-                f"The test after loading, {code}: {finding.message} Settle this, or measure again."
-            )
-            yield Finding("CW-V024", "warning", message)
+            yield Finding.of("CW-V024", "warning", code=code, finding=finding.sentence)
 
 
 # ---------------------------------------------------------------- measurements given twice
@@ -246,10 +238,7 @@ def copies(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
     """
     every = tuple(tests)
     found = {
-        entry.axis: NamedFault(
-            "copied",
-            f"The test of axis {entry.axis} holds one file twice. Give each measurement once.",
-        )
+        entry.axis: NamedFault("copied", say("CW-V026.file_twice", axis=entry.axis))
         for entry in every
         if len({source.sha256 for source in entry.test.sources}) < len(entry.test.sources)
     }
@@ -258,11 +247,8 @@ def copies(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
             *(NamedTest(entry.axis, entry.test.sources, entry.test) for entry in (one, other))
         )
         if same or copied_scatter(one.test, other.test) is not None:
-            message = (
-                f"Axis {one.axis} and axis {other.axis} were given the same measurement. Give each"
-                " axis its own."
-            )
-            found |= {entry.axis: NamedFault("copied", message) for entry in (one, other)}
+            sentence = say("CW-V026.two_axes", axis=one.axis, other=other.axis)
+            found |= {entry.axis: NamedFault("copied", sentence) for entry in (one, other)}
     return found
 
 
@@ -270,8 +256,4 @@ def old_circles(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterator[Fin
     """Yield circles that are those from before loading, by the content of their files (CW-V025)."""
     for name, test in circles.items():
         if share_a_file(plan.circles[name].test.sources, test.sources):
-            message = (
-                f"The circle {name} given as measured after loading is the one from before. Measure"
-                " it again."
-            )
-            yield Finding("CW-V025", "warning", message)
+            yield Finding.of("CW-V025", "warning", circle=name)

@@ -14,6 +14,7 @@ from compwright.foundations.findings import Severity
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
+from compwright.words.sentences import Sentence, say
 
 #: A table between axes that moves the whole axis by less than this is not said to, mm or deg.
 _NO_SHIFT = 2e-6
@@ -60,19 +61,19 @@ class Between:
     files: tuple[ControlFile, ...] | None = None
     held: tuple[PlannedCross, ...] | None = None
     sheets: tuple[ControlFile, ...] = ()
-    remarks: tuple[tuple[Severity, str], ...] = ()
+    remarks: tuple[tuple[Severity, Sentence], ...] = ()
     steps: tuple[Mapping[str, str], ...] = ()
     quantum: float = 0.0
 
 
-def label(entry: PlannedCross) -> str:
+def label(entry: PlannedCross) -> Sentence:
     """Return what is corrected, as people read it: a squareness, or the slope of the deviation that
     was measured. An angle above 90° lets the output axis deviate to -.
     """
-    pair, squareness = f"{entry.output} over {entry.input}", entry.squareness * 1e6
+    squareness = entry.squareness * 1e6
     if entry.source == "circle":
-        return f"squareness of {pair} ({squareness:+.1f} µm/m)"
-    return f"the measured deviation of {pair} ({-squareness:+.1f} µm/m)"
+        return say("between.squareness", output=entry.output, input=entry.input, slope=squareness)
+    return say("between.deviation", output=entry.output, input=entry.input, slope=-squareness)
 
 
 def together(first: Sequence[ControlFile], then: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
@@ -90,27 +91,23 @@ def in_turn(answers: Iterable[Between]) -> Between:
     )
 
 
-def typed_in(entry: PlannedCross, sheet: ControlFile, message: str, text: str) -> Between:
+def typed_in(entry: PlannedCross, sheet: ControlFile, sentence: Sentence, text: str) -> Between:
     """Return the answer of a control into which ``sheet`` is typed: neither form nor sign are
     confirmed.
     """
     title = f"{entry.output} over {entry.input}: type in"
     return Between(
         sheets=(sheet,),
-        remarks=(("warning", message),),
+        remarks=(("warning", sentence),),
         steps=({"title": title, "text": text, "evidence": "unconfirmed"},),
     )
 
 
 def not_held(entry: PlannedCross, why: str) -> Between:
     """Return the answer of a control that cannot hold a correction; ``why``, or what would help."""
-    message = (
-        f"{label(entry)} is not corrected: this control, as the job describes it, cannot hold it;"
-        f" {why}."
-    )
     title = f"Not corrected: {label(entry)}"
     return Between(
-        remarks=(("error", message),),
+        remarks=(("error", say("CW-P113.not_held", what=label(entry), why=why)),),
         steps=({"title": title, "text": f"{why}.", "evidence": "inferred"},),
     )
 

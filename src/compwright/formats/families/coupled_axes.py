@@ -80,18 +80,12 @@ def check_couplings(couplings: Sequence[Coupling], axes: Mapping[str, Axis], not
                 notes.find(
                     "CW-S037",
                     "info",
-                    f"axis {address}: axis {coupling.follows} follows it as a drive, without a"
-                    f" position of its own ({coupling.parameter}): the table of axis {address}"
-                    " serves both",
+                    axis=address,
+                    follows=coupling.follows,
+                    parameter=coupling.parameter,
                 )
             elif axis.moves_alone and coupling.switched:
-                notes.find(
-                    "CW-S035",
-                    "warning",
-                    f"axis {address}: the job says that it moves alone; {coupling.parameter} can"
-                    " couple it with another axis. Keep that coupling off in every test, and load"
-                    " the tables of both axes before it is used again",
-                )
+                notes.find("CW-S035", "warning", axis=address, parameter=coupling.parameter)
             elif coupling.unlike:
                 message = f"axis {address}: {coupling.unlike}"
                 expected = "a whole number" if coupling.unlike == UNREAD else _BY_ITSELF

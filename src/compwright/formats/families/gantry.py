@@ -51,11 +51,7 @@ def compare_partners(
     """Note where the two axes of a gantry differ; arguments as `find_partners`."""
     for leading, partner in partners.items():
         if leading in read and partner in read and not _same(read[leading], read[partner]):
-            notes.find(
-                "CW-S030",
-                "warning",
-                f"axis {partner} does not do the same as {leading}, with which it forms a gantry",
-            )
+            notes.find("CW-S030", "warning", partner=partner, leading=leading)
 
 
 def note_twin(address: str, other: str, notes: Notes, *, single: bool = False) -> None:
@@ -63,22 +59,9 @@ def note_twin(address: str, other: str, notes: Notes, *, single: bool = False) -
     that the axis is in no gantry.
     """
     if single:
-        notes.find(
-            "CW-S031",
-            "info",
-            f"axes {address} and {other} hold the same table; the control's files say that axis"
-            f" {address} is in no gantry",
-            address,
-        )
+        notes.find("CW-S031.single", "info", address, axis=address, other=other)
         return
-    notes.find(
-        "CW-S031",
-        "warning",
-        f"axes {address} and {other} hold the same table: are they a gantry? Then name"
-        f" {other} in the job (gantry), so that both get the new one; a table on one of"
-        " them alone racks the bridge",
-        address,
-    )
+    notes.find("CW-S031.gantry", "warning", address, axis=address, other=other)
 
 
 def _same(one: AxisCompensation, other: AxisCompensation) -> bool:

@@ -44,9 +44,13 @@ def check_travel(
         notes.find(
             "CW-S045",
             "warning",
-            f"{label}: {outside:g} {axis.kind.unit} of the travel lie outside its limits of {low:g}"
-            f" to {high:g} ({names}): are travel and targets in machine coordinates?",
             axis.address,
+            label=label,
+            outside=outside,
+            unit=axis.kind.unit,
+            low=low,
+            high=high,
+            parameters=names,
         )
 
 

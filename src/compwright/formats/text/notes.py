@@ -10,6 +10,7 @@ from compwright.formats.text.gathering import FoundValue
 from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding, Severity
 from compwright.records.correction import Assumption
+from compwright.words.sentences import Sentence
 
 
 @dataclass(slots=True)
@@ -52,46 +53,29 @@ class Notes:
         if note not in self.assumed:
             self.assumed.append(note)
 
-    def find(self, code: str, severity: str, message: str, axis: str = "") -> None:
-        """Note a finding; ``axis``: the address of the one that it is about, or its label, behind
-        which more may stand (``axis AX1, measuring system 2``).
+    def find(self, name: str, severity: str, axis: str = "", /, **values: object) -> None:
+        """Note a finding (`Finding.of`); ``axis``: the address of the one that it is about, or its
+        label, behind which more may follow (``axis AX1, measuring system 2``).
         """
         about = (axis.removeprefix("axis ").partition(",")[0],) if axis else ()
         grave: Severity = "warning" if severity == "warning" else "info"
-        self.findings.append(Finding(code, grave, message, about))
+        self.findings.append(Finding.of(name, grave, about, **values))
 
     def counted_as(self, label: str, name: str, value: str) -> None:
         """Note that a quantity is not in the files, what it was counted as, what hangs on it."""
-        self.find(
-            "CW-S005",
-            "warning",
-            f"{label}: {name} is not in the files; counted as {value}. If the control has "
-            "another value, that"
-            " one was active in the tests, and what is written or shown is wrong by the"
-            " difference: look it up at the control, or add the file that says it",
-            label,
-        )
+        self.find("CW-S005", "warning", label, label=label, quantity=name, value=value)
 
     def switched_off(self, label: str, what: str) -> None:
         """Note that a table of the files corrects nothing; ``what`` says by what it is off."""
-        self.find("CW-S007", "info", f"{label}: {what}; it corrects nothing")
+        self.find("CW-S007", "info", label=label, switch=what)
 
     def no_table(self, label: str, *, off: bool = False) -> None:
         """Note that no file holds a table of an axis; ``off``: the files say that none acts."""
-        self.find(
-            "CW-S008",
-            "info" if off else "warning",
-            f"{label}: no file holds a table; counted as none",
-            label,
-        )
+        self.find("CW-S008", "info" if off else "warning", label, label=label)
 
     def taken_for(self, axis: str, address: str) -> None:
         """Note which axis of the control an axis of the job was taken for."""
-        self.find(
-            "CW-S010",
-            "warning",
-            f"axis {axis} is taken as {address} of the control: check it, or give its address",
-        )
+        self.find("CW-S010", "warning", axis=axis, address=address)
 
     def refuse(
         self,
@@ -123,8 +107,8 @@ class Notes:
 
     def ignored(self, label: str, what: str, why: str) -> None:
         """Note a value that the control ignores."""
-        self.find("CW-S009", "warning", f"{label}: {what} is ignored by the control: {why}")
+        self.find("CW-S009", "warning", label=label, what=what, why=why)
 
-    def idle_file(self, message: str) -> None:
+    def idle_file(self, sentence: Sentence) -> None:
         """Note that a table file and what the control loads do not fit."""
-        self.find("CW-S012", "warning", message)
+        self.findings.append(Finding("CW-S012", "warning", sentence))

@@ -57,6 +57,5 @@ def without_others(
     kept = tuple(file for file in files if file not in others)
     if not others or not kept:
         return tuple(files), ()
-    named = ", ".join(file.name for file in others)
-    message = f"{named}: in the folder that was given, no line is a statement of {definition.id}"
-    return kept, (Finding("CW-S084", "info", f"{message}; left out"),)
+    names = [file.name for file in others]
+    return kept, (Finding.of("CW-S084", "info", files=names, format=definition.id),)

@@ -361,11 +361,7 @@ class _KindReader:
         marked = final is not None and self._code(final).strip(" \t").upper() in self.kind.ends_with
         if final is None or not (occurrences and self.kind.ends_with):
             if final is not None and not final.ended:
-                yield Finding(
-                    "CW-S001",
-                    "warning",
-                    f"{self.file}: the last line has no line end; check that the file is complete",
-                )
+                yield Finding.of("CW-S001", "warning", file=self.file)
             return
         # Checked first: an archive of several programs holds end marks before its last line.
         if not final.ended and occurrences[-1].line == final.number:
@@ -381,11 +377,7 @@ class _KindReader:
             self._code(line).strip(" \t").upper() in self.kind.ends_with for line in lines[1:][-20:]
         ):
             return
-        yield Finding(
-            "CW-S002",
-            "warning",
-            f"{self.file}: no {self.kind.ends_with[0]} at the end; check that the file is complete",
-        )
+        yield Finding.of("CW-S002", "warning", file=self.file, mark=self.kind.ends_with[0])
 
     def _refuse(self, line: TextLine, message: str, expected: str = "") -> None:
         rows = " or ".join(readable(matcher.statement.form) for matcher in self.matchers)

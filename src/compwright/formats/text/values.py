@@ -58,11 +58,17 @@ class Values:
                 self.notes.refuse(self.label, message, rival, expected=first.text)
                 return None
         if not quiet and any(not same_value(place.text, first.text) for place in places):
-            message = (
-                f"{self.label}: {self.name(quantity)} is given several times; the {rule} value"
-                f" counts: {first.text} ({first.where})"
+            self.notes.findings.append(
+                Finding.of(
+                    "CW-S003",
+                    "info",
+                    label=self.label,
+                    quantity=self.name(quantity),
+                    rule=rule,
+                    value=first.text,
+                    where=first.where,
+                )
             )
-            self.notes.findings.append(Finding("CW-S003", "info", message))
         return first
 
     def word(self, quantity: str, found: FoundValue | None) -> str | None:

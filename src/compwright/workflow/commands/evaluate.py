@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from compwright import __version__
-from compwright.documents.evaluation import evaluation_document, findings_document
+from compwright.documents.evaluation import evaluation_document
+from compwright.documents.findings import finding_documents
 from compwright.documents.json_text import to_json
 from compwright.evaluation.standards import DEFAULT_STANDARD, standard_by_id
 from compwright.foundations import storage
@@ -427,5 +428,5 @@ def _with_repeats(tests: Sequence[Evaluated]) -> list[dict[str, Any]]:
     repeated = iter(repeat_findings(readings))
     for one in tests:
         if one.test is not None and (finding := next(repeated)) is not None:
-            one.entry["findings"] += findings_document([finding])
+            one.entry["findings"] += finding_documents([finding])
     return [one.entry for one in tests]

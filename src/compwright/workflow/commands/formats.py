@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from compwright.controls.checked_definitions import checked_definitions
-from compwright.controls.control import READ_BACK
 from compwright.controls.definitions import (
     definition_named,
     is_base,
@@ -20,6 +19,7 @@ from compwright.controls.description import description, listing
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.session import Session
 from compwright.foundations.storage import definition_files
+from compwright.words.sentences import say
 
 NOT_JUDGED = "not independently judged: there is no virtual control for it"
 
@@ -51,7 +51,7 @@ def show_format(session: Session, name: str) -> tuple[str, ...]:
     read_back = definition.judged != "independent"
     return (
         f"{definition.id}: {definition.title}",
-        *([READ_BACK.format(definition.id)] if read_back else []),
+        *([str(say("read_back", definition=definition.id))] if read_back else []),
         *description(definition),
     )
 

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from compwright.documents.decode import assumed_documents, finding_documents
+from compwright.documents.decode import assumed_documents
+from compwright.documents.findings import finding_documents
 from compwright.documents.record import RECORD, listed_in_record
 from compwright.foundations import storage
 from compwright.foundations.errors import UsageError
@@ -74,7 +75,7 @@ class PlannedJob:
         """
         return _exit_code(self.finished)
 
-    def finding_documents(self) -> list[dict[str, str]]:
+    def finding_documents(self) -> list[dict[str, Any]]:
         """Return what was noticed, in the form of every document."""
         return finding_documents(self.finished.findings)
 

@@ -166,10 +166,4 @@ def _same_numbers(linear: DecodedState, rotary: DecodedState | None) -> None:
 def _finding(unknown: Sequence[str]) -> list[Finding]:
     if not unknown:
         return []
-    axes = f"axis {unknown[0]} is" if len(unknown) == 1 else f"axes {', '.join(unknown)} are"
-    message = (
-        f"No file says whether {axes} linear or rotary. The unit of the corrections is unknown:"
-        " thousandths of a mm (µm) or of a degree (3.6 arcsec). Give --option kind=linear or"
-        " --option kind=rotary."
-    )
-    return [Finding("CW-S086", "warning", message)]
+    return [Finding.of("CW-S086", "warning", names=unknown, number=len(unknown))]

@@ -34,6 +34,7 @@ from compwright.records.axis import Axis, AxisKind, PositionMap
 from compwright.records.job import AS_FOUND, AxisJob, Job, TestRequest
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest, merge, to_machine
+from compwright.words.sentences import say
 from compwright.workflow.inputs.measurement_files import load_profile, measurement_files
 
 #: A table over the travel, read in the wrong unit, is 25.4 times too short or long; it may reach
@@ -129,10 +130,7 @@ def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) ->
     unnamed = [test.name for test in tests if not test.axis]
     if not unnamed:
         return ours
-    finding = sheets_finding(
-        f"Tests in the same file without an axis were left out: {', '.join(unnamed)}."
-        f" Only {ours.name} is used.",
-    )
+    finding = sheets_finding(say("CW-R061.tests", tests=unnamed, used=ours.name))
     return replace(ours, findings=(*ours.findings, finding))
 
 

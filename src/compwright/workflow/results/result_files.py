@@ -8,7 +8,8 @@ from typing import Any
 
 from compwright.controls.gantries import with_partners
 from compwright.controls.partial_loads import harmful_parts
-from compwright.documents.decode import assumed_documents, finding_documents
+from compwright.documents.decode import assumed_documents
+from compwright.documents.findings import finding_documents
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import plan_document
 from compwright.documents.prediction import prediction_document

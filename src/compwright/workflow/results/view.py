@@ -11,8 +11,8 @@ from compwright import __version__
 from compwright.controls.control import Control
 from compwright.controls.decoded import DecodedState
 from compwright.documents.circular import circular_document
-from compwright.documents.decode import finding_documents
 from compwright.documents.evaluation import evaluation_document
+from compwright.documents.findings import finding_documents
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.planning.axes import AxisWork
 from compwright.prediction.acting import difference

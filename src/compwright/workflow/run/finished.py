@@ -14,6 +14,7 @@ from compwright.planning.doubts import Doubts, Noticed, doubts_among, undecided
 from compwright.planning.limits import lacking_circle_guard
 from compwright.records.correction import Assumption
 from compwright.records.plan import Plan
+from compwright.words.sentences import say
 from compwright.workflow.run.fitted import Fitted
 from compwright.workflow.run.measured import Measured
 from compwright.workflow.run.predicted import Predicted
@@ -140,7 +141,10 @@ class Finished:
         return [
             Noticed(
                 replace(
-                    finding, message=f"Axis {name}, test {result.test.name}: {finding.message}"
+                    finding,
+                    sentence=say(
+                        "of_test", axis=name, test=result.test.name, finding=finding.sentence
+                    ),
                 ),
                 frozenset({name}),
             )
@@ -157,7 +161,10 @@ class Finished:
             taking |= self.works.keys()
         return [
             Noticed(
-                replace(finding, message=f"Circle {work.name}: {finding.message}"),
+                replace(
+                    finding,
+                    sentence=say("of_circle", circle=work.name, finding=finding.sentence),
+                ),
                 frozenset(taking & set(work.result.test.axes)),
                 work.name,
             )

@@ -29,6 +29,7 @@ from compwright.verification.likelihood import after_means, belief_of, draws_for
 from compwright.verification.loading import judge_loading
 from compwright.verification.old_table import OldTable
 from compwright.verification.views import View, measurement_views
+from compwright.words.sentences import say
 from compwright.workflow.run.measured import Measured
 
 #: Two corrections are the same below this many mm or deg.
@@ -53,7 +54,8 @@ def with_old_tables(
     for (name, task), old in zip(tasks, judged, strict=True):
         said = old.finding()
         if said is not None:
-            findings.append(replace(said, message=f"Axis {name}: {said.message}"))
+            sentence = say("of_axis", axis=name, finding=said.sentence)
+            findings.append(replace(said, sentence=sentence))
             continue
         table = held_by(measured.states[task[2].measured_in], task[0])
         sentences = measured.control.look_at(task[0], table)

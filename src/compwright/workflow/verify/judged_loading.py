@@ -32,6 +32,7 @@ from compwright.verification.hypothesis import Loading
 from compwright.verification.likelihood import after_means, belief_of, draws_for
 from compwright.verification.loading import judge_loading
 from compwright.verification.views import UNLIKE, View, measurement_views, of_other_axis, unit_views
+from compwright.words.sentences import say
 
 
 def judged_loading(
@@ -57,7 +58,7 @@ def judged_loading(
         return LoadingVerdict(
             verdict="undecided",
             margin=0.0,
-            message="The plan holds no table for this axis: nothing was to be loaded.",
+            sentence=say("loading.no_table"),
         )
     error = _judged_against(planned, observed, posterior)
     view, noise = _view(planned, test, place, error, as_found, others, read_back=read_back)

@@ -85,7 +85,7 @@ def verified_axis(
             read_back=as_planned,
         )
         if fault is None
-        else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
+        else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, sentence=fault.sentence)
     )
     given = read_back.state.findings if read_back is not None and not ours else ()
     files = tuple(each for each in given if each.is_doubt and not each.axes)
@@ -231,7 +231,7 @@ def _expected(
 def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
     """Return the finding of a fault of measurement (CW-V026)."""
     return (
-        (Finding("CW-V026", "warning", loading.message),)
+        (Finding("CW-V026", "warning", loading.sentence),)
         if loading.verdict == "measurement"
         else ()
     )
@@ -272,14 +272,5 @@ def _compared(axis: Axis, table: AxisCompensation, read_back: DecodedState) -> F
     factor = outside_factor(axis.kind.unit)
     unit = shown_unit(axis.kind.unit)
     if worst <= 1e-3 / factor + SINGLE_PRECISION * largest:
-        return Finding(
-            "CW-V010",
-            "info",
-            f"Axis {axis.name}: what was read back from the control is the plan's table.",
-        )
-    return Finding(
-        "CW-V011",
-        "error",
-        f"Axis {axis.name}: what was read back from the control differs from the plan by up to"
-        f" {worst * factor:.2f} {unit}.",
-    )
+        return Finding.of("CW-V010", "info", axis=axis.name)
+    return Finding.of("CW-V011", "error", axis=axis.name, difference=worst * factor, unit=unit)

@@ -26,6 +26,7 @@ from compwright.formats.text.scale import NotHeld
 from compwright.formats.text.values import name_of
 from compwright.records.correction import ControlFile
 from compwright.records.plan import PlannedCross
+from compwright.words.sentences import say
 
 #: More points than these are typed from the sheet.
 _MOST_SHOWN = 8
@@ -76,7 +77,7 @@ def _in_the_table(family: Family, asked: BetweenRequest, filled: Filled) -> Betw
         f" {_selected(family, entry)}{_CHECK}"
     )
     return Between(
-        remarks=(("info", f"{label(entry)} is in {where} (values are {form}s)."),),
+        remarks=(("info", say("CW-P113.column", what=label(entry), where=where, values=form)),),
         steps=(
             {
                 "title": f"{entry.output} over {entry.input}: {where}",
@@ -92,15 +93,19 @@ def _typed(family: Family, asked: BetweenRequest, entry: PlannedCross, why: str)
     form = _form(family, asked, entry)
     rows = _rows(entry, form)
     where = f"the table (.COM) of {entry.input}, column of {entry.output}"
-    message = (
-        f"{label(entry)} is in no file ({why}): type it into {where}, {_shown(entry, rows)} (values"
-        f" are {form}s), as the card and its sheet say; the sign is unconfirmed."
+    sentence = say(
+        "CW-P113.typed",
+        what=label(entry),
+        why=why,
+        where=where,
+        rows=_shown(entry, rows),
+        values=form,
     )
     text = (
         f"{label(entry)}. Add to the values in {where}, on a straight line between:"
         f" {_shown(entry, rows)} (values are {form}s). {_selected(family, entry)}{_CHECK}"
     )
-    return typed_in(entry, _sheet(entry, form, rows), message, text)
+    return typed_in(entry, _sheet(entry, form, rows), sentence, text)
 
 
 def _form(family: Family, asked: BetweenRequest, entry: PlannedCross) -> str:

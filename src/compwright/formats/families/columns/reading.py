@@ -40,6 +40,7 @@ from compwright.records.correction import (
 )
 from compwright.records.facts import AxisFacts
 from compwright.records.options import REFERENCE, REFERENCE_RETURN
+from compwright.words.sentences import say
 
 
 def read_columns(
@@ -220,16 +221,10 @@ class _ColumnStateReader:
                 "inferred from its name: no table of assignments (.CMA) was given",
             )
         for table in sources.idle:
-            self.notes.idle_file(
-                f"{table.file} is not named by the active line of assignments: it does not act"
-            )
+            self.notes.idle_file(say("CW-S012.assignments", file=table.file))
         for address, name in sources.missing.items():
             if address not in self.asked:
-                message = (
-                    f"{name}, active for the motion of {address}, was not given: what it does to"
-                    " other axes is not known"
-                )
-                self.notes.idle_file(message)
+                self.notes.idle_file(say("CW-S012.not_given", file=name, axis=address))
         if any(one.positions.size for one in compensations.values()):
             self.notes.assume(
                 "outside the tables",

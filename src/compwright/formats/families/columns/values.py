@@ -147,11 +147,7 @@ class TableValues:
         steps = {after - before for before, after in itertools.pairwise(found)}
         if len(steps) > 1:
             self.notes.find(
-                "CW-S046",
-                "warning",
-                f"{table.file}: its points are not equally spaced ({min(steps):f} to"
-                f" {max(steps):f}), which the control asks for; read as they stand, never written"
-                " so",
+                "CW-S046", "warning", file=table.file, least=min(steps), most=max(steps)
             )
 
     def _listed(self, table: UserTable, scale: NumberScale) -> list[Decimal] | None:
@@ -300,12 +296,7 @@ class TableValues:
         nodes = np.concatenate([[0.0], inside, [TURN]])
         curve = np.interp(nodes, positions, values)
         if curve[0] != curve[-1]:
-            self.notes.find(
-                "CW-S017",
-                "warning",
-                f"axis {address}: the table of {file} ends its turn with another value than it"
-                " began with",
-            )
+            self.notes.find("CW-S017", "warning", axis=address, file=file)
         return nodes, curve, TURN
 
     def fault(self, file: str, place: str, message: str, expected: str, found: str) -> None:

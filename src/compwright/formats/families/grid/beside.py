@@ -158,12 +158,7 @@ class Beside:
                 " is taken"
             )
         if said:
-            self.notes.find(
-                "CW-S053",
-                "warning",
-                f"axis {self.address}: beside its table acts {'; '.join(said)}. It is left as it"
-                " is, and counts as acting alike during the test and afterwards",
-            )
+            self.notes.find("CW-S053", "warning", axis=self.address, functions=said)
         return "; ".join(said)
 
     def _temperature(self) -> list[str]:

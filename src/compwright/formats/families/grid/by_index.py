@@ -67,8 +67,7 @@ class ByIndex(TableShape):
         if not source.rows and not source.singles:
             return None
         if is_blank(source):
-            message = f"{source.label}: values and grid are all zero, which means no table"
-            source.notes.find("CW-S032", "info", message)
+            source.notes.find("CW-S032", "info", label=source.label)
             return None
         if not _whole(source):
             return None
@@ -259,13 +258,15 @@ def _complete(source: TableSource, values: Mapping[int, FoundValue], grid: _Grid
         )
     ]
     if held:
-        message = (
-            f"{len(extra)} values behind the end of the table ({extra[0]} to {extra[-1]}) are not"
-            f" used by the control, {len(held)} of them not zero: an older, longer table, unless"
-            " its end or its spacing is wrong"
+        source.notes.find(
+            "CW-S004.not_zero",
+            "warning",
+            label=source.label,
+            values=len(extra),
+            first=extra[0],
+            last=extra[-1],
+            not_zero=len(held),
         )
-        source.notes.find("CW-S004", "warning", f"{source.label}: {message}")
     elif extra:
-        message = f"{len(extra)} values behind the end of the table are zero and not used"
-        source.notes.find("CW-S004", "info", f"{source.label}: {message}")
+        source.notes.find("CW-S004.zero", "info", label=source.label, values=len(extra))
     return True

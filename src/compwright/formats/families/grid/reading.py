@@ -49,6 +49,7 @@ from compwright.records.correction import (
 )
 from compwright.records.facts import PairTables
 from compwright.records.options import REFERENCE, REFERENCE_RETURN
+from compwright.words.sentences import say
 
 #: A line of a listing in columns: a name, then one value for each axis; more than a few make one.
 _COLUMNS = re.compile(rb"^\$\w+(?:\[[0-9]+\])?\t[^\t\n]*\t", re.MULTILINE)
@@ -296,11 +297,8 @@ class GridReader:
             self.notes.faults.extend(changed_at_run_time(files))
             self.notes.faults.extend(offset_at_run_time(files, [one.name for one in self.axes]))
         if aside:
-            more = f" and {len(aside) - 3} more" if len(aside) > 3 else ""
-            self.notes.idle_file(
-                f"{', '.join(aside[:3])}{more}: no table, and named by no axis: the control does"
-                " not load it as one"
-            )
+            more = max(0, len(aside) - 3)
+            self.notes.idle_file(say("CW-S012.no_table", files=aside[:3], more=more))
         return [file for file in files if file.name not in aside]
 
     def _refuse_unknown(self, files: Sequence[ControlFile]) -> None:
@@ -333,21 +331,10 @@ class GridReader:
         words = tuple(sorted({claim for kind in kinds for claim in kind.claims_anywhere}))
         for file in files:
             if is_listing(self.definition, file):
-                self.notes.find(
-                    "CW-S071",
-                    "warning",
-                    f"{file.name}: its decimal commas are read as points; the control takes no such"
-                    " file: it is a listing, and may not be what the control holds",
-                )
+                self.notes.find("CW-S071", "warning", file=file.name)
             named = programs_setting(file, words) if is_container(file) else ()
             if named:
-                self.notes.find(
-                    "CW-S070",
-                    "info",
-                    f"{file.name}: programs in it load or switch compensation when somebody runs"
-                    f" them: {', '.join(named)}; they were not run here, and what counts is the"
-                    " archive's own data",
-                )
+                self.notes.find("CW-S070", "info", file=file.name, programs=named)
 
     def _spoken_of(self) -> list[str]:
         """Return the addresses that lines or sections name."""
@@ -411,10 +398,7 @@ class GridReader:
             variants = [occurrence.line for occurrence in text.occurrences if occurrence.variant]
             if variants:
                 self.notes.find(
-                    "CW-S013",
-                    "warning",
-                    f"{text.file}, line {variants[0]}: read, although no manual shows this form"
-                    f" ({len(variants)} lines)",
+                    "CW-S013", "warning", file=text.file, line=variants[0], lines=len(variants)
                 )
         if None in self.wanted.values() or not self.wanted:
             options = self.control.options

@@ -77,10 +77,10 @@ class SystemChoice:
             self.notes.find(
                 "CW-S052",
                 "warning",
-                f"axis {self.address}: the job names measuring system {number}, but the files"
-                f" switch compensation on for system {int(others[0]) + 1} (MD32700): make sure that"
-                f" system {number} is in use",
                 self.address,
+                axis=self.address,
+                number=number,
+                other=int(others[0]) + 1,
             )
 
     def found(self, *, asking: bool) -> str:
@@ -144,11 +144,7 @@ class SystemChoice:
         self._assume(chosen, "inferred: the one that holds a table")
         if len(active) > 1:
             self.notes.find(
-                "CW-S006",
-                "warning",
-                f"axis {self.address}: several measuring systems hold a table; system"
-                f" {int(chosen) + 1} is shown",
-                self.address,
+                "CW-S006", "warning", self.address, axis=self.address, system=int(chosen) + 1
             )
         return chosen
 

@@ -17,6 +17,7 @@ from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import BINARY, ReadText, text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
+from compwright.words.sentences import say
 
 #: A line of a HAL file (or of HALCMD in an INI) with the pin that takes the place of a joint's
 #: BACKLASH (milltask(1): these pins change at run time what is typically said in the INI), its
@@ -136,8 +137,7 @@ class TableFiles:
         }
         for text in self.tables:
             if text.number not in self.used and (not wanted or text.file not in named):
-                what = "is not named by any axis: the control does not load it"
-                self.notes.idle_file(f"{text.file} {what}")
+                self.notes.idle_file(say("CW-S012.no_axis", file=text.file))
 
 
 def never_loaded(definition: Definition, files: Sequence[ControlFile]) -> list[str]:

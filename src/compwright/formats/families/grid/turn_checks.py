@@ -122,14 +122,9 @@ def check_turn(axis: Axis, compensation: AxisCompensation, notes: Notes) -> None
             continue
         label = f"axis {table.address}"
         if axis.modulo is None and table.period is not None:
-            message = (
-                f"{label}: its table repeats every {table.period:g}, but the job gives no modulo; a"
-                " new table will have ends"
-            )
-            notes.find("CW-S033", "warning", message, label)
+            notes.find("CW-S033.repeats", "warning", label, label=label, period=table.period)
         elif axis.modulo is not None and table.period is None and not axis.counts_turns:
-            message = f"{label} is endless, but its table does not repeat: it ends at both sides"
-            notes.find("CW-S033", "warning", message, label)
+            notes.find("CW-S033.ends", "warning", label, label=label)
         elif (
             axis.modulo is not None
             and table.period is not None

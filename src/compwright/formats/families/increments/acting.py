@@ -15,6 +15,7 @@ from compwright.formats.families.increments.parameters import (
     AxisParameters,
     Parameters,
 )
+from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind
 
@@ -54,16 +55,12 @@ def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
         )
 
 
-def remarks(own: AxisParameters) -> Iterator[str]:
-    """Yield what is in use on the axis and left as it is, because its meaning is not confirmed."""
+def note_unconfirmed_bits(own: AxisParameters, notes: Notes) -> None:
+    """Note what is in use on the axis and left as it is, because its meaning is not confirmed."""
     bits = own.get(known.PITCH_BITS)
     names = [] if bits is None else [f"3605#{bit}" for bit in range(1, 8) if bits.bit(bit)]
     if bits is not None and names:
-        yield (
-            f"{own.label}: {', '.join(names)} = 1 ({bits.text}): in use on real machines, meaning"
-            " not confirmed (perhaps interpolated compensation: then give the option output: ramp);"
-            " it is left as it is"
-        )
+        notes.find("CW-S040", "warning", label=own.label, bits=names, value=bits.text)
 
 
 def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:

@@ -71,12 +71,7 @@ def check_reference(
         values.wrong("reference_coordinate", message, f"{reference:g}, as the job says", told.text)
     if unanswered and (reference != 0 or where):
         values.notes.find(
-            "CW-S018",
-            "warning",
-            f"{values.label}: the reference position is not machine zero (1240); the points are"
-            f" counted from the position {reference:g} (reference), which is"
-            " unconfirmed: check the correction at two positions",
-            values.label,
+            "CW-S018", "warning", values.label, label=values.label, reference=reference
         )
 
 
@@ -115,11 +110,11 @@ def check_return(values: IncrementAxisValues, *, two: bool) -> None:
     home, bits, axis = values.returning(), values.own.get(known.KIND), values.axis
     if home is None or bits is None or axis is None or home is axis.reference_return:
         return
-    message = (
-        f"{values.label}: the reference return is towards {home.value} by 1006#5, towards"
-        f" {axis.reference_return.value} in the job"
-    )
     if two:
+        message = (
+            f"{values.label}: the reference return is towards {home.value} by 1006#5, towards"
+            f" {axis.reference_return.value} in the job"
+        )
         why = "with two sets it decides what 3627 means"
         expected = f'reference_return: "{home.value}" in the job: {why}'
         values.notes.faults.append(bits.fault(message, expected))
@@ -127,8 +122,9 @@ def check_return(values: IncrementAxisValues, *, two: bool) -> None:
     values.notes.find(
         "CW-S044",
         "warning",
-        f"{message}; with one set of data it only moves the zero by the backlash, so the job is"
-        " followed; two sets are refused until they agree",
+        label=values.label,
+        files=home.value,
+        job=axis.reference_return.value,
     )
 
 
@@ -171,10 +167,4 @@ def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
                 ),
             )
         )
-    values.notes.find(
-        "CW-S019",
-        "warning",
-        f"{values.label}: diameter programming (1006#3): positions, interval and corrections are"
-        " taken in radius (unconfirmed); wrong by 2 is the usual fault, so check one position"
-        " after loading",
-    )
+    values.notes.find("CW-S019", "warning", label=values.label)

@@ -123,21 +123,17 @@ class IncrementReader:
         notes.faults.extend((*own.contradictions(), *acting.refusals(own)))
         if values.axis is not None or values.does_anything():
             notes.faults.extend(acting.unclear_path(own, kind))
-        for remark in acting.remarks(own):
-            notes.find("CW-S040", "warning", remark)
+        acting.note_unconfirmed_bits(own, notes)
         for function in left_alone(functions(own), self.options):
-            notes.find("CW-S048", "warning", f"{values.label}: {stays(function)}")
+            notes.find("CW-S048", "warning", label=values.label, function=stays(function))
         near = smooth_backlash(own)
         if near is not None:
             unit = detection_unit(own, kind)
             size = float(self._unit(kind)) if unit is None else unit.size
-            faults, remark = near.judged(values.label, kind, size)
-            notes.faults.extend(faults)
-            notes.find("CW-S047", "warning", remark)
+            near.note(values.label, kind, size, notes)
         systems = two_systems(own)
         if systems:
-            told = f"{values.label}: {systems}; check the detection unit"
-            notes.find("CW-S043", "warning", told, values.label)
+            notes.find("CW-S043", "warning", values.label, label=values.label, systems=systems)
 
     def _compensation(
         self,
@@ -274,8 +270,10 @@ class IncrementReader:
             values.notes.find(
                 "CW-S016",
                 "warning",
-                f"{values.label}: point {sections.reference} should hold the same value as point"
-                f" {sections.last} ({counts[-1]:g})",
+                label=values.label,
+                first=sections.reference,
+                last=sections.last,
+                value=counts[-1],
             )
         sums = np.concatenate([[0.0], np.cumsum(counts[skipped:])])
         curve = sums * unit * self._sign("pitch_sign")

@@ -40,13 +40,14 @@ def acting_backlash(values: IncrementAxisValues, feed: int) -> int:
         values.wrong("backlash_rapid", message, help_ if told else alone)
     silent = "1800#4 is not in the files" if told else "the bit that makes 1852 active is unknown"
     why = "1800#4 = 1" if separate else silent
-    shown = "rapid traverse, 1852" if at_rapid else "cutting feed, 1851"
     values.notes.find(
         "CW-S015",
         "warning",
-        f"{values.label}: cutting feed and rapid have different backlash values ({feed} and"
-        f" {rapid}; {why}): what is shown here is {shown}; a new table changes both values"
-        " alike, so that their difference stays",
+        label=values.label,
+        feed=feed,
+        rapid=rapid,
+        why=why,
+        rapid_shown=at_rapid,
     )
     return rapid if at_rapid else feed
 

@@ -29,6 +29,7 @@ from compwright.formats.text.patching import BytesChange, apply_changes
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
+from compwright.words.sentences import say
 
 
 def straightness_between(family: Family, asked: BetweenRequest) -> Between:
@@ -45,12 +46,11 @@ def straightness_between(family: Family, asked: BetweenRequest) -> Between:
         why = "straightness compensation is known for one straight line over a table only"
         return in_turn(not_held(each, why) for each in asked.planned)
     sheet = _sheet(entry, rows)
-    message = (
-        f"{label(entry)} is in no file: its parameters stand in {sheet.name} beside the card, all"
-        " unconfirmed."
+    sentence = say("CW-P113.sheet", what=label(entry), sheet=sheet.name)
+    text = (
+        f"{sentence} Prove the sign with a square or a dial gauge, on and off, before production."
     )
-    text = f"{message} Prove the sign with a square or a dial gauge, on and off, before production."
-    return typed_in(entry, sheet, message, text)
+    return typed_in(entry, sheet, sentence, text)
 
 
 def _filled(family: Family, asked: BetweenRequest, entry: PlannedCross) -> Between | None:
@@ -76,16 +76,16 @@ def _filled(family: Family, asked: BetweenRequest, entry: PlannedCross) -> Betwe
     amounts = [f"{value / unit:.0f}" for value in added.positive for _ in range(2)]
     texts = [added.input, added.output, *points, *amounts]
     named = {places[place].number: text for place, text in enumerate(texts)}
-    said = ", ".join(f"{number} = {text}" for number, text in named.items())
-    message = f"{label(entry)} is in the files as straightness compensation: {said}."
+    values = [f"{number} = {text}" for number, text in named.items()]
+    sentence = say("CW-P113.straightness", what=label(entry), values=values)
     text = (
-        f"{message} Its numbers and its sign are unconfirmed: prove them with a square or a dial"
+        f"{sentence} Its numbers and its sign are unconfirmed: prove them with a square or a dial"
         " gauge, on and off, before production."
     )
     title = f"{entry.output} over {entry.input}: straightness compensation"
     return Between(
         files=_patched(asked.base, places, texts),
-        remarks=(("warning", message),),
+        remarks=(("warning", sentence),),
         steps=({"title": title, "text": text, "evidence": "unconfirmed"},),
         quantum=2 * unit,  # either amount is rounded, and the value at the reference between them
     )

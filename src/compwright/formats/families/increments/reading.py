@@ -228,12 +228,7 @@ class StateReader:
         self.notes.findings.extend(odd)
         if notes.faults and facts.enabled:
             told = (f"{fault.message} ({fault.place}: {fault.found})" for fault in notes.faults)
-            self.notes.find(
-                "CW-S042",
-                "warning",
-                f"axis {address} is odd and left alone, with all its point numbers:"
-                f" {'; '.join(dict.fromkeys(told))}",
-            )
+            self.notes.find("CW-S042", "warning", axis=address, reasons=dict.fromkeys(told))
 
     def _filled(self) -> frozenset[int]:
         """Return the numbers that hold data: none of them is free for a new table, as those are not
@@ -314,11 +309,9 @@ class StateReader:
             self.notes.find(
                 "CW-S057",
                 "warning",
-                f"{definition.id}: no page says what the parameters"
-                f" {', '.join(map(str, numbers))} are on this series ({values[0].place}; other"
-                " series have units, paths or further compensation there): they are not counted,"
-                " not held against the job and left as they are. Look them up in the control's own"
-                " manual: what compensates among them cancels only as long as the grid stays",
+                format=definition.id,
+                parameters=map(str, numbers),
+                place=values[0].place,
             )
 
     def _tell_overlaps(self) -> None:
@@ -333,11 +326,7 @@ class StateReader:
         for sharing, each in shared.items():
             if len(sharing) > 1:
                 self.notes.find(
-                    "CW-S014",
-                    "warning",
-                    f"axes {' and '.join(sharing)} share the point numbers {min(each)} to"
-                    f" {max(each)}: a change for one would change the other, so a new table gets"
-                    " numbers of its own",
+                    "CW-S014", "warning", addresses=sharing, first=min(each), last=max(each)
                 )
 
 

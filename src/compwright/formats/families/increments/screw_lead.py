@@ -11,6 +11,7 @@ from compwright.formats.families.increments.axis_values import IncrementAxisValu
 from compwright.formats.families.increments.detection_unit import detection_unit
 from compwright.formats.families.increments.parameters import AxisParameters
 from compwright.records.axis import AxisKind
+from compwright.words.sentences import say
 
 #: Lengths are the same within this part: what a job says in few digits.
 _SAME_LENGTH = 1e-3
@@ -53,21 +54,14 @@ def tell_lead(values: IncrementAxisValues, kind: AxisKind) -> None:
     named = values.axis.screw_pitch
     if any(abs(period - lead.size) <= _SAME_LENGTH * lead.size for period in named):
         return
-    suggested = (
-        f"{values.label}: the control's files suggest a period of {lead.size:g} {kind.unit},"
-        f" one turn of the motor ({lead.evidence})"
+    suggested = say(
+        "CW-S049.suggested",
+        label=values.label,
+        lead=lead.size,
+        unit=kind.unit,
+        evidence=lead.evidence,
     )
     if named:
-        told = ", ".join(f"{period:g}" for period in named)
-        values.notes.find(
-            "CW-S049",
-            "warning",
-            f"{suggested}; the job names {told} instead, which is followed: check it at the screw",
-        )
+        values.notes.find("CW-S049.other", "warning", suggested=suggested, periods=named)
         return
-    values.notes.find(
-        "CW-S049",
-        "info",
-        f"{suggested}; the job names none: it is looked for in the readings before others;"
-        f" screw_pitch: {lead.size:g} in the job would take it as certain",
-    )
+    values.notes.find("CW-S049.none", "info", suggested=suggested, lead=lead.size)

@@ -183,9 +183,12 @@ def _next_to_reference(
     values.notes.find(
         "CW-S041",
         "warning",
-        f"{values.label}: {own} = {first} is {zero} + 1 on a full turn, where the manual has"
-        f" {own} = {zero}: numbers {first} to {last} are read as its sections, and"
-        f" number {reference} is kept for the axis too",
+        label=values.label,
+        own=own,
+        first=first,
+        zero=zero,
+        last=last,
+        reference=reference,
     )
     return sections
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.parameters import AxisParameters, ParameterValue
-from compwright.foundations.errors import Fault
+from compwright.formats.text.notes import Notes
 from compwright.records.axis import AxisKind
 
 #: A test turns further outside its first and last target than this, mm or deg: the standard's
@@ -26,27 +26,22 @@ class SmoothBacklash:
 
     values: tuple[ParameterValue, ...]
 
-    def judged(self, label: str, kind: AxisKind, unit: float) -> tuple[list[Fault], str]:
-        """Return the fault where it may reach to targets of a test, and what has to be said.
-        ``unit``: the detection unit.
+    def note(self, label: str, kind: AxisKind, unit: float, notes: Notes) -> None:
+        """Note what it does, and the fault where it may reach to targets of a test. ``unit``: the
+        detection unit.
         """
         farthest = max(self.values, key=lambda value: abs(value.whole))
         reach = abs(farthest.whole) * unit
-        told = ", ".join(value.label for value in self.values)
-        message = (
-            f"{label}: smooth backlash compensation divides 1851 into stages ({told}): it is left"
-            f" as it is, and shapes the {reach:g} {kind.unit} behind a reversal at most"
-            " (unconfirmed); a target nearer to one, in a test or in a part, sees another value"
-            " than 1851"
-        )
+        names = [value.label for value in self.values]
+        notes.find("CW-S047", "warning", label=label, parameters=names, reach=reach, unit=kind.unit)
         if reach <= NEAR:
-            return [], message
+            return
         fault = farthest.fault(
             f"{label}: smooth backlash compensation divides 1851 into stages, perhaps up to"
             f" {reach:g} {kind.unit} behind a reversal: what a target of a test saw is not known",
             f"at most {NEAR:g} {kind.unit} in detection units of {unit:g}, or 0 and a new test",
         )
-        return [fault], message
+        notes.faults.append(fault)
 
 
 def smooth_backlash(own: AxisParameters) -> SmoothBacklash | None:

@@ -72,7 +72,7 @@ def read_cross(lists: AxisSaid, kind_of: Callable[[str], AxisKind]) -> CrossComp
 
 def left_out(notes: Notes, label: str, why: str) -> None:
     """Note a table between axes that is left as it is."""
-    notes.find("CW-S050", "warning", f"{label} is left as it is and not shown: {why}")
+    notes.find("CW-S050.list", "warning", label=label, why=why)
 
 
 def _entries(lists: AxisSaid) -> list[tuple[Decimal, Decimal]]:

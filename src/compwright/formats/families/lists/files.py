@@ -16,6 +16,7 @@ from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import ReadText, text_reader
 from compwright.records.correction import ControlFile
+from compwright.words.sentences import say
 
 #: Statements of the header, and those of the start-up list.
 AXIS_NUMBER = "axis_number"
@@ -148,9 +149,7 @@ class _Sorter:
         values = any(_in_value_list(self.lists.definition, each.statement) for each in own)
         indices = [i for i, name in self.names.items() if base_name(name.text) == _low(text)]
         if values and not indices and self.lists.start_up:
-            self.notes.idle_file(
-                f"{text.file} is not named by the start-up list: the control does not load it"
-            )
+            self.notes.idle_file(say("CW-S012.start_up_list", file=text.file))
             return
         address = self._address(text, own, indices if values else ())
         if address is None:

@@ -219,10 +219,4 @@ class _ListStateReader:
         """Tell a table that ends on an endless axis, or repeats on one with ends."""
         if table.positions.size == 0 or (axis.modulo is None) == (table.period is None):
             return
-        what = (
-            f"its table repeats every {table.period:g}, but the job gives no modulo; a new table"
-            " will have ends"
-            if table.period is not None
-            else "it is endless, but its table does not repeat: it ends at both sides"
-        )
-        self.notes.find("CW-S056", "warning", f"axis {axis.address}: {what}", axis.address)
+        self.notes.find("CW-S056", "warning", axis.address, axis=axis.address, period=table.period)

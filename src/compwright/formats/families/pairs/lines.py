@@ -207,8 +207,7 @@ class TableLines(SingleValues):
         return _Switch(quantity, owner, found, word)
 
     def _tell_off(self, label: str, switches: str, severity: str) -> None:
-        message = f"{label} is switched off in the files ({switches}); it corrects nothing"
-        self.notes.find("CW-S034", severity, message, self.pair[1])
+        self.notes.find("CW-S034", severity, self.pair[1], label=label, switches=switches)
 
     def _acted(self, ends: list[_Switch]) -> bool | None:
         """Return whether a table of an axis over itself acted, by the leadscrew table beside it and

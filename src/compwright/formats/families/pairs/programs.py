@@ -43,11 +43,7 @@ def not_carried_out(
         elif len(doubted) < len(own):
             faults.append(_two_kinds(doubted[0]))
         else:
-            message = (
-                f"{file.name}: the job says that none of its values was carried out (active: no)."
-                " No table and no backlash of it count as loaded"
-            )
-            findings.append(Finding("CW-S073", "warning", message))
+            findings.append(Finding.of("CW-S073", "warning", file=file.name))
     raise_all(InputError, faults)
     if findings and not any(_is_data(definition, file) for file in kept):
         kept = []  # programs that call others, and nothing else

@@ -29,7 +29,7 @@ from compwright.formats.families.pairs.places import (
     places_of,
     print_of,
 )
-from compwright.formats.families.pairs.tables import LEFT_ALONE, Cec, CecTable, OddTable
+from compwright.formats.families.pairs.tables import Cec, CecTable, OddTable
 from compwright.formats.text.gathering import FoundValue, Gathered, same_value
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import NumberScale
@@ -163,12 +163,7 @@ class CecReader(SingleValues):
     def _name_quiet(self) -> None:
         """Name the tables that hold nothing but zeros on a grid that cannot be read."""
         if self.quiet:
-            named = ", ".join(map(str, self.quiet))
-            message = (
-                f"CEC tables {named} are left alone: all their values are 0, on a grid that cannot"
-                " be read; they correct nothing"
-            )
-            self.notes.find("CW-S054", "info", message)
+            self.notes.find("CW-S054", "info", tables=self.quiet)
 
     def _leave_alone(self, one: _CrossTableReader) -> None:
         """Keep a table that cannot be read where the work does not touch it; else its faults are
@@ -193,15 +188,14 @@ class CecReader(SingleValues):
             largest *= 1.0 + _largest(self.places.get(one.times, {}))
         self.odd.append(OddTable(one.index, *one.pair, why, largest, one.times))
         base, corrected = one.pair
-        state = (
-            "it is switched off"
-            if not acts
-            else f"it is active on {corrected} over {base}, the same before and after"
-        )
         self.notes.find(
-            "CW-S011" if product else LEFT_ALONE,
+            "CW-S011" if product else "CW-S050.cec",
             "warning" if acts and touched else "info",
-            f"{one.label} ({base} on {corrected}) is left alone: {why}; {state}",
+            label=one.label,
+            input=base,
+            output=corrected,
+            why=why,
+            active=acts,
         )
 
     def _touches(self, pair: Pair, address: str) -> bool:

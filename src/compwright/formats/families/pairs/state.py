@@ -39,12 +39,6 @@ from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, CrossCompensation
 from compwright.records.facts import PairTables
 
-_NOT_VERIFIED = (
-    "{name}: the contents of the archive are not verified: nothing in its container says whether a"
-    " value was changed after the export. Before you load, compare the three values per axis on the"
-    " card with the control"
-)
-
 
 class PairsReader(GridReader):
     """Reads the tables between axes too."""
@@ -67,7 +61,7 @@ class PairsReader(GridReader):
         for archive in self.archives:
             for fault in contradictions(archive):
                 self.notes.once(fault)
-            self.notes.find("CW-S072", "info", _NOT_VERIFIED.format(name=archive.name))
+            self.notes.find("CW-S072", "info", file=archive.name)
         check_programs(
             self.gathered, self.loaded, self.wanted, self.unit, self.activity, self.notes
         )
@@ -180,12 +174,8 @@ class PairsReader(GridReader):
         cross = cross_tables(self.cec, self._kind)
         if self.sign_known or not cross:
             return cross
-        pairs = ", ".join(dict.fromkeys(f"{entry.output} over {entry.input}" for entry in cross))
-        message = (
-            f"the tables between axes ({pairs}) are left as they are and not shown: nobody said the"
-            " sign of CEC values; give the option cec_sign after the check on the card"
-        )
-        self.notes.find("CW-S051", "warning", message)
+        pairs = dict.fromkeys(f"{entry.output} over {entry.input}" for entry in cross)
+        self.notes.find("CW-S051", "warning", pairs=pairs)
         return ()
 
     def pair_tables(self) -> PairTables:

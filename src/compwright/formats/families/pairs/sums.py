@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.families.pairs.tables import LEFT_ALONE, Cec, CecTable
+from compwright.formats.families.pairs.tables import Cec, CecTable
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind, Direction, FloatArray
@@ -38,12 +38,15 @@ def without_cut_sums(
         if all(map(may_stay, mine)):
             why = f"their sum is {reach}, and MD32720 $MA_CEC_MAX_SUM limits it to {limit:g}"
             cec = cec.left_alone(mine, why)
-            indices = ", ".join(str(table.index) for table in mine)
-            message = (
-                f"CEC tables {indices} on {output} are left alone: {why}; they are active, the same"
-                " before and after"
+            notes.find(
+                "CW-S050.sum",
+                "warning",
+                tables=[table.index for table in mine],
+                output=output,
+                low=low,
+                high=high,
+                limit=limit,
             )
-            notes.find(LEFT_ALONE, "warning", message)
         else:
             notes.faults.append(
                 Fault(

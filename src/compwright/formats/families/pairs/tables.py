@@ -13,9 +13,6 @@ from compwright.formats.families.pairs.places import Pair
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.facts import PairFacts
 
-#: Finding of a table that is left as it is and not counted.
-LEFT_ALONE = "CW-S050"
-
 
 @dataclass(frozen=True, slots=True)
 class CecTable:

@@ -14,11 +14,6 @@ def with_sign_unknown(state: ControlState) -> ControlState:
     """
     if not state.tables.used:
         return state
-    message = (
-        "CEC tables are shown as corrections. By Siemens' manual (Extended Functions 03/2009, page"
-        " 372) a positive value moves the axis in -, which is the opposite: give the option"
-        " cec_sign after the check on the card"
-    )
     assumption = Assumption(
         "option cec_sign",
         "correction",
@@ -27,5 +22,5 @@ def with_sign_unknown(state: ControlState) -> ControlState:
     return replace(
         state,
         assumed=(*state.assumed, assumption),
-        findings=(*state.findings, Finding("CW-S055", "warning", message)),
+        findings=(*state.findings, Finding.of("CW-S055", "warning")),
     )

@@ -1,0 +1,54 @@
+"""Findings as every document holds them, and as a plan hands them on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict
+from typing import Any
+
+from compwright.foundations.findings import Finding
+from compwright.words.sentences import Amount, Sentence, say
+
+
+def finding_documents(findings: Iterable[Finding]) -> list[dict[str, Any]]:
+    """Return each finding once, with its sentence in English and the values in it: numbers, texts,
+    lists, and objects of value and unit.
+    """
+    return [
+        {
+            "code": finding.code,
+            "severity": finding.severity,
+            "message": finding.message,
+            "values": finding.sentence.outside(),
+        }
+        for finding in dict.fromkeys(findings)
+    ]
+
+
+def planned_finding(finding: Finding) -> dict[str, Any]:
+    """Return a finding as a plan hands it on: `read_sentence` makes its sentence again."""
+    return {**asdict(finding), "message": finding.message}
+
+
+def read_sentence(written: object, message: str) -> Sentence:
+    """Return the sentence of a plan's finding; as ``message`` states it where this version has no
+    such sentence, or another one of that name.
+    """
+    try:
+        sentence = _value(written)
+        if isinstance(sentence, Sentence) and str(sentence) == message:
+            return sentence
+    except (KeyError, TypeError, ValueError, IndexError):
+        pass  # of another version, or edited
+    return say("as_written", text=message)
+
+
+def _value(written: Any) -> Any:
+    if isinstance(written, list):
+        return tuple(map(_value, written))
+    if not isinstance(written, Mapping):
+        return written
+    if "name" in written:
+        values = tuple((str(key), _value(value)) for key, value in written["values"])
+        return Sentence(str(written["name"]), values)
+    return Amount(**written)

@@ -1,0 +1,29 @@
+"""The English catalogue."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from compwright.words.english import (
+    estimates,
+    jobs,
+    loading,
+    measurements,
+    parts,
+    plans,
+    states,
+    tables,
+    tests,
+)
+
+SENTENCES: Final[dict[str, str]] = {
+    **estimates.SENTENCES,
+    **jobs.SENTENCES,
+    **loading.SENTENCES,
+    **measurements.SENTENCES,
+    **parts.SENTENCES,
+    **plans.SENTENCES,
+    **states.SENTENCES,
+    **tables.SENTENCES,
+    **tests.SENTENCES,
+}

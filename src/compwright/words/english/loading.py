@@ -1,0 +1,169 @@
+"""What a test after loading shows."""
+
+from __future__ import annotations
+
+from typing import Final
+
+SENTENCES: Final[dict[str, str]] = {
+    "CW-V001": "{verdict}",
+    "CW-V010": "Axis {axis}: what was read back from the control is the plan's table.",
+    "CW-V011": (
+        "Axis {axis}: what was read back from the control differs from the plan by up to"
+        " {difference:.2f} {unit}."
+    ),
+    "CW-V020": (
+        "The test after loading does not cover what the first one did: {gaps:join|; }."
+        " Measure {targets} targets from {range}, as before."
+    ),
+    "CW-V020.approaches": (
+        "it has {runs} {runs:plural|approach|approaches} in {direction} (the first test: {first})"
+    ),
+    "CW-V020.fewer": "it has {targets} {targets:plural|target|targets}",
+    "CW-V020.fewest": (
+        "it has {targets} {targets:plural|target|targets}, and the standard asks for {fewest}"
+        " at least"
+    ),
+    "CW-V020.gap": "{gap} of the travel are without a target",
+    "CW-V020.range": "it covers {range}",
+    "CW-V021": (
+        "Repeated readings scatter by {scatter}, {ratio:3sig} times {less:if|less|more} than"
+        " in the first test ({first}): an honest test whose noise differs by up to {factor:g}"
+        " times does so less than once in 1000. Are unit and readings right? Measure again"
+        " with the instrument set as for the first test."
+    ),
+    "CW-V022": (
+        "The job was edited after the run: {what}. Run the job again, so that prediction and"
+        " verdict speak of the same."
+    ),
+    "CW-V023": "Nothing is proven where nothing was measured: {what}. {measure}",
+    "CW-V024": "The test after loading, {code}: {finding} Clear this up, or measure again.",
+    "CW-V025": (
+        "The circle {circle} given as measured after loading is the one from before. Measure"
+        " it again."
+    ),
+    "CW-V026.certain": (
+        "This cannot be right: {why}. Export the test in the unit that its file states."
+    ),
+    "CW-V026.copied": (
+        "The readings are those of the test {test} from before"
+        " loading{way:choose|same=|sign=, with the sign turned|direction=, with the"
+        " directions exchanged}. Measure the axis anew."
+    ),
+    "CW-V026.file_twice": (
+        "The test of axis {axis} holds one file twice. Give each measurement once."
+    ),
+    "CW-V026.one_run": (
+        "All runs hold the same readings: one run was copied. Measure the axis anew."
+    ),
+    "CW-V026.scatter": (
+        "The scatter of the readings is that of the test {test} run by run (correlation"
+        " {correlation:.2f}): the test was made from it. Measure the axis anew."
+    ),
+    "CW-V026.targets": "The targets of the test are in {unit}, not in mm. Export it in mm.",
+    "CW-V026.thousand": (
+        "The readings scatter by {scatter}, those of the first test by {first}: 1000 times"
+        " too {small:if|small (mm read as µm)|large (µm read as mm)}. Export the test in the"
+        " unit that its file states."
+    ),
+    "CW-V026.two_axes": (
+        "Axis {axis} and axis {other} were given the same measurement. Give each axis its own."
+    ),
+    "CW-V026.zeros": (
+        "Every reading of the test is the same: nothing was measured. Measure the axis."
+    ),
+    "CW-V027": "{verdict}",
+    "CW-V028": "{verdict}",
+    "CW-V030": (
+        "{between}: the table of state {state} was active as its files say, {percent:.1f} % sure."
+    ),
+    "CW-V031": (
+        "{between} do not show whether the table of state {state} was active as its files"
+        " say: {likely}. They count as far as they agree."
+    ),
+    "loading.as_before": "It lies within {left} of what the control did before.",
+    "loading.as_predicted": "It lies within {left} of the prediction.",
+    "loading.candidate": "{name} ({sure:if|more than 99|{percent:2sig}} %)",
+    "loading.declared_slope": (
+        "Over the travel its deviations rise by {slope:+.2f} ± {error:.2f} µm/m more than"
+        " expected: steel does that over {kelvin:+2sig} K, {within:if|within|beyond} what the"
+        " job declares for two tests (± {declared:.1f} µm/m, k = 2). The table is not at"
+        " fault, but the limits are decided with the slope in the readings."
+    ),
+    "loading.effect": "{part:.2f} ± {error:.2f} of the planned effect",
+    "loading.equivalent": (
+        "The same test would come from: {names}. No measurement of this axis tells them"
+        " apart; {read_back:if|the values that were read back from the control are the plan's"
+        " (--loaded)|the values that are read back from the control do (--loaded)}."
+    ),
+    "loading.evidence": (
+        "Against the prediction the test is off by {off} and at worst by {worst}; with this"
+        " explanation {left} are left, and the noise of a reading is {noise}.{effect:if|"
+        " Measured: {effect}.}"
+    ),
+    "loading.measurement": (
+        "The after test is explained when {fault:choose|sign=the sign of its deviations is"
+        " turned|direction=its directions + and − are exchanged|unit=its readings are"
+        " multiplied by {factor:4sig}|wrong_axis=it is one of {axis}}. As it is, nothing"
+        " explains it. {fault:choose|sign=Check sign and directions of the instrument and"
+        " export the test again.|direction=Check sign and directions of the instrument and"
+        " export the test again.|unit=Export it in the unit that its file"
+        " states.|wrong_axis=Measure this axis, or give the file to its own axis.}"
+    ),
+    "loading.name": "{name}{detail:if|: {detail}}",
+    "loading.neither": (
+        "The after test fits neither the loaded table nor the control as it was before, nor"
+        " any known fault of loading.{loaded:if| Against the prediction it is off by {loaded}"
+        " and at worst by {loaded_worst}.}{inactive:if| Against no change it is off by"
+        " {inactive} and at worst by {inactive_worst}.}{offset:if| Against the prediction the"
+        " + approaches lie {offset} {above:if|above|below} the - approaches on"
+        " average.}{effect:if| Measured: {effect}.}"
+    ),
+    "loading.no_table": "The plan holds no table for this axis: nothing was to be loaded.",
+    "loading.open": (
+        "Cannot tell: with and without the new table the targets differ by {size} rms, and"
+        " the noise of a reading is {noise}{needed:if|; the correction is smaller than the"
+        " {needed} rms that this test can prove}{effect:if|. Measured: {effect}}. Possible:"
+        " {candidates}.{off:if| But compared with the first of these it is off by {off} and"
+        " at worst by {worst}. That is more than noise: something else changed, or the test"
+        " is at fault.}"
+    ),
+    "loading.rms": "{rms} rms",
+    "loading.slope": (
+        "Over the travel its deviations rise by {slope:+.2f} ± {error:.2f} µm/m more than"
+        " expected: steel does that over {kelvin:+2sig} K{declared:if| (declared for two"
+        " tests: ± {declared:.1f} µm/m, k = 2)}. State the temperature of the scale in the"
+        " files of both tests (T_m) and its coefficient in the job (thermal), or measure"
+        " again once machine and instrument have settled; look at the instrument's"
+        " temperature sensor."
+    ),
+    "loading.straight_line": (
+        "The after test is that of the loaded table and a slope. {slope} The correction is a"
+        " straight line itself: a table that is active with factor {factor:.2f} would show"
+        " the same; {read_back:if|the values that were read back from the control are the"
+        " plan's (--loaded)|read the values back from the control (--loaded)}."
+    ),
+    "loading.thermal": (
+        "The table is active: apart from a slope the after test is within {left} of the"
+        " prediction. {slope}"
+    ),
+    "loading.too_few": "Cannot tell: the after test has fewer than 3 measured means.",
+    "loading.verdict": (
+        "{verdict:choose|loaded=The table is active as planned{effect:if|: the after test"
+        " shows {effect}}|not_active=The table is not active{detail:if|"
+        " ({detail})}{effect:if|: the after test shows {effect}}|inverted=The table is active"
+        " with the opposite sign{detail:if| ({detail})}: it adds to the error|scaled=The"
+        " table is active with factor {factor:3sig}{detail:if| ({detail})}|shifted=The table"
+        " is {nodes} {nodes:plural|node|nodes} too far to {direction}{detail:if|"
+        " ({detail})}|mirrored=The table is loaded back to front, its last value"
+        " first{detail:if| ({detail})}|wrong_axis=The table that is active is that of axis"
+        " {axis}{detail:if| ({detail})}|one_direction=The table is active in one direction"
+        " only: {detail}|backlash=The table is active, and its backlash is wrong:"
+        " {detail}|partial=A part of the table is active: {detail}|increment=Only the change"
+        " to the existing table is active{detail:if| ({detail})}: load the total, which is in"
+        " the written files|on_top=The new total was added to the existing table{detail:if|"
+        " ({detail})}: clear the table and load the written files again|state=The existing"
+        " table was not active while the test before was taken, although the job says that it"
+        " was. Run the job again with `active: no` for this state}."
+    ),
+    "loading.worst": "{value} ({position} approached in {direction})",
+}

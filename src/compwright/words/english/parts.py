@@ -1,0 +1,42 @@
+"""Sentences and parts of sentences of several findings."""
+
+from __future__ import annotations
+
+from typing import Final
+
+SENTENCES: Final[dict[str, str]] = {
+    "as_written": "{text}",
+    "backlash_compensation_larger": (
+        "{finding} The backlash compensation in the control's files is larger than the lost motion."
+    ),
+    "better_targets": "targets that would show it: {targets:g} {unit}",
+    "between.deviation": "the measured deviation of {output} over {input} ({slope:+.1f} µm/m)",
+    "between.squareness": "squareness of {output} over {input} ({slope:+.1f} µm/m)",
+    "compared_not_removed": "{parameters:join|; }. Not removed.",
+    "direct_squareness": (
+        "{input} and {output}: squareness {squareness:+.1f} µm/m by the direct measurement"
+    ),
+    "in_direction": "{value} in {direction}",
+    "increments": "{symmetric:if|±{largest}|{least} to {largest}}",
+    "listed": "{items:join|; }{more:if|; and {more} more}",
+    "listed_places": "{items}{more:if| and {more} more}",
+    "odds.1_to": "odds 1 to {odds:2sig}",
+    "odds.above_1000": "odds above 1000 to 1",
+    "odds.over_1000": "odds over 1000 to 1",
+    "odds.to_1": "odds {odds:2sig} to 1",
+    "of_axis": "Axis {axis}: {finding}",
+    "of_circle": "Circle {circle}: {finding}",
+    "of_test": "Axis {axis}, test {test}: {finding}",
+    "paragraph": "{sentences:join| }",
+    "parameter": "{parameter} {value}",
+    "range": "{low} to {high}",
+    "read_back": (
+        "Read back, not independently judged: only your own definition of {definition} says"
+        " what its files do"
+    ),
+    "reading_off": "{traverse} at {target} ({off} off)",
+    "scale_by": "{axis}: scale {scale} by {tests:join|; }",
+    "traverse": "run {run} in {direction}",
+    "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
+    "with_and_without": "{parameter} {value} with, {without} without",
+}

@@ -1,0 +1,61 @@
+"""What the fit of a table says."""
+
+from __future__ import annotations
+
+from typing import Final
+
+SENTENCES: Final[dict[str, str]] = {
+    "CW-F001.held": (
+        "The table leaves {uncovered:g} {unit} of the travel uncovered,"
+        " {side:choose|below=below|above=above} {end:g} {unit}: there the end value is held"
+    ),
+    "CW-F001.step": (
+        "The table leaves {uncovered:g} {unit} of the travel uncovered,"
+        " {side:choose|below=below|above=above} {end:g} {unit}: there the table gives"
+        " nothing: a step of {step}"
+    ),
+    "CW-F002": (
+        "{finest:if|The finest spacing that {allowed:if|this control allows|is chosen"
+        " automatically} here, {spacing} ({points} points),|The spacing of {spacing}} cannot"
+        " hold an error of period {periods:g} {unit}: {left_out:if|it is left out of the"
+        " table, {whole} rms|{share:if|of {whole} rms it leaves {left} ({share:.0%})|it"
+        " leaves nothing of it}}. A third of the period holds it: {needed_spacing:g} {unit},"
+        " {needed_points} points over the travel{most_points:if|; this control has"
+        " {most_points}}"
+    ),
+    "CW-F003": (
+        "The reference position ({reference:g} {unit}) lies outside the table ({start:g} to"
+        " {end:g} {unit}): there the control applies {held:if|its end value, which is"
+        " therefore zero|nothing}, and the error between them is not corrected"
+    ),
+    "CW-F004": "The control holds too few points for this error: {left} rms remain between them",
+    "CW-F005": "The control cannot correct the reversal with one table: {left} rms remain",
+    "CW-F006.grid": (
+        "The table reaches up to {beyond:g} {unit} beyond the travel: its points lie at round"
+        " positions, or where other columns of the same table need them"
+    ),
+    "CW-F006.reference": (
+        "The control counts from the reference position ({reference:g} {unit}), which lies"
+        " outside the travel: {extra} of the table's {nodes_size} points lie beyond the"
+        " travel"
+    ),
+    "CW-F007": "The error exceeds the control's value range: {left} rms remain",
+    "CW-F008": "The error is steeper than the control's largest increment: {left} rms remain",
+    "CW-F009.compared": (
+        "Magnification {magnification}: with {before} increments of {increments} times {step}"
+        " would leave at least {at_least} rms, with {magnification} {left:if|{left}"
+        " rms|nothing}"
+    ),
+    "CW-F009.smallest": (
+        "Magnification {magnification}, the smallest: increments of {increments} times {step}"
+        " leave {left:if|{left} rms|nothing}"
+    ),
+    "CW-F010": (
+        "The job asks for the least {goal}. The table of least expected square is taken"
+        " instead: {why}"
+    ),
+    "CW-F011": (
+        "The existing grid stays although its points are {spacing:g} {unit} apart: {reason};"
+        " the control has run with it. table.spacing: auto chooses one that keeps the rule"
+    ),
+}

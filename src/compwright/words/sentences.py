@@ -1,0 +1,176 @@
+"""Sentences as a name and values; their text is built here from the catalogue of a language.
+
+A template is English text with fields. ``{name}`` puts a value in; behind a colon stands how:
+
+- a number format of Python (``.2f``, ``+.1f``, ``g``, ``.0%``), or ``2sig``: significant digits,
+  never an exponent; ``+2sig`` with its sign
+- ``and``, ``join|; ``: how the items of a list are joined; without it by commas, each in the number
+  format that is given
+- ``plural|target|targets``: the form for this number, as many forms as the language has
+- ``if|text|other text``: text where there is a value that is not zero or empty
+- ``choose|key=text|other key=text``: text by a value; fields may stand in every text
+"""
+
+from __future__ import annotations
+
+import string
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import Any, Final, Literal
+
+Language = Literal["en"]
+
+_PARSED: Final = string.Formatter()
+#: Digits of a number in JSON: more than any instrument has, fewer than the arithmetic.
+_DIGITS: Final = 9
+_OUTSIDE: Final = {"µm": "um"}
+#: Which form of a word goes with a number: as many forms as the language has.
+_PLURAL: Final[dict[Language, Callable[[float], int]]] = {
+    "en": lambda number: int(number != 1),
+}
+_DECIMAL_MARK: Final[dict[Language, str]] = {"en": "."}
+_AND: Final[dict[Language, str]] = {"en": " and "}
+
+
+@dataclass(frozen=True, slots=True)
+class Amount:
+    """A number with its unit as people read it (µm, arcsec, mm, deg) and its number format."""
+
+    value: float
+    unit: str
+    form: str = ".2f"
+
+    def __str__(self) -> str:
+        """Return it in English."""
+        return self.text("en")
+
+    def text(self, language: Language) -> str:
+        """Return number and unit."""
+        return f"{number_text(self.value, self.form, language)} {self.unit}".rstrip()
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """What is said: the name of a template of the catalogue and the values in it.
+
+    A value is a number, a text, an `Amount`, another sentence, None, or a tuple of these.
+    """
+
+    name: str
+    values: tuple[tuple[str, Any], ...] = ()
+
+    def __str__(self) -> str:
+        """Return it in English."""
+        return self.text("en")
+
+    def text(self, language: Language) -> str:
+        """Return the sentence; in English where the language lacks it."""
+        template = catalogue(language).get(self.name)
+        if template is None:
+            language, template = "en", catalogue("en")[self.name]
+        return filled(template, dict(self.values), language)
+
+    def outside(self) -> dict[str, Any]:
+        """Return the values as JSON holds them."""
+        return {name: _outside(value) for name, value in self.values}
+
+
+def say(name: str, /, **values: object) -> Sentence:
+    """Return the sentence ``name`` of the catalogue with its values."""
+    return Sentence(name, tuple((key, _kept(value)) for key, value in values.items()))
+
+
+def number_text(value: float, form: str, language: Language = "en") -> str:
+    """Return a number by a format of a template, with the decimal mark of the language."""
+    if form.endswith("sig"):
+        digits, sign = form.removesuffix("sig").lstrip("+"), "+" if form[0] == "+" else ""
+        text = format(Decimal(f"{value:.{digits}g}"), f"{sign}f")
+    else:
+        text = format(value, form)
+    return text.replace(".", _DECIMAL_MARK[language])
+
+
+def catalogue(language: Language) -> Mapping[str, str]:
+    """Return the templates of a language by name; a language is loaded when it is first needed."""
+    from compwright.words import english
+
+    return {"en": english.SENTENCES}[language]
+
+
+def placeholders(template: str) -> frozenset[str]:
+    """Return the names of all values that a template may put in."""
+    return frozenset(_names(template))
+
+
+def _names(template: str) -> Iterator[str]:
+    for _, field, form, _ in _PARSED.parse(template):
+        if field:
+            yield field
+            yield from _names(form or "")
+
+
+def _kept(value: Any) -> Any:
+    """Return a value as it stays equal to itself: plain numbers, tuples, texts."""
+    if value is None or isinstance(value, str | bool | int | Amount | Sentence):
+        return value
+    if isinstance(value, float | Decimal):
+        return float(value)
+    if isinstance(value, Iterable):
+        return tuple(map(_kept, value))
+    return value.item() if hasattr(value, "item") else str(value)
+
+
+def filled(template: str, values: Mapping[str, Any], language: Language) -> str:
+    """Return the text of a template. Raises KeyError for a value that is not given."""
+    return "".join(
+        text + ("" if field is None else _field(values[field], form or "", values, language))
+        for text, field, form, _ in _PARSED.parse(template)
+    )
+
+
+def _field(value: Any, form: str, values: Mapping[str, Any], language: Language) -> str:
+    how, *texts = parts(form)
+    if how == "plural":
+        return filled(texts[_PLURAL[language](value)], values, language)
+    if how == "if":
+        return filled((*texts, "")[0 if value else 1], values, language)
+    if how == "choose":
+        keyed = dict(text.split("=", 1) for text in texts)
+        return filled(keyed[str(value)], values, language)
+    if isinstance(value, tuple):
+        between = _AND[language] if how == "and" else texts[0] if how == "join" else ", "
+        each = "" if how in ("and", "join") else form
+        return between.join(_field(item, each, values, language) for item in value)
+    return number_text(value, form, language) if form else _plain(value, language)
+
+
+def parts(form: str) -> list[str]:
+    """Return the texts between the bars of a format, those inside of fields left alone."""
+    parts, depth = [""], 0
+    for character in form:
+        depth += (character == "{") - (character == "}")
+        if character == "|" and not depth:
+            parts.append("")
+        else:
+            parts[-1] += character
+    return parts
+
+
+def _plain(value: Any, language: Language) -> str:
+    return value.text(language) if isinstance(value, Amount | Sentence) else str(value)
+
+
+def _outside(value: Any) -> Any:
+    if isinstance(value, Sentence):
+        return value.outside() or str(value)
+    if isinstance(value, Amount):
+        return {"value": _outside(value.value), "unit": _OUTSIDE.get(value.unit, value.unit)}
+    if isinstance(value, tuple):
+        return [_outside(item) for item in value]
+    if isinstance(value, str):
+        return _OUTSIDE.get(value, value)
+    if isinstance(value, float):
+        number = float(f"{value:.{_DIGITS}g}")
+        return number if abs(number) < float("inf") else None
+    return value
