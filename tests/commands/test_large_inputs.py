@@ -86,7 +86,7 @@ def test_checks_of_many_runs_need_memory_in_proportion_to_them() -> None:
     tracemalloc.start()
     assert same_runs_findings(test) == []
     assert drift(test) == []
-    assert suspect_traverses(test, lambda _: "") == []
+    assert suspect_traverses(test, lambda _: None) == []
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert peak < 30 * (test.positive.nbytes + test.negative.nbytes)
@@ -119,7 +119,7 @@ def test_the_chance_of_an_order_is_the_same_by_orders_and_by_the_normal_limit(
 def test_many_suspect_traverses_are_counted_and_the_farthest_told() -> None:
     up, down = readings(11, 120)
     up[:, ::3] += 40.0
-    findings = suspect_traverses(test_of(up, down), lambda _: "")
+    findings = suspect_traverses(test_of(up, down), lambda _: None)
     assert len(findings) == 21
     assert findings[-1].message.startswith("20 more runs are outliers")
 

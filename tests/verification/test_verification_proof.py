@@ -26,6 +26,7 @@ from compwright.verification.proof import (
     not_measured,
     old_circles,
 )
+from compwright.words.sentences import say
 from planning_samples import (
     TARGETS,
     UM,
@@ -144,7 +145,7 @@ def test_a_squareness_that_was_corrected_asks_for_a_circle_of_its_plane() -> Non
 def test_which_findings_leave_it_undecided(
     code: str, severity: Any, *, first_had_it: bool, guarded: bool, told: bool
 ) -> None:
-    finding = Finding(code, severity, "Something.")
+    finding = Finding(code, severity, say("as_written", text="Something."))
     first = replace(WORK.results[0], findings=(finding,) if first_had_it else ())
     after = replace(WORK.results[0], findings=(finding,))
     found = list(doubted(after, first, (), guarded=guarded))
