@@ -95,14 +95,18 @@ def texts(job: Path) -> str:
 def card(job: Path) -> str:
     """The text of a card without the column of old values."""
     text = re.sub(r"\\(.)", r"\1", (job / "card" / "card.md").read_text(encoding="utf-8"))
-    return re.sub(r"^(\| \[ \] \| backlash beside[^|]*\|)[^|]*\|", r"\1", text, flags=re.MULTILINE)
+    return re.sub(
+        r"^(\| \[ \] \| backlash in addition[^|]*\|)[^|]*\|", r"\1", text, flags=re.MULTILINE
+    )
 
 
 def test_old_backlash_is_that_of_the_files_before(job: Path) -> None:
     """By its parameter: the way back by hand. 0 where nothing was active."""
     text = re.sub(r"\\(.)", r"\1", (job / "card" / "card.md").read_text(encoding="utf-8"))
     before = "\n".join(path.read_text() for path in (job / "rollback").rglob("*.*"))
-    for cell in re.findall(r"^\| \[ \] \| backlash beside[^|]*\|([^|]*)\|", text, re.MULTILINE):
+    for cell in re.findall(
+        r"^\| \[ \] \| backlash in addition[^|]*\|([^|]*)\|", text, re.MULTILINE
+    ):
         for name, number, unit, *_ in _ASSIGNED.findall(cell):
             assert unit == _UNITS[re.split(r"[.\[]", name.split()[-1])[0]]
             assert float(number) in (held(before, name) or {0.0}), (name, number)
