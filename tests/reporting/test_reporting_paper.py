@@ -353,8 +353,23 @@ def test_head_and_stated_items_are_those_of_the_job() -> None:
     assert "2026-117" in page
     assert "&lt;Meier&gt;" in page
     rows = dict(row[:2] for row in table_after(page.encode(), "Conditions of the test"))
-    assert rows["Travel of the axis"] == "0 to 500 mm (job)"
-    assert rows["Operator"] == "N N (job)"
+    assert "X: 0 to 500 mm (job)" in rows["Travel of the axis"]
+    assert "X: N N (job)" in rows["Operator"]
+
+
+def test_what_all_tests_state_is_printed_once() -> None:
+    """One table for all tests of a standard; where they differ, with the names of the tests."""
+    tests = [
+        {**made_up(axis="X"), "header": {"operator": "Ada", "feed": "500", "shift": "night"}},
+        {**made_up(axis="Y"), "header": {"operator": "Ada", "feed": "800"}},
+    ]
+    page = page_of(tests)
+    assert page.count(b"<h3>Conditions of the test") == 1
+    rows = dict(row[:2] for row in table_after(page, "Conditions of the test"))
+    assert rows["Operator"] == "Ada"
+    assert rows["In the file: shift"] == "Axis X, x_before: night; Axis Y, x_before: not stated"
+    (feed,) = [value for label, value in rows.items() if "500" in value and "Feed" in label]
+    assert feed == "Axis X, x_before: 500; Axis Y, x_before: 800"
 
 
 def test_without_states_nothing_is_said_of_compensation() -> None:

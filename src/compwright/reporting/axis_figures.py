@@ -21,8 +21,8 @@ from compwright.reporting.charts import (
     title_of,
 )
 
-_HEIGHT: Final = 209.0  # points
-_LOW: Final = 118.0
+_HEIGHT: Final = 176.0  # points
+_LOW: Final = 104.0
 _BESIDE_EACH_OTHER: Final = 234.0
 
 

@@ -111,7 +111,9 @@ def _causes(causes: Sequence[CircleCause]) -> TextTable:
         rows += [
             [f"– {part.words}", "", "", *_values(part, printed=printed)] for part in cause.parts
         ]
-    software = [("Software of the instrument", ""), "Comparison"] if printed else []
+    software: list[tuple[str, str] | str] = (
+        [("Software of the instrument", ""), "Comparison"] if printed else []
+    )
     return {
         "heads": sections.heads(
             "Cause",

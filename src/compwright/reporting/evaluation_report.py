@@ -16,7 +16,7 @@ from compwright.reporting.circles import findings_in_words
 from compwright.reporting.circular_parameters import parameter_words
 from compwright.reporting.numbers import number, plain, standard_text, symbol, unit_text
 from compwright.reporting.page import render_page
-from compwright.reporting.page_parts import anchor, paper_content
+from compwright.reporting.page_parts import anchor, conditions, paper_content
 from compwright.reporting.sections import Document
 
 _POSITIONING: Final = (("A", "E", "M", "R", "B"), ("P", "Pa", "Ps_max", "U_max"))
@@ -32,6 +32,7 @@ def evaluation_report(view: Document) -> bytes:
     results = list(evaluation.get("results") or ())
     title = "Test report" if len(results) == 1 else f"Test report of {len(results)} tests"
     positioning = [one for one in results if one.get("kind", "positioning") == "positioning"]
+    pages = [_page(one, index) for index, one in enumerate(results, 1)]
     return render_page(
         "evaluation.html",
         {
@@ -47,7 +48,8 @@ def evaluation_report(view: Document) -> bytes:
             "unread": sections.findings(sections.unreadable(evaluation)),
             "summaries": [_summary(one, index) for index, one in enumerate(results, 1)],
             "statement": paper.NO_LIMITS,
-            "pages": [_page(one, index) for index, one in enumerate(results, 1)],
+            "pages": pages,
+            "conditions": conditions(pages),
             "readings": [sections.result_block(one) for one in positioning],
             "sources": sections.sources(evaluation),
             "version": plain(view.get("version", "")),

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import contextlib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from datetime import date
 from typing import Any, Final
 
@@ -131,6 +131,41 @@ def sheet(result: Document, stated: Mapping[str, str]) -> dict[str, Any]:
         "basis": BASIS.get(str(result.get("standard")), ""),
         "further": further_statements(result),
     }
+
+
+def sheets_together(sheets: Iterable[tuple[str, Document]]) -> list[dict[str, Any]]:
+    """Return the `sheet`s of several tests, each with the name of its test, as one for each
+    standard: what is the same for all tests once, else with the names of the tests.
+    """
+    of_standard: dict[str, list[tuple[str, Document]]] = {}
+    for name, one in sheets:
+        of_standard.setdefault(one["standard"], []).append((name, one))
+    return [
+        {
+            **group[0][1],
+            "rows": [
+                {**rows[0], "value": _of_each([name for name, _ in group], values)}
+                for rows in zip(*(one["rows"] for _, one in group), strict=True)
+                for values in [[row["value"] for row in rows]]
+            ],
+            "further": [
+                (key, _of_each([name for name, _ in group], values))
+                for key in dict.fromkeys(key for _, one in group for key, _ in one["further"])
+                for values in [[dict(one["further"]).get(key, NOT_STATED) for _, one in group]]
+            ],
+        }
+        for group in of_standard.values()
+    ]
+
+
+def _of_each(names: Sequence[str], values: Sequence[str]) -> str:
+    """Return what all tests state, or each value with the names of its tests."""
+    told: dict[str, list[str]] = {}
+    for name, value in zip(names, values, strict=True):
+        told.setdefault(value, []).append(name)
+    if len(told) == 1:
+        return values[0]
+    return "; ".join(f"{', '.join(of)}: {value}" for value, of in told.items())
 
 
 def _extremes(result: Document) -> TextTable | None:

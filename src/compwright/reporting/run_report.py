@@ -29,7 +29,14 @@ from compwright.reporting.numbers import (
     unit_text,
 )
 from compwright.reporting.page import render_page
-from compwright.reporting.page_parts import anchor, common, paper_content, remaining, with_unit
+from compwright.reporting.page_parts import (
+    anchor,
+    common,
+    conditions,
+    paper_content,
+    remaining,
+    with_unit,
+)
 from compwright.reporting.sections import Document, TextTable
 
 
@@ -57,6 +64,7 @@ def run_report(view: Document, each: Each = in_turn) -> bytes:
             "done": _what_was_done(view, axes),
             "verdict": _run_verdict(view, axes, predicted, prediction.get("circles") or {}),
             "axes": blocks,
+            "conditions": conditions(blocks),
             "findings": remaining(view, blocks, view.get("evaluation")),
             "circles": circle_blocks(
                 prediction.get("circles") or {},

@@ -13,7 +13,7 @@ from compwright.reporting.axis_figures import before_after_figure
 from compwright.reporting.circles import circle_blocks, limit_rows
 from compwright.reporting.numbers import number, plain, symbol, unit_text
 from compwright.reporting.page import render_page
-from compwright.reporting.page_parts import anchor, common, paper_content, remaining
+from compwright.reporting.page_parts import anchor, common, conditions, paper_content, remaining
 from compwright.reporting.sections import Document, TextTable
 
 #: Of the conditions of a test after loading.
@@ -67,6 +67,7 @@ def verify_report(view: Document) -> bytes:
             "verdict": {"tone": tone, "text": text, "rows": rows},
             "next": _next_round(verification.get("next")),
             "axes": blocks,
+            "conditions": conditions(blocks),
             "circles": circled,
             "findings": remaining(view, blocks, *evaluations),
         },
