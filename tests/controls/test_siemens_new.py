@@ -106,6 +106,18 @@ def test_an_axis_is_drafted_beside_tables_that_stay(
     assert "left out" not in told.out + told.err
 
 
+def test_an_axis_is_drafted_beside_tables_that_stay_and_an_odd_neighbour(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The neighbour cannot be read, so that each axis is read by itself."""
+    odd = table("AX2", "150", ["0", "0.001", "0.002", "0.003"])
+    code, job = job_of(GOOD + odd + CEC + STAYS["a product"], tmp_path)
+    assert code == 0
+    assert "address: AX1" in job.read_text()
+    assert "AX2" not in job.read_text()
+    assert "axis AX2 is left out" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("what", [name for name in STAYS if name != "inches"])
 def test_an_axis_whose_tables_would_be_written_is_left_out(
     what: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

@@ -166,6 +166,14 @@ def test_nothing_carried_out_is_believed_where_it_can_be(case: str, *, judge: bo
 
 
 @pytest.mark.parametrize("judge", [False, True], ids=["writer", "judge"])
+def test_a_program_of_the_files_may_assign_a_variable(*, judge: bool) -> None:
+    """A call between two conditions, of a program that comes back."""
+    main = f"IF R1==1\n{ONE}ENDIF\nCHANGES\nIF R1<>1\n{TWO}ENDIF\n{GRID}M17\n"
+    files = {"A.MPF": main, "CHANGES.SPF": "R1=1\nM17\n"}
+    check(files, False, READ, judge=judge)
+
+
+@pytest.mark.parametrize("judge", [False, True], ids=["writer", "judge"])
 def test_every_line_of_a_choice_is_named(*, judge: bool) -> None:
     text = f"IF R1==1\n{ONE}ELSE\n{TWO}ENDIF\n{GRID}M17\n"
     (fault,) = answer({"A.MPF": text}, False, judge=judge)
