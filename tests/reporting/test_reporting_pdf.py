@@ -129,7 +129,7 @@ def test_date_is_that_of_the_test(tmp_path: Path) -> None:
             io.BytesIO(evaluated(tmp_path, str(tmp_path / "x.csv")))
         ).metadata
         assert metadata is not None
-        assert metadata["/CreationDate"][2:10] == day
+        assert str(metadata["/CreationDate"])[2:10] == day
 
 
 def _resolved(value: Any) -> Any:
