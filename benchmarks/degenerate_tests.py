@@ -54,6 +54,11 @@ class Dealt:
         return {sign: block for sign, block in both.items() if block is not None}
 
     @property
+    def repeated(self) -> bool:
+        """Whether each target was approached more than once from each side measured."""
+        return all(np.all(np.sum(~np.isnan(b), axis=1) > 1) for b in self.blocks.values())
+
+    @property
     def differ(self) -> float:
         """By how much its readings differ, all together."""
         values = np.concatenate([block.ravel() for block in self.blocks.values()])
@@ -89,15 +94,19 @@ def deal(number: int, seed: int, again: int = 0) -> Dealt:
     blocks = factor * (both + noise + half) + offset
     if step:
         blocks = step * np.round(blocks / step)
+    uneven = 0 if alone else uneven_of(np.random.default_rng([seed, number, 11]), form, n)
+    if uneven:
+        blocks[1, :, uneven:] = np.nan
     if missing:
+        first = blocks[:, :, 0].copy()
         blocks[rng.random(blocks.shape) < 0.1] = np.nan
-        blocks[:, :, 0] = np.where(np.isnan(blocks).all(axis=2), 0.0, blocks[:, :, 0])
+        blocks[:, :, 0] = np.where(np.isnan(blocks).all(axis=2), first, blocks[:, :, 0])
     name = f"{number}: {m} targets, {n} runs, {error}, scatter {scatter} {size[0]:g}, shifts"
     name += f" {shift} {size[1]:g}, step {step:g}, offset {offset:g}, times {factor:g}, {form}"
     for word, said in (("rotary", rotary), (cycle, cycle == "step"), (f"{alone} only", alone)):
         name += f", {word}" if said else ""
     return Dealt(
-        name=name + (", missing" if missing else ""),
+        name=name + (", missing" if missing else "") + (f", {uneven} in -" if uneven else ""),
         rotary=rotary,
         cycle=cycle,
         form="long" if cycle == "step" or (alone and form == "target data") else form,
@@ -105,6 +114,12 @@ def deal(number: int, seed: int, again: int = 0) -> Dealt:
         positive=None if alone == "-" else blocks[0],
         negative=None if alone == "+" else blocks[1],
     )
+
+
+def uneven_of(rng: Generator, form: str, n: int) -> int:
+    """Return how many runs there are in -, where fewer than in +; else nothing."""
+    fits = n > 1 and form in ("long", "wide", "comma") and rng.random() < 0.25
+    return int(rng.integers(1, n)) if fits else 0
 
 
 def targets_of(rng: Generator, m: int, length: float, *, endless: bool) -> Floats:
@@ -352,7 +367,7 @@ def job_of(test: Dealt, before: str, profile: str, control: str, rng: Generator)
         "states": {"as_found": "none"},
         "axes": {"X": axis},
     }
-    whole = len(test.blocks) == 2 and next(iter(test.blocks.values())).shape[1] > 1
+    whole = len(test.blocks) == 2 and test.repeated
     if rng.random() < 0.4:
         axis["accept"] = {
             "A" if whole else "E_positive" if test.positive is not None else "E_negative": 5

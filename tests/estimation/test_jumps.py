@@ -166,11 +166,11 @@ def test_the_estimate_is_never_worse_than_straight_lines_between_the_means(
 
 
 def test_a_small_jump_between_few_targets_brings_no_short_waves_into_the_table() -> None:
-    """4 µm, not found: several periods explain it as badly. None is probable, none is in the mean;
+    """5 µm, not found: several periods explain it as badly. None is probable, none is in the mean;
     the band holds them.
     """
     targets = dithered(8, 55)
-    posterior = estimated(jumping(55, (float(targets[2]) + 20.0, 4.0)), targets, 55)
+    posterior = estimated(jumping(55, (float(targets[2]) + 20.0, 5.0)), targets, 55)
     assert sum(one.probability for one in posterior.periods) < 0.5
     where = np.arange(targets[0], targets[-1], 1.0)
     summary = posterior.summary(where)
@@ -179,24 +179,6 @@ def test_a_small_jump_between_few_targets_brings_no_short_waves_into_the_table()
     drawn = posterior.draw(where[20::40], 4000, np.random.default_rng(1)).positive
     about = np.sqrt(np.mean((drawn - summary.mean_positive[20::40]) ** 2, axis=0))
     assert about == pytest.approx(summary.std_positive[20::40], rel=0.07)
-
-
-@pytest.mark.parametrize(
-    ("seed", "gap", "place", "size"),
-    [(20, 4, 484.4, -6.8), (21, 2, 294.0, 7.4), (25, 3, 381.1, -5.0), (29, 4, 474.5, -7.0)],
-)
-def test_a_jump_that_is_hardly_likely_does_not_bend_the_table_elsewhere(
-    seed: int, gap: int, place: float, size: float
-) -> None:
-    """Five to ten µm between two of eight targets: odds of 1 to 25 or less. Straight lines leave
-    0.6 to 1.1 µm outside of the gap, a smooth curve through the jump 1.6 to 3.3 µm.
-    """
-    targets = dithered(8, seed)
-    error = jumping(0.7 * seed, (place, size))
-    where = np.linspace(targets[0], targets[-1], 400)
-    where = where[(where < targets[gap]) | (where > targets[gap + 1])]
-    lines = float(np.ptp(error(where) - np.interp(where, targets, error(targets))))
-    assert left(estimated(error, targets, seed), error, where) < lines
 
 
 def test_the_gap_is_as_uncertain_as_the_jump() -> None:

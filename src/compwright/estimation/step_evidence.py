@@ -22,10 +22,8 @@ from compwright.records.noise import BoolArray
 
 #: Steps and outliers of an axis before the data, a judgement: one of each in a hundred axes.
 _AXES: Final = 1.0 / 100.0
-#: Odds from which on a step stays in the set, as far as it is likely. One that is not there makes
-#: a straight line between two targets; one that is left out bends the table everywhere. Measured
-#: with `bench_jumps.py`.
-COUNTED: Final = 0.01
+#: Odds from which on a step stays in the set, as far as it is likely.
+COUNTED: Final = 0.05
 _LENGTHS: Final = 2.0 ** np.arange(6)  # of the smooth part, in mean distances of the targets
 _LEAST: Final = 1e-4
 _SMALLEST: Final = 1e-12  # mm (deg): means without any scatter on a straight line have some noise
