@@ -15,14 +15,14 @@ from __future__ import annotations
 
 import string
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Any, Final, Literal
 
 Language = Literal["en"]
 
 _PARSED: Final = string.Formatter()
-#: Digits of a number in JSON: more than any instrument has, fewer than the arithmetic.
+#: Digits of a number: more than any instrument has, fewer than the arithmetic.
 _DIGITS: Final = 9
 _OUTSIDE: Final = {"µm": "um"}
 #: Which form of a word goes with a number: as many forms as the language has.
@@ -111,11 +111,15 @@ def _names(template: str) -> Iterator[str]:
 
 
 def _kept(value: Any) -> Any:
-    """Return a value as it stays equal to itself: plain numbers, tuples, texts."""
-    if value is None or isinstance(value, str | bool | int | Amount | Sentence):
+    """Return a value as it stays equal to itself, on every processor: rounded numbers, tuples,
+    texts.
+    """
+    if value is None or isinstance(value, str | bool | int | Sentence):
         return value
     if isinstance(value, float | Decimal):
-        return float(value)
+        return float(f"{value:.{_DIGITS}g}")
+    if isinstance(value, Amount):
+        return replace(value, value=_kept(float(value.value)))
     if isinstance(value, Iterable):
         return tuple(map(_kept, value))
     return value.item() if hasattr(value, "item") else str(value)
@@ -171,6 +175,5 @@ def _outside(value: Any) -> Any:
     if isinstance(value, str):
         return _OUTSIDE.get(value, value)
     if isinstance(value, float):
-        number = float(f"{value:.{_DIGITS}g}")
-        return number if abs(number) < float("inf") else None
+        return value if abs(value) < float("inf") else None
     return value
