@@ -210,12 +210,16 @@ def _left_out(found: Found) -> Iterator[Fault]:
     if line is not None:
         yield Fault(
             message=(
-                "active: yes, but by its conditions no run of the program carries out this line and"
-                " all other values"
+                "active: yes, but no run of the program executes both this line "
+                "and all other values, because of its conditions"
             ),
             file=found.file,
             place=f"line {line}",
             expected=f"{EXPORTED}; or active: no where none of the values was carried out",
+            hint=(
+                "export the compensation data from the control, then give that "
+                "file instead of the program"
+            ),
         )
 
 
