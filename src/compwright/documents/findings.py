@@ -38,7 +38,7 @@ def read_sentence(written: object, message: str) -> Sentence:
         sentence = _value(written)
         if isinstance(sentence, Sentence) and str(sentence) == message:
             return sentence
-    except (KeyError, TypeError, ValueError, IndexError):
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError):
         pass  # of another version, or edited
     return say("as_written", text=message)
 

@@ -60,11 +60,11 @@ def unusable(value: Any, path: KeyPath = ()) -> Iterator[KeyFault]:
         for index, inner in enumerate(value):
             yield from unusable(inner, (*path, index))
     elif value is None:
-        unmeasured = len(path) == 3 and path[-1] == "before"
-        expected = f"the file of the test; was {path[1]} not measured, delete the axis from the job"
-        yield KeyFault(
-            path, "has no value", expected if unmeasured else "a value, or the key left out"
-        )
+        expected = "a value, or the key left out"
+        if len(path) == 3 and path[-1] == "before":
+            unmeasured = f"was {path[1]} not measured, delete the axis from the job"
+            expected = f"the file of the test; {unmeasured}"
+        yield KeyFault(path, "has no value", expected)
     elif too_large(value):
         yield KeyFault(
             path, "is too large for a number", "quotes around it if it is text", shown(value)
