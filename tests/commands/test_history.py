@@ -670,6 +670,28 @@ def test_two_tests_have_no_rate(tmp_path: Path, ask: Ask) -> None:
     assert axis_of(ask(over_years(tmp_path, [-3.0, -5.0])))["trends"] == {}
 
 
+def test_the_limit_of_a_mean_reversal_value_is_one_of_its_size(tmp_path: Path, ask: Ask) -> None:
+    values = [-2.98 - 0.6 * 91 * place / YEAR + e for place, e in enumerate(scattered(13, 1))]
+    over_years(tmp_path, values)
+    for file in tmp_path.rglob("record.json"):
+        content = json.loads(file.read_text(encoding="utf-8"))
+        content["decisions"] = {"axes": {"X": {"accept": {"B_mean": {"limit": 5.0}}}}}
+        file.write_text(json.dumps(content), encoding="utf-8")
+    crosses = trend(ask(tmp_path))["crosses"]
+    # 2.98 + 0.6 t = 5 after 3.37 years
+    assert crosses["earliest"] < "2024-05-24" < crosses["latest"]
+
+
+def test_a_change_between_two_tests_is_on_the_page(tmp_path: Path) -> None:
+    over_years(tmp_path / "years", [-5.0, -45.0])
+    page = tmp_path / "page.html"
+    assert compwright(["history", str(tmp_path / "years"), "--page", str(page)]) == 0
+    text = page.read_text(encoding="utf-8")
+    assert "1 of 1 axes and planes changed beyond the uncertainty; 1 have too few tests" in text
+    assert "mean B from −5.00 to −45.00 µm" in text
+    assert "verdict good" not in text
+
+
 def test_the_page_shows_each_axis_with_its_course(tmp_path: Path) -> None:
     values = [-3.0 - 0.25 * place + e for place, e in enumerate(scattered(9, 5))]
     over_years(tmp_path / "years", values, limit=9.0)

@@ -80,7 +80,7 @@ def test_um_read_as_mm_is_named_before_what_the_control_cannot_hold(
     write(tmp_path / "x.csv", targets, {sign: block * 1000.0 for sign, block in values.items()})
     assert run(tmp_path) == 4
     said = capsys.readouterr().err.splitlines()
-    doubt = next(n for n, line in enumerate(said) if "1000 times smaller (µm read as mm)" in line)
+    doubt = next(n for n, line in enumerate(said) if "read as mm" in line)
     assert "x.csv" in said[doubt]
     assert "larger than the control can store" in said[-1]
     assert doubt < len(said) - 1

@@ -758,7 +758,7 @@ def test_the_synchronised_axis_gets_its_sheet_its_program_and_its_row_on_the_car
     assert f"N3620P3R{said(parameters, 3620, 3)}\n" in partner
     assert leading.split()[1] != partner.split()[1]
     text = (card / "card.md").read_text()
-    assert re.search(rf"\| X \(3\) \| {said(parameters, 3620, 3)} ", text)
+    assert f"- [ ] X (3): Parameters: 3620 = {said(parameters, 3620, 3)}, " in text
 
 
 def test_the_sheet_is_read_where_1852_acts(tmp_path: Path) -> None:

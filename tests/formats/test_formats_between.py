@@ -97,6 +97,11 @@ def ask(
     )
 
 
+def remarks(answer: Between) -> list[tuple[str, str]]:
+    """Return severity and text of each remark."""
+    return [(severity, str(said)) for severity, said in answer.remarks]
+
+
 def rows(sheet: ControlFile, start: int) -> list[list[str]]:
     return [line.split(",") for line in sheet.content.decode().splitlines()[start:]]
 
@@ -119,7 +124,7 @@ def test_a_column_has_the_sign_of_the_moving_axis_table(whole: str, moving: str,
         ["0.0000", "0.0000", "mm"],
         ["800.0000", f"{sign * 0.032:.4f}", "mm"],
     ]
-    ((severity, message),) = answer.remarks
+    ((severity, message),) = remarks(answer)
     assert severity == "warning"
     assert f"+0.0000 mm at 0, {sign * 0.032:+.4f} mm at 800 (values are {moving}s)" in message
     assert message[:1].islower()
@@ -159,7 +164,7 @@ def test_no_column_beside_a_linear_error(
     state = ControlState(format=ITNC, axes={"Y": now})
     axes = [axis("X", "X"), axis("Y", "Y", **options)]
     answer = ask(family(ITNC, state), axes=axes, tabled=tabled)
-    ((severity, message),) = answer.remarks
+    ((severity, message),) = remarks(answer)
     assert (severity, bool(answer.sheets)) == (("error", False) if why else ("warning", True))
     assert why in message
 
@@ -196,7 +201,7 @@ def test_a_straight_line_is_typed_in_pulses_of_the_axis_that_is_bent() -> None:
         *(("5731", "10"), ("5732", "10"), ("5733", "26"), ("5734", "26")),
         *(("5761", "4"), ("5762", "4"), ("5763", "64"), ("5764", "64")),
     ]
-    assert sheet.name in answer.remarks[0][1]
+    assert sheet.name in remarks(answer)[0][1]
 
 
 @pytest.mark.parametrize(
@@ -214,8 +219,8 @@ def test_more_than_one_straight_line_over_a_table_is_not_held(
     axes = [axis("X", "1"), axis("Y", "2")]
     control = family("fanuc-30i", detection_unit=0.001, **FANUC)
     answer = ask(control, *planned, axes=axes, tables=tables)
-    assert [severity for severity, _ in answer.remarks] == ["error"] * len(planned)
-    assert all("one straight line over a table only" in said for _, said in answer.remarks)
+    assert [severity for severity, _ in remarks(answer)] == ["error"] * len(planned)
+    assert all("one straight line over a table only" in said for _, said in remarks(answer))
     assert answer.sheets == ()
 
 
@@ -226,9 +231,9 @@ def test_a_kinematic_matrix_takes_the_angle_and_says_what_it_moves() -> None:
     """The line of the matrix runs through machine zero: with the reference at 100 mm everything
     moves by 40e-6 · 100 mm = 4 µm.
     """
-    ((_, plain),) = ask(family("linuxcnc"), follows()).remarks
+    ((_, plain),) = remarks(ask(family("linuxcnc"), follows()))
     assert "add +0.000040000 to the value of matrixkins.C_yx that is in force; without" in plain
-    ((_, moved),) = ask(family("linuxcnc"), follows([-100.0, 700.0], reference=100.0)).remarks
+    ((_, moved),) = remarks(ask(family("linuxcnc"), follows([-100.0, 700.0], reference=100.0)))
     assert "in force, which also moves Y as a whole by +4.00 µm; without it" in moved
 
 
@@ -241,7 +246,7 @@ def test_every_control_answers(format_id: str) -> None:
         with pytest.raises(UsageError, match="is not documented"):
             ask(family(format_id))
         return
-    ((severity, said),) = ask(family(format_id)).remarks
+    ((severity, said),) = remarks(ask(family(format_id)))
     assert said.startswith("squareness of Y over X (+40.0 µm/m) is ")
     assert severity == ("warning" if "is in no file" in said else "error")
 
@@ -249,7 +254,7 @@ def test_every_control_answers(format_id: str) -> None:
 def test_every_correction_is_said() -> None:
     bent = replace(follows(), input="Z", source="cross", squareness=-12.5e-6)
     answer = ask(family(SIEMENS), follows(), bent)
-    assert [said.split(" is not")[0] for _, said in answer.remarks] == [
+    assert [said.split(" is not")[0] for _, said in remarks(answer)] == [
         "squareness of Y over X (+40.0 µm/m)",
         "the measured deviation of Y over Z (+12.5 µm/m)",
     ]

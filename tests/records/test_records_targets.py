@@ -28,5 +28,5 @@ def test_proposed_targets_show_every_period_down_to_a_tenth_of_their_interval(
 
 
 def test_a_proposal_in_words_has_a_length_that_a_person_reads() -> None:
-    assert told_targets(0.0, 4000.0, 400, "mm").count(",") == 29
-    assert told_targets(0.0, 100.0, 5, "mm").count(",") == 11
+    assert str(told_targets(0.0, 4000.0, 400, "mm")).count(",") == 29
+    assert str(told_targets(0.0, 100.0, 5, "mm")).count(",") == 11

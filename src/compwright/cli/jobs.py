@@ -130,7 +130,10 @@ def run_command(
     told_last(
         json_path,
         lambda: after_run(
-            outcome, asked.out / "job.yaml" if asked.stated is not None else inputs[0], asked.out
+            outcome,
+            asked.out / "job.yaml" if asked.stated is not None else inputs[0],
+            asked.out,
+            apart=out is not None and asked.stated is None,
         ),
     )
     return outcome.exit_code
@@ -262,6 +265,19 @@ def verify(
         tell(f"note: {note}")
     told_last(
         json_path,
-        lambda: after_verify(outcome, job_file, out or folder, after, read_back=bool(loaded)),
+        lambda: after_verify(
+            outcome,
+            job_file,
+            out or folder,
+            after,
+            plan=plan_file if plan is not None or out is not None else folder,
+            given=[
+                word
+                for option, path in (("--plan", plan), ("--out", out), ("--profile", profile))
+                if path is not None
+                for word in (option, path)
+            ],
+            read_back=bool(loaded),
+        ),
     )
     return outcome.exit_code

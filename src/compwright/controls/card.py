@@ -5,6 +5,7 @@ entries, the way back.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -52,7 +53,7 @@ def axis_documents(
             partner,
             (before, _backlash(before, old, partner)),
             (table, _backlash(table, loaded, partner)),
-            (_typed_before(control, partner, old), _typed(control, partner, card)),
+            (_typed_before(control, partner, old, table), _typed(control, partner, card)),
         ),
         "quick_check": [],
         "numbering": _numbering(card.numbered),
@@ -78,7 +79,7 @@ def _axis(
             axis,
             (active, _backlash(active, old, axis)),
             (table, _backlash(table, loaded, axis)),
-            (_typed_before(control, axis, old), _typed(control, axis, card)),
+            (_typed_before(control, axis, old, table), _typed(control, axis, card)),
         ),
         "quick_check": [
             {
@@ -135,11 +136,16 @@ def _typed(control: Control, axis: Axis, card: AxisCard) -> str:
     return typed_backlash(control.definition, axis, card.values)
 
 
-def _typed_before(control: Control, axis: Axis, old: DecodedState) -> str:
+def _typed_before(
+    control: Control, axis: Axis, old: DecodedState, new: AxisCompensation | None
+) -> str:
     """Return the backlash that goes back in, as the control's parameter: 0 where nothing was
-    active.
+    active. ``new``: the table whose points count where there were none.
     """
     table = old.state.axes.get(axis.address, no_compensation(axis.address, axis.kind))
+    if new is not None and table.positions.size < 2:
+        zero = np.zeros_like(new.positions)
+        table = replace(new, positive=zero, negative=zero, backlash=table.backlash, slope=0.0)
     asked = CardRequest(
         axis=axis, table=table, facts=old.state.facts_of(axis.address), check_at=np.zeros(1)
     )

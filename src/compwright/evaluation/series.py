@@ -107,7 +107,9 @@ def _noted(
     parameter: str, places: Sequence[int], trend: Trend, last: HistoryEntry, day: datetime
 ) -> NotedTrend:
     limit = last.limits.get(parameter)
-    forecast = None if limit is None else trend.reaches(limit)
+    # A limit is one of the size: lost motion makes the mean reversal value negative.
+    toward = -1.0 if last.values[parameter] < 0.0 else 1.0
+    forecast = None if limit is None else trend.reaches(limit, toward)
     ahead = (
         (None, None, None)
         if forecast is None

@@ -90,13 +90,13 @@ class Trend:
         """Whether the rate exceeds three standard errors."""
         return abs(self.rate) > 3.0 * self.std_error
 
-    def reaches(self, limit: float) -> Forecast | None:
-        """Return when the parameter without its scatter exceeds ``limit``; None where the trend is
-        not clear or leads away from it.
+    def reaches(self, limit: float, toward: float = 1.0) -> Forecast | None:
+        """Return when the parameter without its scatter, times ``toward`` (its sign, ±1), exceeds
+        ``limit``; None where the trend is not clear or leads away from it.
         """
-        if not self.clear or self.rate <= 0.0:
+        if not self.clear or toward * self.rate <= 0.0:
             return None
-        return self._mixture.reaches(limit)
+        return self._mixture.reaches(limit, toward)
 
 
 def trend_of(
@@ -303,7 +303,7 @@ class _Mixture:
             low, high = np.where(below, middle, low), np.where(below, high, middle)
         return float(low[0]), float(high[1])
 
-    def reaches(self, limit: float) -> Forecast:
+    def reaches(self, limit: float, toward: float) -> Forecast:
         random = np.random.default_rng(0)
         which = random.choice(len(self.weight), size=_DRAWS, p=self.weight)
         normal = random.standard_normal((2, _DRAWS))
@@ -317,6 +317,7 @@ class _Mixture:
             + slope * deviation * normal[0]
             + np.sqrt(rest) * normal[1]
         )
+        level, rate = toward * level, toward * rate
         room = np.maximum(limit - level, 0.0)
         with np.errstate(divide="ignore", invalid="ignore"):
             years = np.where(room == 0.0, 0.0, np.where(rate > 0.0, room / rate, np.inf))

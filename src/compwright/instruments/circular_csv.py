@@ -137,7 +137,8 @@ def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str)
     form = comments.get("compwright").lower()
     match = _FORM_KEY.fullmatch(form)
     if form and not (match and int(match[1]) <= _NEWEST_FORM):
-        message = "was written for a newer compwright" if match else "is not a circular test"
+        newer = "was written for a newer version of compwright"
+        message = newer if match else "is not a circular test"
         expected = f"circular {_NEWEST_FORM}{' or older' if match else ''}"
         place = comments.places["compwright"]
         raise InputError(

@@ -28,9 +28,9 @@ __all__ = ["CirclePath", "moved_test", "path_of", "predict_circle"]
 #: Samples over which the path is taken as a parabola: 2.6° of a usual ballbar's 1500, well within
 #: the decay of a reversal spike.
 _WINDOW: Final = 11
-#: Median and the ends of a 90 % interval of a normal distribution, in standard deviations.
 #: Share of independent noise that the parabola keeps in the middle of its window.
 _SHARE: Final = 89.0 / 429.0
+#: Median and the ends of a 90 % interval of a normal distribution, in standard deviations.
 _NINETY: Final = 1.645
 #: A part of the residuals that wanders may be noise or a shape of the machine that no cause has:
 #: one test cannot tell. In so many draws it stays as it is.

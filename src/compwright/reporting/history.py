@@ -56,7 +56,10 @@ def _series(title: str, one: Mapping[str, Any], values: Sequence[str]) -> list[R
         ),
         _table(tests, changes, held),
         *(
-            Text(_told(change, tests), style="dim" if change["table"] == "changed" else "yellow")
+            Text(
+                change_line(change, tests),
+                style="dim" if change["table"] == "changed" else "yellow",
+            )
             for change in ordered
         ),
         *(Text(line, style="yellow") for line in (*trend_lines(one), *limit_lines(one))),
@@ -104,7 +107,8 @@ def _word(word: str) -> Text:
     return Text(word.replace("_", " "), style=_STYLES.get(word, ""))
 
 
-def _told(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
+def change_line(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
+    """Return a change, its tests, and how seldom an unchanged machine shows it."""
     before, after = (tests[change[which]] for which in ("before", "after"))
     name = change["parameter"]
     unit = "µm/m" if name == "squareness" else unit_text(change["unit"])

@@ -10,6 +10,7 @@ from typing import Any, Final
 
 from compwright.foundations.extras import need
 from compwright.foundations.utf8 import visible
+from compwright.reporting.history import change_line
 from compwright.reporting.history_words import limit_lines, parameter_name, trend_lines
 from compwright.reporting.numbers import MISSING, number, unit_text
 from compwright.reporting.page import render_page
@@ -39,15 +40,15 @@ def history_page(document: Document) -> bytes:
     ]
     rows = [row for machine in machines for row in machine["rows"]]
     changing = sum(bool(row["lines"]) for row in rows)
+    unknown = sum(row["unknown"] for row in rows)
     return render_page(
         "history.html",
         {
             "page_title": "Machines over the years",
-            "tone": "undecided" if changing else "good",
+            "tone": "undecided" if changing or unknown else "good",
             "verdict": (
-                f"{changing} of {len(rows)} axes and planes change beyond their uncertainty"
-                if changing
-                else f"None of {len(rows)} axes and planes changes beyond its uncertainty"
+                f"{changing or 'None'} of {len(rows)} axes and planes changed beyond the"
+                " uncertainty" + (f"; {unknown} have too few tests for a rate" if unknown else "")
             ),
             "machines": machines,
             "notes": document["notes"],
@@ -58,10 +59,11 @@ def history_page(document: Document) -> bytes:
 def _row(name: str, one: Mapping[str, Any]) -> dict[str, Any]:
     tests, trends = one["tests"], one["trends"]
     lines, limits = list(trend_lines(one)), list(limit_lines(one))
+    lines += [change_line(each, tests) for each in one["changes"] if each["table"] != "changed"]
     shown = _shown(one)
     days = [test["day"][:7] for test in tests if test["day"]]
     values = [test[shown] for test in tests if test.get(shown) is not None]
-    unit = unit_text("um/m" if shown == "squareness" else tests[-1]["unit"])
+    unit = unit_text("um/m" if shown in ("squareness", "slope") else tests[-1]["unit"])
     return {
         "name": visible(name),
         "count": len(tests),
@@ -70,6 +72,7 @@ def _row(name: str, one: Mapping[str, Any]) -> dict[str, Any]:
         "value": f"{parameter_name(shown)} {number(values[-1])} {unit}" if values else MISSING,
         "course": _course(tests, shown),
         "lines": lines,
+        "unknown": not trends,
         "limits": limits or [MISSING],
         "mark": (
             {"tone": "bad", "text": "limit"}

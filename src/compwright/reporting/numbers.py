@@ -33,7 +33,7 @@ GUARDED_AFTER: Final = (
 #: Decimals of a deviation in µm or arcsec: a tenth of what the standards print.
 DEVIATION_DECIMALS: Final = 2
 
-_UNITS: Final = {"um": "µm", "arcsec": "arcsec", "mm": "mm", "deg": "deg"}
+_UNITS: Final = {"um": "µm", "um/m": "µm/m", "arcsec": "arcsec", "mm": "mm", "deg": "deg"}
 
 #: Parameter by its name in the documents -> (symbol, what it is called in the standard). The order
 #: is that of the tables.

@@ -68,7 +68,7 @@ def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
     for line in lines:
         quiet = not (line.words or line.skipped or line.names & wanted)
         behind = found and found[-1].given and not (found[-1].words or found[-1].skipped)
-        if quiet and line.given and behind:
+        if quiet and line.given and behind and not line.assigned & wanted:
             groups[-1].add(line.number)
         elif line.given or line.assigned & wanted or not quiet:
             found.append(line)

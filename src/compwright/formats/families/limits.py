@@ -81,11 +81,6 @@ def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> li
             )
         )
     if capacity.backlash_quantum is None and compensation.backlash != 0:
-        message = (
-            f"{label}: the control has no backlash value in addition to the table; put it "
-            "into the two"
-            " curves"
-        )
         faults.append(
             Fault(
                 message=f"{label}: the control has no backlash value in addition to the table",

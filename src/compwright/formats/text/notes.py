@@ -94,8 +94,8 @@ class Notes:
             expected=expected,
             found=place.text if found is None and place is not None else found or "",
             hint=(
-                "correct it in the control, measure again and export its files again, or "
-                "leave this axis out of the job"
+                "add what is missing to the files of the state; or correct it in the control,"
+                " measure again and export its files again; or leave this axis out of the job"
             ),
         )
         self.once(fault)

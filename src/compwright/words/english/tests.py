@@ -224,10 +224,10 @@ SENTENCES: Final[dict[str, str]] = {
         "All readings lie within {spread}: few machines are that good. Is the unit right?"
     ),
     "CW-T030.unit": (
-        "The unit is probably {unit}, read as {read_as} ({odds:1sig} to 1). The readings"
-        " spread over {spread} and scatter by {scatter}; machine tools usually have values"
-        " {factor:g} times {larger:if|larger|smaller}. Compare one reading with the"
-        " instrument."
+        "The unit is probably {unit}, read as {read_as} ({most:if|more than"
+        " 1000000|{odds:1sig}} to 1). The readings spread over {spread} and scatter by {scatter};"
+        " machine tools usually have values {factor:g} times {larger:if|larger|smaller}."
+        " Compare one reading with the instrument."
     ),
     "CW-T031.directions": "the runs in + and those in −",
     "CW-T031.near": (
@@ -243,11 +243,12 @@ SENTENCES: Final[dict[str, str]] = {
         " Repeatability and noise cannot be found from them."
     ),
     "CW-T032": (
-        "The mean reversal value is +{reversal}, while lost motion gives a negative one:"
-        " {odds:1sig} to 1 that the directions + and − are swapped or the sign of the"
-        " deviations is turned, unless the backlash compensation is too large. A table made"
-        " from swapped directions doubles the lost motion. Check at one target: with lost"
-        " motion the deviation of an approach in + is the smaller one."
+        "The mean reversal value is +{reversal}, while lost motion gives a negative"
+        " one{likely:if|: {most:if|more than 1000000|{odds:1sig}} to 1 that|: perhaps} the"
+        " directions + and − are swapped or the sign of the deviations is turned, unless the"
+        " backlash compensation is too large. A table made from swapped directions doubles the"
+        " lost motion. Check at one target: with lost motion the deviation of an approach in +"
+        " is the smaller one."
     ),
     "CW-T033": (
         "The targets, {first} to {last}, are whole millimetres when they are taken for"

@@ -12,9 +12,11 @@ READ_BACK = "READ_BACK"
 _AFTER = "AFTER_FILE"
 
 
-def after_run(outcome: Any, job: Path, out: Path) -> str:
-    """Return what comes after a run. ``job``: its job file; ``out``: the folder of its results."""
-    again = _command("run", job, "--force")
+def after_run(outcome: Any, job: Path, out: Path, *, apart: bool) -> str:
+    """Return what comes after a run. ``job``: its job file; ``out``: the folder of its results,
+    ``apart``: not the one that the job has by default.
+    """
+    again = _command("run", job, *(("--out", out) if apart else ()), "--force")
     if outcome.no_tables:
         return f"Next: state what is in the control (states: as_found), then type: {again}"
     if outcome.prediction["doubts"]:
@@ -30,15 +32,23 @@ def after_run(outcome: Any, job: Path, out: Path) -> str:
         )
     if any(path.name.startswith("entry_") for path in outcome.files):
         return f"Next: do the steps of {card}, measure again, then type: " + _command(
-            "verify", job, "--after", _AFTER
+            "verify", job, "--after", _AFTER, *(("--plan", out) if apart else ())
         )
     return f"Next: there is nothing to load; the reasons are above and in {out / 'report.html'}"
 
 
 def after_verify(
-    outcome: Any, job: Path, out: Path, after: Sequence[str], *, read_back: bool
+    outcome: Any,
+    job: Path,
+    out: Path,
+    after: Sequence[str],
+    *,
+    plan: Path,
+    given: Sequence[object],
+    read_back: bool,
 ) -> str:
-    """Return what comes after a verification. ``after``: its tests; ``read_back``: whether the
+    """Return what comes after a verification. ``after``: its tests; ``plan``: the plan that it
+    compared with; ``given``: the options that say where things are; ``read_back``: whether the
     control's files were given.
     """
     document = outcome.document
@@ -53,17 +63,17 @@ def after_verify(
         return f"Next: keep the folder {out}. To see the years, type: " + _command("history", out)
     if not read_back:
         return f"Next: save the control's files to {READ_BACK}, then type: " + _command(
-            "compare", out, "--loaded", READ_BACK
+            "compare", plan, "--loaded", READ_BACK
         )
     again = [word for file in after for word in ("--after", file)]
     if not then and all(
         axis["loading"]["verdict"] == "loaded" for axis in document["axes"].values()
     ):
         return "Next: the table is active, but not enough. For a further table type: " + _command(
-            "verify", job, *again, "--loaded", READ_BACK, "--update", "--force"
+            "verify", job, *again, *given, "--loaded", READ_BACK, "--update", "--force"
         )
     return "Next: correct what is named above, measure again, then type: " + _command(
-        "verify", job, "--after", _AFTER, "--loaded", READ_BACK, "--force"
+        "verify", job, "--after", _AFTER, *given, "--loaded", READ_BACK, "--force"
     )
 
 
