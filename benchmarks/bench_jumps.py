@@ -147,8 +147,8 @@ def main() -> None:
         with tempfile.TemporaryDirectory() as name:
             try:
                 table = table_of(axis, ways, control, Path(name))
-            except CompwrightError as error:
-                print(f"{what}: {error}", flush=True)
+            except CompwrightError as fault:
+                print(f"{what}: {fault}", flush=True)
                 continue
         values = left(axis, ways, [table, straight(axis, table, control), NOTHING])
         ours, lines, before = values.mean(axis=1)

@@ -136,7 +136,7 @@ def targets_of(rng: Generator, m: int, length: float, *, endless: bool) -> Float
 def error_of(rng: Generator, kind: str, x: Floats) -> Floats:
     """Return the error (m,), µm or arcsec."""
     place = rng.integers(x.size)
-    return {
+    errors: dict[str, Floats] = {
         "nothing": 0.0 * x,
         "bend": 10.0 * np.sin(x / 200.0 + rng.uniform(0, 6)),
         "line": 0.1 * x,
@@ -145,7 +145,8 @@ def error_of(rng: Generator, kind: str, x: Floats) -> Floats:
         "one target": 50.0 * (np.arange(x.size) == place),
         "zigzag": 5.0 * (np.arange(x.size) % 2),
         "wave": 3.0 * np.sin(2 * np.pi * x / 10.0 + rng.uniform(0, 6)),
-    }[kind]
+    }
+    return errors[kind]
 
 
 def shifts_of(rng: Generator, kind: str, n: int, size: float, x: Floats) -> Floats:

@@ -206,19 +206,19 @@ def _left_out(found: Found) -> Iterator[Fault]:
             ),
         )
         return
-    line = ways.left_out()
-    if line is not None:
+    left_out = ways.left_out()
+    if left_out is not None:
         yield Fault(
             message=(
                 "active: yes, but no run of the program executes both this line "
                 "and all other values, because of its conditions"
             ),
             file=found.file,
-            place=f"line {line}",
+            place=f"line {left_out}",
             expected=f"{EXPORTED}; or active: no where none of the values was carried out",
             hint=(
-                "export the compensation data from the control, then give that "
-                "file instead of the program"
+                "export the compensation data from the control and give that file, or set "
+                "`active: no` if no value was executed"
             ),
         )
 
