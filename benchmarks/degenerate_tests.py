@@ -136,7 +136,7 @@ def targets_of(rng: Generator, m: int, length: float, *, endless: bool) -> Float
 def error_of(rng: Generator, kind: str, x: Floats) -> Floats:
     """Return the error (m,), µm or arcsec."""
     place = rng.integers(x.size)
-    errors: dict[str, Floats] = {
+    errors = {
         "nothing": 0.0 * x,
         "bend": 10.0 * np.sin(x / 200.0 + rng.uniform(0, 6)),
         "line": 0.1 * x,
@@ -146,7 +146,7 @@ def error_of(rng: Generator, kind: str, x: Floats) -> Floats:
         "zigzag": 5.0 * (np.arange(x.size) % 2),
         "wave": 3.0 * np.sin(2 * np.pi * x / 10.0 + rng.uniform(0, 6)),
     }
-    return errors[kind]
+    return np.asarray(errors[kind], dtype=np.float64)
 
 
 def shifts_of(rng: Generator, kind: str, n: int, size: float, x: Floats) -> Floats:
