@@ -109,7 +109,7 @@ KINDS = {
     "comments alone": csv("comment lines only", "add a header row", "# axis: X\n"),
     "inches": csv("in inches", "export the file again in mm", READINGS.replace("target_mm", "target_in")),
     "an unknown direction": csv("neither + nor -", "correct this", READINGS.replace("97,+,1,", "97,*,1,")),
-    "a newer file": csv("newer version of compwright", "update compwright", "# compwright: positioning 2\n" + READINGS),
+    "a newer file": csv("newer version of compwright", "install the newer version", "# compwright: positioning 2\n" + READINGS),
     "no readings": csv("holds no readings", "correct this", READINGS.partition("0,+,1")[0]),
 }  # fmt: skip
 

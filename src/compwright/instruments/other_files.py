@@ -47,7 +47,7 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
                 place=place,
                 expected=expected,
                 found=form,
-                hint="update compwright: `pip install -U compwright`",
+                hint="install the newer version of compwright (docs/how-to/offline.md)",
             )
         )
     if not lines:

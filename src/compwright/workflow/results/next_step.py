@@ -21,7 +21,7 @@ def after_run(outcome: Any, job: Path, out: Path, *, apart: bool) -> str:
         return f"Next: state what is in the control (states: as_found), then type: {again}"
     if outcome.prediction["doubts"]:
         return (
-            "Next: load nothing yet. Settle what has to be checked first, or acknowledge it in the"
+            "Next: load nothing yet. Check the doubts above first, or acknowledge them in the"
             f" job, then type: {again}"
         )
     card = out / "card" / "card.html"
