@@ -239,7 +239,7 @@ def formats_list(invocation: Invocation, /) -> int:
     "show",
     examples=(
         "compwright formats show 840d-sl",
-        "compwright formats show my-control.yaml",
+        "compwright formats show definitions/own.yaml",
     ),
     page="docs/controls.md",
 )
