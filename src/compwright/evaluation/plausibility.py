@@ -55,8 +55,6 @@ _UNUSUAL: Final = 20.0
 _INCH: Final = 25.4
 #: Targets in inches with four decimals are whole millimetres to within this, mm.
 _WHOLE: Final = 2e-3
-#: Odds beyond which no number is given.
-_MOST: Final = 1e6
 #: The fewest targets that any edition asks for.
 FEWEST_TARGETS: Final = {AxisKind.LINEAR: 5, AxisKind.ROTARY: 3}
 
@@ -151,7 +149,6 @@ def _other_unit(test: PositioningTest) -> Finding | None:
         spread=text_of(spread_of(test), test),
         scatter=text_of(pooled_scatter(test)[0], test),
         odds=max(small, large),
-        most=max(small, large) > _MOST,
         factor=factor,
         larger=small >= large,
         unit=true,
@@ -184,7 +181,6 @@ def _turned(test: PositioningTest) -> list[Finding]:
             reversal=text_of(mean, test),
             odds=odds,
             likely=odds > 1.0,
-            most=odds > _MOST,
         )
     ]
 

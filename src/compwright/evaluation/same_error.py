@@ -50,7 +50,6 @@ def same_error_findings(tests: dict[str, list[PositioningTest]]) -> list[Finding
                 one=one,
                 other=other,
                 odds=odds,
-                most=odds >= _MOST,
             )
         )
     return found

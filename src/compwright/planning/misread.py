@@ -159,9 +159,6 @@ def _doubt(logs: Mapping[WayOfReading, float], name: str) -> tuple[Finding, ...]
         key=lambda way: -probability[way],
     )
     ratios = {way: math.exp(min(logs[way] - logs["stated"], math.log(_MOST))) for way in others}
-    ways = [
-        say("CW-P160.way", way=way, odds=ratio, most=ratio >= 0.999 * _MOST)
-        for way, ratio in ratios.items()
-    ]
+    ways = [say("CW-P160.way", way=way, odds=ratio) for way, ratio in ratios.items()]
     checks = [say("CW-P160.check", way=way) for way in others]
     return (Finding.of("CW-P160", "warning", test=name, ways=ways, checks=checks),)

@@ -4,6 +4,7 @@ A template is English text with fields. ``{name}`` puts a value in; behind a col
 
 - a number format of Python (``.2f``, ``+.1f``, ``g``, ``.0%``), or ``2sig``: significant digits,
   never an exponent; ``+2sig`` with its sign
+- ``odds``: odds to 1, one significant digit, beyond a million no number
 - ``and``, ``join|; ``: how the items of a list are joined; without it by commas, each in the number
   format that is given
 - ``plural|target|targets``: the form for this number, as many forms as the language has
@@ -25,12 +26,15 @@ _PARSED: Final = string.Formatter()
 #: Digits of a number: more than any instrument has, fewer than the arithmetic.
 _DIGITS: Final = 9
 _OUTSIDE: Final = {"µm": "um"}
+#: Odds beyond which no number is given; capped ones may lie a rounding below.
+_MOST_ODDS: Final = 0.999e6
 #: Which form of a word goes with a number: as many forms as the language has.
 _PLURAL: Final[dict[Language, Callable[[float], int]]] = {
     "en": lambda number: int(number != 1),
 }
 _DECIMAL_MARK: Final[dict[Language, str]] = {"en": "."}
 _AND: Final[dict[Language, str]] = {"en": " and "}
+_MORE_THAN: Final[dict[Language, str]] = {"en": "more than"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +87,10 @@ def say(name: str, /, **values: object) -> Sentence:
 
 def number_text(value: float, form: str, language: Language = "en") -> str:
     """Return a number by a format of a template, with the decimal mark of the language."""
+    if form == "odds":
+        if value > _MOST_ODDS:
+            return f"{_MORE_THAN[language]} 1000000"
+        form = "1sig"
     if form.endswith("sig"):
         digits, sign = form.removesuffix("sig").lstrip("+"), "+" if form[0] == "+" else ""
         text = format(Decimal(f"{value:.{digits}g}"), f"{sign}f")

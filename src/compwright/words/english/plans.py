@@ -239,7 +239,7 @@ SENTENCES: Final[dict[str, str]] = {
         " -1, offset: ..}}.}"
     ),
     "CW-P160.way": (
-        "{most:if|more than 1000000|{odds:1sig}} times more likely {way:choose|off=if the"
+        "{odds:odds} times more likely {way:choose|off=if the"
         " table of the control was not active in it|sign=with the sign of the deviations"
         " turned (target minus measured)|directions=with + and - exchanged|order=with the"
         " readings in the opposite order of the targets|against=with an instrument that"

@@ -224,8 +224,8 @@ SENTENCES: Final[dict[str, str]] = {
         "All readings lie within {spread}: few machines are that good. Is the unit right?"
     ),
     "CW-T030.unit": (
-        "The unit is probably {unit}, read as {read_as} ({most:if|more than"
-        " 1000000|{odds:1sig}} to 1). The readings spread over {spread} and scatter by {scatter};"
+        "The unit is probably {unit}, read as {read_as} ({odds:odds} to 1). The"
+        " readings spread over {spread} and scatter by {scatter};"
         " machine tools usually have values {factor:g} times {larger:if|larger|smaller}."
         " Compare one reading with the instrument."
     ),
@@ -244,7 +244,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T032": (
         "The mean reversal value is +{reversal}, while lost motion gives a negative"
-        " one{likely:if|: {most:if|more than 1000000|{odds:1sig}} to 1 that|: perhaps} the"
+        " one{likely:if|: {odds:odds} to 1 that|: perhaps} the"
         " directions + and − are swapped or the sign of the deviations is turned, unless the"
         " backlash compensation is too large. A table made from swapped directions doubles the"
         " lost motion. Check at one target: with lost motion the deviation of an approach in +"
@@ -269,8 +269,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {test} counts, {other} does not."
     ),
     "CW-T037": (
-        "The tests of axes {one} and {other} show the same error: {most:if|more than"
-        " 1000000|{odds:1sig}} to 1 that one axis was measured for both, or one file given"
+        "The tests of axes {one} and {other} show the same error: {odds:odds} to 1"
+        " that one axis was measured for both, or one file given"
         " for the other. A table made from the test of another axis makes its error larger."
         " Which axis moved in each test?"
     ),
