@@ -5,6 +5,8 @@ Common practice of the workshop, in the order in which it costs least; no standa
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
@@ -57,6 +59,10 @@ _STEPS: Final[Mapping[str, str]] = {
 }
 
 
+#: A name of a file that YAML reads as it is.
+_WORD: Final = re.compile(r"[A-Za-z_][\w./-]*")
+
+
 def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[str]:
     """Return what to do about the largest significant causes, a sentence each."""
     acting = [cause for cause in causes if cause.significant and cause.shown]
@@ -81,19 +87,23 @@ def next_step(cause: str, axes: Sequence[str]) -> str:
 
 def job_lines(causes: Sequence[str], result: Mapping[str, Any]) -> list[str]:
     """Return the lines of a job that corrects what a table can correct of the ``causes``; empty
-    where none of them is for a table.
+    where none of them is for a table. Scale is that of the positioning tests, which the circle
+    checks.
     """
     first, second = result.get("axes") or ("first", "second")
     applied = []
     if "squareness" in causes:
         applied.append(f"squareness: {{{first}{second}: {second}}}")
-    if "scale_mismatch" in causes:
-        applied.append(f"scale: [{first}, {second}]")
     if {"backlash_first", "backlash_second"} & set(causes):
         applied.append("backlash_from: circle")
-    if not applied:
+    if not applied and "scale_mismatch" not in causes:
         return []
     files = [str(source.get("file")) for source in result.get("sources") or ()]
-    keys = ("ccw", "cw") if len(files) > 1 else ("file",)
-    named = ", ".join(f"{key}: {file}" for key, file in zip(keys, files, strict=False))
-    return [f"circles: [{{{named}}}]", f"apply: {{{', '.join(applied)}}}"]
+    # Which of several files holds which direction is not in the result.
+    named = f"file: {_yaml(files[0])}" if len(files) == 1 else "ccw: FILE, cw: FILE"
+    lines = [f"circles: [{{{named}}}]"]
+    return [*lines, f"apply: {{{', '.join(applied)}}}"] if applied else lines
+
+
+def _yaml(text: str) -> str:
+    return text if _WORD.fullmatch(text) else json.dumps(text, ensure_ascii=False)

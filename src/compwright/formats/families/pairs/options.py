@@ -141,15 +141,13 @@ def unit_unknown(
     unknown = metric is None and control.options.get("units") == "inch"
     if (metric is False or unknown) and any(kind is not AxisKind.ROTARY for kind in kinds):
         why = MAYBE_INCH if unknown else IN_INCH
+        known = f", or add the file with {SAYING_METRIC} to the state" if unknown else ""
         yield Fault(
             message=f"{label}: a CEC table is not written here: {why}",
             place="option cec",
             expected=f"absent, or {SAYING_METRIC}",
             found="available",
-            hint=(
-                "set `cec: absent` in the options, or add the file with MD10240 (basic "
-                "system) to the state"
-            ),
+            hint=f"set `cec: absent` in the options{known}",
         )
 
 
