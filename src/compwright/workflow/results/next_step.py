@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shlex
 from collections.abc import Sequence
 from pathlib import Path
@@ -78,4 +79,8 @@ def after_verify(
 
 
 def _command(*words: object) -> str:
-    return shlex.join(["compwright", *map(str, words)])
+    """Return a command line as the shell of this system takes it."""
+    texts = ["compwright", *map(str, words)]
+    if os.name == "nt":  # cmd.exe takes single quotes as letters
+        return " ".join(f'"{text}"' if " " in text else text for text in texts)
+    return shlex.join(texts)
