@@ -87,7 +87,7 @@ def test_one_feed_does_not() -> None:
 def test_three_planes_are_one_machine() -> None:
     network = solved(PLANES)
     for kind, true in (("squareness", SQUARENESS), ("scale", SCALE), ("lost motion", LOST)):
-        found = network.told(kind)
+        found = network.values_of(kind)
         assert set(found) == set(true)
         for name, value in true.items():
             assert abs(found[name].value - value) < 3.0 * found[name].std_error, (kind, name)

@@ -488,11 +488,11 @@ def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) 
     own = {axis.address: axis.options.get(TABLE_VALUES) for axis in axes}
     faults = []
     for address, facts in state.facts.items():
-        said, given = (
+        stated, given = (
             facts.said.get(TABLE_VALUES),
             own.get(address) or control.given.get(TABLE_VALUES),
         )
-        if None in (said, given) or said == given:
+        if None in (stated, given) or stated == given:
             continue
         faults.append(
             Fault(
@@ -502,10 +502,10 @@ def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) 
                 ),
                 place=control.origin.before_option + TABLE_VALUES,
                 file=control.origin.file,
-                expected=str(said),
+                expected=str(stated),
                 found=str(given),
                 hint=(
-                    f"set `{TABLE_VALUES}: {said}`; if the check of the sign showed "
+                    f"set `{TABLE_VALUES}: {stated}`; if the check of the sign showed "
                     "the opposite, change the line `# value` of the sheet or take "
                     "the table out of the control first"
                 ),

@@ -74,10 +74,10 @@ def _drifts(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding]:
         odds = _odds(np.mean([draw.absent[kind] for draw in draws]))
         if odds < CLEAR or abs(size) < sigma:
             continue
-        told = _told(odds)
+        shown_odds = _told(odds)
         if kind == DRIFT:
             yield Finding.of(
-                "CW-E020", "warning", drift=_signed(size, test), odds=told, flattens=flattens
+                "CW-E020", "warning", drift=_signed(size, test), odds=shown_odds, flattens=flattens
             )
         else:
             yield Finding.of(
@@ -85,7 +85,7 @@ def _drifts(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding]:
                 "warning",
                 lower=_signed(-size, test),
                 upper=_signed(size, test),
-                odds=told,
+                odds=shown_odds,
                 flattens=flattens,
             )
 

@@ -88,13 +88,13 @@ def unseen_findings(
     unseen: Sequence[float], found: Sequence[float], kind: AxisKind
 ) -> list[Finding]:
     """Return the known periods (mm or deg) that the readings do not show while they show the
-    ``found`` ones (CW-E016): the period may be told wrong.
+    ``found`` ones (CW-E016): the period may be given wrong.
     """
     if not unseen or not found:
         return []
     unit = kind.unit
-    told, instead = ([f"{one:.5g}" for one in each] for each in (unseen, found))
-    return [Finding.of("CW-E016", "warning", stated=told, unit=unit, found=instead)]
+    given, instead = ([f"{one:.5g}" for one in each] for each in (unseen, found))
+    return [Finding.of("CW-E016", "warning", stated=given, unit=unit, found=instead)]
 
 
 def _nothing(search: PeriodSearch, targets: FloatArray, unit: str) -> Finding:

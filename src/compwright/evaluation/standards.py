@@ -467,7 +467,7 @@ def _comparison(
         return None
     measured = np.isfinite(columns.mean_positive) | np.isfinite(columns.mean_negative)
     values = _values(columns, standard, measured)
-    told = []
+    compared = []
     for name in ("A", "A_positive", "A_negative", "R", "R_positive", "R_negative", "P", "Ps_max"):
         value = given.get(name)
         one_way = name.endswith(("_positive", "_negative"))
@@ -477,7 +477,7 @@ def _comparison(
             or (one_way and given.get(name[0]) is not None)
         ):
             continue
-        told.append(
+        compared.append(
             say(
                 "with_and_without",
                 parameter=name,
@@ -485,4 +485,4 @@ def _comparison(
                 without=text_of(values[name], test),
             )
         )
-    return say("compared_not_removed", parameters=told) if told else None
+    return say("compared_not_removed", parameters=compared) if compared else None

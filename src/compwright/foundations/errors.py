@@ -57,7 +57,7 @@ class Fault:
         )
         line = f"{head}: {self.message}" if head else self.message
         line = f"{line}; {tail}" if tail else line
-        if self.hint and _NEXT not in line:  # a fault inside another one has said it
+        if self.hint and _NEXT not in line:  # the next step of a fault inside this one
             line += _NEXT + self.hint
         return " ".join(line.split())
 

@@ -431,9 +431,11 @@ def _hidden(text: Sequence[str], table: ForeignTable, profile: Profile) -> list[
 def _unused(rows: Sequence[int], table: ForeignTable, profile: Profile) -> Finding | None:
     if not rows:
         return None
-    told = []
+    listed_lines = []
     for row in rows[:_LISTED]:
         cells = filter(None, (column[row] for column in table.cells))
-        told.append(f"{table.lines[row]} {shown('; '.join(cells))}")
+        listed_lines.append(f"{table.lines[row]} {shown('; '.join(cells))}")
     more = max(0, len(rows) - _LISTED)
-    return Finding.of("CW-R059", "warning", column=shown(profile.target), lines=told, more=more)
+    return Finding.of(
+        "CW-R059", "warning", column=shown(profile.target), lines=listed_lines, more=more
+    )

@@ -37,8 +37,8 @@ def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
     """
     if not lines:
         return None
-    told = [f"{number} {shown(text)}" for number, text in lines[:_LISTED]]
-    return Finding.of("CW-R063", "warning", lines=told, more=max(0, len(lines) - _LISTED))
+    listed = [f"{number} {shown(text)}" for number, text in lines[:_LISTED]]
+    return Finding.of("CW-R063", "warning", lines=listed, more=max(0, len(lines) - _LISTED))
 
 
 def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> Finding | None:

@@ -322,7 +322,7 @@ class AxisSection(JobMapping):
     )
     """Known period of the error, or a list of periods, above 0. Unit: mm, deg. Default: unknown:
     the readings are searched for periods, and others are searched beside known ones (CW-E012 to
-    CW-E014); what the control's files suggest is said (CW-S049) and expected before others.
+    CW-E014); what the control's files suggest is reported (CW-S049) and expected before others.
     """
     table: TableSection = TableSection()
     """Wishes for the grid, see below. Default: automatic."""
@@ -517,7 +517,7 @@ class JobSection(JobMapping):
     machine: MachineSection = MachineSection()
     """`name`, `serial`, `type`: text for reports. Default: none."""
     states: dict[str, Annotated[StateSection, BeforeValidator(_state)]] = {}
-    """What was active in the control (`files`, `active`), see below. Default: not said: no table
+    """What was active in the control (`files`, `active`), see below. Default: unknown: no table
     is written.
     """
     circles: list[CircleSection] = []

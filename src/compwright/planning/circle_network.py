@@ -64,7 +64,7 @@ class CircleNetwork:
     values: Mapping[Unknown, Stated]
     contradictions: Mapping[str, tuple[Observation, ...]]
 
-    def told(self, kind: str) -> dict[str, Stated]:
+    def values_of(self, kind: str) -> dict[str, Stated]:
         """Return the values of a kind that the circles tell, by axis or plane."""
         most = _TELLS * _PRIOR[kind][1]
         return {
@@ -204,9 +204,9 @@ def _name(one: Observation) -> str:
 
 def _machine(network: CircleNetwork) -> Iterator[Sentence]:
     for kind, unit in (("squareness", "µm/m"), ("scale", "µm/m"), ("lost motion", "µm")):
-        for name, value in network.told(kind).items():
+        for name, value in network.values_of(kind).items():
             yield say("CW-P135.error", kind=kind, of=name, value=value.words(1.0, unit))
-    for name, value in network.told("shrinking").items():
+    for name, value in network.values_of("shrinking").items():
         if value.value > SIGNIFICANT * value.std_error:
             lag = 1e3 * np.sqrt(2.0 * value.value / _PPM)  # ms
             error = 0.5 * lag * value.std_error / value.value

@@ -31,7 +31,7 @@ def statement_findings(
     tests: Sequence[PlannedTest], axis: Axis, states: Mapping[str, ControlState]
 ) -> Iterator[Finding]:
     """Yield where the headers of an axis' files contradict the state of the control that the job
-    gives, or each other. ``states``: by name, those of which somebody said what they are.
+    gives, or each other. ``states``: by name, those whose content is stated.
     """
     for planned in tests:
         yield from _differences(planned.test, axis)
@@ -96,12 +96,12 @@ def _differences(test: PositioningTest, axis: Axis) -> Iterator[Finding]:
     """Yield what the files of one test state differently."""
     if len(test.sources) < 2:
         return
-    told = [
+    differing = [
         f"{key}: {' / '.join(lines)}"
         for key, text in test.header.items()
         if len(lines := [line.strip() for line in text.splitlines() if line.strip()]) > 1
     ]
-    if told:
+    if differing:
         yield Finding.of(
-            "CW-P163", "info", axes=(axis.name,), axis=axis.name, test=test.name, keys=told
+            "CW-P163", "info", axes=(axis.name,), axis=axis.name, test=test.name, keys=differing
         )

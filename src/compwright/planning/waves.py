@@ -65,7 +65,7 @@ def with_wave(
         return plain
     left, with_it = (float(np.std(_left(wanted, each.compensation, ()))) for each in (plain, waved))
     factor, unit = outside_factor(wanted.kind.unit), shown_unit(wanted.kind.unit)
-    told = say(
+    period_text = say(
         "CW-P143.period",
         period=wave.period,
         unit=wanted.kind.unit,
@@ -74,9 +74,9 @@ def with_wave(
         with_it=Amount(with_it * factor, unit, ".3f"),
     )
     if left - with_it <= WORTH * left:
-        note = Finding.of("CW-P143.none", "info", period=told)
+        note = Finding.of("CW-P143.none", "info", period=period_text)
         return replace(plain, findings=(*plain.findings, note))
-    note = Finding.of("CW-P143.second", "info", period=told)
+    note = Finding.of("CW-P143.second", "info", period=period_text)
     return replace(waved, findings=(*waved.findings, note))
 
 

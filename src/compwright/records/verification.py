@@ -45,7 +45,7 @@ class LoadingVerdict:
     """Did the loaded table act as planned?
 
     ``margin``: natural logarithm of the odds for what the data favour over the next candidate (4.6
-    is 100:1). ``sentence``: what is said of it. ``equivalent``: names that no test could
+    is 100:1). ``sentence``: its text. ``equivalent``: names that no test could
     tell from the verdict; ``near``: names of which this test tells little, whatever is likely
     beforehand (less than eight standard errors off). ``candidates``: the likeliest names, first the
     likeliest, empty where nothing known fits. ``detail``: which variant of the verdict, in words.
@@ -70,7 +70,7 @@ class LoadingVerdict:
 
     @property
     def message(self) -> str:
-        """What is said of it, in English."""
+        """The sentence in English."""
         return str(self.sentence)
 
 

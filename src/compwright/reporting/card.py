@@ -151,7 +151,7 @@ def _limits(axes: Document, circles: Document) -> list[str]:
     """Return a sentence for each limit of the prediction's axes and circles, then the rule where it
     is the guarded one.
     """
-    told: list[str] = []
+    decisions: list[str] = []
     rules: list[str] = []
     limited = [(f"Axis {name}", axis, axis.get("unit", "um")) for name, axis in axes.items()]
     limited += [(f"Circle {name}", circle, "um") for name, circle in circles.items()]
@@ -161,9 +161,9 @@ def _limits(axes: Document, circles: Document) -> list[str]:
             f"{symbol(key)} {plain(entry['limit'])} {unit}: {entry['decision']}"
             for key, entry in accept.items()
         ]
-        told += [f"{name}: {'; '.join(decided)}."] if decided else []
+        decisions += [f"{name}: {'; '.join(decided)}."] if decided else []
         rules += rule_lines(accept, unit)
-    return [*told, *dict.fromkeys(rules)]
+    return [*decisions, *dict.fromkeys(rules)]
 
 
 def changes_content(changes: Document | None) -> dict[str, Any] | None:
@@ -205,12 +205,12 @@ def _lines(step: Document) -> list[dict[str, Any]]:
     if not rows:
         lines = _alike_once([line for line in text.splitlines() if line.strip()])
         return [{"text": line, "tick": len(lines) > 1} for line in lines]
-    told = []
+    ticked = []
     for named, group in groupby(_SENTENCE.split(text), key=lambda sentence: "‹" in sentence):
         words = " ".join(group)
         each = [_filled(words, heads, row) for row in rows] if named else [words]
-        told += [{"text": line, "tick": named} for line in each]
-    return told
+        ticked += [{"text": line, "tick": named} for line in each]
+    return ticked
 
 
 def _filled(words: str, heads: Sequence[object], row: Sequence[object]) -> str:

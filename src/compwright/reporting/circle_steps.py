@@ -12,7 +12,7 @@ from typing import Any, Final
 
 from compwright.reporting.causes import CircleCause
 
-#: The largest causes, for which it is said what to do.
+#: How many causes get a next step, the largest first.
 _MOST: Final = 3
 
 #: Cause (contract name without its axis) -> sentence; {axis} is the axis, {first} and {second} are

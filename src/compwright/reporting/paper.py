@@ -160,12 +160,12 @@ def sheets_together(sheets: Iterable[tuple[str, Document]]) -> list[dict[str, An
 
 def _of_each(names: Sequence[str], values: Sequence[str]) -> str:
     """Return what all tests state, or each value with the names of its tests."""
-    told: dict[str, list[str]] = {}
+    names_by_value: dict[str, list[str]] = {}
     for name, value in zip(names, values, strict=True):
-        told.setdefault(value, []).append(name)
-    if len(told) == 1:
+        names_by_value.setdefault(value, []).append(name)
+    if len(names_by_value) == 1:
         return values[0]
-    return "; ".join(f"{', '.join(of)}: {value}" for value, of in told.items())
+    return "; ".join(f"{', '.join(of)}: {value}" for value, of in names_by_value.items())
 
 
 def _extremes(result: Document) -> TextTable | None:

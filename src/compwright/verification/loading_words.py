@@ -273,7 +273,7 @@ def declared_slope_text(slope: float, error: float, declared: float) -> Sentence
 
 
 def thermal_message(shown: Shown, expected: FloatArray, slope: Sentence) -> Sentence:
-    """Return what is said of a table that is active on an axis that is longer or shorter now."""
+    """Return the sentence of an active table on an axis that is longer or shorter now."""
     return say("loading.thermal", left=shown.rms(shown.left(expected)), slope=slope)
 
 

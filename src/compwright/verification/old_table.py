@@ -102,13 +102,13 @@ class OldTable:
         if self.verdict.verdict in ACTED:
             percent = min(100.0 * self.acted, 99.9)
             return Finding.of("CW-V030", "info", between=between, state=self.state, percent=percent)
-        said = _words(self.likely) or "nothing that is known fits"
+        likely = _words(self.likely) or "nothing that is known fits"
         return Finding.of(
             "CW-V031",
             "info" if self.acted >= _TOLD else "warning",
             between=between,
             state=self.state,
-            likely=said,
+            likely=likely,
         )
 
 

@@ -56,9 +56,9 @@ def with_existing(ways: Ways) -> Iterator[Hypothesis]:
     backlashes = [(ways.backlash - jump, ways.backlash + jump, "")]
     if np.any(jump):
         backlashes.append((ways.backlash, ways.backlash, "apart from the backlash"))
-    for less, more, told in backlashes:
-        yield ways.made("increment", ways.total(ways.own - existing, less), COMMON, told)
-        yield ways.made("on_top", ways.total(ways.own + existing, more), COMMON, told)
+    for less, more, detail in backlashes:
+        yield ways.made("increment", ways.total(ways.own - existing, less), COMMON, detail)
+        yield ways.made("on_top", ways.total(ways.own + existing, more), COMMON, detail)
     believed = ways.at(ways.loading.acted) - ways.stay
     if np.any(np.abs(believed) > 0.0):
         # the same test as on top of it, which happens more often

@@ -56,7 +56,7 @@ class Amount:
 
 @dataclass(frozen=True, slots=True)
 class Sentence:
-    """What is said: the name of a template of the catalogue and the values in it.
+    """The name of a template of the catalogue and the values in it.
 
     A value is a number, a text, an `Amount`, another sentence, None, or a tuple of these.
     """

@@ -38,8 +38,8 @@ Block = tuple[int, int, tuple[bool, str, int], bool]
 def apart(here: Sequence[Block], there: Sequence[Block]) -> bool:
     """Return whether not both of two places in these blocks are sent."""
     return any(
-        branch != its if begun == other else asked == question and said is not answer
-        for begun, branch, asked, said in here
+        branch != its if begun == other else asked == question and answered is not answer
+        for begun, branch, asked, answered in here
         for other, its, question, answer in there
     )
 

@@ -10,7 +10,7 @@ import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-#: Assigned by a statement of which nobody knows what it assigns.
+#: Assigned by a statement whose effect is unknown.
 EVERYTHING = "everything"
 #: More answers than these are not followed: what is left may be answered in any way.
 _MOST_ANSWERS = 2000

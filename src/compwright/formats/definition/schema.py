@@ -332,7 +332,7 @@ class Definition:
 
     Equal only to itself: what is made of it (its compiled forms) is kept by it.
 
-    ``maker``: who makes the control, the heading of lists; empty where it is not said.
+    ``maker``: who makes the control, the heading of lists; empty where unknown.
     ``aliases``: further names by which users ask for it; other definitions may have the same.
     ``parameters``: those beside the table, by the names that the family of its shape gives them.
     ``look_at``: by verdict of loading, what to look at; empty where the definition does not say it.

@@ -61,9 +61,9 @@ class Listing:
     tells that nothing acts on the one at an address. ``carried_out``: files without the programs
     that were not carried out, where the job says so (``active: no``), and findings that name these;
     raises InputError where that cannot be. ``shown``: the control as it reads files that are only
-    shown: what no readings hang on may be assumed, and is said. ``drafted``: as it reads files for
-    the draft of a job: what no reading of its tests can depend on keeps no axis out; None: as
-    shown.
+    shown: what no reading depends on may be assumed, and is reported. ``drafted``: as it reads
+    files for the draft of a job: what no reading of its tests can depend on keeps no axis out;
+    None: as shown.
     """
 
     entered: Callable[[Definition, Sequence[ControlFile], Sequence[ControlFile]], Entries] = (

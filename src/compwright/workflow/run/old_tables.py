@@ -52,10 +52,10 @@ def with_old_tables(
     found: dict[str, AxisWork] = dict(works)
     findings: list[Finding] = []
     for (name, task), old in zip(tasks, judged, strict=True):
-        said = old.finding()
-        if said is not None:
-            sentence = say("of_axis", axis=name, finding=said.sentence)
-            findings.append(replace(said, sentence=sentence))
+        finding = old.finding()
+        if finding is not None:
+            sentence = say("of_axis", axis=name, finding=finding.sentence)
+            findings.append(replace(finding, sentence=sentence))
             continue
         table = held_by(measured.states[task[2].measured_in], task[0])
         sentences = measured.control.look_at(task[0], table)

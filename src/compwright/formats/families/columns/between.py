@@ -67,7 +67,7 @@ def columns_between(family: Family, asked: BetweenRequest) -> Between:
 
 
 def _in_the_table(family: Family, asked: BetweenRequest, filled: Filled) -> Between:
-    """Return what is said of a correction that is in the user's own table."""
+    """Return the remark on a correction that is in the user's own table."""
     entry, form = filled.entry, _form(family, asked, filled.entry)
     rows = _rows(entry, form)
     where = f"{filled.file}, column {filled.column}"

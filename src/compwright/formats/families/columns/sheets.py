@@ -93,8 +93,8 @@ def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
     """A sheet that says how many points it has is checked: a lost last line would otherwise go
     unnoticed.
     """
-    said = sheet.comments.get("points")
-    if said is not None and said != str(found):
+    text = sheet.comments.get("points")
+    if text is not None and text != str(found):
         place = f"line {sheet.lines.get('points', 1)}"
         message = "the sheet does not hold as many points as it says; it may have been cut short"
         faults.append(
@@ -102,7 +102,7 @@ def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
                 message=message,
                 file=sheet.name,
                 place=place,
-                expected=said[:60],
+                expected=text[:60],
                 found=str(found),
                 hint="correct this line of the entry sheet",
             )

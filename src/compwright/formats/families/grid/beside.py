@@ -138,11 +138,11 @@ class Beside:
         """Name what else acts on the axis and stays as it is; return it in words, to hold two
         states against each other.
         """
-        said = self._temperature()
+        functions = self._temperature()
         for (address, system), places in sorted(self.gathered.singles.items(), key=str):
             found = places.get("dynamic_backlash", ())
             if address == self.address and found and Decimal(found[-1].text) != 0:
-                said.append(
+                functions.append(
                     f"dynamic backlash (MD32456[{system}] = {found[-1].text}), where the PLC"
                     " switches it on"
                 )
@@ -153,13 +153,13 @@ class Beside:
             )
         }
         if len(factors) > 1:
-            said.append(
+            functions.append(
                 "a backlash factor that differs between the parameter sets (MD32452); the first set"
                 " is taken"
             )
-        if said:
-            self.notes.find("CW-S053", "warning", axis=self.address, functions=said)
-        return "; ".join(said)
+        if functions:
+            self.notes.find("CW-S053", "warning", axis=self.address, functions=functions)
+        return "; ".join(functions)
 
     def _temperature(self) -> list[str]:
         kind, slope = self.last("temperature_type"), self.number("temperature_slope")

@@ -95,14 +95,14 @@ def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, obj
     """Return the facts with what acts beside the table and is left alone."""
     every = tuple(functions(own))
     alone = left_alone(every, options)
-    told = {OPTION_OF.get(each.words): each.told for each in every}
+    by_option = {OPTION_OF.get(each.words): each.told for each in every}
     said = replace(
         increments_of(facts),
         hung=hung(own, every),
         foreign=tuple(numbers for _, numbers in own.all.second_tables),
         first_stage=first_stage(own),
-        inclined=told.get("inclination", ""),
-        waved=told.get("cyclic", ""),
+        inclined=by_option.get("inclination", ""),
+        waved=by_option.get("cyclic", ""),
     )
     words = [function.told for function in alone if function.moves]
     if words:  # what it does hangs on the grid

@@ -146,13 +146,13 @@ class IncrementLimits:
         if not self.facts.unread:
             return gap
         unread = sorted(self.facts.unread)
-        told = f"{unread[0]} to {unread[-1]} ({len(unread)} of them)"
+        used_numbers = f"{unread[0]} to {unread[-1]} ({len(unread)} of them)"
         if gap < MIN_SECTIONS:
             raise UsageError(
                 Fault(
                     message=(
                         f"axis {self.axis.name}: no given file shows which point numbers are free "
-                        f"for its table. The numbers {told} may be in use"
+                        f"for its table. The numbers {used_numbers} may be in use"
                     ),
                     place="first_point",
                     expected=(
@@ -167,8 +167,8 @@ class IncrementLimits:
                 )
             )
         evidence = (
-            f"no file says what the numbers {told} hold; give all of the control's pitch data, or"
-            " first_point"
+            f"no file says what the numbers {used_numbers} hold; give all of the control's pitch"
+            " data, or first_point"
         )
         self._assume("point numbers for its table", f"at most {gap} in a row", evidence)
         return gap

@@ -82,11 +82,11 @@ def _beside(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
             " on the whole table"
         )
     elif {point.number for point in new} != old:
-        told = ", ".join(point.label for point in new)
-        yield f"set too, because the grid moves and these positions stay: {told}"
+        kept = ", ".join(point.label for point in new)
+        yield f"set too, because the grid moves and these positions stay: {kept}"
     if facts.beside:
-        told = "; ".join(each for each in facts.beside.split("; ") if "parameter" in each)
-        yield f"leave unchanged what is active in addition to the table: {told}"
+        kept = "; ".join(each for each in facts.beside.split("; ") if "parameter" in each)
+        yield f"leave unchanged what is active in addition to the table: {kept}"
 
 
 def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:

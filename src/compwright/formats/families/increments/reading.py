@@ -227,8 +227,8 @@ class StateReader:
         odd = [finding for finding in notes.findings if finding.code == "CW-S041"]
         self.notes.findings.extend(odd)
         if notes.faults and facts.enabled:
-            told = (f"{fault.message} ({fault.place}: {fault.found})" for fault in notes.faults)
-            self.notes.find("CW-S042", "warning", axis=address, reasons=dict.fromkeys(told))
+            reasons = (f"{fault.message} ({fault.place}: {fault.found})" for fault in notes.faults)
+            self.notes.find("CW-S042", "warning", axis=address, reasons=dict.fromkeys(reasons))
 
     def _filled(self) -> frozenset[int]:
         """Return the numbers that hold data: none of them is free for a new table, as those are not

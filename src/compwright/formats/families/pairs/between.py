@@ -148,9 +148,9 @@ def _loading(entry: PlannedCross, named: str) -> str:
         f"{value * factor:+.2f} {unit} at {entry.input} {position:g}"
         for position, value in zip(added.positions[[0, -1]], added.positive[[0, -1]], strict=True)
     )
-    said = str(label(entry))
+    text = str(label(entry))
     return (
-        f"Load {named}. {said[:1].upper()}{said[1:]}: {entry.output} is moved by {ends}, 0 at the"
+        f"Load {named}. {text[:1].upper()}{text[1:]}: {entry.output} is moved by {ends}, 0 at the"
         f" reference of {entry.input}."
     )
 

@@ -57,8 +57,8 @@ _LISTING = "a listing with decimal commas, which the control does not take"
 
 
 def _shown(control: Family) -> Family:
-    """Return the control that shows tables between axes as corrections where nobody says their
-    sign.
+    """Return the control that shows tables between axes as corrections where their sign is not
+    given.
     """
     if control.options.get("cec_sign", "") is not None:
         return control

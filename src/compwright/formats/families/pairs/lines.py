@@ -150,8 +150,8 @@ class TableLines(SingleValues):
     def acts(self, *, asked: bool, stays: bool) -> bool:
         """Return whether no file switches the table off, itself or the sum on its output axis;
         values of an unknown unit are refused. ``asked``: its output axis is asked for. ``stays``:
-        nobody gave its index to be written; then nothing hangs on whether one that no file switches
-        off acted.
+        its index is not one to be written; then nothing depends on whether one that no file
+        switches off was active.
         """
         owner = f"axis {self.pair[1]}"
         on_axis = of_axis(self.gathered, self.pair[1])

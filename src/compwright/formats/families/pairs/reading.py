@@ -65,7 +65,7 @@ class Writable:
         return self.not_ours(one.index, one.pair[1]) and one.told_on()
 
     def not_ours(self, index: int, output: str) -> bool:
-        """Return whether a job works on the axis ``output``, and nobody gave the index to be
+        """Return whether a job works on the axis ``output``, and the index is not one to be
         written.
         """
         given = self.indices.get(output, self.drafted)
