@@ -8,14 +8,30 @@ explained in ``docs/job-file.md``; the text below a key becomes its row in ``doc
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag
-from pydantic_core import PydanticCustomError
 
 from compwright.foundations.key_faults import KeyPath
+from compwright.jobs.value_types import (
+    NotNegative,
+    Positive,
+    Sense,
+    Sign,
+    Spacing,
+    Temperature,
+    Text,
+    acknowledgements,
+    drift_file,
+    drift_or_number,
+    listed,
+    named_axis,
+    named_file,
+    no_truth_value,
+    state,
+    yes_or_no,
+)
 
 SCHEMA_VERSION = 1
 
@@ -33,89 +49,6 @@ MISSING = {
 Standard = Literal[
     "iso230-2:1988", "iso230-2:1997", "iso230-2:2006", "iso230-2:2014", "gost27843:2006", "vdi3441"
 ]
-
-
-def _one_line_of_text(value: Any) -> Any:
-    """Accept a word or a whole number as text; a decimal number may have lost digits (1.10) and
-    must stand in quotes.
-    """
-    if isinstance(value, int) and not isinstance(value, bool):
-        return str(value)
-    if not isinstance(value, str):
-        kind = "text_in_quotes"
-        raise PydanticCustomError(kind, "is not text")
-    if not value.strip() or any(
-        ord(character) < ord(" ") or character == "\x7f" for character in value
-    ):
-        kind = "one_line"
-        raise PydanticCustomError(kind, "is blank or holds control characters")
-    return value
-
-
-def _listed(value: Any) -> Any:
-    return value if isinstance(value, list) else [value]
-
-
-def _named_file(value: Any) -> Any:
-    return {"files": [value]} if isinstance(value, str) else value
-
-
-def _named_axis(value: Any) -> Any:
-    return value if isinstance(value, dict) else {"axis": value}
-
-
-def _acknowledgements(value: Any) -> Any:
-    """Accept a reason alone, one mapping, or several, one for each axis."""
-    return [{"reason": one} if isinstance(one, str) else one for one in _listed(value)]
-
-
-def _no_truth_value(value: Any) -> Any:
-    """Keep ``true`` from passing for 1, which it equals."""
-    if isinstance(value, bool):
-        kind = "truth_value"
-        raise PydanticCustomError(kind, "is a truth value")
-    return value
-
-
-def _yes_or_no(value: Any) -> Any:
-    """Read ``yes`` and ``no``, which are text in a job file; ``true`` and ``false`` are what they
-    are.
-    """
-    return {"yes": True, "no": False}.get(value, value) if isinstance(value, str) else value
-
-
-def _state(value: Any) -> Any:
-    return value if isinstance(value, dict) else {"files": value}
-
-
-def _auto_or_number(value: Any) -> str:
-    return "auto" if value == "auto" else "number"
-
-
-def _drift_file(value: Any) -> Any:
-    return {"file": value} if isinstance(value, str) else value
-
-
-def _drift_or_number(value: Any) -> str:
-    """Tell a file from a number, and from text that was meant as one (``1,5``)."""
-    if isinstance(value, dict):
-        return "drift"
-    named = isinstance(value, str) and re.search(r"[^\W\d_]", value) is not None
-    return "drift" if named else "number"
-
-
-Text = Annotated[str, BeforeValidator(_one_line_of_text)]
-Positive = Annotated[float, Field(gt=0)]
-NotNegative = Annotated[float, Field(ge=0)]
-#: A complaint about a number that is none speaks of a number, not of the word too.
-Spacing = Annotated[
-    Annotated[Positive, Tag("number")] | Annotated[Literal["auto"], Tag("auto")],
-    Discriminator(_auto_or_number),
-]
-#: °C: one temperature, or that at the start and at the end of the test.
-Temperature = Annotated[list[float], BeforeValidator(_listed), Field(min_length=1, max_length=2)]
-Sense = Annotated[Literal[1, -1], BeforeValidator(_no_truth_value)]
-Sign = Literal["+", "-"]
 
 
 class JobMapping(BaseModel):
@@ -160,7 +93,7 @@ class EncoderSection(JobMapping):
     """
 
     type: Literal["incremental", "absolute", "distance_coded"] = "incremental"
-    system: Annotated[Literal[1, 2] | None, BeforeValidator(_no_truth_value)] = None
+    system: Annotated[Literal[1, 2] | None, BeforeValidator(no_truth_value)] = None
 
 
 class OwnThermalSection(JobMapping):
@@ -200,7 +133,7 @@ class TestSection(JobMapping):
 
     __test__ = False  # not a test class, whatever the name suggests to a collector
 
-    files: Annotated[list[Text], BeforeValidator(_listed), Field(min_length=1)]
+    files: Annotated[list[Text], BeforeValidator(listed), Field(min_length=1)]
     """Path, or list of paths. Required."""
     name: Text | None = None
     """Name of the test, once per axis. Default: the first file's name without folder and ending."""
@@ -268,7 +201,7 @@ class AxisSection(JobMapping):
     (exit 3). Unit: mm, deg. Required.
     """
     before: Annotated[
-        list[Annotated[TestSection, BeforeValidator(_named_file)]], BeforeValidator(_listed)
+        list[Annotated[TestSection, BeforeValidator(named_file)]], BeforeValidator(listed)
     ]
     """The tests, see below; `[]` for an axis that only circles or cross measurements speak of.
     Required.
@@ -288,7 +221,7 @@ class AxisSection(JobMapping):
     """Index of the axis where the control also counts (MP index, `.COM` column), 1 to 99. Default:
     not given.
     """
-    gantry: Annotated[GantrySection, BeforeValidator(_named_axis)] | None = None
+    gantry: Annotated[GantrySection, BeforeValidator(named_axis)] | None = None
     """Address of the synchronised axis, which gets the table too, or `{axis, table}`: `table:
     same` gives it the same total, `table: change` adds the same change to its own total on its
     own grid; asked for (exit 2) where the axis has a table, grid or backlash of its own that
@@ -317,7 +250,7 @@ class AxisSection(JobMapping):
     nothing (the card says what to program then), and is refused (2) where it is not known how
     the control's tables count then. Default: `radius`.
     """
-    screw_pitch: Annotated[list[Positive], BeforeValidator(_listed), Field(min_length=1)] | None = (
+    screw_pitch: Annotated[list[Positive], BeforeValidator(listed), Field(min_length=1)] | None = (
         None
     )
     """Known period of the error, or a list of periods, above 0. Unit: mm, deg. Default: unknown:
@@ -410,8 +343,8 @@ class DriftSection(JobMapping):
 #: A range, or the stand-still test that shows it.
 Variation = Annotated[
     Annotated[NotNegative, Tag("number")]
-    | Annotated[DriftSection, BeforeValidator(_drift_file), Tag("drift")],
-    Discriminator(_drift_or_number),
+    | Annotated[DriftSection, BeforeValidator(drift_file), Tag("drift")],
+    Discriminator(drift_or_number),
 ]
 
 
@@ -499,8 +432,8 @@ class StateSection(JobMapping):
     off or do not say.
     """
 
-    files: Annotated[list[Text], BeforeValidator(_listed), Field(min_length=1)]
-    active: Annotated[bool | None, BeforeValidator(_yes_or_no)] = None
+    files: Annotated[list[Text], BeforeValidator(listed), Field(min_length=1)]
+    active: Annotated[bool | None, BeforeValidator(yes_or_no)] = None
 
 
 class JobSection(JobMapping):
@@ -516,7 +449,7 @@ class JobSection(JobMapping):
     """One entry per axis, under its name (letters, digits, `_`, `+`, `-`). Required."""
     machine: MachineSection = MachineSection()
     """`name`, `serial`, `type`: text for reports. Default: none."""
-    states: dict[str, Annotated[StateSection, BeforeValidator(_state)]] = {}
+    states: dict[str, Annotated[StateSection, BeforeValidator(state)]] = {}
     """What was active in the control (`files`, `active`), see below. Default: unknown: no table
     is written.
     """
@@ -541,7 +474,7 @@ class JobSection(JobMapping):
     acknowledged: dict[
         str,
         Annotated[
-            list[AcknowledgementSection], BeforeValidator(_acknowledgements), Field(min_length=1)
+            list[AcknowledgementSection], BeforeValidator(acknowledgements), Field(min_length=1)
         ],
     ] = {}
     """Doubts (the codes with "yes" in [findings.md](findings.md)) that you checked and that do not

@@ -11,7 +11,12 @@ from rich.console import RenderableType
 from rich.rule import Rule
 from rich.table import Table
 
-from compwright.reporting.history_words import limit_lines, parameter_name, trend_lines
+from compwright.reporting.history_words import (
+    CHANGED_MARK,
+    change_line,
+    limit_lines,
+    trend_lines,
+)
 from compwright.reporting.numbers import MISSING, number, symbol, unit_text
 from compwright.reporting.shown import Text
 
@@ -21,13 +26,6 @@ _HEADINGS: Final = {"squareness": "squareness, µm/m", "G_bidirectional": "G(b)"
 #: Shown only where no test has the value that holds both directions (ISO 230-4:1996).
 _SINGLE: Final = frozenset({"G_ccw", "G_cw"})
 _STYLES: Final = {"good": "green", "loaded": "green", "bad": "red", "not_active": "red"}
-#: Behind a value that differs from the one before it beyond the uncertainty.
-_MARK: Final = "*"
-_TABLES: Final = {
-    "same": "The same table was active in both.",
-    "changed": "A different table was active.",
-    "unknown": "The files do not state whether the same table was active.",
-}
 
 
 def history_tables(document: Mapping[str, Any]) -> list[RenderableType]:
@@ -100,48 +98,11 @@ def _value(test: Mapping[str, Any], name: str, *, marked: bool) -> Text:
     stated = test["uncertainty"].get(name)
     within = f" ± {number(stated['U'])}" if stated else ""
     text = f"{number(value)}{within}"
-    return Text(f"{text}{_MARK}", style="bold yellow") if marked else Text(f"{text} ")
+    return Text(f"{text}{CHANGED_MARK}", style="bold yellow") if marked else Text(f"{text} ")
 
 
 def _word(word: str) -> Text:
     return Text(word.replace("_", " "), style=_STYLES.get(word, ""))
-
-
-def change_line(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
-    """Return a change, its tests, and how seldom an unchanged machine shows it."""
-    before, after = (tests[change[which]] for which in ("before", "after"))
-    name = change["parameter"]
-    unit = "µm/m" if name == "squareness" else unit_text(change["unit"])
-    size = change["size"]
-    many = change["standard_errors"]
-    errors = f", {abs(many):.0f} standard errors" if many is not None else ""
-    slope = (
-        " with the slope of 1 K of steel allowed for (no uncertainty is declared)"
-        if change["undeclared"]
-        else ""
-    )
-    return (
-        f"{_MARK} {parameter_name(name)} from {number(change['value_before'])} to"
-        f" {number(change['value_after'])} {unit} between {_when(before)} and"
-        f" {_when(after)}: {'+' if size > 0 else ''}{number(size)} {unit}{errors}{slope},"
-        f" {_SHOWN.get(name, 'an unchanged machine shows that')} {_odds(change['chance'])}."
-        f" {_TABLES[change['table']]}"
-    )
-
-
-#: Scatter tells of the hall and the instrument as well.
-_SHOWN: Final = {"s": "the same machine, instrument and hall without drift show that"}
-
-
-def _when(test: Mapping[str, Any]) -> str:
-    return str(test["day"].partition(" ")[0] or f"{test['folder']} ({test['taken']})")
-
-
-def _odds(chance: float) -> str:
-    """Return how seldom, in round words."""
-    if chance < 1e-6:
-        return "less than once in a million"
-    return f"once in {float(f'{1.0 / chance:.1g}'):,.0f}".replace(",", " ")
 
 
 def _remarks(document: Mapping[str, Any]) -> list[RenderableType]:

@@ -10,8 +10,12 @@ from typing import Any, Final
 
 from compwright.foundations.extras import need
 from compwright.foundations.utf8 import visible
-from compwright.reporting.history import change_line
-from compwright.reporting.history_words import limit_lines, parameter_name, trend_lines
+from compwright.reporting.history_words import (
+    change_line,
+    limit_lines,
+    parameter_name,
+    trend_lines,
+)
 from compwright.reporting.numbers import MISSING, number, unit_text
 from compwright.reporting.page import render_page
 from compwright.reporting.sections import Document

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, Final
 
 from compwright.reporting.numbers import number, symbol, unit_text
 
+#: Behind a value that differs from the one before it beyond the uncertainty.
+CHANGED_MARK: Final = "*"
+_TABLES: Final = {
+    "same": "The same table was active in both.",
+    "changed": "A different table was active.",
+    "unknown": "The files do not state whether the same table was active.",
+}
 _NAMES = {
     "squareness": "Squareness",
     "slope": "Slope",
@@ -61,3 +68,40 @@ def _month(day: str) -> str:
 
 def _signed(value: float) -> str:
     return f"+{number(value)}" if value > 0 else number(value)
+
+
+def change_line(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
+    """Return a change, its tests, and how seldom an unchanged machine shows it."""
+    before, after = (tests[change[which]] for which in ("before", "after"))
+    name = change["parameter"]
+    unit = "µm/m" if name == "squareness" else unit_text(change["unit"])
+    size = change["size"]
+    many = change["standard_errors"]
+    errors = f", {abs(many):.0f} standard errors" if many is not None else ""
+    slope = (
+        " with the slope of 1 K of steel allowed for (no uncertainty is declared)"
+        if change["undeclared"]
+        else ""
+    )
+    return (
+        f"{CHANGED_MARK} {parameter_name(name)} from {number(change['value_before'])} to"
+        f" {number(change['value_after'])} {unit} between {_date(before)} and"
+        f" {_date(after)}: {_signed(size)} {unit}{errors}{slope},"
+        f" {_SHOWN.get(name, 'an unchanged machine shows that')} {_odds(change['chance'])}."
+        f" {_TABLES[change['table']]}"
+    )
+
+
+#: Scatter tells of the hall and the instrument as well.
+_SHOWN: Final = {"s": "the same machine, instrument and hall without drift show that"}
+
+
+def _date(test: Mapping[str, Any]) -> str:
+    return str(test["day"].partition(" ")[0] or f"{test['folder']} ({test['taken']})")
+
+
+def _odds(chance: float) -> str:
+    """Return how seldom, in round words."""
+    if chance < 1e-6:
+        return "less than once in a million"
+    return f"once in {float(f'{1.0 / chance:.1g}'):,.0f}".replace(",", " ")

@@ -216,6 +216,22 @@ def no_limits(_: Axis, __: AxisCompensation, ___: Capacity, ____: str) -> Sequen
     return ()
 
 
+def require_files(files: Sequence[ControlFile]) -> None:
+    """Refuse a state without a file. Raises UsageError."""
+    if not files:
+        raise UsageError(
+            Fault(
+                message="no file of the control was given",
+                expected="its own files, or the state `none`",
+                hint=(
+                    "give the control's files under `states: {as_found: [...]}`, or"
+                    " `as_found: none` if it has no compensation (without a job: `--state FILE`"
+                    " or `--state none`)"
+                ),
+            )
+        )
+
+
 def checked(
     control: Family,
     compensations: Sequence[AxisCompensation],

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-import os
+import re
 import shlex
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 #: Stands for the folder with the files that were saved from the control after loading.
 READ_BACK = "READ_BACK"
 _AFTER = "AFTER_FILE"
+#: What shells read inside of double quotes.
+_ODD: Final = re.compile(r'["$`\\!%]')
 
 
 def after_run(outcome: Any, job: Path, out: Path, *, apart: bool) -> str:
@@ -79,8 +81,13 @@ def after_verify(
 
 
 def _command(*words: object) -> str:
-    """Return a command line as the shell of this system takes it."""
-    texts = ["compwright", *map(str, words)]
-    if os.name == "nt":  # cmd.exe takes single quotes as letters
-        return " ".join(f'"{text}"' if " " in text else text for text in texts)
-    return shlex.join(texts)
+    """Return a command line that shells of Linux, macOS and Windows take alike."""
+    texts = (word.as_posix() if isinstance(word, Path) else str(word) for word in words)
+    return " ".join(["compwright", *map(_quoted, texts)])
+
+
+def _quoted(text: str) -> str:
+    whole = shlex.quote(text)
+    if whole == text or _ODD.search(text):
+        return whole
+    return f'"{text}"'  # cmd.exe takes single quotes as letters

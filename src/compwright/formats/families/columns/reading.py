@@ -27,7 +27,7 @@ from compwright.formats.families.coupled_axes import (
     followers,
     leader,
 )
-from compwright.formats.families.family import Family
+from compwright.formats.families.family import Family, require_files
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -56,19 +56,7 @@ def read_columns(
     ``facts`` hold, for every axis of the result: ``enabled`` (its table acts), ``own_column`` and
     ``second_column`` (its own table among the files has a column for it, and one for travel in -).
     """
-    if not files:
-        raise UsageError(
-            Fault(
-                message=(
-                    "no file of the control was given; expected its own files, or the state `none`"
-                ),
-                hint=(
-                    "give the control's files under `states: {as_found: [...]}`, or "
-                    "`as_found: none` if it has no compensation (without a job: `--state FILE` "
-                    "or `--state none`)"
-                ),
-            )
-        )
+    require_files(files)
     known = {control.address(axis)[0]: axis for axis in axes}
     asked = [*known, *([] if address is None else [normal_text(control.definition, address)])]
     notes = Notes()

@@ -16,7 +16,7 @@ from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_names import axis_names
 from compwright.formats.families.control_texts import is_listing, texts_of
 from compwright.formats.families.coupled_axes import Coupling, check_couplings
-from compwright.formats.families.family import Family
+from compwright.formats.families.family import Family, require_files
 from compwright.formats.families.gantry import find_partners
 from compwright.formats.families.grid.axis_reading import AskedAxis, AxisReading, GridAxisReader
 from compwright.formats.families.grid.basic_system import basic_system
@@ -250,20 +250,7 @@ class GridReader:
                 )
 
     def _texts(self, files: Sequence[ControlFile]) -> list[ReadText]:
-        if not files:
-            raise UsageError(
-                Fault(
-                    message=(
-                        "no file of the control was given; expected its own files, or the "
-                        "state `none`"
-                    ),
-                    hint=(
-                        "give the control's files under `states: {as_found: [...]}`, or "
-                        "`as_found: none` if it has no compensation (without a job: `--state FILE` "
-                        "or `--state none`)"
-                    ),
-                )
-            )
+        require_files(files)
         files = self._loaded(files)
         self._refuse_unknown(files)
         whole = texts_of(self.definition, files, self.notes.faults)

@@ -22,7 +22,7 @@ from compwright.formats.families.coupled_axes import (
     followers,
     leader,
 )
-from compwright.formats.families.family import Family
+from compwright.formats.families.family import Family, require_files
 from compwright.formats.families.increments.acting import pointed_numbers
 from compwright.formats.families.increments.axis_facts import facts_of, name_of, with_beside
 from compwright.formats.families.increments.axis_reading import IncrementReader
@@ -350,19 +350,7 @@ def read_texts(
     """Return the statements of all files, typed-entry sheets too; what cannot be read goes to
     ``faults``.
     """
-    if not files:
-        raise UsageError(
-            Fault(
-                message=(
-                    "no file of the control was given; expected its own files, or the state `none`"
-                ),
-                hint=(
-                    "give the control's files under `states: {as_found: [...]}`, or "
-                    "`as_found: none` if it has no compensation (without a job: `--state FILE` "
-                    "or `--state none`)"
-                ),
-            )
-        )
+    require_files(files)
     reader = text_reader(definition)
     texts = []
     for number, file in enumerate(files):

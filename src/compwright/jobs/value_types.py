@@ -1,0 +1,97 @@
+"""What the keys of a job file accept: text, numbers, lists, and short forms of mappings."""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag
+from pydantic_core import PydanticCustomError
+
+
+def _one_line_of_text(value: Any) -> Any:
+    """Accept a word or a whole number as text; a decimal number may have lost digits (1.10) and
+    must stand in quotes.
+    """
+    if isinstance(value, int) and not isinstance(value, bool):
+        return str(value)
+    if not isinstance(value, str):
+        kind = "text_in_quotes"
+        raise PydanticCustomError(kind, "is not text")
+    if not value.strip() or any(
+        ord(character) < ord(" ") or character == "\x7f" for character in value
+    ):
+        kind = "one_line"
+        raise PydanticCustomError(kind, "is blank or holds control characters")
+    return value
+
+
+def listed(value: Any) -> Any:
+    """Accept one entry in place of a list of one."""
+    return value if isinstance(value, list) else [value]
+
+
+def named_file(value: Any) -> Any:
+    """Accept a file in place of a mapping with ``files``."""
+    return {"files": [value]} if isinstance(value, str) else value
+
+
+def named_axis(value: Any) -> Any:
+    """Accept an axis in place of a mapping with ``axis``."""
+    return value if isinstance(value, dict) else {"axis": value}
+
+
+def acknowledgements(value: Any) -> Any:
+    """Accept a reason alone, one mapping, or several, one for each axis."""
+    return [{"reason": one} if isinstance(one, str) else one for one in listed(value)]
+
+
+def no_truth_value(value: Any) -> Any:
+    """Keep ``true`` from passing for 1, which it equals."""
+    if isinstance(value, bool):
+        kind = "truth_value"
+        raise PydanticCustomError(kind, "is a truth value")
+    return value
+
+
+def yes_or_no(value: Any) -> Any:
+    """Read ``yes`` and ``no``, which are text in a job file; ``true`` and ``false`` are what they
+    are.
+    """
+    return {"yes": True, "no": False}.get(value, value) if isinstance(value, str) else value
+
+
+def state(value: Any) -> Any:
+    """Accept files, or the word none, in place of a mapping with ``files``."""
+    return value if isinstance(value, dict) else {"files": value}
+
+
+def _auto_or_number(value: Any) -> str:
+    return "auto" if value == "auto" else "number"
+
+
+def drift_file(value: Any) -> Any:
+    """Accept a file in place of a mapping with ``file``."""
+    return {"file": value} if isinstance(value, str) else value
+
+
+def drift_or_number(value: Any) -> str:
+    """Tell a file from a number, and from text that was meant as one (``1,5``)."""
+    if isinstance(value, dict):
+        return "drift"
+    named = isinstance(value, str) and re.search(r"[^\W\d_]", value) is not None
+    return "drift" if named else "number"
+
+
+Text = Annotated[str, BeforeValidator(_one_line_of_text)]
+Positive = Annotated[float, Field(gt=0)]
+NotNegative = Annotated[float, Field(ge=0)]
+#: A complaint about a number that is none speaks of a number, not of the word too.
+Spacing = Annotated[
+    Annotated[Positive, Tag("number")] | Annotated[Literal["auto"], Tag("auto")],
+    Discriminator(_auto_or_number),
+]
+#: °C: one temperature, or that at the start and at the end of the test.
+Temperature = Annotated[list[float], BeforeValidator(listed), Field(min_length=1, max_length=2)]
+Sense = Annotated[Literal[1, -1], BeforeValidator(no_truth_value)]
+Sign = Literal["+", "-"]
