@@ -29,7 +29,7 @@ from compwright.estimation.circle_model import (
 )
 from compwright.estimation.circle_noise import grid_of
 from compwright.estimation.circle_report import shrink_doubt
-from compwright.estimation.factors import factored, factored_beside, inverse_of_lower
+from compwright.estimation.factors import factored, factored_with_values, inverse_of_lower
 from compwright.estimation.hyperparameters import _log_student, draw_hyperparameters
 from compwright.estimation.peaks import peaks_of
 
@@ -379,7 +379,7 @@ def test_values_beside_a_matrix_are_solved_with_its_factor(size: int) -> None:
     noise = np.exp(rng.standard_normal(size))
     rows = rng.standard_normal((size, 2 * size))
     matrix, values = rows @ rows.T + np.diag(noise), 1e3 * rng.standard_normal(size)
-    factor, solved = factored_beside(matrix, values, float(np.sum(values**2 / noise)))
+    factor, solved = factored_with_values(matrix, values, float(np.sum(values**2 / noise)))
     np.testing.assert_allclose(factor @ factor.T, matrix, rtol=1e-12, atol=1e-12)
     np.testing.assert_allclose(factor @ solved, values, rtol=1e-9, atol=1e-9)
     # whatever the border, the density is that of the matrix alone
@@ -388,6 +388,6 @@ def test_values_beside_a_matrix_are_solved_with_its_factor(size: int) -> None:
 
 def test_values_beside_a_matrix_without_a_factor_get_that_of_the_nearest() -> None:
     ones, values = np.ones((60, 60)), np.ones(60)
-    factor, solved = factored_beside(ones - 1e-13 * np.eye(60), values, 10.0)
+    factor, solved = factored_with_values(ones - 1e-13 * np.eye(60), values, 10.0)
     np.testing.assert_allclose(factor @ factor.T, ones, atol=1e-9)
     np.testing.assert_allclose(factor @ solved, values, atol=1e-6)

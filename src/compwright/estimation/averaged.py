@@ -1,6 +1,7 @@
-"""What is known of an axis, as a mixture of models: with and without periods that nobody named,
-with a reversal that varies or not, each as far as its probability goes (Hoeting et al., Statistical
-Science 14, 1999).
+"""The error of an axis as a mixture of models: with and without unknown periods, with constant or
+varying reversal.
+
+Each model counts by its posterior probability (Hoeting et al., Statistical Science 14, 1999).
 """
 
 from __future__ import annotations
@@ -31,12 +32,14 @@ class Averaged:
 def averaged(
     cells: Cells, travel: Travel, known: Periods, models: Sequence[PeriodModel], draws: int
 ) -> Averaged:
-    """Return the mixture of ``models`` (the most probable first) beside the ``known`` periods.
+    """Return the mixture of the period ``models`` (most probable first), each with the ``known``
+    periods added.
 
-    Varying and constant reversal of equal prior probability: the share of the first is odds / (1 +
-    odds) (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995). The reversal is the difference of the
-    directions, periods are of their mean: the odds of the most probable model serve for all. Models
-    with as many periods and harmonics share the draws of their hyperparameters.
+    Constant and varying reversal have equal prior probability: the share of the varying one is odds
+    / (1 + odds) (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995). Reversal is the difference of the
+    directions, periods belong to their mean: the odds of the most probable model are therefore used
+    for all. Models with equally many periods and harmonics share the draws of their
+    hyperparameters.
     """
     first, odds = _with_and_without(cells, travel, known, models[0], draws)
     share = 1.0 / (1.0 + float(np.exp(-np.clip(odds, -50.0, 50.0)))) if len(first) > 1 else 0.0
@@ -44,7 +47,7 @@ def averaged(
     fits: dict[tuple[tuple[int, ...], ...], dict[bool, FittedModel]] = {models[0].harmonics: first}
     weights: list[tuple[FittedModel, float]] = []
     for model in models:
-        periods = known.beside(model.periods, model.harmonics)
+        periods = known.with_periods(model.periods, model.harmonics)
         if model.harmonics not in fits:
             fits[model.harmonics] = {
                 favoured: fitted(cells, travel, periods, varying=favoured, draws=draws // 2)
@@ -65,7 +68,7 @@ def _with_and_without(
     cells: Cells, travel: Travel, known: Periods, model: PeriodModel, draws: int
 ) -> tuple[dict[bool, FittedModel], float]:
     """Return a model with the reversal varying and constant, and the log odds for the first."""
-    periods = known.beside(model.periods, model.harmonics)
+    periods = known.with_periods(model.periods, model.harmonics)
     both = {
         varying: fitted(cells, travel, periods, varying=varying, draws=draws)
         for varying in ((True, False) if cells.bidirectional else (False,))

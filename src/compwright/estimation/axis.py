@@ -260,18 +260,17 @@ def estimate_axis(
     nodes: Sequence[float] = (),
     turn: float | None = None,
 ) -> AxisPosterior:
-    """Return the posterior of the error of an axis from its tests in machine coordinates, each with
-    a datum of its own.
+    """Return the posterior of the error of an axis from its tests in machine coordinates.
 
-    ``turn`` (deg): an endless axis, whose error repeats with it whatever the travel says; it has no
-    slope.
+    ``travel`` (low, high), mm or deg. ``periods``: known periods of the error (screw pitch, scale
+    period), mm or deg; ``suggested``: periods that are more probable than others if none is known.
+    ``nodes`` (mm or deg, ascending): points of a table that was active, where its line bends.
+    ``turn`` (deg): an endless axis, whose error repeats after it; such an error has no slope.
 
-    ``travel`` (low, high) and the known ``periods`` of the error (screw pitch, scale period), mm or
-    deg; ``suggested``: periods to expect rather than others where none is known; ``nodes`` (mm or
-    deg, ascending): where a table bends that acted. The same tests give the same posterior. Model
-    and sources: module docstring. Raises InputError for tests with readings at fewer than two
-    targets; UsageError for none, for a test in the instrument's frame, an empty travel, or a period
-    that is not positive.
+    Each test has a datum of its own. The same tests give the same posterior. Model and sources:
+    module docstring. Raises InputError for tests with readings at fewer than two targets;
+    UsageError for no test, a test in the instrument's frame, an empty travel, or a period that is
+    not positive.
     """
     _refuse_misuse(tests, travel, periods)
     cells = cells_of(tests, turn=turn)
@@ -282,7 +281,7 @@ def estimate_axis(
     known = Periods.of(cells, fitted_periods(middles, smooth, shown))
     kind, first = tests[0].test.kind, tests[0].noise
     search = search_periods(middles, smooth, kind, known=known.periods, suggested=suggested)
-    told = tuple(each.period for each in search.found if each.named)
+    shown_periods = tuple(each.period for each in search.found if each.named)
     mixture = averaged(cells, over, known, search.models, _DRAWS)
     parts, odds = mixture.parts, mixture.reversal_log_odds
     log_noise = 0.5 * np.log(np.concatenate([part.noises for part in parts]))
@@ -298,7 +297,9 @@ def estimate_axis(
             *(jump.finding(kind) for jump in cells.jumps if jump.named),
             *findings_of(cells, travel if turn is None else None, periods, shown, kind),
             *period_findings(search, cells.targets, kind, shown, known.periods, nodes),
-            *unseen_findings(unseen_periods(middles, smooth, known.periods, told), told, kind),
+            *unseen_findings(
+                unseen_periods(middles, smooth, known.periods, shown_periods), shown_periods, kind
+            ),
             *slope_findings(tests, cells, parts),
             *(finding for each in tests if each.noise for finding in each.noise.findings),
         ),

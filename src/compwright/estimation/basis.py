@@ -181,8 +181,8 @@ def smooth_density(
     )
 
 
-#: Two waves whose values at the targets agree to this (1: everywhere the same) cannot be told
-#: apart: less than 44 % of the amplitude of one is left beside the other.
+#: Two waves whose values at the targets agree to this (1: everywhere the same) cannot be
+#: distinguished: less than 44 % of the amplitude of one is independent of the other.
 ALIASED = 0.9
 #: Waves at targets that are worked out at once: 8 MB.
 _WINDOW = 200_000

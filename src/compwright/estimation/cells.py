@@ -114,9 +114,9 @@ def cells_of(
     for index, each in enumerate(tests):
         own = np.arange(draws) % (draws if each.noise is None else each.noise.draws.count)
         orders.append(rng.permutation(own) if index else own)
-    told = [(each.noise, order) for each, order in zip(tests, orders, strict=True)]
-    noises = tuple(None if noise is None else _fresh(noise, order) for noise, order in told)
-    donor = next((noise.draws.taken(order) for noise, order in told if noise is not None), None)
+    ordered = [(each.noise, order) for each, order in zip(tests, orders, strict=True)]
+    noises = tuple(None if noise is None else _fresh(noise, order) for noise, order in ordered)
+    donor = next((noise.draws.taken(order) for noise, order in ordered if noise is not None), None)
     parts = [cell_means(each, order, donor) for each, order in zip(tests, orders, strict=True)]
     positions = np.concatenate([part.positions for part in parts])
     targets = _distinct(positions)
@@ -179,8 +179,9 @@ def _with_jumps(
     least: float,
     turn: float | None,
 ) -> _CommonLine:
-    """Return the line with the jumps that the means of the targets show beside it: the line is then
-    that of what the jumps leave.
+    """Return the line fitted again after the jumps between the means of the targets are taken out.
+
+    ``least``: smallest noise that is assumed, mm or deg; ``turn``: of an endless axis, deg.
     """
     places = np.concatenate([part.positions for part in parts])
     different = targets
@@ -261,8 +262,10 @@ def _rough_reversal(part: ObservedCells) -> float:
 
 @dataclass(frozen=True, slots=True)
 class _Sizes:
-    """Beside the line, mm or deg: ``roughness`` (rms) of what is left, ``spread`` of readings with
-    its degrees of freedom, ``floor`` below which neither is believed.
+    """Sizes of the deviations from the line, mm or deg.
+
+    ``roughness``: their rms; ``spread``: standard deviation of the readings, with its degrees of
+    freedom; ``floor``: lower bound of both.
     """
 
     roughness: float
@@ -272,8 +275,9 @@ class _Sizes:
 
 
 def _sizes(parts: Sequence[ObservedCells], left: Sequence[FloatArray], least: float) -> _Sizes:
-    """Return the sizes of what is ``left`` of the means beside the line; ``least``: noise that any
-    instrument has, mm or deg.
+    """Return the sizes of ``left``, the means of the targets minus the line.
+
+    ``least``: noise that every instrument has, mm or deg.
     """
     largest = max(float(np.max(np.abs(part.means))) for part in parts)
     floor = max(least, 1e-9 * largest)
@@ -421,7 +425,11 @@ def findings_of(
     found += folded_findings(cells.targets, periods, unit)
     found += [
         Finding.of(
-            "CW-E003", "warning", period=period, unit=unit, better=_told(cells.targets, unit)
+            "CW-E003",
+            "warning",
+            period=period,
+            unit=unit,
+            better=_targets_text(cells.targets, unit),
         )
         for period in periods
         if float(period) not in shown and hidden_share(cells.targets, float(period)) >= HIDDEN
@@ -446,7 +454,7 @@ def findings_of(
     return tuple(found)
 
 
-def _told(targets: FloatArray, unit: str) -> Sentence:
+def _targets_text(targets: FloatArray, unit: str) -> Sentence:
     return told_targets(float(targets[0]), float(targets[-1]), targets.size, unit)
 
 
@@ -469,7 +477,7 @@ def folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) ->
                 unit=unit,
                 period=period,
                 wave=longer,
-                better=_told(targets, unit),
+                better=_targets_text(targets, unit),
             )
         )
     return found

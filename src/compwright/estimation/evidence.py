@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.basis import Basis, log_density, smooth_density
-from compwright.estimation.factors import factored, factored_beside, inverse_of_lower
+from compwright.estimation.factors import factored, factored_with_values, inverse_of_lower
 from compwright.records.axis import FloatArray
 
 NOISE, LOCAL, SMOOTH, LENGTH, EXCESS, REVERSAL, REVERSAL_LENGTH, PERIODIC = range(8)
@@ -35,17 +35,20 @@ _CONDITION: Final = 1e10
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CellData:
-    """Means of the readings in the c cells (target and direction of one test) that have any,
-    without their straight line, in units of ``scale`` (mm or deg).
+    """Mean readings of the c cells that have any, without their straight line, in units of
+    ``scale`` (mm or deg).
 
-    Cells stand in the order of their targets: ``seats`` (c,) is the index of each cell's target,
-    ``starts`` (m,) the first cell of each target, ``signs`` (c,) its direction. ``values``,
-    ``precision`` (n, c) and ``columns`` (n, c, q), by draw of the noise: the means, their inverse
-    variances, and what is common to them as columns of unit variance. ``counts`` (c,): readings
-    of the cells whose noise is inferred with the curve (0: it is known, draw by draw);
-    ``squares`` is the sum of squares of these readings about their own means with ``dof`` degrees
-    of freedom. ``extra`` (c, e): columns with standard deviations ``extra_std`` (e,), the datum and
-    the slope of single tests. ``floor``: noise below which nothing is claimed.
+    A cell is a target and direction of one test. Cells are sorted by target: ``seats`` (c,) is the
+    index of each cell's target, ``starts`` (m,) the first cell of each target, ``signs`` (c,) its
+    direction.
+
+    ``values`` (n, c), ``precision`` (n, c) and ``columns`` (n, c, q), one row per draw of the
+    noise: the means, their inverse variances, and the effects common to several means as columns of
+    unit variance. ``counts`` (c,): number of readings of the cells whose noise is estimated
+    together with the curve (0: the noise is known from its draws); ``squares``: sum of squares of
+    these readings about their own means, with ``dof`` degrees of freedom. ``extra`` (c, e): datum
+    and slope of single tests, as columns with standard deviations ``extra_std`` (e,). ``floor``:
+    lower bound of the noise.
     """
 
     seats: NDArray[np.intp]
@@ -316,7 +319,7 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     covariance[scaled.together] += scaled.local
     covariance.flat[:: y.size + 1] += 1.0 / scaled.precision
     # The covariance is larger than that of the noise alone, its inverse smaller.
-    factor, z = factored_beside(covariance, y, float(scaled.precision @ y**2))
+    factor, z = factored_with_values(covariance, y, float(scaled.precision @ y**2))
     log = -float(np.sum(np.log(np.diag(factor)))) - 0.5 * float(z @ z)
     if not derivatives:
         return _Marginal(log=log, residual=_NONE, by_weight=_NONE, by_target=_NONE, by_cell=_NONE)

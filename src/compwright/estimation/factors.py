@@ -29,13 +29,15 @@ def factored(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
     return matrix, np.asarray(np.linalg.cholesky(matrix), dtype=np.float64)
 
 
-def factored_beside(
+def factored_with_values(
     matrix: FloatArray, values: FloatArray, largest: float
 ) -> tuple[FloatArray, FloatArray]:
     """Return the Cholesky factor L (n, n) of a symmetric ``matrix`` (n, n), and inverse(L)
-    ``values`` (n,): the last row of the factor of the matrix with the values below and beside it
-    (Golub and Van Loan 2013, section 4.2.5); ``largest``: what values' inverse(matrix) values does
-    not exceed. Rounding is met as by `factored`.
+    ``values`` (n,).
+
+    Both come from one factorisation: ``values`` are appended to the matrix as its last row and
+    column (Golub and Van Loan 2013, section 4.2.5). ``largest``: upper bound of values'
+    inverse(matrix) values. A matrix that is singular by rounding is treated as in `factored`.
     """
     size = values.size
     bordered = np.empty((size + 1, size + 1))

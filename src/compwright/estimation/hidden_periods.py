@@ -1,23 +1,28 @@
-"""Periods of the error that the readings leave open: the targets are too few for a search, hit a
-wave always at the same phase, or show it as a longer one, which the smooth part follows.
+"""Periods of the error that may exist although the readings cannot show them.
+
+Reasons: the targets are too few for a search, meet the wave always at the same phase, or show it as
+a longer wave, which the smooth part follows.
 
 Each usual period, and some between, is one hypothesis: free columns, smooth part and one wave
-(`period_likelihood`). Its posterior is what the readings leave of the prior: at targets that show
-nothing of the wave all of it, at targets that show it next to nothing. Between the targets a wave
-differs from the smooth part that follows it at the targets; the difference is what a test at new
-targets shows more (aliasing: Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988,
-chapter 6; mixture of hypotheses: Hoeting et al., Statistical Science 14, 1999).
+(`period_likelihood`). At targets that cannot show the wave, its posterior equals its prior; at
+targets that show it, the posterior is narrow. Between the targets the wave differs from the smooth
+part that followed it at the targets. A test at new targets shows that difference in addition
+(aliasing: Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 6; mixture
+of hypotheses: Hoeting et al., Statistical Science 14, 1999).
 
-A wave that looks like a long one at the targets is not told from smooth error that is such a wave:
-both are in the hypothesis, the long one as large as the values are, and share what the values show.
+A wave that looks like a long wave at the targets cannot be distinguished from a smooth error of
+that shape. The hypothesis therefore holds both, the long one with the rms of the values, and
+divides the observed values between them.
 
-Prior of a period: that of the search (`periods`), but only every fourth axis is taken for one that
-is closed over a scale along it and shows no period at all (a judgement, from no document). The
-search asks what axes are like on the whole; here a limit is accepted of one of which nothing says
-that it has a scale. Prior of the amplitude: half of a normal law, `_AMPLITUDE` wide. ISO 3408-3
-(2006) lets the lead of a ground screw vary by 6 to 8 µm within one turn (grades 3 and 5), and the
-axial run-out of its seat adds up to 5 µm (DIN ISO 3408-3, E 8.2, diameters to 50 mm, by the tables
-of makers). Together that is an amplitude of 6.5 µm, which one of a hundred axes exceeds.
+Prior of a period: as in the search (`periods`), except that only one axis in four is assumed to be
+closed over a scale along it and therefore without periods (a judgement, from no document). The
+search describes axes in general; here a limit is accepted for one axis that is not known to have a
+scale.
+
+Prior of the amplitude: half-normal of width `_AMPLITUDE`. ISO 3408-3 (2006) lets the lead of a
+ground screw vary by 6 to 8 µm within one turn (grades 3 and 5), and the axial run-out of its seat
+adds up to 5 µm (DIN ISO 3408-3, E 8.2, diameters to 50 mm, by the tables of makers). Together that
+is an amplitude of 6.5 µm, which one axis in a hundred exceeds.
 """
 
 from __future__ import annotations
@@ -95,12 +100,13 @@ class CurveColumns:
 
 @dataclass(frozen=True, slots=True)
 class WaveDraw:
-    """One draw of a hypothesis: cosine and sine that the values show, of ``mean`` (2,) and
-    covariance ``root`` ``root``' (2, 2), mm or deg. Of these the ``share``, and what is apart from
-    it by the standard deviation ``apart``, are a wave of ``period`` (mm or deg), the rest is the
-    long wave of frequency ``long`` (1 / mm or 1 / deg, phase ``phase``) that looks like it. Beside
-    them the columns of the curve change by ``curve`` (j,), and by ``followed`` (j, 2) for cosine
-    and sine of size 1.
+    """One draw of a hypothesis: cosine and sine of a wave, normal with ``mean`` (2,) and covariance
+    ``root`` ``root``' (2, 2), mm or deg.
+
+    A ``share`` of it, plus an independent part of standard deviation ``apart``, is a wave of
+    ``period`` (mm or deg). The rest is the long wave of frequency ``long`` (1 / mm or 1 / deg,
+    phase ``phase``) that has the same values at the targets. The columns of the curve change by
+    ``curve`` (j,), and by ``followed`` (j, 2) per unit of cosine and sine.
     """
 
     period: float
@@ -116,8 +122,8 @@ class WaveDraw:
 
 @dataclass(frozen=True, slots=True)
 class WaveHypotheses:
-    """That one of the ``waves``, equally likely, is there, with ``probability``, beside the
-    ``curve``.
+    """The hypothesis that one of the ``waves`` (equally likely) exists, with its ``probability``;
+    without it the ``curve`` holds.
     """
 
     probability: float
@@ -149,7 +155,9 @@ class WaveHypotheses:
 
 @dataclass(frozen=True, slots=True)
 class HiddenPeriods:
-    """What the readings leave open, as ``hypotheses`` beside what is known and what was found."""
+    """The ``hypotheses`` of hidden periods, for an estimate that has the known and the found
+    periods already.
+    """
 
     hypotheses: tuple[WaveHypotheses, ...]
 
@@ -186,10 +194,11 @@ def hidden_periods(
     known: Sequence[float],
     suggested: Sequence[float] = (),
 ) -> HiddenPeriods:
-    """Return what the ``middles`` leave open beside what the ``search`` found.
+    """Return the periods that may exist although neither the job nor the ``search`` names them.
 
-    ``basis`` holds the functions of the smooth part; ``known``: periods (mm or deg) that are in the
-    estimate; ``suggested``: known ones that are not, because the targets do not show them.
+    ``middles``: means of both directions by target; ``basis``: functions of the smooth part;
+    ``known``: periods (mm or deg) that are in the estimate; ``suggested``: known periods that are
+    not in it, because the targets do not show them.
     """
     found = [model for model in search.models if model.periods]
     without = sum(model.probability for model in search.models if not model.periods)
@@ -200,8 +209,8 @@ def hidden_periods(
     expected = _ExpectedPeriods(kind, tuple(suggested), frozenset(taken.union(known)))
     return HiddenPeriods(
         tuple(
-            _hypotheses(part, middles, basis, odds, beside, expected)
-            for part, odds, beside in cases
+            _hypotheses(part, middles, basis, odds, present, expected)
+            for part, odds, present in cases
             if part >= _LEAST
         )
     )
@@ -232,8 +241,8 @@ class _ExpectedPeriods:
         even = np.where(self._there(frequencies, targets), 1.0 / frequencies, 0.0)
         even = even / max(float(np.sum(even)), _NOTHING)
         logs = likelihood.log_odds(frequencies, likelihood.coarse())[0]
-        told = even * np.exp(logs - np.max(logs))
-        drawn = 0.5 * even + 0.5 * told / max(float(np.sum(told)), _NOTHING)
+        by_likelihood = even * np.exp(logs - np.max(logs))
+        drawn = 0.5 * even + 0.5 * by_likelihood / max(float(np.sum(by_likelihood)), _NOTHING)
         places = _evenly(drawn, _OTHERS)
         other = 1.0 - odds.none - odds.usual
         prior = np.concatenate(
@@ -265,14 +274,14 @@ def _hypotheses(
     middles: Middles,
     basis: Basis,
     odds: Odds,
-    beside: tuple[float, ...],
+    present: tuple[float, ...],
     expected: _ExpectedPeriods,
 ) -> WaveHypotheses:
-    """Return the periods that are ``expected``, beside those (``beside``) that are there with
-    probability ``part``.
+    """Return the ``expected`` periods as hypotheses, given a model with the periods ``present`` (mm
+    or deg), whose probability is ``part``.
     """
     room = middles.targets.size - LEFT - middles.free.shape[1]
-    curve = CurveColumns(basis, middles.targets, beside[: max(room // 4, 0)])
+    curve = CurveColumns(basis, middles.targets, present[: max(room // 4, 0)])
     waves = [w for one in curve.known for w in wave_columns(curve.targets, 1.0 / one)]
     free = np.column_stack([middles.free, *waves])
     likelihood = PeriodLikelihood(replace(middles, free=free), basis)

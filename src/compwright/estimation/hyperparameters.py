@@ -89,14 +89,13 @@ def _log_density(peak: Peak, away: FloatArray) -> FloatArray:
 
 
 def _log_posteriors(evidence: Evidence, peaks: Sequence[Peak], points: FloatArray) -> FloatArray:
-    """Return the log posterior (n,) at ``points`` (n, h), as many about each of the ``peaks``, each
-    under a draw of the noise, less how likely that draw makes the means at the peaks, beside the
-    average of all draws.
+    """Return the log posterior (n,) at ``points`` (n, h), equally many about each of the ``peaks``.
 
-    What the means say of the noise is cut off (Plummer, Statistics and Computing 25, 2015): of the
-    few draws it would leave a handful, picked by the chance that moved their means. A point and
-    its mirror have the same draw, and every draw as many points as any other as far as the numbers
-    allow.
+    Each point is evaluated under one draw of the noise. How much more likely that draw makes the
+    means at the peaks than the average draw does is subtracted: the means do not change the
+    distribution of the noise (cut posterior: Plummer, Statistics and Computing 25, 2015). Otherwise
+    a handful of draws would remain, picked by chance. A point and its mirror image have the same
+    draw; the draws are used equally often as far as the numbers allow.
     """
     each = points.shape[0] // len(peaks)
     half = max(each // 2, 1)

@@ -1,10 +1,10 @@
-"""How likely the means of one test are, whatever the error of the axis: to hold readings of a test
-against the same readings read otherwise (sign turned, places exchanged, another table acting).
+"""How likely the mean readings of one test are, whatever the error of the axis.
 
-Marginal likelihood of the means under the model of `estimation.axis` with a constant reversal and
-no periods but those that are known (Rasmussen and Williams, Gaussian Processes for Machine
-Learning, 2006, section 5.2). Offset, slope and mean reversal are free: they count for nothing, as
-in restricted likelihood (Patterson and Thompson, Biometrika 58, 1971).
+Compares the readings as stated with the same readings under another assumption (sign reversed,
+directions exchanged, another table active). Marginal likelihood of the means under the model of
+`estimation.axis` with a constant reversal and only the known periods (Rasmussen and Williams,
+Gaussian Processes for Machine Learning, 2006, section 5.2). Offset, slope and mean reversal are
+free and do not count, as in restricted likelihood (Patterson and Thompson, Biometrika 58, 1971).
 """
 
 from __future__ import annotations

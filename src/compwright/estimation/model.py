@@ -64,7 +64,9 @@ class Periods:
         """Return the periods with the harmonics that the targets show as what they are."""
         return cls(periods, tuple(visible_harmonics(cells.targets, each) for each in periods))
 
-    def beside(self, periods: tuple[float, ...], harmonics: tuple[tuple[int, ...], ...]) -> Periods:
+    def with_periods(
+        self, periods: tuple[float, ...], harmonics: tuple[tuple[int, ...], ...]
+    ) -> Periods:
         """Return these and others."""
         return Periods((*self.periods, *periods), (*self.harmonics, *harmonics))
 

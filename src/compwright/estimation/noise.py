@@ -56,7 +56,7 @@ def noise_of(test: PositioningTest) -> NoisePosterior | None:
     sweeps = [chain.sweep() for _ in range(2 * _DRAWS)]
     reach = [draw.sigma * REACH[draw.tail] for draw in sweeps]
     pairs = np.argsort(reach, kind="stable").reshape(_DRAWS, 2)
-    # Of two beside each other one, in turn the lower and the upper: kept draws reach as far as all.
+    # One of each neighbouring pair, in turn the lower and the upper: the range stays complete.
     kept = pairs[np.arange(_DRAWS), np.arange(_DRAWS) % 2]
     cells = [cell_means(sweeps[k], readings, chain.shapes, chain.step) for k in kept]
     if chosen is not test:
@@ -101,8 +101,8 @@ def _thinned(test: PositioningTest) -> PositioningTest:
         for block in blocks
     ]
     numbers = [
-        tuple(told[k] for k in some if k < len(told))
-        for told, some in zip((test.runs_positive, test.runs_negative), kept, strict=True)
+        tuple(labels[k] for k in places if k < len(labels))
+        for labels, places in zip((test.runs_positive, test.runs_negative), kept, strict=True)
     ]
     return replace(
         test,

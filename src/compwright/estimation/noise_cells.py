@@ -17,7 +17,7 @@ from compwright.estimation.noise_rounding import common_std, rounded_std
 from compwright.estimation.noise_tails import KINDS, NORMAL, TAILS, Tail
 from compwright.records.axis import FloatArray
 
-#: Cells at which what is common to the means is told apart: places along the travel.
+#: Places along the travel whose cells separate the effects that are common to the means.
 _PLACES: Final = (0.0, 1.0, 0.5, 0.25)
 #: The mean of a cell is looked for about its readings, at so many of them, at these distances in
 #: scales of a reading.

@@ -248,12 +248,12 @@ class GibbsChain:
         return means, squares + self.floor**2 / squares.size, total
 
     def _take_tail(self, z: FloatArray) -> None:
-        """Draw the distribution of the errors together with their scale, from errors (c, n) in
-        present scales; then what each reading was under it. What moves traverses stays as large.
+        """Draw the tail weight and the scale of the errors together, from errors (c, n) in units of
+        the present scale; then the latent weight of each reading.
 
-        Others as likely are kept beside it, evenly over all (systematic sampling: Cochran, Sampling
-        Techniques, 3rd ed. 1977, chapter 8): how far readings reach is what differs most from sweep
-        to sweep.
+        Offsets of traverses keep their size in mm or deg. Alternatives drawn from the same
+        distribution, evenly over it (systematic sampling: Cochran, Sampling Techniques, 3rd ed.
+        1977, chapter 8), are kept too, because the tails differ most from sweep to sweep.
         """
         counted = self.readings.there & (self.dof > 0)[:, np.newaxis]
         factors = _FACTORS * np.exp(self.rng.uniform(-0.5, 0.5) * _STEP)

@@ -1,7 +1,7 @@
-"""What the noise of a test is beside plain scatter, in words: how much, how sure, what to do.
+"""Findings about noise that is more than plain scatter: its size, its probability, the next step.
 
 Odds are posterior odds, averaged over the sampler's conditional probabilities (Gelfand and Smith,
-J. Am. Stat. Assoc. 85, 1990); nothing is said below `CLEAR`.
+J. Am. Stat. Assoc. 85, 1990). There is no finding below odds of `CLEAR`.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from compwright.records.noise import INDEPENDENT, RUNS, WALK, WAVE, IndexArray
 from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.words.sentences import Amount, Sentence, say
 
-#: Odds from which something is said: "strong" evidence (Kass and Raftery, J. Am. Stat. Assoc. 90,
-#: 1995, section 3.2).
+#: Least odds of a finding: "strong" evidence (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995,
+#: section 3.2).
 CLEAR: Final = 20.0
-#: Odds above this rest on approximations and are told as "over 1000".
+#: Odds above this rest on approximations and are reported as "over 1000".
 _SURE: Final = 1000.0
 #: Parts smaller than this, in standard deviations of a reading, change s by less than a tenth.
 _MATTERS: Final = 0.4
@@ -42,8 +42,10 @@ _PATTERNS: Final = {INDEPENDENT: "traverses", RUNS: "runs", WALK: "walk", WAVE: 
 def noise_findings(
     test: PositioningTest, readings: CellReadings, draws: Sequence[Draw], step: float
 ) -> tuple[Finding, ...]:
-    """Return what ``draws`` of the noise of ``test`` clearly show beside white noise; ``step``, mm
-    or deg: to which its instrument rounds, 0 where that changes nothing.
+    """Return a finding for each effect in the noise of ``test`` that the ``draws`` clearly show in
+    addition to white noise.
+
+    ``step``: resolution of the instrument, mm or deg; 0 where it does not matter.
     """
     return (
         *_coarse(test, readings, step),
@@ -74,7 +76,7 @@ def _drifts(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding]:
         odds = _odds(np.mean([draw.absent[kind] for draw in draws]))
         if odds < CLEAR or abs(size) < sigma:
             continue
-        shown_odds = _told(odds)
+        shown_odds = _odds_text(odds)
         if kind == DRIFT:
             yield Finding.of(
                 "CW-E020", "warning", drift=_signed(size, test), odds=shown_odds, flattens=flattens
@@ -106,14 +108,14 @@ def _traverses(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding
             "warning",
             pattern=_PATTERNS[pattern],
             size=_text(offset, test),
-            odds=_told(odds),
+            odds=_odds_text(odds),
             where=where,
         )
     elif either >= CLEAR > odds and not drifts:
-        yield Finding.of("CW-E022.either", "warning", odds=_told(either))
+        yield Finding.of("CW-E022.either", "warning", odds=_odds_text(either))
     odds = _odds(np.mean([draw.absent[TILT] for draw in draws]))
     if odds >= CLEAR and tilt >= _MATTERS * sigma:
-        yield Finding.of("CW-E023", "warning", tilt=_text(tilt, test), odds=_told(odds))
+        yield Finding.of("CW-E023", "warning", tilt=_text(tilt, test), odds=_odds_text(odds))
 
 
 def _moved(test: PositioningTest, draws: Sequence[Draw]) -> list[Sentence]:
@@ -148,11 +150,11 @@ def _tails(
                 for k in order[:_SHOWN]
             ],
             more=max(0, cells.size - _SHOWN),
-            odds=_told(odds),
+            odds=_odds_text(odds),
             cause=_cause(test, cells, runs),
         )
     else:
-        yield Finding.of("CW-E025", "info", odds=_told(odds))
+        yield Finding.of("CW-E025", "info", odds=_odds_text(odds))
 
 
 def _cause(test: PositioningTest, cells: IndexArray, runs: IndexArray) -> Sentence:
@@ -178,7 +180,9 @@ def _places(
     odds = _odds(absent[0])
     if odds >= CLEAR:
         ways = [_text(_middle(sigma * np.exp(0.5 * way * spread[:, 0])), test) for way in (1, -1)]
-        yield Finding.of("CW-E026", "info", positive=ways[0], negative=ways[1], odds=_told(odds))
+        yield Finding.of(
+            "CW-E026", "info", positive=ways[0], negative=ways[1], odds=_odds_text(odds)
+        )
     odds = _odds(float(np.min(absent[1:])))
     if odds >= CLEAR:
         m = test.targets.size
@@ -192,7 +196,7 @@ def _places(
             least_at=_position(test.targets[least], test),
             most=_text(float(scale[most]), test),
             most_at=_position(test.targets[most], test),
-            odds=_told(odds),
+            odds=_odds_text(odds),
         )
 
 
@@ -211,7 +215,7 @@ def _odds(absent: float | np.floating[Any]) -> float:
     return (1.0 - float(absent)) / max(float(absent), 1e-300)
 
 
-def _told(odds: float) -> Sentence:
+def _odds_text(odds: float) -> Sentence:
     return say("odds.over_1000") if odds > _SURE else say("odds.to_1", odds=odds)
 
 

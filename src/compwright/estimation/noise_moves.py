@@ -26,8 +26,8 @@ _HALF: Final = 0.5
 
 @dataclass(slots=True)
 class ScoreEvidence:
-    """What ``scores`` (r,) say of their covariance ``matrix`` (r, r), in an unknown variance with
-    ``dof`` degrees of freedom that leaves the sum of squares ``rest`` beside them.
+    """Evidence in ``scores`` (r,) about their covariance ``matrix`` (r, r), for an unknown variance
+    with ``dof`` degrees of freedom and residual sum of squares ``rest``.
     """
 
     matrix: FloatArray
@@ -70,8 +70,8 @@ def draw_moved(
         stretch = max(1.0 + way * float(move @ side), 1e-12)
         other = square - way * float(move @ solved) ** 2 / stretch
         gain = -0.5 * (log(stretch) + evidence.dof * log(other / square))
-        beside = int(np.count_nonzero(drawn)) - int(drawn[k])
-        odds = prior[beside + 1] - prior[beside] + way * gain
+        others = int(np.count_nonzero(drawn)) - int(drawn[k])
+        odds = prior[others + 1] - prior[others] + way * gain
         wanted = bool(chances[k] * (1.0 + exp(-min(max(odds, -500.0), 500.0))) < 1.0)
         if wanted != drawn[k]:
             drawn[k] = wanted

@@ -1,11 +1,11 @@
-"""What the repeated readings of a test tell of their noise, and what they leave to be said about
-the error: equally likely draws.
+"""The noise of a test and what it leaves to infer about the error, from repeated readings: equally
+likely draws.
 
 A reading is the error of its cell (a target approached in one direction) plus noise. Given the
-noise, the likelihood of the readings of a test as a function of the errors of its cells is a normal
-density times a factor without them (restricted likelihood: Patterson and Thompson, Biometrika 58,
-1971; Harville, Biometrika 61, 1974). The factor tells of the noise whatever the error is; the
-density carries all that is left.
+noise, the likelihood of the readings as a function of the errors of the cells is a normal density
+times a factor that does not contain them (restricted likelihood: Patterson and Thompson, Biometrika
+58, 1971; Harville, Biometrika 61, 1974). The factor informs about the noise, whatever the error is;
+the density holds all other information.
 """
 
 from __future__ import annotations

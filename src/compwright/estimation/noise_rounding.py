@@ -105,8 +105,8 @@ def blurred(
     floor = max(least, _LEAST_SHARE * _rms(moved[there]), _LEAST_PART * most)
     values = readings.values
     for own, other in ((slice(0, half), slice(half, None)), (slice(half, None), slice(0, half))):
-        beside = np.abs(residuals[other][there[other]])
-        usual = 1.5 * float(np.median(beside)) if beside.size else 0.0  # outliers do not count
+        near = np.abs(residuals[other][there[other]])
+        usual = 1.5 * float(np.median(near)) if near.size else 0.0  # outliers do not count
         wanted = max(floor, _LEAST_SIDE * usual)
         if np.any(there[own]) and _rms(residuals[own][there[own]]) < wanted:
             added = np.zeros(there.shape)
@@ -150,12 +150,13 @@ def rounded_stds(sigmas: FloatArray, step: float) -> FloatArray:
 
 
 def common_std(sigma: float, step: float) -> float:
-    """Return the standard deviation of what rounding to ``step`` does to all readings of a cell
-    alike, however often it is read, when they scatter by ``sigma`` before.
+    """Return the standard deviation of the rounding error that all readings of a cell have in
+    common.
 
-    Means of rounded readings lie off by a Fourier series over where between two numbers the true
-    mean lies; its mean square is step² / 12 without scatter and nothing from half a step on (Widrow
-    and Kollár, Quantization Noise, 2008, chapter 4).
+    The readings scatter by ``sigma`` and are then rounded to ``step``, in the same unit. The mean
+    of rounded readings differs from the true mean by a Fourier series in the position of the true
+    mean between two numbers. Its mean square is step² / 12 without scatter and vanishes for scatter
+    of half a step or more (Widrow and Kollár, Quantization Noise, 2008, chapter 4).
     """
     orders = np.arange(1, _ORDERS + 1)
     damping = np.exp(-((2.0 * np.pi * orders * sigma / step) ** 2))
@@ -174,8 +175,8 @@ def spread_out(
     known = zip(readings.values, readings.there, strict=True)
     usual = np.array([np.median(row[there]) if np.any(there) else 0.0 for row, there in known])
     off = readings.values - usual[:, np.newaxis]
-    beside = readings.there & (np.abs(off) < 1.5 * step)
-    lean = np.sign(np.round(np.sum(off * beside, axis=1) / step, 1))  # to the number beside it
+    near = readings.there & (np.abs(off) < 1.5 * step)
+    lean = np.sign(np.round(np.sum(off * near, axis=1) / step, 1))  # to the next number
     place = np.where(lean == 0.0, rng.uniform(-0.5, 0.5, usual.size), 0.5 * lean)
     middle = usual + step * place
     wanted = middle[:, np.newaxis] + sigma * rng.standard_normal(readings.values.shape)

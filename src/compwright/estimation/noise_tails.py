@@ -34,7 +34,7 @@ _FIXED_SIZES: Final = tuple(3.0 * 1.2**k for k in range(19))
 _FIXED_SPREAD: Final = 0.1
 #: Gross errors, by any amount: a beam that was cut, a reading typed wrongly.
 _GROSS_SIZES: Final = tuple(100.0 * 2.0**k for k in range(6))
-#: Prior of the sizes: what is seen as an outlier but not told by the instrument itself.
+#: Prior of the sizes: outliers that the instrument itself does not report.
 _USUAL_SIZE: Final = 6.0
 _SIZE_WIDTH: Final = 0.6
 #: Sizes of residuals that are counted together: 0.03 apart at nothing, 3 % apart far out.

@@ -67,16 +67,16 @@ class ReducedTraverses:
         self.drift = patterns.drift @ root
         self.drift_tilt = patterns.drift_tilt @ root
         self.known = patterns.known
-        # By kind, beside nothing else: most of the time there is nothing else.
+        # By kind, with no other kind present, which is the most frequent case.
         self.alone: dict[tuple[int, bytes], _Spectrum] = {}
         self.offset: tuple[bytes, FloatArray] | None = None
 
     def begin(self, sizes: Sizes) -> None:
-        """Set ``sizes``, present state nothing, to those of drifts and of what moves beside them
-        where the readings favour that clearly over traverses that move each on its own.
+        """Set ``sizes`` (all zero) to those of a drift or tilt where the readings clearly favour it
+        over independent offsets of the traverses.
 
-        One size after the other, the sampler seldom leaves large offsets for the drift that they
-        imitate.
+        Needed because the sampler changes one size at a time: it seldom leaves large offsets that
+        imitate a drift.
         """
         if not self.patterns.walks:
             return
@@ -159,9 +159,9 @@ class ReducedTraverses:
         if size == 0.0 or sizes.form >= len(self.moves):
             sizes.moved = drawn_from_prior(sizes.moved.size, rng)
             return
-        beside = np.eye(self.data.scores.size) + self._drifting(sizes)
-        beside += sizes.size[TILT] ** 2 * self.tilt[sizes.form]
-        evidence = ScoreEvidence(beside, self.data.scores, self.rest, self.dof)
+        of_others = np.eye(self.data.scores.size) + self._drifting(sizes)
+        of_others += sizes.size[TILT] ** 2 * self.tilt[sizes.form]
+        evidence = ScoreEvidence(of_others, self.data.scores, self.rest, self.dof)
         sizes.moved = draw_moved(sizes.moved, size * self.moves[sizes.form], evidence, rng)
 
     def _drifting(self, sizes: Sizes) -> FloatArray:
@@ -196,7 +196,7 @@ class ReducedTraverses:
         return form
 
     def _climb(self, sizes: Sizes, kind: int) -> float:
-        """Set the size of ``kind`` and its form to the most likely ones beside the others; returns
+        """Set the size and form of ``kind`` to the most likely ones, given the other kinds; return
         their log evidence.
         """
         grid = np.concatenate([[0.0], _GRID])
@@ -210,15 +210,16 @@ class ReducedTraverses:
         return float(logs[form, place])
 
     def _spectrum(self, sizes: Sizes, kind: int) -> _Spectrum:
-        """Return that of the covariances of ``kind`` beside all others (Golub and Van Loan, Matrix
-        Computations, 4th ed. 2013, section 8.7: simultaneous diagonalisation).
+        """Return the joint diagonal form of the covariance of ``kind`` and that of all others
+        (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 8.7: simultaneous
+        diagonalisation).
         """
         alone = not np.any(np.delete(sizes.size, kind))
         key = kind, sizes.moved.tobytes() if kind == OFFSET else b""
         if alone and key in self.alone:
             return self.alone[key]
-        beside, mine = self._beside(sizes, kind)
-        lower = np.linalg.cholesky(beside)
+        of_others, mine = self._of_others(sizes, kind)
+        lower = np.linalg.cholesky(of_others)
         right = np.linalg.solve(lower, mine)
         inner = np.linalg.solve(lower, np.swapaxes(right, 1, 2))
         stretch, axes = np.linalg.eigh(0.5 * (inner + np.swapaxes(inner, 1, 2)))
@@ -232,7 +233,7 @@ class ReducedTraverses:
             self.alone[key] = found
         return found
 
-    def _beside(self, sizes: Sizes, kind: int) -> tuple[FloatArray, FloatArray]:
+    def _of_others(self, sizes: Sizes, kind: int) -> tuple[FloatArray, FloatArray]:
         """Return, for each form of ``kind``, the covariance (forms, r, r) of all others, that of a
         reading included, and that of ``kind`` of unit size.
         """
@@ -242,10 +243,10 @@ class ReducedTraverses:
             mine, other = (offset, tilt) if kind == OFFSET else (tilt, offset)
             rest = sizes.size[TILT - kind] ** 2 * other
             return unit + self._drifting(sizes) + rest, mine
-        column, beside = (
+        column, of_others = (
             (self.drift, self.drift_tilt) if kind == DRIFT else (self.drift_tilt, self.drift)
         )
-        rest = sizes.size[DRIFT + DRIFT_TILT - kind] ** 2 * _outer(beside)
+        rest = sizes.size[DRIFT + DRIFT_TILT - kind] ** 2 * _outer(of_others)
         return unit + self._moving(sizes) + rest, _outer(column)
 
     def _scan(self, spectrum: _Spectrum, grid: FloatArray) -> FloatArray:

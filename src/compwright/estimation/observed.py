@@ -17,11 +17,11 @@ from compwright.records.positioning import PositioningTest
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ObservedTest:
-    """A test in machine coordinates, without what acted in the control meanwhile.
+    """A test in machine coordinates, with the correction that was active in it subtracted.
 
-    ``slope_std``: standard deviation of a slope, mm/mm, that this test has beside the error of the
-    axis (its temperature). ``noise``: what its repeated readings tell of their noise; None where
-    there are too few of them, and the noise is inferred with the error.
+    ``slope_std``: standard deviation (mm/mm) of a slope of this test alone, from its temperature.
+    ``noise``: the noise inferred from its repeated readings; None where they are too few, and the
+    noise is estimated together with the error.
     """
 
     test: PositioningTest

@@ -16,8 +16,8 @@ from compwright.records.settled import settled_number
 
 #: Growth of steel, µm/m for each kelvin.
 _STEEL: Final = 11.5
-#: Said from three standard errors on, and from a tenth of a kelvin of steel: less no sensor on a
-#: machine tells.
+#: A finding from three standard errors on, and from a tenth of a kelvin of steel: no sensor on a
+#: machine shows less.
 _CLEAR: Final = 3.0
 _LEAST: Final = 0.1 * _STEEL
 
@@ -25,13 +25,16 @@ _LEAST: Final = 0.1 * _STEEL
 def slope_findings(
     tests: Sequence[ObservedTest], cells: Cells, parts: Sequence[MixturePart]
 ) -> Iterator[Finding]:
-    """Yield the tests that clearly have another slope than the first (CW-E028), from the posterior
-    of the ``parts``; sizes in µm/m. Angles do not grow with temperature: nothing is said of them.
+    """Yield a finding (CW-E028) for each test whose slope clearly differs from that of the first
+    test.
+
+    Slopes come from the posterior of the ``parts``; sizes in µm/m. Linear axes only: angles do not
+    grow with temperature.
     """
     if tests[0].test.kind is AxisKind.ROTARY:
         return
     for place, each in enumerate(tests[1:], start=1):
-        difference, error = (1e6 * part for part in _beside_first(place, cells, parts))
+        difference, error = (1e6 * part for part in _minus_first(place, cells, parts))
         if abs(difference) < max(_CLEAR * error, _LEAST):
             continue
         mine, other = each.test.name, tests[0].test.name
@@ -46,7 +49,7 @@ def slope_findings(
         )
 
 
-def _beside_first(place: int, cells: Cells, parts: Sequence[MixturePart]) -> tuple[float, float]:
+def _minus_first(place: int, cells: Cells, parts: Sequence[MixturePart]) -> tuple[float, float]:
     """Return by how much the slope of a test differs from that of the first, with its standard
     error, mm/mm: mean and variance of the mixture over all draws (Gelman et al., Bayesian Data
     Analysis, 3rd ed. 2013, section 1.8).

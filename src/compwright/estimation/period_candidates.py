@@ -46,12 +46,12 @@ class Odds:
 
 @dataclass(frozen=True, slots=True)
 class PeriodCandidate:
-    """A period that may be: ``frequencies`` (k,) with their ``shares`` (k,), sum 1, and the
-    logarithm ``log`` of its probability over that of none.
+    """A possible period: ``frequencies`` (k,) with their ``shares`` (k,), sum 1, and ``log``, the
+    log odds against no period.
 
-    ``usual``: the usual period (mm or deg) that it is rather than any other beside it. ``aliases``:
-    frequencies (j,) that look all but the same at the targets, and ``alias_shares`` (j,) of the
-    probability that are theirs.
+    ``usual``: the usual period (mm or deg) at that place, if any. ``aliases``: frequencies (j,)
+    with nearly the same values at the targets, and ``alias_shares`` (j,), their parts of the
+    probability.
     """
 
     frequencies: FloatArray
@@ -164,9 +164,11 @@ def looked_at_closely(
     expected: Sequence[UsualPeriod],
     before: Odds,
 ) -> PeriodCandidate | None:
-    """Return a candidate as it looks under another ``likelihood``, beside other periods; its
-    aliases stay. None where it is a harmonic of one of these, or the other way round. Arguments as
-    those of `candidates_of`.
+    """Return a candidate evaluated again under another ``likelihood``, which has other periods in
+    it.
+
+    Its aliases stay. None where it is a harmonic of one of these periods, or one of them is its
+    harmonic. Arguments as in `candidates_of`.
     """
     resolution = 1.0 / float(np.ptp(likelihood.targets))
     prior = _prior(frequencies, expected, before)
@@ -221,7 +223,9 @@ class _ShownLikelihood:
 def _peaks(
     where: FloatArray, logs: FloatArray, window: Window, resolution: float
 ) -> list[tuple[float, IntArray]]:
-    """Return the highest peaks, each with the indices of what cannot be told from it."""
+    """Return the highest peaks, each with the indices of the frequencies that cannot be
+    distinguished from it.
+    """
     left, rounded = np.ones(where.size, dtype=bool), np.round(logs, 6)
     floor = max(0.0, float(np.max(rounded))) - _WORTH
     if float(np.max(rounded)) < floor:

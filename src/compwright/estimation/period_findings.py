@@ -19,9 +19,9 @@ from compwright.words.sentences import Sentence, say
 _NEAR = 0.004
 #: A period is the spacing of nodes within this part of it, as well as few targets tell it.
 _AS_SPACED = 0.02
-#: Periods of less probability stand in the prediction alone: of nothing that is there some are
-#: always left at a few per cent.
-_SAID = 0.2
+#: Less probable periods count in the prediction only: an axis without periods still keeps some at
+#: a few per cent.
+_REPORTED = 0.2
 
 
 def period_findings(
@@ -32,16 +32,19 @@ def period_findings(
     fitted: Sequence[float],
     nodes: Sequence[float] = (),
 ) -> list[Finding]:
-    """Return what the search at the ``targets`` (m,) says: periods that were found (CW-E012), such
-    as cannot be told apart (CW-E013), that nothing was found or could be (CW-E014), and which of
-    the ``known`` periods (mm or deg) are not among the ``fitted`` because the data do not tell them
-    (CW-E015). ``nodes``: of a table that acted, mm or deg.
+    """Return the findings of a search for periods at the ``targets`` (m,), mm or deg.
+
+    CW-E012: periods found; CW-E013: periods that cannot be distinguished; CW-E014: none found, or
+    none can be; CW-E015: ``known`` periods that are not among the ``fitted`` because the data do
+    not show them. ``nodes``: points of a table that was active, mm or deg.
     """
     unit = kind.unit
     found: list[Finding] = []
     grouped = {period for group in search.sure for period in group}
-    told = [
-        each for each in search.found if each.period not in grouped and each.probability >= _SAID
+    reported = [
+        each
+        for each in search.found
+        if each.period not in grouped and each.probability >= _REPORTED
     ]
     found += [
         Finding.of(
@@ -54,12 +57,12 @@ def period_findings(
             meaning=meaning(each.period, kind),
             nodes=_of_nodes(each.period, nodes),
         )
-        for each in told
+        for each in reported
         if each.named
     ]
     open_ = [
         say("CW-E012.period", period=each.period, unit=unit, percent=100 * each.probability)
-        for each in told
+        for each in reported
         if not each.named
     ]
     if open_:
@@ -78,7 +81,7 @@ def period_findings(
                 better=told_targets(low, high, targets.size, unit),
             )
         )
-    if not told and not search.sure and not known:
+    if not reported and not search.sure and not known:
         found.append(_nothing(search, targets, unit))
     found += _left_out(known, fitted, unit)
     return found

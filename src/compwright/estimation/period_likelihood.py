@@ -72,11 +72,12 @@ class Middles:
 
 @dataclass(frozen=True, slots=True)
 class Nodes:
-    """Nodes of the grid that share one ``length`` (in units of the half range) and ``smoothness``.
+    """Grid points of the hyperparameters that share one ``length`` (in units of the half range) and
+    ``smoothness``.
 
-    ``smooth`` (n,): its standard deviation; ``weights`` (n, r), ``white`` (n,): precisions along
-    its directions and beside them; ``log`` (n,): likelihood without a wave times prior; ``turned``
-    (r, r) turns projections into these directions.
+    ``smooth`` (n,): standard deviation of the smooth part; ``weights`` (n, r): precisions along its
+    r directions, ``white`` (n,): across them; ``log`` (n,): likelihood without a wave times prior;
+    ``turned`` (r, r): rotation into these directions.
     """
 
     length: float
@@ -98,12 +99,13 @@ class NodeChoice:
 
 @dataclass(frozen=True, slots=True)
 class _Waves:
-    """Columns of waves: ``along`` the smooth directions, each (r, f); their products ``beside``
-    these and the free ones, and those with the values there, ``dual``, each (f,).
+    """Columns of waves: ``along``, their components along the smooth directions, each (r, f);
+    ``across``, their products outside these and the free columns, and ``dual``, those with the
+    values there, each (f,).
     """
 
     along: list[FloatArray]
-    beside: dict[tuple[int, int], FloatArray]
+    across: dict[tuple[int, int], FloatArray]
     dual: list[FloatArray]
 
 
@@ -127,7 +129,7 @@ class PeriodLikelihood:
         self.free, self.smooth = free, smooth
         values = values - free @ (free.T @ values)
         self.projected = smooth.T @ values
-        self.beside = values - smooth @ self.projected
+        self.rest = values - smooth @ self.projected
         self.left = max(middles.targets.size - free.shape[1] - smooth.shape[1], 0)
         roughness = float(np.sqrt(np.mean(values**2)))
         spread = middles.reading / self.unit
@@ -145,7 +147,7 @@ class PeriodLikelihood:
         steps = np.arange(-2.0 / 1.5, 1.51, _SMOOTH_STEP / 1.5)
         smooth = np.exp(2.0 * (np.log(self.roughness) + 1.5 * steps))
         smooth_prior = -0.5 * steps**2
-        quiet = float(self.beside @ self.beside) if self.left else 0.0
+        quiet = float(self.rest @ self.rest) if self.left else 0.0
         for length, smoothness, share, log_variances in _densities(basis.frequencies):
             scaled = rows * np.exp(0.5 * log_variances)
             values, vectors = np.linalg.eigh(scaled @ scaled.T)
@@ -263,7 +265,7 @@ class PeriodLikelihood:
             if self.left:
                 moment[i] += white * waves.dual[i]
                 for j in range(i + 1):
-                    gram[i, j] += white * waves.beside[i, j]
+                    gram[i, j] += white * waves.across[i, j]
         return gram, moment
 
     def coarse(self) -> NodeChoice:
@@ -290,7 +292,7 @@ class PeriodLikelihood:
         if not self.left:
             return _Waves(along, {}, [])
         free = [self.free.T @ column for column in columns]
-        beside = {
+        across = {
             (i, j): sum(
                 sign * np.einsum("kf,kf->f", part[i], part[j])
                 for sign, part in ((1.0, columns), (-1.0, along), (-1.0, free))
@@ -298,7 +300,7 @@ class PeriodLikelihood:
             for i in range(4)
             for j in range(i + 1)
         }
-        return _Waves(along, beside, [self.beside @ column for column in columns])
+        return _Waves(along, across, [self.rest @ column for column in columns])
 
 
 def gain(
@@ -378,8 +380,9 @@ def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArra
 
 
 def _independent(columns: FloatArray) -> FloatArray:
-    """Return an orthonormal basis (m, r) of what the columns (m, k) span, as far as it can be told
-    from rounding."""
+    """Return an orthonormal basis (m, r) of the space spanned by the columns (m, k), without
+    directions that are only rounding errors.
+    """
     if not columns.shape[1]:
         return columns
     left, sizes, _ = np.linalg.svd(columns, full_matrices=False)

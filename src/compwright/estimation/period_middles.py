@@ -78,10 +78,10 @@ def _dof(precision: FloatArray) -> float:
 def unseen_periods(
     middles: Middles, basis: Basis, known: Sequence[float], found: Sequence[float]
 ) -> tuple[float, ...]:
-    """Return those of the ``known`` periods (mm or deg) at which the middles rather speak against a
-    wave, beside those that were ``found``; none where nothing was found.
+    """Return those of the ``known`` periods (mm or deg) whose wave the mean readings contradict,
+    given the periods that were ``found``; empty where none was found.
 
-    Of what was found the first harmonic counts: a known half of it may be seen all the same.
+    Only the first harmonic of a found period counts: half of it may be a known period of its own.
     """
     waves = [
         wave for period in found for wave in wave_columns(middles.targets, 1.0 / float(period))[:2]
@@ -96,9 +96,11 @@ def unseen_periods(
 
 
 def fitted_periods(middles: Middles, basis: Basis, shown: Sequence[float]) -> tuple[float, ...]:
-    """Return those of the known periods (mm or deg) that are fitted: all, or where they are many
-    the `FITTED` that the middles tell most of, each beside those before (forward selection: Miller,
-    Subset Selection in Regression, 2nd ed. 2002, section 3.2), as long as they speak for one.
+    """Return the known periods (mm or deg) that are fitted: all, or at most the `FITTED` best.
+
+    They are added one by one, each time the one that improves the fit most, as long as the data
+    support it (forward selection: Miller, Subset Selection in Regression, 2nd ed. 2002, section
+    3.2).
     """
     if len(shown) <= FITTED:
         return tuple(shown)

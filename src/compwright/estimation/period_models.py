@@ -15,12 +15,12 @@ from compwright.estimation.period_candidates import PeriodCandidate
 from compwright.records.axis import FloatArray
 from compwright.records.estimate import AxisPeriod, PeriodEvidence
 
-#: Probability from which on a period is told.
-TOLD: Final = 0.05
+#: Least probability of a period that is reported.
+REPORTED: Final = 0.05
 #: Models of less probability are not kept; those of one set of periods at most.
 LEAST_MODEL: Final = 0.01
 _NEIGHBOURS: Final = 5
-#: Periods are told to a picometre, or 4e-6 arcsec: what lies below hangs on the processor.
+#: Periods are rounded to a picometre, or 4e-6 arcsec: smaller digits depend on the processor.
 _DECIMALS: Final = 9
 #: The curve that is shown: its steps, and the log odds below which it is cut off.
 _LOWEST: Final = -10.0
@@ -31,8 +31,9 @@ _SAME: Final = 2e-3
 
 @dataclass(frozen=True, slots=True)
 class PeriodModel:
-    """What may be: the ``periods`` (mm or deg) beside those known, with their ``harmonics``, and
-    how probable it is."""
+    """A possible model: ``periods`` (mm or deg) in addition to the known ones, with their
+    ``harmonics``, and its probability.
+    """
 
     periods: tuple[float, ...]
     harmonics: tuple[tuple[int, ...], ...]
@@ -95,12 +96,14 @@ class PeriodSet:
     log: float
 
     def extended(self, member: PeriodCandidate) -> PeriodSet:
-        """Return the set with one more, which was found beside these."""
+        """Return the set with one more period, which was searched for with the others present."""
         return PeriodSet((*self.members, member), self.log + member.log)
 
     def less_certain(self, rest: float) -> PeriodSet:
-        """Return the set with all that is no candidate beside it (``rest``: logarithm of its
-        probability over that of nothing beside it)."""
+        """Return the set with the probability of all further periods added that are not candidates.
+
+        ``rest``: logarithm of that probability, relative to no further period.
+        """
         return PeriodSet(self.members, self.log + float(np.logaddexp(0.0, rest)))
 
     def same(self, other: PeriodSet, near: float) -> bool:
@@ -167,7 +170,7 @@ def _found(
             "files" if any(abs(one - period) < _SAME * one for one in suggested) else "found",
         )
         for period, probability in sorted(found.items(), key=lambda pair: -round(pair[1], 9))
-        if probability >= TOLD
+        if probability >= REPORTED
     )
 
 
@@ -178,7 +181,7 @@ def _neighbours(periods: PeriodSet, probability: float) -> list[PeriodModel]:
     """
     if not periods.members:
         return [PeriodModel((), (), probability)]
-    # One with aliases comes last: nothing is looked for beside it.
+    # A period with aliases comes last: no further one is searched given it.
     last = periods.members[-1]
     count = _picked(last).size if last.aliases.size else _NEIGHBOURS
     harmonics = tuple(HARMONICS for _ in periods.members)

@@ -1,18 +1,19 @@
-"""Search for periods of the error that nobody named.
+"""Search for unknown periods of the error.
 
-Before the data `FIRST` and `FURTHER` say what is expected: hardly a screw or a worm runs without an
-error that repeats with its turn, at a usual period (`usual_periods`), however small; an axis that
-is closed over a scale along it shows none of it, and every second one is taken for such (a
-judgement, from no document); a second period is rare. One or two harmonics have equal odds. The
-likelihood (`period_likelihood`) is that over all amplitudes and phases, whatever the smooth and the
-local part are. Periods are found one after another, each beside those found before (Bretthorst,
-Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapters 3 and 6). Of two waves of one
-size each hides the other: one more is therefore looked for beside all sets that may be, not beside
-the best alone (beam search: Reddy, Speech Understanding Systems, Carnegie-Mellon University, 1977),
-and each member is found anew beside the others, which is where its set is weighed.
+Prior (`FIRST` and `FURTHER`): hardly any screw or worm is without an error that repeats with its
+turn, at a usual period (`usual_periods`), however small. An axis that is closed over a scale along
+it does not show it; every second axis is assumed to be such (a judgement, from no document). A
+second period is rare. One or two harmonics have equal odds. The likelihood (`period_likelihood`)
+covers all amplitudes and phases, for any smooth and local part.
 
-Waves that have all but the same values at the targets (`basis.ALIASED`) cannot be told apart. Among
-them only the data decide, not what is usual: equal ones share their probability evenly.
+Periods are found one after another, each given those found before (Bretthorst, Bayesian Spectrum
+Analysis and Parameter Estimation, 1988, chapters 3 and 6). Two waves of one size hide each other.
+Several sets of periods are therefore extended, not only the best one (beam search: Reddy, Speech
+Understanding Systems, Carnegie-Mellon University, 1977), and each member is searched again given
+the others before its set is weighted.
+
+Waves with nearly the same values at the targets (`basis.ALIASED`) cannot be distinguished. Among
+them only the data decide, not the prior: equal ones share their probability evenly.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ from compwright.estimation.period_models import (
 from compwright.estimation.usual_periods import UsualPeriod, usual_periods
 from compwright.records.axis import AxisKind, FloatArray
 
-#: What is expected before the data: the first period, and one beside those that are known.
+#: Prior odds of the first period, and of one in addition to known ones.
 FIRST: Final = Odds(none=0.5, usual=0.38)
 FURTHER: Final = Odds(none=0.75, usual=0.18)
 #: A period repeats at least so often over the targets: fewer waves are smooth error.
@@ -56,11 +57,11 @@ _MOST_FREQUENCIES: Final = 16000
 _PER_RESOLUTION: Final = 3
 #: Periods one after another at most.
 _MOST_PERIODS: Final = 4
-#: Beside so many sets of as many periods one more is looked for, and those that are so much less
-#: probable (natural logarithm) than the best of all: two waves of one size hide each other.
+#: One more period is searched given each of so many sets, and given those that are not more than
+#: `_FOLLOWED` (natural logarithm) below the best: two waves of one size hide each other.
 _BEAM: Final = 3
 _FOLLOWED: Final = 4.0
-#: Targets that have to be left beside what is free.
+#: Least number of targets above the number of free columns.
 LEFT: Final = 4
 
 
@@ -72,11 +73,13 @@ def search_periods(
     known: Sequence[float] = (),
     suggested: Sequence[float] = (),
 ) -> PeriodSearch:
-    """Return the periods beside ``known`` (mm or deg) that the middles tell of, with probabilities.
+    """Return the periods that the mean readings show in addition to the ``known`` ones (mm or deg),
+    with probabilities.
 
-    ``basis`` holds the smooth functions (its periods are not looked at). Each of the ``suggested``
-    periods (the control's own files: mm or deg) is as likely as all usual ones together. Too few
-    targets for a search: the model without a period alone. Prior and sources: module docstring.
+    ``basis``: functions of the smooth part (its periods are not used). Each of the ``suggested``
+    periods (from the control's files: mm or deg) is as probable as all usual ones together. With
+    too few targets for a search, only the model without a period. Prior and sources: module
+    docstring.
     """
     frequencies = searched(middles.targets, kind)
     if not frequencies.size:
@@ -92,7 +95,7 @@ def search_periods(
         deeper: list[PeriodSet] = []
         for place, each in enumerate(level):
             worth = place < _BEAM and each.log >= best - _FOLLOWED and depth < _MOST_PERIODS
-            look = search.beside(each) if worth else None
+            look = search.candidates_with(each) if worth else None
             done.append(each if look is None else each.less_certain(look.rest))
             if look is not None:
                 deeper += [each.extended(one) for one in look.candidates]
@@ -110,9 +113,10 @@ def _descending(sets: Iterable[PeriodSet]) -> list[PeriodSet]:
 
 
 def searched(targets: FloatArray, kind: AxisKind) -> FloatArray:
-    """Return the frequencies (f,) that are searched, equally spaced, ascending, 1 / mm or 1 / deg:
-    from `LEAST_REPEATS` over the ``targets`` to the `SHORTEST` period; none for fewer than eight
-    targets, with which no wave can be told from scatter.
+    """Return the frequencies (f,) to search, equally spaced, ascending, 1 / mm or 1 / deg: from
+    `LEAST_REPEATS` over the ``targets`` to the `SHORTEST` period.
+
+    Empty for fewer than eight targets, with which no wave can be distinguished from scatter.
     """
     length = float(np.ptp(targets))
     if targets.size < 8:
@@ -139,8 +143,8 @@ def wave_columns(targets: FloatArray, frequency: float) -> list[FloatArray]:
 
 @dataclass(frozen=True, slots=True)
 class _PeriodSearch:
-    """What is looked at: the ``middles``, at ``frequencies`` (f,) and the ``usual`` periods, beside
-    the ``known`` ones (mm or deg).
+    """Data of a search: the ``middles``, the ``frequencies`` (f,), the ``usual`` periods, and the
+    ``known`` ones (mm or deg).
     """
 
     middles: Middles
@@ -149,9 +153,10 @@ class _PeriodSearch:
     usual: tuple[UsualPeriod, ...]
     known: tuple[float, ...]
 
-    def beside(self, periods: PeriodSet) -> PeriodLook | None:
-        """Return what may be there beside a set of periods; None where its targets are too few, or
-        it is not known which periods these are.
+    def candidates_with(self, periods: PeriodSet) -> PeriodLook | None:
+        """Return the candidates for one more period, given a set of periods.
+
+        None where the targets are too few, or where the last period of the set has aliases.
         """
         members = periods.members
         if members and members[-1].aliases.size:
@@ -162,12 +167,12 @@ class _PeriodSearch:
         return candidates_of(likelihood, self.frequencies, self.usual, self._before(members))
 
     def refined(self, periods: PeriodSet) -> PeriodSet:
-        """Return a set of two or more with each member found anew beside all others: what was found
-        first was found with the others in the way.
+        """Return a set of two or more with each member searched again given all others; the first
+        search had the others in the way.
 
-        How probable the set is becomes the likelihood of the waves one after another where they now
-        are, times for each what its prior and the width of its peak, with all others there, leave
-        of its likelihood.
+        The probability of the set is then the likelihood of the waves one after another at their
+        new places. Each is multiplied by the part of it that its prior and the width of its peak
+        leave with all others present.
         """
         members, log = list(periods.members), 0.0
         for place in range(len(members)):
@@ -184,13 +189,16 @@ class _PeriodSearch:
             members[place] = found
             log += found.log - _there(likelihood, found)
         for place, member in enumerate(members):
-            beside = self._likelihood(members[:place])
-            log += 0.0 if beside is None else _there(beside, member)
+            given = self._likelihood(members[:place])
+            log += 0.0 if given is None else _there(given, member)
         return PeriodSet(tuple(members), log)
 
     def different(self, sets: Sequence[PeriodSet]) -> list[PeriodSet]:
-        """Return the sets, the most probable first, without those that were found a second time in
-        another order: what was looked for beside a wave at a wrong place is less probable.
+        """Return the sets, the most probable first, without sets that hold the same periods in
+        another order.
+
+        The less probable of two equal sets is dropped: its later periods were searched with an
+        earlier one at a wrong place.
         """
         near = PEAK / float(np.ptp(self.middles.targets))
         kept: list[PeriodSet] = []

@@ -1,4 +1,4 @@
-"""How far the tests that are fitted reach beside the others of their axis."""
+"""Warn where another test of an axis reaches further than the tests that are fitted."""
 
 from __future__ import annotations
 
@@ -11,12 +11,13 @@ from compwright.records.positioning import PositioningTest
 def longer_tests(
     fitted: Sequence[PositioningTest], others: Iterable[PositioningTest]
 ) -> list[Finding]:
-    """Return a doubt for each other test that reaches beyond the ``fitted`` ones by more than a
-    mean interval of the first of them (CW-E011).
+    """Return a finding (CW-E011) for each other test that reaches beyond the ``fitted`` ones by
+    more than a mean interval of the first of them.
 
     An axis over 2 000 mm has two tests (ISO 230-2:1997, 5.2): its whole length once, and 2 000 mm
-    five times. They count together where it is known what acted in each. Beyond the fitted ones the
-    error is continued, although the other test measured it.
+    five times. They count together where it is known which compensation was active in each.
+    Otherwise the error beyond the fitted tests is extrapolated, although the other test measured
+    it.
     """
     first = fitted[0]
     low = min(float(test.targets[0]) for test in fitted)

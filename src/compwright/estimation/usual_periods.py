@@ -18,13 +18,15 @@ from typing import Final
 from compwright.records.axis import AxisKind
 
 _INCH: Final = 25.4
-#: How often others are met beside a usual lead.
+#: Weight of rarer periods, relative to a common lead.
 _SELDOM: Final = 0.25
 
 
 @dataclass(frozen=True, slots=True)
 class UsualPeriod:
-    """``size`` in mm or deg, its ``reason`` in words, and how often it is met beside others."""
+    """``size`` in mm or deg, its ``reason`` in words, and ``weight``: how frequent it is relative
+    to a common screw lead.
+    """
 
     size: float
     reason: str
@@ -42,7 +44,7 @@ def _leads() -> list[UsualPeriod]:
     ]
 
 
-def _beside_leads() -> list[UsualPeriod]:
+def _other_causes() -> list[UsualPeriod]:
     """Scales and drives other than screws; half leads that are no lead themselves."""
     return [
         UsualPeriod(7.5, "half a screw lead of 15 mm", _SELDOM),
@@ -60,7 +62,7 @@ _DIVISIONS: Final = (36, 40, 45, 48, 60, 72, 80, 90, 96, 100, 108, 120, 144, 150
 
 USUAL_PERIODS: Final = {
     AxisKind.LINEAR: tuple(
-        sorted((*_leads(), *_beside_leads()), key=lambda usual: (usual.size, usual.reason))
+        sorted((*_leads(), *_other_causes()), key=lambda usual: (usual.size, usual.reason))
     ),
     AxisKind.ROTARY: tuple(
         UsualPeriod(360.0 / parts, f"a turn of a worm or motor, 1/{parts} of the table's")
@@ -70,8 +72,8 @@ USUAL_PERIODS: Final = {
 
 
 def usual_periods(kind: AxisKind, suggested: Sequence[float] = ()) -> tuple[UsualPeriod, ...]:
-    """Return the usual periods of a kind of axis, and beside them the ``suggested`` ones (mm or
-    deg), each as often met as all others together.
+    """Return the usual periods of a kind of axis, and the ``suggested`` ones (mm or deg), each as
+    probable as all others together.
     """
     usual = USUAL_PERIODS[kind]
     total = sum(each.weight for each in usual)
