@@ -234,7 +234,7 @@ def test_a_control_would_do_the_same_with_the_copies(
             control,
             [ControlFile(name, (folder / name).read_bytes()) for name in visible(folder)],
             options=options,
-            asked=(address,),
+            axes_under_work=(address,),
         )
         for folder in copied[kind]
     )

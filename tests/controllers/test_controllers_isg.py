@@ -170,7 +170,7 @@ class TestTable:
             with pytest.raises(UsageError, match="encoder_increment"):
                 isg(EVEN, options={"encoder_increment": wrong})
         # of another axis than the one under work it is not asked for
-        assert isg(EVEN, asked=("2",)).addresses() == ()
+        assert isg(EVEN, axes_under_work=("2",)).addresses() == ()
 
     def test_order_of_statements_blanks_and_line_ends_mean_nothing(self) -> None:
         lines = LISTED.strip().split("\n")
@@ -406,7 +406,7 @@ class TestCross:
             "kopf.achs_nr 2\nkw.crosscomp2.max_points 1\n",
         ):
             assert um(isg(harmless), [0], UP, "2") == [0.0]
-        other = isg(acting, LISTED, asked=("1",))
+        other = isg(acting, LISTED, axes_under_work=("1",))
         assert other.addresses() == ("1",)
         assert any("crosscomp2" in note for note in other.notes)
 
@@ -519,7 +519,7 @@ class TestLists:
 
     def test_what_is_odd_about_others_stops_nothing(self) -> None:
         broken = LISTED.replace("achs_nr                      1", "achs_nr 2").replace("42", "x")
-        control = isg(LISTED, broken, asked=("1",))
+        control = isg(LISTED, broken, axes_under_work=("1",))
         assert control.addresses() == ("1",)
         assert any("table[2].neg" in note for note in control.notes)
 

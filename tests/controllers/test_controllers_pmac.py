@@ -109,7 +109,7 @@ class TestTables:
                 pmac(WORKED, options=wrong)
         assert um(pmac(WORKED, options={"counts_per_unit": "2000"}), [50], UP) == close([-1.0])
         # of a motor that is not under work nobody asks, and nothing is said
-        other = pmac(WORKED, options={}, asked=("2",))
+        other = pmac(WORKED, options={}, axes_under_work=("2",))
         with pytest.raises(UsageError, match="counts_per_unit of motor 1"):
             other.correction("1", np.zeros(1), UP)
 
@@ -254,7 +254,7 @@ class TestCross:
         assert pmac(CROSS.replace("I51=1", "I51=0")).cross() == ()
 
     def test_of_others_nothing_is_said(self) -> None:
-        control = pmac(CROSS, options={}, asked=("7",))
+        control = pmac(CROSS, options={}, axes_under_work=("7",))
         assert control.cross() == ()
         assert any("motor 1 does to motor 2" in note for note in control.notes)
 
@@ -263,7 +263,7 @@ class TestCross:
         with pytest.raises(InputError, match="line 1: a table over two motors corrects motor 1"):
             pmac(plane)
         assert um(pmac(plane.replace("5", "0")), [0], UP) == [0.0]
-        assert any("two motors" in note for note in pmac(plane, asked=("2",)).notes)
+        assert any("two motors" in note for note in pmac(plane, axes_under_work=("2",)).notes)
         with pytest.raises(InputError, match="expected 5 whole numbers, found 4"):
             pmac(plane.replace("0 0 5 0 0", "0 0 5 0"))
         with pytest.raises(InputError, match="corrects motor 1"):
@@ -335,11 +335,11 @@ class TestScript:
         text = WORKED + "OPEN PLC 5 CLEAR\nIF (P1>3) I285=3\nX100 Y(SIN(30))\nCLOSE\nI186=112\n"
         assert um(pmac(text), [0], DOWN) == close([-7])
         # what a program does to another motor stops nothing here
-        assert pmac(text, asked=("1",)).addresses() == ("1",)
+        assert pmac(text, axes_under_work=("1",)).addresses() == ("1",)
 
     def test_what_is_odd_about_others_stops_nothing(self) -> None:
         text = WORKED.replace("I51=0", "#2 DEFINE COMP 2,400\n1 1")
-        control = pmac(text, asked=("1",))
+        control = pmac(text, axes_under_work=("1",))
         assert um(control, [100], UP) == close([-2])
         assert control.addresses() == ("1",)
         assert any("motor 2" in note for note in control.notes)

@@ -381,12 +381,12 @@ class TestNeighbours:
         keep = [line for line in EEC.split("\n") if line.startswith("$") and "_STEP" not in line]
         keep = [line for line in keep if "IS_MODULO" not in line or "IS_MODULO" not in odd]
         neighbour = "\n".join(keep).replace("AX1", "AX2") + "\n" + odd
-        control = load(EEC, neighbour, asked=("AX1",))
+        control = load(EEC, neighbour, axes_under_work=("AX1",))
         assert at(control, "AX1", [-200], UP) == [-0.001]
         if "MAX_POINTS" not in odd:
             assert any("AX2" in note and "left alone" in note for note in control.notes)
         with pytest.raises(InputError):
-            load(EEC, neighbour, asked=("AX1", "AX2"))
+            load(EEC, neighbour, axes_under_work=("AX1", "AX2"))
 
 
 class TestTablesThatStay:
@@ -412,7 +412,7 @@ class TestTablesThatStay:
             options={"cec_sign": sign, "cec_tables": []},
             axis_options={"AX1": {"cec_tables": tables}},
             reference_return={"AX1": UP},
-            asked=("AX1",),
+            axes_under_work=("AX1",),
         )
 
     def test_a_curve_with_a_sign_is_counted(self) -> None:

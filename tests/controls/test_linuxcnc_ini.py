@@ -549,7 +549,7 @@ def test_the_judge_reads_what_hal_adds_to_an_axis(line: str, says: str) -> None:
         [ControlFile("m.ini", f"{ini}[HAL]\nHALCMD = {line}\n".encode())],
     ):
         if not says or line.startswith("#"):
-            virtual_control("linuxcnc", files, asked=("0",))
+            virtual_control("linuxcnc", files, axes_under_work=("0",))
             continue
         with pytest.raises(InputError, match=says):
-            virtual_control("linuxcnc", files, asked=("0",))
+            virtual_control("linuxcnc", files, axes_under_work=("0",))

@@ -58,7 +58,11 @@ def by_judge(text: str, active: bool | None = None, name: str = "LOAD.MPF") -> o
     """The judge's reader."""
     file = ControlFile(name, text.encode())
     return virtual_control(
-        "siemens-840d-sl", [file], active=active, carried_out=active is True, asked=("AX1",)
+        "siemens-840d-sl",
+        [file],
+        active=active,
+        carried_out=active is True,
+        axes_under_work=("AX1",),
     )
 
 

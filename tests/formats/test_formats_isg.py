@@ -425,7 +425,9 @@ def test_a_new_list_is_named_in_the_start_up_list() -> None:
         "achs_kw_log_ax_nr[1]    1",
         "achs_kw[1]              achskw1_2.lis",
     ]
-    judge = virtual_control(ISG, [ControlFile(n, t.encode()) for n, t in made.items()], asked=["1"])
+    judge = virtual_control(
+        ISG, [ControlFile(n, t.encode()) for n, t in made.items()], axes_under_work=["1"]
+    )
     found = judge.correction("1", np.array([300.0]), Direction.NEGATIVE)
     assert found == pytest.approx([0.01], abs=EXACT)
 

@@ -50,7 +50,11 @@ def by_writer(files: list[ControlFile], active: bool | None) -> None:
 def by_judge(files: list[ControlFile], active: bool | None) -> None:
     """The judge's reader."""
     virtual_control(
-        "siemens-840d-sl", files, active=active, carried_out=active is True, asked=("AX1",)
+        "siemens-840d-sl",
+        files,
+        active=active,
+        carried_out=active is True,
+        axes_under_work=("AX1",),
     )
 
 

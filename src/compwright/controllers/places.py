@@ -1,4 +1,4 @@
-"""Where in a file something stands that a control cannot take."""
+"""Places in a file, for faults."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from compwright.foundations.errors import Fault
 
 
 class OfLine:
-    """What stands on a line of a file."""
+    """A value read from one line of a file."""
 
     __slots__ = ()
     file: str
@@ -14,7 +14,7 @@ class OfLine:
 
     @property
     def shown(self) -> str:
-        """What a fault shows as found where it says nothing else."""
+        """Text that a fault shows as found, unless it gives another."""
         return ""
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:

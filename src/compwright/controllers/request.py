@@ -1,4 +1,4 @@
-"""What a virtual control is asked for beside its files."""
+"""Facts that a virtual control needs in addition to its files."""
 
 from __future__ import annotations
 
@@ -16,17 +16,16 @@ Entry = TypeVar("Entry")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Request:
-    """Facts by axis address that no file of the control holds; an address is found whatever its
-    case.
+    """Facts by axis address that the files of a control do not hold; case does not matter.
 
     ``reference_return``: direction in which the reference is approached; ``encoder``: active
     measuring system, 1 or 2; ``kinds``: linear or rotary; ``modulo``: the turn of an endless axis,
     deg; ``reference``: machine coordinate of the reference position, mm or deg; ``active``: whether
-    tables acted that the files switch off or say nothing of (None: not said); ``carried_out``:
-    whether every assignment of a program counts; ``options``: the
-    controller's options by name, as the job gives them; ``axis_options`` go over them. ``asked``:
-    the axes under work, empty for all; what is odd about others stops nothing. ``axis_number``: how
-    the control counts an axis, from 1, where the job says it.
+    tables were active that the files switch off or do not mention (None: unknown); ``carried_out``:
+    every assignment of a program was executed; ``options``: the controller's options by name, as in
+    the job; ``axis_options`` override them for one axis. ``axes_under_work``: empty for all; faults
+    of other axes stop nothing. ``axis_number``: the control's number of an axis, from 1, where the
+    job states it.
     """
 
     reference_return: Mapping[str, Direction] = field(default_factory=dict)
@@ -38,27 +37,30 @@ class Request:
     carried_out: bool = False
     options: Mapping[str, object] = field(default_factory=dict)
     axis_options: Mapping[str, Mapping[str, object]] = field(default_factory=dict)
-    asked: tuple[str, ...] = ()
+    axes_under_work: tuple[str, ...] = ()
     axis_number: Mapping[str, int] = field(default_factory=dict)
 
-    def asks_for(self, address: str) -> bool:
-        """Return whether the caller wants this axis; without any named he wants all."""
-        return not self.asked or address.casefold() in {one.casefold() for one in self.asked}
+    def is_under_work(self, address: str) -> bool:
+        """Return whether the axis is under work; without a list all axes are."""
+        return not self.axes_under_work or address.casefold() in {
+            one.casefold() for one in self.axes_under_work
+        }
 
-    def acts(self, switches: Sequence[float | None]) -> bool:
-        """Return whether a table acts whose switches end as ``switches`` (None: not in the files,
-        counted as on).
+    def is_active(self, switches: Sequence[float | None]) -> bool:
+        """Return whether a table is active, given the last values of its ``switches``.
+
+        None: not in the files, counts as on unless `active` states otherwise.
         """
         if self.active is not None and any(switch is None or switch == 0.0 for switch in switches):
             return self.active
         return all(switch is None or switch != 0.0 for switch in switches)
 
     def options_of(self, address: str) -> Mapping[str, object]:
-        """Return the options of one axis: its own over the controller's."""
+        """Return the options of one axis; its own override the controller's."""
         return {**self.options, **(by_address(self.axis_options, address) or {})}
 
     def returning(self, address: str) -> tuple[Direction, Assumption | None]:
-        """Return the referencing direction of an axis, and the assumption where nobody said it
+        """Return the referencing direction of an axis; with an assumption if it is not given
         (option, else ``+``).
 
         Raises UsageError when the option ``reference_return`` is neither ``+`` nor ``-``.
@@ -82,10 +84,10 @@ class Request:
         return direction, Assumption(f"reference_return of {address}", direction.value, evidence)
 
     def referenced(self, address: str) -> tuple[float, Assumption | None]:
-        """Return an axis' reference (machine coordinate, mm or deg), and the assumption where
-        nobody said it (option, else 0).
+        """Return an axis' reference (machine coordinate, mm or deg); with an assumption if it is
+        not given (option, else 0).
 
-        Raises UsageError when it is no finite number.
+        Raises UsageError when it is not a finite number.
         """
         known = by_address(self.reference, address)
         options = self.options_of(address)
@@ -131,7 +133,7 @@ def by_address(table: Mapping[str, Entry], address: str) -> Entry | None:
 
 
 def unknown_axis(address: str, known: tuple[str, ...]) -> UsageError:
-    """Return the error for an axis that the files do not speak of."""
+    """Return the error for an axis that is not in the files."""
     return UsageError(
         Fault(
             message=f"the control's files contain no data of axis {address}",

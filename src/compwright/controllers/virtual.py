@@ -1,4 +1,4 @@
-"""What every virtual control answers, and which ones there are."""
+"""The interface of all virtual controls, and the list of them."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ from compwright.records.correction import Assumption, ControlFile
 class VirtualControl(Protocol):
     """A control with files loaded.
 
-    ``assumed``: facts that the files do not hold. ``notes``: what the control leaves out or does
-    unasked, one sentence each with file and line (a caller that wants exactly what was written
-    refuses when there are any that matter).
+    ``assumed``: facts that the files do not hold. ``notes``: what the control ignores or changes
+    without a message, one sentence each with file and line (a caller that needs exactly what was
+    written refuses relevant ones).
     """
 
     @property
@@ -38,11 +38,11 @@ class VirtualControl(Protocol):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the control drops or ignores of the files."""
+        """Parts of the files that the control drops or ignores."""
         ...
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the axes that the files speak of, by the control's own names."""
+        """Return the axes in the files, by the control's own names."""
         ...
 
     def nodes(self, address: str) -> FloatArray:
@@ -50,11 +50,10 @@ class VirtualControl(Protocol):
         ...
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return what the control adds to the command at ``positions`` (any shape, mm or deg)
-        arriving in ``direction``, mm or deg.
+        """Return the correction at ``positions`` (any shape, mm or deg), approached in
+        ``direction``; mm or deg.
 
-        Everything together: table and backlash. Raises UsageError for an axis that the files do not
-        speak of.
+        Table and backlash together. Raises UsageError for an axis that is not in the files.
         """
         ...
 
@@ -71,8 +70,8 @@ class VirtualControl(Protocol):
         positions: FloatArray,
         direction: Direction,
     ) -> FloatArray:
-        """Return what is added to ``output`` with ``input`` at ``positions`` (any shape) arriving
-        in ``direction``, mm or deg.
+        """Return the correction of ``output`` with ``input`` at ``positions`` (any shape), moving
+        in ``direction``; mm or deg.
 
         Raises UsageError for a pair of axes without a table.
         """
@@ -113,21 +112,21 @@ def virtual_control(
     active: bool | None = None,
     carried_out: bool = False,
     axis_options: Mapping[str, Mapping[str, object]] | None = None,
-    asked: Sequence[str] = (),
+    axes_under_work: Sequence[str] = (),
     axis_number: Mapping[str, int] | None = None,
 ) -> VirtualControl:
     """Return the virtual control of ``format_id`` with ``files`` (bare names, raw bytes) loaded.
 
     By axis address: ``reference_return`` is the direction in which the reference is approached,
-    ``encoder`` the active measuring system (1 or 2), ``kinds`` linear or rotary where no file says
-    it, ``modulo`` the turn of an endless axis (deg), ``reference`` the machine coordinate of the
-    reference position (mm or deg). ``active``: whether tables acted that the files switch off or
-    say nothing of (None: off where they are switched off, else on). ``carried_out``: every
-    assignment of the programs among the files was carried out. ``options`` are the controller's
-    options, ``axis_options`` those of single axes, which go over them. ``asked``: the axes
-    that matter, empty for all: what is odd about others refuses nothing where the control lives
-    with it. ``axis_number``: how the control counts an axis, from 1. Whatever had to be taken
-    without being told is in ``assumed``.
+    ``encoder`` the active measuring system (1 or 2), ``kinds`` linear or rotary where no file
+    states it, ``modulo`` the turn of an endless axis (deg), ``reference`` the machine coordinate of
+    the reference position (mm or deg), ``axis_number`` the control's number of an axis, from 1.
+
+    ``active``: whether tables were active that the files switch off or do not mention (None: not
+    active if switched off, else active). ``carried_out``: every assignment of the programs among
+    the files was executed. ``options``: the controller's options; ``axis_options`` override them
+    for one axis. ``axes_under_work``: empty for all; faults of other axes refuse nothing where the
+    control tolerates them. Assumptions made are listed in ``assumed``.
 
     Raises UsageError for an unknown format, InputError for files that the control would refuse or
     that contradict themselves.
@@ -160,7 +159,7 @@ def virtual_control(
         carried_out=carried_out,
         options=dict(options or {}),
         axis_options=dict(axis_options or {}),
-        asked=tuple(asked),
+        axes_under_work=tuple(axes_under_work),
         axis_number=dict(axis_number or {}),
     )
     return maker(files, request)

@@ -459,7 +459,7 @@ def decode(
             },
         },
         options={**reading.options, **({"axis": alone} if alone is not None else {})},
-        asked=tuple(state.axes),
+        axes_under_work=tuple(state.axes),
         axis_number={
             axis.address: axis.axis_number for axis in axes if axis.axis_number is not None
         },

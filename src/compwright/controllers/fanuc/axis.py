@@ -1,8 +1,8 @@
-"""One axis of a FANUC from its parameters and points: which numbers it uses, whether they fit
-together, its totals.
+"""Grid of one FANUC axis, from its parameters and points: which numbers it uses and whether they
+are consistent.
 
-Every contradiction becomes a fault of the memory; what is left open a note or an assumption.
-Sources: ``fanuc``.
+Contradictions in the files become faults of the memory; open points become notes or assumptions.
+Sources: ``control``.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 
-from compwright.controllers.fanuc.beside import left_out
+from compwright.controllers.fanuc.additional_functions import left_out
 from compwright.controllers.fanuc.checks import inclined_without_grid, not_used, stopping
 from compwright.controllers.fanuc.grid import IncrementGrid
 from compwright.controllers.fanuc.memory import Memory, number_list
@@ -28,7 +28,7 @@ _WHOLE_TURN = 1e-6
 
 
 class AxisLoader:
-    """Builds axes from the memory, where faults, notes and assumptions gather."""
+    """Builds axes from the memory, which also collects faults, notes and assumptions."""
 
     def __init__(self, memory: Memory, request: Request) -> None:
         self.memory = memory
@@ -38,30 +38,30 @@ class AxisLoader:
         """Add a note about an axis."""
         self.memory.notes.append(f"axis {axis}: {text}")
 
-    def asked(self, axis: int) -> bool:
-        """Whether the caller wants this axis; an odd one that nobody asks for stops nothing."""
-        return self.request.asks_for(str(axis))
+    def under_work(self, axis: int) -> bool:
+        """Return whether the axis is under work; faults of other axes stop nothing."""
+        return self.request.is_under_work(str(axis))
 
     @contextmanager
     def stopping_nothing(self, axis: int) -> Iterator[None]:
-        """Within it, a fault of an axis that nobody asks for becomes a note."""
+        """Turn faults that arise in this context into a note, unless the axis is under work."""
         before = len(self.memory.faults)
         yield
         odd = self.memory.faults[before:]
-        if odd and not self.asked(axis):
+        if odd and not self.under_work(axis):
             del self.memory.faults[before:]
             self.note(axis, f"is odd and left alone: {odd[0].message}")
 
     def neighbour(self, axis: int, options: Options) -> IncrementGrid | None:
-        """Return the grid of an axis that nobody asks for; one with faults is noted and left
-        out.
+        """Return the grid of an axis that is not under work; None, with a note, if it has
+        faults.
         """
         with self.stopping_nothing(axis):
             return self.grid(axis, options)
 
     def grid(self, axis: int, options: Options) -> IncrementGrid | None:
-        """Return the grid of an axis, None when the control compensates nothing by points (or a
-        fault says why not).
+        """Return the grid of an axis; None without pitch compensation, or with a fault that says
+        why.
         """
         before = len(self.memory.faults)
         for remark in left_out(self.memory.machine, axis, options.counted):
@@ -73,7 +73,7 @@ class AxisLoader:
 
     def _grid(self, axis: int, options: Options) -> IncrementGrid | None:
         before = len(self.memory.faults)
-        self.memory.faults += stopping(self.memory, axis, rotary=self.said_rotary(axis) is True)
+        self.memory.faults += stopping(self.memory, axis, rotary=self.known_rotary(axis) is True)
         values = {number: self.memory.whole(number, axis) for number in _GRID[:-1]}
         absent = [number for number in _GRID if not self.memory.given(number, axis)]
         if len(absent) == len(_GRID):
@@ -124,30 +124,34 @@ class AxisLoader:
         self.memory.faults += not_used(self.memory, axis)
         return grid if len(self.memory.faults) == before else None
 
-    def said_rotary(self, axis: int) -> bool | None:
-        """Return whether 1006#0 or the caller makes an axis rotary, None where neither speaks."""
+    def known_rotary(self, axis: int) -> bool | None:
+        """Return whether an axis is rotary by 1006#0 or by the request; None if neither states
+        it.
+        """
         bit = self.memory.bit(1006, 0, axis)
-        told = by_address(self.request.kinds, str(axis))
-        if bit is not None or told is not None:
-            return bit if bit is not None else told is AxisKind.ROTARY
+        requested = by_address(self.request.kinds, str(axis))
+        if bit is not None or requested is not None:
+            return bit if bit is not None else requested is AxisKind.ROTARY
         return True if by_address(self.request.modulo, str(axis)) is not None else None
 
     def rotary(self, axis: int) -> bool:
-        """Return whether an axis is rotary: 1006#0, else the caller, else a turn in 3625."""
+        """Return whether an axis is rotary: by 1006#0, else by the request, else by a turn in
+        3625.
+        """
         bit = self.memory.bit(1006, 0, axis)
         address = str(axis)
-        told = by_address(self.request.kinds, address)
+        requested = by_address(self.request.kinds, address)
         if bit is not None:
-            if told is not None and bit != (told is AxisKind.ROTARY):
+            if requested is not None and bit != (requested is AxisKind.ROTARY):
                 self.note(
                     axis,
                     f"1006#0 = {int(bit)} makes it a {'rotary' if bit else 'linear'} axis, not a"
-                    f" {told.value} one",
+                    f" {requested.value} one",
                 )
             return bit
-        said = self.said_rotary(axis)
-        if said is not None:
-            return said
+        known = self.known_rotary(axis)
+        if known is not None:
+            return known
         unit = self.memory.setting(3624, axis).keyword
         if unit in ("mm", "deg"):
             return unit == "deg"
@@ -160,8 +164,9 @@ class AxisLoader:
         return rotary
 
     def _endless(self, grid: IncrementGrid, *, rotary: bool) -> IncrementGrid:
-        """Return the grid with its turn where its numbers are those of an endless axis; a near miss
-        is a fault.
+        """Return the grid with its turn if its numbers are those of an endless axis.
+
+        Numbers that nearly are become a fault.
         """
         modulo = finite_number(by_address(self.request.modulo, str(grid.axis)))
         if not rotary:
@@ -221,15 +226,15 @@ class AxisLoader:
         return grid
 
     def _goes_round(self, axis: int) -> bool:
-        """Return whether the files mean an endless axis: a turn in 3625, and 1006#1 (linear type;
-        general knowledge) not set.
+        """Return whether the files define an endless axis: a turn in 3625, and 1006#1 (linear type;
+        practice) not set.
         """
         return bool(self.memory.length(3625, axis, rotary=True)) and not self.memory.bit(
             1006, 1, axis
         )
 
     def _bidirectional(self, grid: IncrementGrid) -> IncrementGrid:
-        """Return the grid with the set for travel towards - where 3605#0 = 1."""
+        """Return the grid with its second set, for travel towards -, if 3605#0 = 1."""
         bit = self.memory.bit(3605, 0, grid.axis)
         if bit is None:
             self.memory.assumed.append(
@@ -269,7 +274,7 @@ class AxisLoader:
         return replace(grid, negative_from=start, offset=offset)
 
     def _remarks(self, axis: int) -> None:
-        """Note what bears on the table and is not judged."""
+        """Note settings that concern the table and are not evaluated."""
         if self.memory.bit(1006, 3, axis):
             self.note(
                 axis,
@@ -285,7 +290,7 @@ class AxisLoader:
             )
 
     def _check_points(self, grid: IncrementGrid, options: Options) -> None:
-        """All points of the grid have to be there and within the series' limit."""
+        """Add a fault if a point of the grid is missing or beyond the limit of the series."""
         needless = {
             start
             for start in grid.starts()

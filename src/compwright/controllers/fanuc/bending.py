@@ -1,7 +1,7 @@
-"""Straightness compensation of a FANUC as one axis' curve over another. Sources: ``beside``.
+"""Straightness compensation of a FANUC: one axis corrected by the position of another.
 
 The amounts are put out at the pitch points of the moving axis; here they are straight lines between
-them (unconfirmed, and said so).
+them (unconfirmed, and reported as an assumption). Sources: ``additional_functions``.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from compwright.controllers.fanuc.additional_functions import Bend, bends
 from compwright.controllers.fanuc.axis import AxisLoader
-from compwright.controllers.fanuc.beside import Bend, bends
 from compwright.controllers.fanuc.grid import IncrementGrid
 from compwright.controllers.fanuc.options import Options
 from compwright.records.axis import FloatArray
@@ -43,14 +43,15 @@ class Bending:
 def bending_of(
     loader: AxisLoader, grids: Mapping[int, IncrementGrid | None], options: Mapping[int, Options]
 ) -> Iterator[Bending]:
-    """Yield the pairs that an option counts and the caller asks for; what is open about one is a
-    fault of the memory.
+    """Yield the pairs that an option counts and that concern an axis under work.
+
+    Open questions about such a pair become faults of the memory.
     """
     memory = loader.memory
     if not any("straightness" in entry.counted for entry in options.values()):
         return
     for bend in bends(memory.machine, memory.faults):
-        if not (loader.asked(bend.moving) or loader.asked(bend.bent)):
+        if not (loader.under_work(bend.moving) or loader.under_work(bend.bent)):
             loader.note(
                 bend.bent,
                 f"axis {bend.moving} bends it ({bend.entry.number}); it was not requested",
@@ -72,9 +73,9 @@ def bending_of(
 
 
 def _unit(loader: AxisLoader, bend: Bend, options: Mapping[int, Options]) -> float | None:
-    """Return the bent axis' detection unit, mm or deg; a fault where nobody says it."""
+    """Return the bent axis' detection unit, mm or deg; None with a fault where it is unknown."""
     own = options.get(bend.bent)
-    rotary = loader.said_rotary(bend.bent) is True
+    rotary = loader.known_rotary(bend.bent) is True
     unit = own.detection_unit if own is not None else None
     unit = unit or loader.memory.machine.detection_unit(bend.bent, rotary=rotary)
     if unit is None:

@@ -1,12 +1,12 @@
-"""What stops an axis of a FANUC before its table is read: paths that contradict, switches,
-functions that are not known.
+"""Faults that stop a FANUC axis before its table is read: contradicting paths, switches, unknown
+functions.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from compwright.controllers.fanuc.beside import inclined, refusing
+from compwright.controllers.fanuc.additional_functions import inclined, refusing
 from compwright.controllers.fanuc.memory import Memory
 from compwright.foundations.errors import Fault
 
@@ -15,15 +15,15 @@ _TOTALS = 3602
 
 
 def stopping(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
-    """Yield a fault for each thing around an axis that cannot be counted with."""
+    """Yield a fault for each setting around an axis that makes its compensation unknown."""
     yield from memory.machine.contradicting(axis)
     yield from refusing(memory.machine, axis)
     yield from _paths(memory, axis, rotary=rotary)
 
 
 def inclined_without_grid(memory: Memory, axis: int) -> Iterator[Fault]:
-    """Yield a fault where an axis whose pitch points do not act is inclined: whether that acts is
-    not known.
+    """Yield a fault for inclination on an axis without active pitch points: its effect is
+    unknown.
     """
     entry = inclined(memory.machine, axis)
     if entry is not None:
@@ -37,17 +37,17 @@ def inclined_without_grid(memory: Memory, axis: int) -> Iterator[Fault]:
 
 
 def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
-    """Yield a fault where the control does not use the table that its files hold for an axis, or in
-    a way that is not known.
+    """Yield a fault if the control does not use the table in the files, or uses it in an unknown
+    way.
     """
     series, machine = memory.series, memory.machine
-    totals, apart = machine.said(_TOTALS, axis), machine.either(_TOTALS, axis)
+    totals, apart = machine.entry(_TOTALS, axis), machine.either(_TOTALS, axis)
     if apart is not None:
         yield apart
     elif totals is not None and not totals.zero:
         yield totals.fault(f"the pitch data of axis {axis} may be totals", "3602 = 0: increments")
     if series.switched_by is not None:
-        switch = machine.said(series.switched_by, axis)
+        switch = machine.entry(series.switched_by, axis)
         apart = machine.either(series.switched_by, axis, 0)
         if apart is not None:
             yield apart
@@ -66,17 +66,17 @@ def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
 
 
 def _paths(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
-    """What paths say differently decides only where 981 says to which one the axis belongs."""
+    """Yield a fault where paths differ in a parameter and 981 does not state the axis' path."""
     machine = memory.machine
     moves = memory.moves(axis)
-    asked: list[tuple[int, int]] = [(1001, 0)] if moves and not rotary else []
+    bits: list[tuple[int, int]] = [(1001, 0)] if moves and not rotary else []
     system = machine.system(axis)
     if moves and system is not None:
-        asked += [(system.number, 0), (system.number, 1)]
+        bits += [(system.number, 0), (system.number, 1)]
     feed, rapid = (memory.whole_if_sound(number, axis) for number in (1851, 1852))
     if rapid is not None and rapid != (feed or 0):
-        asked.append((1800, 4))
-    for number, bit in asked:
+        bits.append((1800, 4))
+    for number, bit in bits:
         apart = machine.either(number, axis, bit)
         if apart is not None:
             yield apart

@@ -1,12 +1,12 @@
-"""FANUC: stored pitch error compensation, one- or bidirectional, backlash, and what acts beside
-them, for the families of its controls (``series``).
+"""FANUC: stored pitch error compensation (one- or bidirectional), backlash, and the additional
+functions, for each family of controls (``series``).
 
-Stated from the manuals, apart from the definition that writes the files:
+Stated from the manuals, independently of the definition that writes the files:
 
 - 3620 number of the reference, 3621 .. 3622 the most negative and most positive number, 3623
   magnification, 3624 interval; the data are increments (0i-PB parameter manual B-63980EN/01 p. 100;
-  totals: ``fanuc_table``). Correction = pulses * 3623 * detection unit, a positive pulse moves the
-  axis towards + (practice; option ``pitch_sign``).
+  totals: ``table``). Correction = pulses * 3623 * detection unit, a positive pulse moves the axis
+  towards + (practice; option ``pitch_sign``).
 - Endless rotary axis: 3621 = 3620, 3622 = 3620 + turn / interval, the increments of a turn add up
   to 0 (B-63980EN/01 p. 100).
 - 3605#0 = 1: the numbers 3621 .. 3622 count while the axis moves towards +, as many from 3626 on
@@ -14,11 +14,11 @@ Stated from the manuals, apart from the definition that writes the files:
   direction of the reference return (A-77810E, section 2).
 - 1851 in detection units, nothing in the direction of the reference return, on reversal the whole
   value in the direction of motion (0i-C parameter manual B-64120EN/01 p. 116): sgn(d) * 1851 *
-  detection unit. It acts beside bidirectional data too (practice).
+  detection unit. It is active together with bidirectional data (practice).
 - At rapid traverse 1852 where 1800#4 = 1 (21i parameter manual B-63090EN/02 p. 97).
-- Inclination, a second (cyclic) table, straightness: ``beside``. They count where an option of
-  their name is ``available``; else they are left as they are and named.
-- Nothing acts before the reference return: the grid hangs on the reference position.
+- Inclination, a second (cyclic) table, straightness: ``additional_functions``. They are counted if
+  the option of their name is ``available``, else left unchanged and reported.
+- Nothing is active before the reference return: the grid starts at the reference position.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from compwright.controllers.fanuc.acting import backlash, cycle, pitch_table
+from compwright.controllers.fanuc.additional_functions import Cycle, cyclic_numbers
 from compwright.controllers.fanuc.axis import AxisLoader
+from compwright.controllers.fanuc.axis_functions import backlash, cycle, pitch_table
 from compwright.controllers.fanuc.bending import Bending, bending_of
-from compwright.controllers.fanuc.beside import Cycle, cyclic_numbers
 from compwright.controllers.fanuc.grid import IncrementGrid
 from compwright.controllers.fanuc.machine import FINEST_CONFIRMED, read_machine
 from compwright.controllers.fanuc.memory import Memory, number_list
@@ -58,8 +58,8 @@ _SAME_UNIT = 1e-4
 
 @dataclass(frozen=True, slots=True)
 class _FanucAxis:
-    """``backlash`` in detection units of ``unit`` mm or deg; ``unit`` None where the caller did not
-    say it.
+    """One axis. ``backlash``: detection units; ``unit``: mm or deg per detection unit, None if
+    unknown.
     """
 
     table: PitchTable | None
@@ -85,7 +85,7 @@ class FanucControl:
     notes: tuple[str, ...]
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the controlled axes that the files speak of, ascending."""
+        """Return the controlled axes that the files mention, ascending."""
         return tuple(self.axes)
 
     def nodes(self, address: str) -> FloatArray:
@@ -96,11 +96,11 @@ class FanucControl:
         return np.empty(0) if axis.table is None else axis.table.positions() + axis.reference
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return what is added to the command at ``positions`` (any shape) arriving in
-        ``direction``, mm or deg.
+        """Return the correction at ``positions`` (any shape), approached in ``direction``; mm or
+        deg.
 
-        Raises UsageError for an axis that the files do not speak of or whose detection unit nobody
-        says (none is needed where nothing acts).
+        Raises UsageError for an axis that is not in the files, or without a detection unit (not
+        required where no compensation is active).
         """
         axis = self._axis(address)
         x = np.asarray(positions, dtype=np.float64)
@@ -130,14 +130,14 @@ class FanucControl:
         positions: FloatArray,
         direction: Direction,  # noqa: ARG002  # the same in both
     ) -> FloatArray:
-        """Return what is added to ``output`` with ``input`` at ``positions`` (any shape), mm or deg
-        of the output.
+        """Return the correction of ``output`` with ``input`` at ``positions`` (any shape), mm or
+        deg of the output.
 
-        Raises UsageError for a pair that no straightness compensation is counted for.
+        Raises UsageError for a pair without counted straightness compensation.
         """
         wanted = (input.strip(), output.strip())
-        acting = [entry for entry in self.bent if (entry.moving, entry.bent) == wanted]
-        if not acting:
+        entries = [entry for entry in self.bent if (entry.moving, entry.bent) == wanted]
+        if not entries:
             raise UsageError(
                 Fault(
                     message=(
@@ -149,7 +149,7 @@ class FanucControl:
                 )
             )
         x = np.asarray(positions, dtype=np.float64)
-        return np.asarray(sum((entry.at(x) for entry in acting), np.zeros(x.shape)))
+        return np.asarray(sum((entry.at(x) for entry in entries), np.zeros(x.shape)))
 
     def _axis(self, address: str) -> _FanucAxis:
         axis = by_address(self.axes, address)
@@ -184,20 +184,22 @@ def fanuc_15i_control(files: Sequence[ControlFile], request: Request) -> FanucCo
 
 
 def _control(files: Sequence[ControlFile], request: Request, series: ControlSeries) -> FanucControl:
-    """Return the control with parameter files, pitch data files and typed-entry sheets loaded, in
-    any order.
+    """Return the control with its files loaded, in any order: parameters, pitch data, entry sheets.
 
-    Options: ``detection_unit`` (mm or deg per pulse, required where the files do not say it),
+    Options: ``detection_unit`` (mm or deg per pulse, required where the files do not state it),
     ``output`` (step, ramp), ``motion`` (feed, rapid), ``increment_limit``, ``pitch_sign``,
     ``offset_sign``, ``offset_magnified``, and ``inclination``, ``cyclic``, ``straightness``
-    (absent, available). Raises InputError for what the control would not take or what contradicts
-    itself, every fault with file and line; UsageError for wrong options, and when no axis is given
-    a detection unit.
+    (absent, available).
+
+    Raises InputError for anything the control would not take or that is contradictory, every fault
+    with file and line; UsageError for wrong options, and if no axis has a detection unit.
     """
     memory = _memory(files, request, series)
     options = _options(request, memory, series)
     loader = AxisLoader(memory, request)
-    grids = {axis: loader.grid(axis, options[axis]) for axis in memory.axes() if loader.asked(axis)}
+    grids = {
+        axis: loader.grid(axis, options[axis]) for axis in memory.axes() if loader.under_work(axis)
+    }
     grids |= {
         axis: loader.neighbour(axis, options[axis]) for axis in memory.axes() if axis not in grids
     }
@@ -220,7 +222,7 @@ def _control(files: Sequence[ControlFile], request: Request, series: ControlSeri
 
 
 def _memory(files: Sequence[ControlFile], request: Request, series: ControlSeries) -> Memory:
-    """Return what all files say; files without any parameter of the compensation are a fault."""
+    """Return the contents of all files; files without any compensation parameter are a fault."""
 
     def pitch_sign(address: str) -> str:
         return str(request.options_of(address).get("pitch_sign", "+"))
@@ -244,7 +246,7 @@ def _memory(files: Sequence[ControlFile], request: Request, series: ControlSerie
 
 
 def _spoken(series: ControlSeries, fault: Fault) -> Fault:
-    """Return a fault with the numbers of parameters that the control has."""
+    """Return a fault that names the parameters this control has."""
     return replace(
         fault,
         message=series.spoken(fault.message),
@@ -254,25 +256,26 @@ def _spoken(series: ControlSeries, fault: Fault) -> Fault:
 
 
 def _options(request: Request, memory: Memory, series: ControlSeries) -> dict[int, Options]:
-    """Return the options of each axis; its files say the detection unit where the caller does not,
-    and must not contradict him.
+    """Return the options of each axis, with the detection unit of the files where none is given.
+
+    A given detection unit that contradicts the files is a fault.
     """
     faults: list[Fault] = []
     options: dict[int, Options] = {}
     for axis in memory.axes():
         own = read_options(request.options_of(str(axis)), series, str(axis), faults)
         rotary = by_address(request.kinds, str(axis)) is AxisKind.ROTARY
-        said = memory.machine.detection_unit(axis, rotary=rotary)
-        if said is not None and own.detection_unit is None:
+        known = memory.machine.detection_unit(axis, rotary=rotary)
+        if known is not None and own.detection_unit is None:
             memory.assumed.append(
-                Assumption(f"detection unit of {axis}", f"{said:g}", _unit_by(memory, axis))
+                Assumption(f"detection unit of {axis}", f"{known:g}", _unit_by(memory, axis))
             )
-            own = replace(own, detection_unit=said)
-        elif said is not None and request.asks_for(str(axis)) and memory.moves(axis):
-            given, entry = own.detection_unit or said, memory.machine.said(1820, axis)
-            if entry is not None and abs(given - said) > _SAME_UNIT * said:
+            own = replace(own, detection_unit=known)
+        elif known is not None and request.is_under_work(str(axis)) and memory.moves(axis):
+            given, entry = own.detection_unit or known, memory.machine.entry(1820, axis)
+            if entry is not None and abs(given - known) > _SAME_UNIT * known:
                 memory.faults.append(
-                    entry.fault(f"detection_unit {given:g} of axis {axis}", f"{said:g} by 1820")
+                    entry.fault(f"detection_unit {given:g} of axis {axis}", f"{known:g} by 1820")
                 )
         options[axis] = own
     if options and not faults and all(entry.detection_unit is None for entry in options.values()):
@@ -282,7 +285,7 @@ def _options(request: Request, memory: Memory, series: ControlSeries) -> dict[in
 
 
 def _unit_by(memory: Memory, axis: int) -> str:
-    """Return where a detection unit of the files comes from."""
+    """Return the parameter that a detection unit was read from."""
     system, least = memory.machine.system(axis), memory.machine.least_increment(axis)
     fine = least is not None and least < 0.9 * FINEST_CONFIRMED
     how = " (the bits of IS-D and IS-E: unconfirmed)" if fine else ""
@@ -301,9 +304,7 @@ def _no_unit(address: str) -> Fault:
 def _axis(
     loader: AxisLoader, axis: int, grid: IncrementGrid | None, options: Options
 ) -> _FanucAxis:
-    """Return one axis with its table and backlash; what was taken without being told goes to the
-    loader.
-    """
+    """Return one axis with its table and backlash; the loader collects the assumptions made."""
     address = str(axis)
     returning, assumption = loader.request.returning(address)
     loader.memory.assumed += [assumption] if assumption is not None else []
@@ -329,9 +330,9 @@ def _axis(
 
 
 def _note_shared(loader: AxisLoader, grids: dict[int, IncrementGrid]) -> None:
-    """All axes share one array of points: what two of them use serves both, and is noted.
+    """Note the points that two axes use: all axes share one array of points.
 
-    An axis whose magnification is 0 uses none; that its range meets another's is noted too.
+    An axis whose magnification is 0 uses none; that its range overlaps another's is noted too.
     """
     owners: dict[int, list[int]] = {}
     for axis, grid in grids.items():
@@ -364,7 +365,7 @@ def _note_shared(loader: AxisLoader, grids: dict[int, IncrementGrid]) -> None:
 def _sharing(
     loader: AxisLoader, first: IncrementGrid, second: IncrementGrid, numbers: Sequence[int]
 ) -> None:
-    """Note what two axes that share ``numbers`` mean by them."""
+    """Note whether two axes use their shared point ``numbers`` in the same way."""
     shared = number_list(numbers)
     how = (
         "in the same way"

@@ -1,4 +1,4 @@
-"""The grid of one axis of a FANUC: which point numbers it uses, and for what."""
+"""Grid of one FANUC axis: which point numbers it uses, and for what."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IncrementGrid:
-    """What 3605#0 and 3620 to 3627 say of an axis. ``interval`` and ``turn`` in mm or deg,
-    ``offset`` in detection units.
+    """The grid that 3605#0 and 3620 to 3627 define. ``interval``, ``turn``: mm or deg; ``offset``:
+    detection units.
 
     ``negative_from``: 3626 with bidirectional data, else None. ``turn``: of an endless axis, else
     None.
@@ -25,8 +25,8 @@ class IncrementGrid:
     offset: int = 0
 
     def starts(self) -> tuple[int, ...]:
-        """Return the first number of each set: of travel towards +, and of travel towards - where
-        that has its own.
+        """Return the first number of each set: for travel towards +, then towards - if that has its
+        own.
         """
         return (self.lowest,) if self.negative_from is None else (self.lowest, self.negative_from)
 
@@ -35,5 +35,5 @@ class IncrementGrid:
         return [start + i for start in self.starts() for i in range(self.highest - self.lowest + 1)]
 
     def same_use(self, other: IncrementGrid) -> bool:
-        """Whether two axes mean the same by the same numbers (a gantry pair may)."""
+        """Return whether two axes use the same numbers in the same way (a gantry pair may)."""
         return replace(self, axis=0) == replace(other, axis=0)

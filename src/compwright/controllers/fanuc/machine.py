@@ -1,16 +1,16 @@
-"""What a FANUC's files say of the machine around the pitch data: paths, unit systems, turns, values
-of any parameter by axis, path or machine.
+"""Machine settings of a FANUC around the pitch data: paths, unit systems, turns, and the values of
+any parameter by axis, path or machine.
 
-Stated from the manuals and from a real backup, apart from the room that writes the files:
+Stated from the manuals and from a real backup, independently of the room that writes the files:
 
 - Detection unit = least command increment / CMR; 1820 = 2 x CMR (1 to 96) or 100 + 1 / CMR (101 to
   127) (B-63943EN-1/02 p. 109, B-63950EN/02 p. 106). Least command increment: IS-A 0.01, IS-B 0.001,
   IS-C 0.0001, IS-D 0.00001, IS-E 0.000001 mm or deg (p. 109), a tenth of that in inches where
   1001#0 = 1. 1013 bits 0 to 3 are IS-A, C, D, E, bits 0 and 1 of 1004 IS-A and C (practice).
-- 1006#0 = 1, 1006#1 = 0: a rotary axis that goes round; both 1: a rotary axis of the linear type
+- 1006#0 = 1, 1006#1 = 0: an endless rotary axis; both 1: a rotary axis of the linear type
   (practice; a real backup agrees).
-- Values stand by axis (A), by path (L) or once for the machine; 981 says which path an axis belongs
-  to (a real backup). Without it an axis may belong to any path.
+- Values are given by axis (A), by path (L) or once for the machine; 981 states the path of an axis
+  (a real backup). Without it an axis may belong to any path.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.correction import ControlFile
 
 PATH_OF = 981
-#: What is kept of a file beside the pitch parameters.
+#: Parameters that are kept in addition to the pitch parameters.
 _KEPT = frozenset(
     {PATH_OF, 1001, 1004, 1006, 1013, 1260, 1800, 1820, 3602, 8135, 10800, 10801, 10802}
     | {*range(1846, 1850), *range(5711, 5800), *range(5861, 5875)}
@@ -54,7 +54,7 @@ _WHOLE = re.compile(r"-?[0-9]{1,9}")
 
 @dataclass(frozen=True, slots=True)
 class MachineEntry:
-    """One value and where it stands. ``letter``: P, M or I as the file has it."""
+    """One value and its place in a file. ``letter``: P, M or I, as in the file."""
 
     number: int
     letter: str
@@ -64,7 +64,7 @@ class MachineEntry:
 
     @property
     def zero(self) -> bool:
-        """Whether it says nothing."""
+        """Return whether the value is 0 or empty."""
         return not self.text.strip("0.-")
 
     @property
@@ -117,14 +117,14 @@ class Machine:
             self.contradictions.append((owner, fault))
 
     def typed(self, settings: Iterable[ParameterSetting]) -> None:
-        """Keep what a typed-entry sheet says beside the pitch parameters."""
+        """Keep what an entry sheet gives in addition to the pitch parameters."""
         for each in settings:
             if each.number in _KEPT and each.axis is not None:
                 entry = MachineEntry(each.number, each.keyword, each.text, each.file, each.line)
                 self.take(("A", each.axis), entry)
 
     def contradicting(self, axis: int) -> Iterator[Fault]:
-        """Faults of the values that may hold for an axis."""
+        """Return the faults of values that may hold for an axis."""
         return (
             fault
             for (letter, number), fault in self.contradictions
@@ -132,22 +132,23 @@ class Machine:
         )
 
     def path(self, axis: int) -> int | None:
-        """Return the path of an axis, None where 981 does not say it (0 is the first)."""
+        """Return the path of an axis, None where 981 does not state it (0 is the first path)."""
         home = self.entries.get(PATH_OF, {}).get(("A", axis))
         return None if home is None or home.whole is None else max(home.whole, 1)
 
-    def said(self, number: int, axis: int) -> MachineEntry | None:
-        """Return what holds for an axis: its own value, its path's, the machine's.
+    def entry(self, number: int, axis: int) -> MachineEntry | None:
+        """Return the parameter that holds for an axis: its own, else its path's, else the
+        machine's.
 
-        Where nobody says the path it is that of the first one; `either` says whether that decides.
+        An axis of unknown path is taken to be on the first; `either` reports whether that matters.
         """
         found = self.entries.get(number, {})
         owners: tuple[Owner, ...] = (("A", axis), ("L", self.path(axis) or 1), MACHINE)
         return next((found[owner] for owner in owners if owner in found), None)
 
     def either(self, number: int, axis: int, bit: int | None = None) -> Fault | None:
-        """Return a fault where paths differ in a parameter (in one bit of it) and 981 does not say
-        which is the axis'.
+        """Return a fault where paths differ in a parameter (or in one ``bit`` of it) and 981 does
+        not state the axis' path.
         """
         found = self.entries.get(number, {})
         if self.path(axis) is not None or ("A", axis) in found:
@@ -162,29 +163,29 @@ class Machine:
         )
 
     def bit(self, number: int, bit: int, axis: int) -> bool | None:
-        """Return a bit that holds for an axis, None where no file says it."""
-        entry = self.said(number, axis)
+        """Return a bit that holds for an axis, None where no file states it."""
+        entry = self.entry(number, axis)
         return None if entry is None else entry.bit(bit)
 
     def goes_round(self, axis: int) -> bool | None:
-        """Whether a rotary axis has no ends; None where 1006 does not say that it is one."""
-        kind = self.said(1006, axis)
+        """Return whether a rotary axis is endless; None where 1006 does not make it rotary."""
+        kind = self.entry(1006, axis)
         if kind is None or not kind.bit(0):
             return None
         return not kind.bit(1)
 
     def turn(self, axis: int) -> float:
-        """Return 1260, deg per turn, 0 where it is not there or not a real number."""
-        entry = self.said(1260, axis)
+        """Return 1260, deg per turn; 0 if it is missing or not a real number."""
+        entry = self.entry(1260, axis)
         return float(entry.text) if entry is not None and "." in entry.text.rstrip(".") else 0.0
 
     def system(self, axis: int) -> MachineEntry | None:
-        """Return the parameter that says the increment system of an axis."""
-        found = (self.said(number, axis) for number in self.series.systems)
+        """Return the parameter that states the increment system of an axis."""
+        found = (self.entry(number, axis) for number in self.series.systems)
         return next((entry for entry in found if entry is not None), None)
 
     def least_increment(self, axis: int) -> float | None:
-        """Return the least increment, 0.001 for IS-B; None where no file says it in a known
+        """Return the least increment, 0.001 for IS-B; None where no file states it in a known
         coding.
         """
         system = self.system(axis)
@@ -194,10 +195,8 @@ class Machine:
         return None if place is None else 10.0**-place
 
     def detection_unit(self, axis: int, *, rotary: bool) -> float | None:
-        """Return mm or deg per pulse, None where the files do not say it in a coding that is
-        known.
-        """
-        coded, kind = self.said(1820, axis), self.said(1006, axis)
+        """Return mm or deg per pulse; None where the files do not state it in a known coding."""
+        coded, kind = self.entry(1820, axis), self.entry(1006, axis)
         least = self.least_increment(axis)
         code = None if coded is None else coded.whole
         if code is None or least is None or not any(code in codes for codes in _CODES):
@@ -209,8 +208,10 @@ class Machine:
         return least * (0.1 * MILLIMETRES_PER_INCH if inch else 1.0) / multiplier
 
     def named(self, owner: Owner, number: int) -> tuple[int, ...]:
-        """Return the axes that an axis number may mean: as counted over the machine, or as the n-th
-        of the path it stands for. Empty: any axis, for a further path whose axes nobody says.
+        """Return the axes that an axis number may name: counted over the machine, or within its
+        path.
+
+        Empty means any axis: a further path whose axes are unknown.
         """
         homes = self.entries.get(PATH_OF, {})
         mates = sorted(
@@ -223,7 +224,7 @@ class Machine:
 
 
 def read_machine(files: Iterable[ControlFile], series: ControlSeries) -> Machine:
-    """Return what all files say; sheets and pitch data say nothing here."""
+    """Return the machine settings of all files; sheets and pitch data hold none."""
     machine = Machine(series)
     for file in files:
         for owner, entry in _values(file, series):
@@ -233,7 +234,7 @@ def read_machine(files: Iterable[ControlFile], series: ControlSeries) -> Machine
 
 @lru_cache(maxsize=KEPT_FILES)
 def _values(file: ControlFile, series: ControlSeries) -> tuple[tuple[Owner, MachineEntry], ...]:
-    """Return the values of a file that say something here, in its order."""
+    """Return the machine settings of one file, in its order."""
     kept = _KEPT if not series.own else {1001, *series.unknown}
     found: list[tuple[Owner, MachineEntry]] = []
     for match in _ROW.finditer(file.content):

@@ -1,5 +1,5 @@
-"""The parameter memory of a FANUC with files loaded: settings and pitch data of all files, typed,
-each once.
+"""Parameter memory of a FANUC with files loaded: settings and pitch data of all files, typed, each
+once.
 
 Ranges and types: 16i technical report A-77810E (bidirectional pitch error compensation) and 0i-PB
 parameter manual B-63980EN/01 p. 100 for the meaning of 3620 to 3627; 0i-C parameter manual
@@ -37,8 +37,9 @@ _EIGHT_BITS = re.compile("[01]{8}")
 
 
 class Memory:
-    """Settings and pitch data of all files. Faults and notes gather here; a value given twice has
-    to be the same.
+    """Settings and pitch data of all files, with faults and notes.
+
+    A value that is given twice must be the same both times.
     """
 
     def __init__(
@@ -61,7 +62,7 @@ class Memory:
         self._keep_points([record for content in contents for record in content.points])
 
     def axes(self) -> tuple[int, ...]:
-        """Return the controlled axes of which a 36xx parameter or 1851 is given, ascending."""
+        """Return the controlled axes with a 36xx parameter or 1851 in the files, ascending."""
         return tuple(
             sorted(
                 {
@@ -81,14 +82,15 @@ class Memory:
         return self._settings[number, axis, None][0]
 
     def moves(self, axis: int) -> bool:
-        """Whether an axis has a table that is on, or a backlash value: else its detection unit
-        decides nothing.
+        """Return whether an axis has an active table or a backlash value.
+
+        Without these its detection unit has no effect.
         """
         low, high = self.whole(3621, axis), self.whole(3622, axis)
         return bool((self.whole(3623, axis) and low != high) or self.whole(1851, axis))
 
     def whole(self, number: int, axis: int) -> int | None:
-        """Return a whole number, None when it is not in the files (or wrong: then there is a
+        """Return a whole number; None if it is not in the files, or is invalid (then with a
         fault).
         """
         lowest, highest = self._range(number)
@@ -112,8 +114,8 @@ class Memory:
         return self._one((number, axis, None), convert)
 
     def whole_if_sound(self, number: int, axis: int) -> int | None:
-        """Return a whole number of an axis; None where it is wrong, which is told elsewhere or
-        stops nothing.
+        """Return a whole number of an axis; None if it is invalid, which is reported elsewhere or
+        irrelevant.
         """
         before = len(self.faults)
         value = self.whole(number, axis)
@@ -125,21 +127,22 @@ class Memory:
         return self._one((number, axis, bit), lambda setting: setting.text == "1")
 
     def length(self, number: int, axis: int, *, rotary: bool) -> float | None:
-        """Return 3624 or 3625 in mm or deg; None when it is not in the files (or wrong: then there
-        is a fault).
+        """Return 3624 or 3625 in mm or deg; None if it is not in the files, or is invalid (then
+        with a fault).
         """
         return self._one((number, axis, None), lambda setting: self._length(setting, rotary=rotary))
 
     def entry_length(self, entry: MachineEntry, axis: int, *, rotary: bool) -> float | None:
-        """Return a length that the machine's values hold, mm or deg, as `length` does."""
+        """Return a length from the machine settings, mm or deg, as `length` does."""
         setting = ParameterSetting(
             entry.number, axis, None, entry.letter, entry.text, entry.file, entry.line
         )
         return self._length(setting, rotary=rotary)
 
     def increment_size(self, axis: int) -> float | None:
-        """Return the least input increment of an axis, mm or deg: 0.001 for IS-B, which is taken
-        where no file says it; None (and a fault) for another coding.
+        """Return the least input increment of an axis, mm or deg: 0.001 for IS-B, the default.
+
+        None, with a fault, for another coding.
         """
         size, system = self.machine.least_increment(axis), self.machine.system(axis)
         if system is None:
@@ -203,8 +206,8 @@ class Memory:
         key: tuple[int, int | None, int | None],
         convert: Callable[[ParameterSetting], Value | None],
     ) -> Value | None:
-        """Return the one value that all settings of ``key`` agree on; what differs from the first
-        is a fault.
+        """Return the common value of all settings of ``key``; one that differs from the first is a
+        fault.
         """
         first: Value | None = None
         settings = self._settings.get(key, [])
@@ -265,10 +268,12 @@ class Memory:
             )
 
     def _keep_points(self, records: list[PointRecord]) -> None:
-        """Keep pitch data. Records without Q beside parameters count where nothing else does and
-        they fill a whole range.
+        """Keep pitch data.
+
+        Records without Q in a file with parameters count only where no others do and they fill a
+        whole range.
         """
-        certain = [record for record in records if record.mark != "beside"]
+        certain = [record for record in records if record.mark != "with_parameters"]
         held = {record.number for record in records}
         for record in certain or (
             records if any(held.issuperset(numbers) for numbers in self._ranges()) else []
@@ -276,7 +281,7 @@ class Memory:
             self._keep_point(record)
 
     def _ranges(self) -> list[range]:
-        """Return the ranges 3621 to 3622 of all axes, as far as they can be read."""
+        """Return the ranges 3621 to 3622 of all axes, where they are readable."""
         texts = {
             axis: [
                 self._settings[number, axis, None][0].text
@@ -321,7 +326,9 @@ class Memory:
 
 
 def number_list(numbers: Iterable[int]) -> str:
-    """Return numbers as runs: ``10037, 10040 to 10044``; long lists end in dots."""
+    """Return numbers in words, runs shortened: ``10037, 10040 to 10044``; long lists end in
+    dots.
+    """
     runs: list[list[int]] = []
     for number in sorted(numbers):
         if runs and number == runs[-1][1] + 1:

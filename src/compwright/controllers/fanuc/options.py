@@ -1,4 +1,4 @@
-"""What a FANUC's files leave open: the options of one axis."""
+"""Options of one FANUC axis: what its files leave open."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from compwright.controllers.fanuc.series import ControlSeries
 from compwright.controllers.request import finite_number
 from compwright.foundations.errors import Fault
 
-#: Functions beside the table that an option says to count with.
-BESIDE = ("inclination", "cyclic", "straightness")
+#: Additional functions that an option of their name makes counted.
+OPTIONAL_FUNCTIONS = ("inclination", "cyclic", "straightness")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Options:
-    """``detection_unit``: mm or deg per pulse, None when this axis has none.
+    """Options of one axis. ``detection_unit``: mm or deg per pulse, None if unknown.
 
-    ``ramp``: the pulses of a section come evenly over it, not in its middle. ``pitch_sign``,
-    ``offset_sign``: +1 or -1, of the pitch data and of 3627 (signs that no manual page confirms).
-    ``offset_magnified``: 3623 multiplies 3627. ``lowest`` to ``highest``: increments that the
-    control takes. ``counted``: functions beside the table that are counted with (``inclination``,
-    ``cyclic``, ``straightness``); the others stay as they are and are only named. ``rapid``: the
-    axis arrives at rapid traverse, not at cutting feed.
+    ``ramp``: the pulses of a section are spread evenly over it, instead of output in its middle.
+    ``pitch_sign``, ``offset_sign``: +1 or -1, of the pitch data and of 3627 (no manual page
+    confirms these signs). ``offset_magnified``: 3623 multiplies 3627. ``lowest`` to ``highest``:
+    increments that the control accepts. ``counted``: additional functions that are counted
+    (``inclination``, ``cyclic``, ``straightness``); the others stay unchanged and are only
+    reported. ``rapid``: the axis arrives at rapid traverse, not at cutting feed.
     """
 
     detection_unit: float | None
@@ -40,8 +40,8 @@ class Options:
 def read_options(
     given: Mapping[str, object], series: ControlSeries, address: str, faults: list[Fault]
 ) -> Options:
-    """Return the options of an axis; what is wrong is added to ``faults`` and its default is
-    taken.
+    """Return the options of an axis; an invalid one is added to ``faults`` and replaced by its
+    default.
     """
 
     def choice(name: str, choices: tuple[str, ...]) -> str:
@@ -83,7 +83,9 @@ def read_options(
         lowest=BYTE[0] if limit == BYTE[1] else -int(limit),
         highest=int(limit),
         counted=frozenset(
-            name for name in BESIDE if choice(name, ("absent", "available")) == "available"
+            name
+            for name in OPTIONAL_FUNCTIONS
+            if choice(name, ("absent", "available")) == "available"
         ),
         rapid=choice("motion", ("feed", "rapid")) == "rapid",
     )

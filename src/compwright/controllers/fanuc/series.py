@@ -1,16 +1,14 @@
-"""What differs between the families of FANUC controls: limits, forms of lengths, numbers of
-parameters.
+"""Differences between the families of FANUC controls: limits, number formats, parameter numbers.
 
 - 30i, 31i, 32i: points 0 to 1535, increments above 7 (a real backup, software D4G3: N10000Q0P0 to
   N11535Q0P0, increments up to 10). Lengths are real numbers (the same backup).
 - 0i-D: increments -7 to 7; 8135#0 (NPE) = 1 switches stored pitch error compensation off
-  (connection manual, function, B-64303CM-1/01 p. 26). Q1 and real lengths: the backups of eleven
-  machines, as somebody described them. Its points 0 to 1023, and all that is said of 0i-F:
-  practice.
-- 0i-A to C, 16i, 18i, 21i: no Q and no decimal point in the backups of eight 18i machines, as
-  somebody described them; else practice.
+  (connection manual, function, B-64303CM-1/01 p. 26). Q1 and real lengths: reported from the
+  backups of eleven machines. Its points 0 to 1023, and everything about 0i-F: practice.
+- 0i-A to C, 16i, 18i, 21i: no Q and no decimal point, reported from the backups of eight 18i
+  machines; all else practice.
 - 15i: parameters without Q (B-63330EN/03 p. 21, 25). Its pitch parameters have numbers of their
-  own, 5420 to 5427; which bit switches two sets on, and what 5428 to 5499 hold, is not known. All
+  own, 5420 to 5427; which bit selects two sets, and the meaning of 5428 to 5499, are unknown. All
   practice, no page was found.
 """
 
@@ -28,12 +26,13 @@ _COMMON = frozenset({1001, 1851, 1852})
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)  # one object for each series
 class ControlSeries:
-    """``whole_lengths``: 3624 without a point counts least input increments (16i and older).
+    """One family of controls. ``whole_lengths``: 3624 without a point counts least input increments
+    (16i and older).
 
-    ``systems``: parameters that say the increment system, the first one given counts.
-    ``switched_by``: parameter whose bit 0 switches the pitch data off. ``own``: number in the
-    files -> the number that this room calls it by, where the series has its own. ``unknown``:
-    parameters that may act on an axis and whose meaning is not known.
+    ``systems``: parameters that state the increment system, the first one given counts.
+    ``switched_by``: parameter whose bit 0 switches the pitch data off. ``own``: number in the files
+    -> number used here, where the series has numbers of its own. ``unknown``: parameters that may
+    correct an axis and whose meaning is not known.
     """
 
     name: str
@@ -46,15 +45,16 @@ class ControlSeries:
     unknown: range = range(0)
 
     def known_as(self, number: int) -> int | None:
-        """Return what this room calls a parameter of the files; None for one that it must not take
-        for another series'.
+        """Return the number used here for a parameter of the files.
+
+        None for a number that means something else on this series.
         """
         if not self.own or number in _COMMON:
             return number
         return self.own.get(number)
 
     def spoken(self, text: str) -> str:
-        """Return a sentence with the numbers that the control has."""
+        """Return a sentence that names the parameters this control has."""
         if not self.own:
             return text
         back = {str(known): str(number) for number, known in self.own.items()}

@@ -1,5 +1,5 @@
-"""Typed-entry sheets ``entry_<axis>.csv`` for a FANUC: what an engineer types at the control, row
-by row.
+"""Typed-entry sheets ``entry_<axis>.csv`` for a FANUC: the rows that an engineer types at the
+control.
 
 Comments ``# key: value`` (``address`` or ``axis``: controlled axis number; ``value``: what the
 numbers are), a header ``point,position,value,unit``, then rows: the point is a number of pitch data
@@ -48,8 +48,9 @@ def is_sheet(file: ControlFile) -> bool:
 def read_sheet(
     file: ControlFile, pitch_sign: Callable[[str], str], series: ControlSeries
 ) -> TapeContent:
-    """Return what a sheet says. ``pitch_sign``: axis address -> option; a sheet that calls its
-    values errors needs a ``-``.
+    """Return the contents of a sheet.
+
+    ``pitch_sign``: axis address -> option; a sheet whose values are errors needs a ``-``.
     """
     try:
         text = file.content.decode("utf-8-sig")
@@ -91,7 +92,7 @@ class _Sheet:
         self.headed = False
 
     def comment(self, line: str, number: int) -> None:
-        """Take ``# key: value``; other comments are text."""
+        """Read ``# key: value``; other comments are ignored."""
         match = _COMMENT.match(line)
         if match is None:
             return
@@ -105,7 +106,7 @@ class _Sheet:
         self.keys.setdefault(key, value)
 
     def find_axis(self) -> None:
-        """Settle the controlled axis number: comment ``address``, else ``axis``, else the file's
+        """Set the controlled axis number: comment ``address``, else ``axis``, else the file's
         name.
         """
         named = re.fullmatch(r"entry_(.*)\.csv", self.file, re.IGNORECASE | re.DOTALL)
@@ -159,7 +160,7 @@ class _Sheet:
             )
 
     def finish(self) -> None:
-        """A sheet that says nothing is none."""
+        """Add a fault for a sheet without values."""
         if not self.found.settings and not self.found.points and not self.found.faults:
             self.found.faults.append(
                 Fault(

@@ -1,15 +1,14 @@
-"""Totals of a FANUC's stored pitch error compensation over the position: a table of whole detection
-units.
+"""Totals of FANUC stored pitch error compensation over the position, in whole detection units.
 
-Stated from the manuals, apart from the definition that writes the files:
+Stated from the manuals, independently of the definition that writes the files:
 
-- An increment acts in its section: with reference number r and interval b, number n owns ((n - r -
-  1) b, (n - r) b) (0i-PB parameter manual B-63980EN/01 p. 100). Values count from the negative
+- An increment belongs to its section: with reference number r and interval b, number n owns ((n - r
+  - 1) b, (n - r) b) (0i-PB parameter manual B-63980EN/01 p. 100). Values count from the negative
   towards the positive side, on both sides of r.
 - Total at the node m b: the increments from the reference to there; 0 at the reference; minus the
   increments passed on the way for m < 0.
-- The pulses of a section come in its middle (practice), or as a ramp with interpolated
-  compensation. Outside the last total stays.
+- The pulses of a section are output in its middle (practice), or as a ramp with interpolated
+  compensation. Outside, the last total holds.
 """
 
 from __future__ import annotations
@@ -23,10 +22,10 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True)
 class PitchTable:
-    """Nodes at ``(first + i) * interval`` from the reference (mm or deg), i = 0..k-1; totals (k,)
-    in detection units per direction.
+    """Totals (k,) in detection units per direction, at ``(first + i) * interval`` from the
+    reference (mm or deg), i = 0..k-1.
 
-    ``turn``: an endless axis repeats with it (deg), None for an axis with ends.
+    ``turn``: period of an endless axis, deg; None for an axis with ends.
     """
 
     first: int
@@ -59,8 +58,9 @@ class PitchTable:
 
 
 def totals(increments: list[int], before_reference: int) -> FloatArray:
-    """Return totals (k + 1,) at the section ends of ``increments`` (k,), 0 behind the first
-    ``before_reference`` of them.
+    """Return totals (k + 1,) at the section ends of ``increments`` (k,).
+
+    The total is 0 behind the first ``before_reference`` increments.
     """
     running = np.concatenate([[0], np.cumsum(np.asarray(increments, dtype=np.int64))])
     return np.asarray(running - running[before_reference], dtype=np.float64)

@@ -1,5 +1,5 @@
-"""Blocks in FANUC text files: parameters, pitch error data, or both, as the control would take
-them.
+"""Blocks in FANUC text files, as the control would take them: parameters, pitch error data, or
+both.
 
 A second, small reader on purpose: it shares nothing with the room that writes these files. Sources
 of the text form:
@@ -13,7 +13,7 @@ of the text form:
   ``G10L52`` to ``G11``, ``N<parameter>P<axis>R<value>``): known from practice only, no page was
   found.
 
-Values are kept as text here; what they mean is the work of ``fanuc_memory``.
+Values are kept as text here; ``memory`` gives them their types.
 """
 
 from __future__ import annotations
@@ -34,10 +34,10 @@ POINT_BASE = 10000
 #: Parameters that decide the correction of an axis.
 WATCHED = frozenset({1001, 1004, 1006, 1013, 1800, 1851, 1852, 3605, *range(3620, 3628)})
 
-#: How a point was marked: Q0 or a sheet say pitch data. Without Q it is one in a file of nothing
-#: else ("alone"), or perhaps in a file that holds parameters too ("beside"). Q1 is the mark of a
-#: parameter, which is no point whatever its number.
-Mark = Literal["Q0", "alone", "beside", "sheet"]
+#: How a point was marked as pitch data: by Q0 or by a sheet. A record without Q is a point in a
+#: file of nothing else ("alone"), and may be one in a file with parameters ("with_parameters"). Q1
+#: marks a parameter, whatever its number.
+Mark = Literal["Q0", "alone", "with_parameters", "sheet"]
 
 _BREAK = re.compile(r"\n\r*|\r\n|\r")
 _COMMENT = re.compile(r"\([^()]*\)")
@@ -73,7 +73,7 @@ class ParameterSetting(OfLine):
 
     @property
     def label(self) -> str:
-        """Number, bit and axis as people write them."""
+        """Number, bit and axis, for messages."""
         bit = "" if self.bit is None else f"#{self.bit}"
         return f"parameter {self.number}{bit}" + (
             "" if self.axis is None else f" of axis {self.axis}"
@@ -87,9 +87,7 @@ class ParameterSetting(OfLine):
 
 @dataclass(frozen=True, slots=True)
 class PointRecord(OfLine):
-    """One pitch error data record: point number (from 0), increment as written, and how it was
-    marked as such.
-    """
+    """One pitch data record: point number (from 0), increment as written, and its mark (`Mark`)."""
 
     number: int
     text: str
@@ -105,7 +103,7 @@ class PointRecord(OfLine):
 
 @dataclass(slots=True)
 class TapeContent:
-    """What one file says: settings and points in order, remarks, and what is wrong with it."""
+    """Contents of one file: settings and points in order, remarks, and faults."""
 
     settings: list[ParameterSetting] = field(default_factory=list)
     points: list[PointRecord] = field(default_factory=list)
@@ -115,9 +113,10 @@ class TapeContent:
 
 @lru_cache(maxsize=KEPT_FILES)
 def read_file(file: ControlFile, series: ControlSeries) -> TapeContent:
-    """Return what one file of the control says (bytes, ASCII, lines ended by LF, CR LF, LF CR CR or
-    CR), parameters by the numbers that this room has for them. Nothing is raised. What was read is
-    kept by content: it is not to be changed.
+    """Return the contents of one file (bytes, ASCII, lines ended by LF, CR LF, LF CR CR or CR).
+
+    Parameters get the numbers used here (`ControlSeries.known_as`). Nothing is raised. The result
+    is cached by content: do not change it.
     """
     if b"\x00" in file.content:
         fault = Fault(
@@ -136,11 +135,11 @@ def read_file(file: ControlFile, series: ControlSeries) -> TapeContent:
 
 
 class _Unreadable(Exception):  # noqa: N818  # a signal inside this module
-    """A block of ours that cannot be read; the text says what was expected."""
+    """A block that cannot be read; its text says what was expected."""
 
 
 class _TapeReader:
-    """Takes a file line by line. ``marks``: number of ``%`` so far; an odd one opens a tape
+    """Reads a file line by line. ``marks``: number of ``%`` so far; an odd one opens a tape
     section, an even one closes it.
     """
 
@@ -190,10 +189,11 @@ class _TapeReader:
                 self._wrong(number, raw, "block cannot be read", str(error))
 
     def finish(self, *, ends_with_break: bool) -> None:
-        """Say what the file as a whole lacks, and what its records without Q are: parameters if
-        others stand among them.
+        """Report what is missing in the file as a whole, and classify its records without Q.
+
+        These are parameters if other parameters occur among them.
         """
-        mark: Mark = "beside" if self.parameters else "alone"
+        mark: Mark = "with_parameters" if self.parameters else "alone"
         kept = [record for record in self.found.points if record.mark == "Q0" or not self.above]
         self.found.points = [
             record if record.mark == "Q0" else replace(record, mark=mark) for record in kept
@@ -240,8 +240,9 @@ class _TapeReader:
         return self.series.known_as(number) in WATCHED or number >= POINT_BASE
 
     def _place(self, number: int) -> None:
-        """A block outside ``%`` .. ``%`` is not read by the control (files without any ``%`` are
-        all inside).
+        """Add a fault for a block outside ``%`` .. ``%``, which the control does not read.
+
+        A file without any ``%`` counts as inside.
         """
         if self.marks == 0:
             self.before.append(number)
@@ -274,8 +275,8 @@ class _TapeReader:
             self._parameter(known or number, words, line)
 
     def _parameter(self, number: int, words: list[tuple[str, str]], line: int) -> None:
-        """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``: spindle and second-path groups
-        are passed over.
+        """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``; skip groups of spindles and the
+        second path.
         """
         if words and words[0][0] == "Q":
             if words[0][1] != "1":
@@ -346,9 +347,7 @@ class _TapeReader:
 
 
 def _words(rest: str) -> list[tuple[str, str]] | None:
-    """Return the words (letter, number) of a block behind its N-number; None when it is anything
-    else.
-    """
+    """Return the words (letter, number) of a block behind its N-number; None for any other text."""
     words = []
     position = 0
     rest = rest.rstrip()

@@ -1,6 +1,4 @@
-"""Which HEIDENHAIN table acts under which axis: by the active line of the .CMA, else by its
-name.
-"""
+"""Which HEIDENHAIN table is active for which axis: by the active .CMA line, else by its name."""
 
 from __future__ import annotations
 
@@ -11,14 +9,15 @@ from compwright.records.correction import Assumption
 
 
 class AxisAssignment:
-    """The moving axis of every .COM; remarks go to what was given."""
+    """Assigns a moving axis to every .COM; faults and notes go to ``given``."""
 
     def __init__(self, given: Given) -> None:
         self.given = given
 
     def moving_axes(self) -> list[tuple[Com, str | None]]:
-        """Return every .COM with the axis that moves it, None where it does not act; one that acts
-        twice comes twice.
+        """Return every .COM with the axis that moves it, None if it is not active.
+
+        A .COM that is active twice is listed twice.
         """
         if len(self.given.cmas) > 1:
             self.given.faults += [
@@ -54,9 +53,9 @@ class AxisAssignment:
                 self.given.faults.append(
                     cma.place.fault(message, expected="each .COM of the active line once")
                 )
-        acting = {id(com) for com, _ in found}
+        assigned = {id(com) for com, _ in found}
         for com in self.given.coms:
-            if id(com) not in acting:
+            if id(com) not in assigned:
                 found.append((com, None))
                 self.given.notes.append(
                     f"{com.place}: {com.name}.COM does not act: the active line of the .CMA does"
@@ -65,7 +64,9 @@ class AxisAssignment:
         return found
 
     def _check_keys(self, cma: Cma) -> None:
-        """NCK: the columns of .COM and .CMA bear the same axis keys (CfgAxes/axisList)."""
+        """Check that .COM and .CMA of an NCK have the same axis keys as columns
+        (CfgAxes/axisList).
+        """
         if self.given.generation.name == ITNC530.name:
             return
         for com in self.given.coms:
@@ -80,8 +81,8 @@ class AxisAssignment:
             ]
 
     def _named_axis(self, com: Com) -> str | None:
-        """Without a .CMA: the axis that the name in the table's head or the file's name says, else
-        the only axis asked for.
+        """Return the axis of a .COM without a .CMA: named in its head or its file name, else the
+        option ``axis``.
         """
         known = dict.fromkeys(
             [
@@ -94,9 +95,9 @@ class AxisAssignment:
             ]
         )
         axes = {self._by_case(name, known) for name in com.names} - {None}
-        asked = self.given.request.options.get("axis")
-        if not axes and len(self.given.coms) == 1 and asked:
-            axes = {self.given.generation.address(str(asked))}
+        option = self.given.request.options.get("axis")
+        if not axes and len(self.given.coms) == 1 and option:
+            axes = {self.given.generation.address(str(option))}
         if len(axes) != 1:
             self.given.faults.append(
                 com.place.fault(

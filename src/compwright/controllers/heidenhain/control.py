@@ -1,7 +1,7 @@
 """HEIDENHAIN: iTNC 530 (and TNC 407 to 430) with MP710, MP720, MP730 and .COM/.CMA; NCK controls
 with CfgAxisComp and .COM/.CMA.
 
-Stated from the manuals, apart from the definitions that write the files:
+Stated from the manuals, independently of the definitions that write the files:
 
 - Linear error MP720, mm/m, positive when the axis travels too far; it starts at the reference mark:
   the control adds -MP720 * (p - reference) / 1000. No effect on rotary axes; per axis either this
@@ -14,10 +14,9 @@ Stated from the manuals, apart from the definitions that write the files:
   the direction of motion; that zero state is not confirmed.
 - The column BACKLASH of an NCK table holds the values of the axis' own column for travel towards -;
   a table has at most 256 points (MANUALplus 620 p. 715).
-- The control counts its axes as told (``axis_number``; AX4 is axis 4), else X, Y, Z, A, B, C from
-  1.
-- Unconfirmed and so an option or an assumption: the sign of the table values, what acts outside a
-  table.
+- Axes are numbered as given (``axis_number``; AX4 is axis 4), else X, Y, Z, A, B, C from 1.
+- Unconfirmed and so an option or an assumption: the sign of the table values, and the correction
+  outside a table.
 """
 
 from __future__ import annotations
@@ -52,21 +51,21 @@ class HeidenhainControl:
     notes: tuple[str, ...]
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the axes that the files correct, by tables or parameters, whether these act or
-        not.
-        """
+        """Return the axes that the files correct, by tables or parameters, active or not."""
         return tuple(self.axes)
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of the axis' own table, mm or deg; empty without one, also
-        where it is switched off.
+        """Return the positions (k,) of the axis' own table, active or not; mm or deg; empty without
+        one.
         """
         table = self._axis(address).table
         return np.empty(0) if table is None else table.nodes()
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the shift of the axis at ``positions`` (any shape) arriving in ``direction``, mm
-        or deg; no cross tables.
+        """Return the correction at ``positions`` (any shape), approached in ``direction``; mm or
+        deg.
+
+        Without cross tables.
         """
         return self._axis(address).correction(np.asarray(positions, dtype=np.float64), direction)
 
@@ -81,10 +80,10 @@ class HeidenhainControl:
         positions: FloatArray,
         direction: Direction,  # noqa: ARG002
     ) -> FloatArray:
-        """Return the shift of ``output`` (mm, deg for a rotary one) with ``input`` at ``positions``
-        (any shape).
+        """Return the correction of ``output`` (mm, deg for a rotary axis) with ``input`` at
+        ``positions`` (any shape).
 
-        The same in either ``direction``. Raises UsageError for a pair without a table.
+        It is the same in both directions. Raises UsageError for a pair without a table.
         """
         pair = (self.generation.address(input), self.generation.address(output))
         if pair not in self.crossed:
@@ -110,19 +109,19 @@ class HeidenhainControl:
 
 
 def itnc530_control(files: Sequence[ControlFile], request: Request) -> HeidenhainControl:
-    """Return an iTNC 530 with entry sheets, .COM, .CMA and lines of machine parameters loaded, in
-    any order.
+    """Return an iTNC 530 with its files loaded, in any order: entry sheets, .COM, .CMA and lines of
+    machine parameters.
 
     Options: ``table_values`` (``error``, ``correction``) of exported tables, ``spacing_rule``
-    (``free``, ``power_of_two``). Raises InputError for what the control would not take or what
-    contradicts itself, every fault with file and line; UsageError for a wrong option or a turn
-    other than 360 deg.
+    (``free``, ``power_of_two``). Raises InputError for anything the control would not take or that
+    is contradictory, every fault with file and line; UsageError for a wrong option or a turn other
+    than 360 deg.
     """
     return _control(files, request, ITNC530)
 
 
 def nck_control(files: Sequence[ControlFile], request: Request) -> HeidenhainControl:
-    """Return an NCK control with entry sheets, .COM and .CMA loaded, in any order.
+    """Return an NCK control with its files loaded, in any order: entry sheets, .COM and .CMA.
 
     Options: ``table_values`` (``error``, ``correction``) of exported tables, ``backlash_column``
     (``second_curve``, ``absent``). Raises InputError and UsageError as ``itnc530_control`` does.
@@ -133,13 +132,15 @@ def nck_control(files: Sequence[ControlFile], request: Request) -> HeidenhainCon
 def _control(
     files: Sequence[ControlFile], request: Request, generation: Generation
 ) -> HeidenhainControl:
-    told = {int(one[2:]): one for one in request.asked if re.fullmatch(r"AX[1-9][0-9]?", one)}
-    told |= {
+    numbers = {
+        int(one[2:]): one for one in request.axes_under_work if re.fullmatch(r"AX[1-9][0-9]?", one)
+    }
+    numbers |= {
         number: generation.address(axis)
         for axis, number in request.axis_number.items()
         if number > 0
     }
-    generation = replace(generation, numbers=told)
+    generation = replace(generation, numbers=numbers)
     sheets: list[JudgedSheet] = []
     contents: list[Content] = []
     faults: list[Fault] = []

@@ -1,4 +1,4 @@
-"""The correction of one HEIDENHAIN table column, and the axes that are made of such columns and
+"""Correction curve of one HEIDENHAIN table column, and the axes built from such curves and from
 parameters.
 """
 
@@ -19,10 +19,10 @@ _MEETS = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class CorrectionCurve:
-    """``values`` (k,) added to the command at ``nodes`` (k,): straight lines between, the ends held
+    """Corrections ``values`` (k,) at ``nodes`` (k,): straight lines between, end values held
     outside.
 
-    ``endless``: positions count modulo 360 deg; ``one_turn``: nothing but 0 to 360 deg is used.
+    ``endless``: positions count modulo 360 deg; ``one_turn``: only 0 to 360 deg is used.
     """
 
     nodes: FloatArray
@@ -41,8 +41,8 @@ class CorrectionCurve:
 
 @dataclass(frozen=True, slots=True)
 class OwnTable:
-    """The table of an axis for itself: what acts arriving in + and in - (the same curve where the
-    control has one).
+    """The table of an axis over itself: a curve for each approach direction (the same one where the
+    control has only one).
     """
 
     positive: CorrectionCurve
@@ -59,10 +59,10 @@ class OwnTable:
 
 @dataclass(frozen=True, slots=True)
 class HeidenhainAxis:
-    """One axis. ``nonlinear``: its tables act, else its linear error does; never both (TNC 407
+    """One axis. ``nonlinear``: its tables are active, else its linear error; never both (TNC 407
     technical manual p. 151).
 
-    ``linear_error``: the one that acts, mm/m, positive when the axis travels too far; 0 beside
+    ``linear_error``: the active one, mm/m, positive when the axis travels too far; 0 with active
     tables. ``backlash``: mm or deg, positive when the encoder runs ahead and the travel is too
     short.
     """
@@ -75,8 +75,8 @@ class HeidenhainAxis:
     reference_return: Direction
 
     def correction(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return what is added to the command at ``positions`` (any shape) arriving in
-        ``direction``, mm or deg.
+        """Return the correction at ``positions`` (any shape), approached in ``direction``; mm or
+        deg.
         """
         total = np.zeros(positions.shape)
         if self.nonlinear and self.table is not None:
@@ -88,10 +88,10 @@ class HeidenhainAxis:
 
 
 def whole_turn(nodes: FloatArray) -> bool:
-    """Whether a rotary table reaches from 0 to 360 deg."""
+    """Return whether a rotary table reaches from 0 to 360 deg."""
     return bool(nodes[0] <= _MEETS and nodes[-1] >= TURN - _MEETS)
 
 
 def leaves_turn(nodes: FloatArray) -> bool:
-    """Whether a rotary table has entries outside 0 to 360 deg."""
+    """Return whether a rotary table has entries outside 0 to 360 deg."""
     return bool(nodes[0] < -_MEETS or nodes[-1] > TURN + _MEETS)

@@ -1,4 +1,4 @@
-"""What an NCK table says of itself between its first line and its column headings.
+"""The description in an NCK table, between its first line and its column headings.
 
 Two forms occur in public tables of these controls (none of them a .COM): ``#STRUCTBEGIN`` to
 ``#STRUCTEND`` with lines ``NAME =`` and ``WIDTH =``, and ``TableDescription (`` up to the bracket
@@ -33,8 +33,10 @@ class ColumnWidths:
     first: str = "NR"
 
     def cells(self, names: Sequence[str], starts: Sequence[int]) -> bool:
-        """Return whether the described widths agree with where the names stand: then a cell belongs
-        to the column whose name begins where it does. (A column may be followed by a blank.)
+        """Return whether the described widths agree with the positions of the column names.
+
+        Then a cell belongs to the column whose name begins where the cell begins. (A column may be
+        followed by a blank.)
         """
         next_start = dict(zip(names, starts[1:], strict=False))
         places = [
@@ -47,8 +49,9 @@ class ColumnWidths:
 
 
 def described(lines: Sequence[Line]) -> tuple[ColumnWidths, list[Line]]:
-    """Return the description of a table and its other lines. Raises InputError for a description
-    without its end, and for a column in inch of its own.
+    """Return the description of a table, and its other lines.
+
+    Raises InputError for a description without its end, and for a column with its own unit inch.
     """
     filled = [index for index, (_, line) in enumerate(lines) if line.strip()]
     begin = filled[0] if filled else len(lines)

@@ -1,5 +1,5 @@
-"""All that HEIDENHAIN files and the caller say, and what is found to be assumed, worth a note, or
-wrong: the parts of the loader write into one.
+"""Contents of HEIDENHAIN files and of the request, with the assumptions, notes and faults that the
+parts of the loader add.
 """
 
 from __future__ import annotations
@@ -33,22 +33,22 @@ class Given:
     faults: list[Fault] = field(default_factory=list)
 
     def kind(self, address: str) -> AxisKind:
-        """Return whether an axis is linear or rotary: as told, by the units of its sheet, by its
-        turn, else by its letter.
+        """Return whether an axis is linear or rotary: as requested, else by the units of its sheet,
+        its turn, or its letter.
         """
-        told = by_address(self.request.kinds, address)
+        requested = by_address(self.request.kinds, address)
         by_unit = next(
             (sheet for sheet in self.sheets if sheet.address == address and sheet.kind is not None),
             None,
         )
-        if told is not None and by_unit is not None and by_unit.kind is not told:
+        if requested is not None and by_unit is not None and by_unit.kind is not requested:
             fault = by_unit.place.fault(
                 f"unit of {address}",
-                expected=told.unit,
+                expected=requested.unit,
                 found=by_unit.kind.unit if by_unit.kind else "",
             )
             self.faults += [] if fault in self.faults else [fault]
-        given = told or (by_unit.kind if by_unit is not None else None)
+        given = requested or (by_unit.kind if by_unit is not None else None)
         if given is not None:
             return given
         if by_address(self.request.modulo, address) is not None:
@@ -82,7 +82,7 @@ def given_in(
     sheets: Sequence[JudgedSheet],
     contents: Sequence[Content],
 ) -> Given:
-    """Return what sheets and text files of a control say together."""
+    """Return the contents of a control's sheets and text files together."""
     return Given(
         generation=generation,
         request=request,

@@ -1,7 +1,7 @@
-"""HEIDENHAIN tables as blocks of text, and their cells: what stands under which heading.
+"""HEIDENHAIN tables as blocks of text, and their cells by heading.
 
-The shape of the classic tables is known from memory only; what is sure is taken as written, the
-rest is refused, never guessed: a cell belongs to the column whose heading stands above it, a table
+The form of the classic tables is known from memory only. What is unambiguous is taken as written,
+the rest is refused, never guessed: a cell belongs to the column whose heading is above it; a table
 without its end line has been cut short.
 """
 
@@ -57,9 +57,7 @@ class CellGrid:
 def split_tables(
     lines: list[tuple[LinePlace, str]], faults: list[Fault]
 ) -> tuple[list[TableBlock], list[tuple[LinePlace, str]]]:
-    """Split the lines into tables and what stands outside of them; faults are added to
-    ``faults``.
-    """
+    """Split the lines into tables and the text outside of them; faults are added to ``faults``."""
     blocks: list[TableBlock] = []
     outside: list[tuple[LinePlace, str]] = []
     opened: TableBlock | None = None
@@ -131,7 +129,7 @@ def _opened(line: str, place: LinePlace, faults: list[Fault]) -> TableBlock | No
 
 
 def read_grid(block: TableBlock) -> CellGrid:
-    """Return the cells of a table. Raises InputError with every row that cannot be told apart."""
+    """Return the cells of a table. Raises InputError with every row whose columns are ambiguous."""
     description, lines = described(block.lines)
     filled = [(place, line) for place, line in lines if line.strip()]
     heading = (
@@ -176,11 +174,11 @@ def _row(
     wanted: int,
     starts: Sequence[int] | None,
 ) -> tuple[str | None, ...] | Fault:
-    """Return the cells of a row without its number, or what is wrong with it.
+    """Return the cells of a row without its number, or a text that says what is wrong.
 
-    Where the table's description says so, a cell stands from its column's first character (one of
-    ``starts``) to the next one's. Else, with every cell filled, the blanks tell the columns apart;
-    with fewer, a cell must stand under exactly one heading.
+    Where the table's description says so, a cell reaches from its column's first character (one of
+    ``starts``) to the next one's. Else, with every cell filled, the blanks separate the columns;
+    with fewer cells, each must be under exactly one heading.
     """
     words = [(match.group(), match.span()) for match in _WORD.finditer(line)]
     if not _WHOLE.fullmatch(words[0][0]) or int(words[0][0]) != wanted:

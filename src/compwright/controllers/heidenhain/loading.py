@@ -1,6 +1,4 @@
-"""From what HEIDENHAIN files say to what each axis does: its table, its parameters, and which of
-them act.
-"""
+"""Axes of a HEIDENHAIN control from its files: tables, parameters, and which of them are active."""
 
 from __future__ import annotations
 
@@ -20,7 +18,7 @@ from compwright.records.correction import Assumption
 
 
 class Loader:
-    """Builds the axes and gathers what is assumed, worth a note, or wrong (``given``)."""
+    """Builds the axes; collects assumptions, notes and faults in ``given``."""
 
     def __init__(
         self,
@@ -39,7 +37,7 @@ class Loader:
 
     @property
     def faults(self) -> list[Fault]:
-        """What is wrong with the files."""
+        """Faults of the files."""
         return self.given.faults
 
     def axes(self) -> dict[str, HeidenhainAxis]:
@@ -97,7 +95,7 @@ class Loader:
         )
 
     def _nonlinear(self, address: str, *, tabled: bool) -> bool:
-        """Return whether the tables of an axis act, and not its linear error."""
+        """Return whether the tables of an axis are active, instead of its linear error."""
         unsaid = (
             tabled and not self.given.cmas if self.given.generation.name != ITNC530.name else tabled
         )
@@ -125,7 +123,7 @@ class Loader:
         return bit.value == 1.0
 
     def _linear_error(self, address: str, *, nonlinear: bool) -> float:
-        """Return the linear error that acts, mm/m."""
+        """Return the active linear error, mm/m."""
         given = self._parameter(address, Quantity.LINEAR)
         name = self.given.generation.parameter(Quantity.LINEAR)
         rotary = self.given.kind(address) is AxisKind.ROTARY
@@ -161,8 +159,8 @@ class Loader:
             )
 
     def _parameter(self, address: str, quantity: Quantity) -> Parameter | None:
-        """Return a parameter of an axis; a repetition must agree, and the control's range is
-        kept.
+        """Return a parameter of an axis; repetitions that differ and values out of range are
+        faults.
         """
         given = [
             p for p in self.given.parameters if p.address == address and p.quantity is quantity

@@ -29,9 +29,7 @@ _DECIMAL = re.compile("[0-9]{1,6}")
 
 @dataclass(slots=True)
 class ParameterLines:
-    """What was read: parameters in their order, lines that are none (``stray``), and what is
-    wrong.
-    """
+    """Parameters in their order, other lines (``stray``), and faults."""
 
     parameters: list[Parameter] = field(default_factory=list)
     stray: list[tuple[LinePlace, str]] = field(default_factory=list)
@@ -41,8 +39,8 @@ class ParameterLines:
 def read_parameters(
     lines: Sequence[tuple[LinePlace, str]], generation: Generation
 ) -> ParameterLines:
-    """Read MP710, MP720 and MP730 of the axes that ``generation`` counts; other parameters and
-    comments (``;``, ``#``, ``*``) are passed over.
+    """Read MP710, MP720 and MP730 of the axes that ``generation`` numbers; skip other parameters
+    and comments (``;``, ``#``, ``*``).
     """
     found = ParameterLines()
     for place, line in lines:
@@ -85,8 +83,8 @@ def _read(code: str, place: LinePlace, found: ParameterLines, generation: Genera
 def _mask(
     text: str, place: LinePlace, found: ParameterLines, generation: Generation
 ) -> list[Parameter]:
-    """Return the bits of MP730 that are written, bit 0 = first axis: all digits of ``%00011``, all
-    axes of a decimal number.
+    """Return the bits of MP730, bit 0 = first axis: all digits of ``%00011``, all axes of a decimal
+    number.
     """
     bits = text[1:][::-1] if _BITS.fullmatch(text) else ""
     if len(text.lstrip("0")) > 1 and not set(text) - {"0", "1"}:

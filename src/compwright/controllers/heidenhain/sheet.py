@@ -1,5 +1,5 @@
-"""Typed-entry sheets ``entry_<axis>.csv`` for HEIDENHAIN controls, as the person at the control
-types them in.
+"""Typed-entry sheets ``entry_<axis>.csv`` for HEIDENHAIN controls: the rows that an engineer types
+at the control.
 
 Comment lines ``# key: value``, the header ``point,position,value,unit``, then points and
 parameters. A second, small reader on purpose: it shares nothing with the room that writes these
@@ -38,10 +38,10 @@ _NO_UNIT = ("", "-", "bit")
 
 @dataclass(frozen=True, slots=True)
 class JudgedSheet:
-    """One sheet: ``values`` (k,) in mm or deg at ``nodes`` (k,), errors or corrections as
-    ``errors`` says; k = 0 without points.
+    """One sheet: ``values`` (k,) in mm or deg at ``nodes`` (k,); k = 0 without points.
 
-    ``kind``: linear or rotary by the units, None where no unit says it.
+    ``errors``: the values are errors, else corrections. ``kind``: linear or rotary by the units,
+    None where there is no unit.
     """
 
     address: str
@@ -61,7 +61,7 @@ def is_sheet(file: ControlFile) -> bool:
 
 
 def read_sheet(file: ControlFile, generation: Generation) -> tuple[JudgedSheet | None, list[Fault]]:
-    """Return the sheet, or None and everything that is wrong with it."""
+    """Return the sheet, or None and all its faults."""
     fault = binary_fault(file.name, file.content)
     if fault is not None:
         return None, [fault]
@@ -228,9 +228,7 @@ class _SheetLines:
         self.kind = kind
 
     def sheet(self) -> JudgedSheet | None:
-        """Return what was read; None with a fault when the sheet as a whole says nothing or
-        contradicts itself.
-        """
+        """Return the sheet; None with a fault if it is empty or contradicts itself."""
         before = len(self.faults)
         head = LinePlace(self.file, self.header.line if self.header else 1)
         if self.header is None and not self.faults:

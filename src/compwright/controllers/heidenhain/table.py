@@ -1,4 +1,4 @@
-"""HEIDENHAIN tables: ``.COM`` (values) and ``.CMA`` (which .COM acts under which axis).
+"""HEIDENHAIN tables: ``.COM`` (values) and ``.CMA`` (which .COM is active for which axis).
 
 iTNC 530: one row per point, the point k lies at DATUM + k * spacing (TNC 407 technical manual p.
 153, iTNC 530 HSCI p. 655). NCK: the column AXISPOS lists the positions (MANUALplus 620 p. 716).
@@ -45,8 +45,8 @@ class Com:
     corrected axes.
 
     iTNC 530: ``datum`` and ``distance`` as written, ``listed`` is None. NCK: ``listed`` (k,) =
-    AXISPOS, ``negative`` (k,) = BACKLASH, None without that column. ``names``: what a .CMA may call
-    the table, in capitals without the ending.
+    AXISPOS, ``negative`` (k,) = BACKLASH, None without that column. ``names``: the names by which a
+    .CMA may refer to the table, in capitals without the ending.
     """
 
     name: str
@@ -75,7 +75,7 @@ class Cma:
 
 @dataclass(slots=True)
 class Content:
-    """What one text file holds, and what is wrong with it."""
+    """Contents of one text file, and its faults."""
 
     coms: list[Com] = field(default_factory=list)
     cmas: list[Cma] = field(default_factory=list)
@@ -116,8 +116,9 @@ def read_text(file: ControlFile, generation: Generation) -> Content:
 def _read_outside(
     lines: list[tuple[LinePlace, str]], generation: Generation, found: Content, *, strict: bool
 ) -> None:
-    """Read what stands outside of tables: parameters. Anything else is a fault beside tables, else
-    worth a note.
+    """Read the parameters outside of tables.
+
+    Any other text is a fault in a file with tables, else a note.
     """
     read = read_parameters(lines, generation)
     if read.parameters and generation.name != ITNC530.name:
@@ -205,7 +206,7 @@ def _by_spacing(
     found: Content,
     faults: list[Fault],
 ) -> Com:
-    """iTNC 530: DATUM and DIST in the head, columns ``1=F()``."""
+    """Return the .COM of an iTNC 530: DATUM and DIST in the head, columns ``1=F()``."""
     head = _head(block, faults)
     columns: dict[str, str] = {}
     for name in grid.names:
@@ -269,7 +270,7 @@ def _head(block: TableBlock, faults: list[Fault]) -> dict[str, float]:
 
 
 def _by_position(block: TableBlock, grid: CellGrid, stem: str | None, faults: list[Fault]) -> Com:
-    """NCK: AXISPOS, perhaps BACKLASH, then one column per axis key."""
+    """Return the .COM of an NCK: AXISPOS, BACKLASH if any, then one column per axis key."""
     if block.rest:
         faults.append(
             block.place.fault(
@@ -316,8 +317,9 @@ def _by_position(block: TableBlock, grid: CellGrid, stem: str | None, faults: li
 
 
 def _cma(block: TableBlock, generation: Generation) -> Cma:
-    """Return the active line. NCK: ``*`` in ACTIVE; iTNC 530: the only line, or the one with ``M``
-    in STATUS or ACTIVE.
+    """Return the active line of a .CMA.
+
+    NCK: ``*`` in ACTIVE; iTNC 530: the only line, or the one with ``M`` in STATUS or ACTIVE.
     """
     grid = read_grid(block)
     mark = "M" if generation.name == ITNC530.name else "*"

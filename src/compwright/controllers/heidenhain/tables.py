@@ -1,4 +1,4 @@
-"""HEIDENHAIN tables and sheets as curves: positions, units, signs, and what acts outside."""
+"""HEIDENHAIN tables and sheets as curves: positions, units, signs, values outside the table."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ _SAME_VALUE = 5e-5
 
 
 class OwnTableLoader:
-    """``own``: the statements of each axis' own table with their place; ``crossed``: moving and
-    corrected axis -> curve. Remarks go to what was given.
+    """Builds the tables. ``own``: the versions of each axis' own table with their place;
+    ``crossed``: moving and corrected axis -> curve. Faults and notes go to ``given``.
     """
 
     def __init__(self, given: Given) -> None:
@@ -45,7 +45,9 @@ class OwnTableLoader:
         self.crossed: dict[tuple[str, str], CorrectionCurve] = {}
 
     def load_com(self, com: Com, moving: str) -> None:
-        """Take the columns of a .COM that ``moving`` moves: its own curves and those of others."""
+        """Load the columns of a .COM whose moving axis is ``moving``: its own curves and those of
+        other axes.
+        """
         nodes = self._nodes(com, moving)
         sign = self._sign(com, moving)
         if nodes is None:
@@ -71,7 +73,7 @@ class OwnTableLoader:
             )
 
     def _nodes(self, com: Com, moving: str) -> FloatArray | None:
-        """Return the positions (k,) of all rows, mm or deg; None with a fault when they are no
+        """Return the positions (k,) of all rows, mm or deg; None with a fault if they are not a
         grid.
         """
         factor = self._length(com, moving)
@@ -102,9 +104,7 @@ class OwnTableLoader:
         return np.asarray(nodes, dtype=np.float64)
 
     def _length(self, com: Com, address: str) -> float:
-        """Return mm per unit of a table for a linear axis; angles are in degrees whatever the
-        table's unit.
-        """
+        """Return mm per unit of a table for a linear axis; angles are always in degrees."""
         if not com.inch or self.given.kind(address) is AxisKind.ROTARY:
             return 1.0
         self.given.assumed.append(
@@ -122,7 +122,7 @@ class OwnTableLoader:
         sheet = next(
             (one for one in self.given.sheets if one.address == moving and not one.nodes.size), None
         )
-        if sheet is not None:  # the parameters beside the table say it
+        if sheet is not None:  # the sheet with the parameters of the table states it
             self.given.assumed.append(
                 Assumption(
                     f"values of {com.name}.COM",
@@ -142,8 +142,8 @@ class OwnTableLoader:
     def _second_curve(
         self, com: Com, moving: str, nodes: FloatArray, sign: float
     ) -> CorrectionCurve | None:
-        """Return the curve arriving in - (NCK, column BACKLASH), None where one curve serves
-        both.
+        """Return the curve for an approach towards - (NCK, column BACKLASH); None if one curve
+        holds for both directions.
         """
         chosen = self.given.choice("backlash_column", ("second_curve", "absent"), moving)
         if com.negative is None or np.all(np.isnan(com.negative)):
@@ -182,7 +182,7 @@ class OwnTableLoader:
         return None
 
     def load_sheet(self, sheet: JudgedSheet) -> None:
-        """Take the points of an entry sheet, where it has any."""
+        """Load the points of an entry sheet, if it has any."""
         if sheet.nodes.size == 0:
             return
         self._check_grid(sheet)
@@ -192,8 +192,8 @@ class OwnTableLoader:
         self.own[sheet.address].append((sheet.place, OwnTable(curve, curve)))
 
     def _check_grid(self, sheet: JudgedSheet) -> None:
-        """iTNC 530: only DATUM and a spacing can be typed in, so the positions lie on a regular
-        grid.
+        """Check that the positions are equally spaced: an iTNC 530 takes only DATUM and a
+        spacing.
         """
         if self.given.generation.name != ITNC530.name or sheet.nodes.size < 2:
             return
@@ -214,8 +214,9 @@ class OwnTableLoader:
     def _curve(
         self, moving: str, nodes: FloatArray, values: FloatArray, place: LinePlace
     ) -> CorrectionCurve:
-        """Return the curve over the rows with a value; a rotary axis is endless when told, or when
-        its table spans the turn.
+        """Return the curve through the rows with a value.
+
+        A rotary axis is endless if the request gives its turn, or if its table spans the turn.
         """
         filled = ~np.isnan(values)
         nodes, values = nodes[filled], values[filled] + 0.0
@@ -258,9 +259,7 @@ class OwnTableLoader:
         return curve
 
     def one_table(self, address: str) -> OwnTable | None:
-        """Return the axis' own table; two statements of it (a .COM and the sheet typed into it)
-        must agree.
-        """
+        """Return the axis' own table; a .COM and the entry sheet for it must agree."""
         stated = self.own.get(address, [])
         for place, table in stated[1:]:
             first = stated[0][1]

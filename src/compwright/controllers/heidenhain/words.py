@@ -1,5 +1,5 @@
-"""What HEIDENHAIN files are made of, for the virtual control: numbers, places, parameters, and how
-the two generations differ.
+"""Elements of HEIDENHAIN files for the virtual control: numbers, places, parameters, and the
+differences between the two generations.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ MOST_AXES = 18
 
 
 class Quantity(Enum):
-    """What a machine parameter of an axis says."""
+    """Meaning of a machine parameter of an axis."""
 
     BACKLASH = "backlash"
     LINEAR = "linear error"
@@ -35,8 +35,8 @@ class Quantity(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Generation:
-    """One of the two generations. ``parameters``: name -> quantity; ``largest``: range of backlash
-    and linear error, both signs; ``numbers``: axes by the control's own count from 1, as told.
+    """One of the two generations of controls. ``parameters``: name -> quantity; ``largest``: limit
+    of backlash and linear error, both signs; ``numbers``: axes by the given axis number, from 1.
     """
 
     name: str
@@ -47,21 +47,20 @@ class Generation:
     numbers: Mapping[int, str] = field(default_factory=dict)
 
     def axis(self, number: int) -> str:
-        """Return the axis of a column number from 1: as told, else its letter unless that was told
-        of another number, or the number itself where no letter is fixed.
+        """Return the axis of a column number, from 1: as given, else by the fixed letter order.
+
+        The number itself where no letter is fixed, or the letter was given another number.
         """
         letter = LETTERS[number - 1] if number <= len(LETTERS) else str(number)
         free = str(number) if letter in self.numbers.values() else letter
         return self.numbers.get(number, free)
 
     def address(self, text: str) -> str:
-        """Return an axis name as it is compared."""
+        """Return an axis name in the form used for comparison."""
         return text.upper() if self.ignores_case else text
 
     def parameter(self, quantity: Quantity) -> str:
-        """Return the control's own name of a quantity; the neutral one where the control has
-        none.
-        """
+        """Return the control's name of a quantity; the neutral name where the control has none."""
         return next(
             (name for name, held in self.parameters.items() if held is quantity), quantity.value
         )

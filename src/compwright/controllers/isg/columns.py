@@ -27,7 +27,7 @@ def table_entries(
 ) -> Entries:
     """Return the entries of a section by column and index.
 
-    What else the section holds is refused by name unless it is 0: it may act.
+    Any other entry that is not 0 is refused by name: it may be an active compensation.
     """
     entries: Entries = {column: {} for column in columns}
     for name, statement in axis.section(prefix).items():
@@ -43,8 +43,9 @@ def table_entries(
 def column(
     axis: AxisLists, entries: Mapping[int, ListStatement], count: int, name: str, largest: float
 ) -> FloatArray | None:
-    """Return one column (count,) in units of the list; None with faults where an entry is missing,
-    no number, too large, or stands beyond the last index.
+    """Return one column (count,) in units of the list.
+
+    None with faults where an entry is missing, not a number, too large, or beyond the last index.
     """
     before = len(axis.faults)
     inside = {index: entries[index] for index in sorted(entries) if index < count}
@@ -65,10 +66,10 @@ def column(
 
 
 def largest_value(request: Request, address: str, axis: AxisLists, section: str) -> float:
-    """Return the largest value that a table may hold (option ``value_type``; without it that of
-    SGN32); SGN16 and SGN32 hold whole numbers only (faults).
+    """Return the largest value that a table may hold: option ``value_type``, default SGN32.
 
-    Raises UsageError when the option is none of the types.
+    SGN16 and SGN32 hold whole numbers only; others are faults. Raises UsageError for an unknown
+    type.
     """
     chosen = request.options_of(address).get("value_type")
     if chosen is None:
@@ -92,10 +93,10 @@ def largest_value(request: Request, address: str, axis: AxisLists, section: str)
 
 def unit_of(axis: AxisLists, name: str, request: Request, addresses: Sequence[str]) -> list[float]:
     """Return mm or deg per unit of the list for each of ``addresses``; empty with a fault where the
-    list does not say its unit.
+    list does not state its unit.
 
-    Raises UsageError where the list counts encoder increments and the option
-    ``encoder_increment`` of an axis is not given, or is no positive number.
+    Raises UsageError where the list counts encoder increments and the option ``encoder_increment``
+    of an axis is missing, or is not a positive number.
     """
     metric = axis.switch(name)
     if metric is None:

@@ -1,10 +1,10 @@
 """ISG kernel (Beckhoff TwinCAT 3 CNC and others): compensation value lists, one per axis.
 
-Stated from the vendors' pages, apart from the definition that writes the files:
+Stated from the vendors' pages, independently of the definition that writes the files:
 
 - ``kw.ssfk``: values by position for one or both directions, linear, ends held; unit 0.1 µm or
   0.0001 deg, or encoder increments. The values are errors (inferred): correction = -value.
-- ``getriebe[0].lose`` with ``lr_param.anwahl_losekomp``: lost motion, 0.1 µm or 0.0001 deg.
+- ``getriebe[0].lose`` with ``lr_param.anwahl_losekomp``: backlash, 0.1 µm or 0.0001 deg.
 - ``kw.crosscomp``: in the list of the corrected axis; the sign is not known.
 - Axes are named by their logical number; positions are axis coordinates, which are the machine's.
 """
@@ -32,8 +32,8 @@ from compwright.records.correction import Assumption, ControlFile
 
 @dataclass(frozen=True, slots=True)
 class _ListAxis:
-    """``backlash`` > 0: lost motion that is taken out, mm or deg; ``home``: the direction that
-    keeps its zero.
+    """One axis. ``backlash`` > 0: the backlash compensation, mm or deg; ``home``: the direction in
+    which it adds nothing.
     """
 
     table: LeadscrewTable | None
@@ -55,11 +55,11 @@ class IsgControl:
     notes: tuple[str, ...]
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the logical axis numbers that the lists speak of, ascending."""
+        """Return the logical axis numbers that the lists mention, ascending."""
         return tuple(self.axes)
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of the table, mm or deg, whether it is switched on or not."""
+        """Return the positions (k,) of the table, mm or deg, active or not."""
         table = self._axis(address).table
         return np.empty(0) if table is None else table.positions
 
@@ -73,8 +73,8 @@ class IsgControl:
         return total + (0.0 if direction is axis.home else direction.sign * axis.backlash)
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (master, slave) of the tables that act; one whose sign nobody said stands in
-        ``notes``.
+        """Return (master, slave) of the active tables; one of unknown sign is in ``notes``
+        instead.
         """
         return tuple(self.tables)
 
@@ -109,11 +109,12 @@ class IsgControl:
 
 def isg_control(files: Sequence[ControlFile], request: Request) -> IsgControl:
     """Return the control with ``files`` loaded: compensation value lists, axis parameter lists and
-    a start-up list, told apart by what they hold.
+    a start-up list, each recognised by its contents.
 
-    Raises InputError where a list contradicts itself or another, names a table without its values,
-    or holds what acts on an axis under work and is not read; UsageError where an option is missing
-    or wrong (``encoder_increment``, ``table_values``, ``cross_values``, ``value_type``).
+    Raises InputError where lists contradict each other or themselves, name a table without its
+    values, or hold an active compensation of an axis under work that cannot be read; UsageError for
+    missing or wrong options (``encoder_increment``, ``table_values``, ``cross_values``,
+    ``value_type``).
     """
     lists = read_lists(files)
     raise_all(InputError, lists.faults)
@@ -126,7 +127,7 @@ def isg_control(files: Sequence[ControlFile], request: Request) -> IsgControl:
         try:
             axis, cross = _loaded(lists_of_axis, request, assumed, notes)
         except UsageError as error:
-            if request.asks_for(address):
+            if request.is_under_work(address):
                 raise
             notes.append(str(error))
             continue
@@ -134,7 +135,7 @@ def isg_control(files: Sequence[ControlFile], request: Request) -> IsgControl:
             axes[address] = axis
             if cross is not None:
                 tables[cross.master, cross.slave] = cross
-        elif request.asks_for(address):
+        elif request.is_under_work(address):
             faults += lists_of_axis.faults
         else:
             notes += [str(fault) for fault in lists_of_axis.faults]

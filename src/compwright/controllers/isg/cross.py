@@ -1,8 +1,7 @@
-"""What one axis does to another (``kw.crosscomp``), and tables over two axes
-(``kw.crosscomp2``).
+"""Tables by which one axis corrects another (``kw.crosscomp``), or two a third (``kw.crosscomp2``).
 
-The table stands in the list of the corrected axis, the slave; both directions, linear. Its values
-are named "correction" without a rule of sign, so that only the option ``cross_values`` says it.
+The table is in the list of the corrected axis, the slave; both directions, linear. Its values are
+named "correction" without a rule of sign, so the option ``cross_values`` must state the sign.
 """
 
 from __future__ import annotations
@@ -52,16 +51,18 @@ class CrossTable:
 def read_cross(
     axis: AxisLists, request: Request, assumed: list[Assumption], notes: list[str]
 ) -> CrossTable | None:
-    """Return the table by which another axis corrects this one; None without one, with faults (kept
-    in the axis), or where it does not act or nobody said its sign (kept in ``notes``).
+    """Return the table by which another axis corrects this one.
+
+    None without one, with faults (kept in the axis), or if it is not active or its sign is unknown
+    (kept in ``notes``).
     """
     read = _entries(axis, request)
     if read is None:
         return None
     master, positions, values = read
-    acts = switched(axis, request, "lr_param.crosscomp", SECTION, assumed)
-    if not acts or not np.any(values):
-        why = "is 0 everywhere" if acts else "does not act"
+    active = switched(axis, request, "lr_param.crosscomp", SECTION, assumed)
+    if not active or not np.any(values):
+        why = "is 0 everywhere" if active else "does not act"
         notes.append(f"table by which axis {master} corrects axis {axis.address} {why}")
         return None
     sign = cross_sign(request, axis.address)
@@ -74,8 +75,8 @@ def read_cross(
     units = unit_of(axis, SECTION + "unit", request, [master, axis.address])
     if not units:
         return None
-    said = "correction" if sign > 0.0 else "error"
-    assumed.append(Assumption(f"cross_values of axis {axis.address}", said, "option"))
+    meaning = "correction" if sign > 0.0 else "error"
+    assumed.append(Assumption(f"cross_values of axis {axis.address}", meaning, "option"))
     assumed.append(
         Assumption(
             f"outside the cross table of axis {axis.address}", "the end values hold", "inferred"
@@ -132,7 +133,7 @@ def _master(axis: AxisLists, *, filled: bool) -> str | None:
 
 
 def cross_sign(request: Request, slave: str) -> float | None:
-    """Return what the values of the slave's table are multiplied with; None where nobody said it.
+    """Return the factor of the slave's table values, +1 or -1; None where it is not given.
 
     Raises UsageError when the option ``cross_values`` is neither ``error`` nor ``correction``.
     """
@@ -152,7 +153,7 @@ def cross_sign(request: Request, slave: str) -> float | None:
 def refuse_plane(
     axis: AxisLists, request: Request, assumed: list[Assumption], notes: list[str]
 ) -> None:
-    """Refuse a table over two axes that acts: what it does depends on where two others stand."""
+    """Refuse an active table over two axes: its correction depends on the positions of both."""
     section = axis.section(PLANE)
     if not section.keys() - {"max_points", "manual_activation", "n_cycles"}:
         return

@@ -40,8 +40,9 @@ SIGNS = {"error": -1.0, "correction": 1.0}
 
 @dataclass(frozen=True, slots=True)
 class LeadscrewTable:
-    """``positions`` (k,) ascending; ``positive``, ``negative`` (k,): what is added arriving in that
-    direction; mm or deg. ``period``: the table wraps. ``acts``: whether it is switched on.
+    """``positions`` (k,) ascending; ``positive``, ``negative`` (k,): the correction for an approach
+    in that direction; mm or deg. ``period``: of a table that repeats. ``active``: it is switched
+    on.
     """
 
     positions: FloatArray
@@ -49,11 +50,11 @@ class LeadscrewTable:
     negative: FloatArray
     period: float | None
     bilateral: bool
-    acts: bool
+    active: bool
 
     def at(self, x: FloatArray, direction: Direction) -> FloatArray:
         """Return what is added at ``x`` (any shape), mm or deg."""
-        if not self.acts:
+        if not self.active:
             return np.zeros(x.shape)
         if self.period is not None:
             x = self.positions[0] + np.mod(x - self.positions[0], self.period)
@@ -96,7 +97,7 @@ def read_table(
         negative=negative * scale,
         period=_period(axis, request, where, positive, negative, units[0]) if wraps else None,
         bilateral=bilateral,
-        acts=_acts(axis, request, assumed),
+        active=_leadscrew_active(axis, request, assumed),
     )
     return None if axis.faults else table
 
@@ -123,8 +124,8 @@ def _count(axis: AxisLists, entries: Entries) -> int:
     given = axis.whole(SECTION + "max_points", 0)
     room = given or DEFAULT_ROOM
     if count >= room:
-        said = "max_points" if given else "the default of max_points"
-        axis.fault(statement, "more entries than there is room for", f"less than {room} ({said})")
+        source = "max_points" if given else "the default of max_points"
+        axis.fault(statement, "more entries than there is room for", f"less than {room} ({source})")
         return 0
     # the rest counts to this number: a wrong one must not fill the memory
     if count > len(entries["pos"]):
@@ -136,7 +137,7 @@ def _count(axis: AxisLists, entries: Entries) -> int:
 
 def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | None:
     """Return the positions (count,) in units of the list, None with a fault."""
-    interval = _said(axis, "interval", "listed or equal spacing is not given", 0.0)
+    interval = _required_number(axis, "interval", "listed or equal spacing is not given", 0.0)
     if interval is None:
         return None
     setpoints = entries["setpoint"]
@@ -149,7 +150,9 @@ def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | No
             ascending(axis, listed, setpoints)
             _begins(axis, float(listed[0]))
         return listed
-    start = _said(axis, "kw_startpos", "the start of the equal spacing is not given", -LARGEST)
+    start = _required_number(
+        axis, "kw_startpos", "the start of the equal spacing is not given", -LARGEST
+    )
     if start is None:
         return None
     even = start + interval * np.arange(count)
@@ -159,8 +162,8 @@ def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | No
     return np.asarray(even, dtype=np.float64)
 
 
-def _said(axis: AxisLists, key: str, why: str, lowest: float) -> float | None:
-    """Return a number that has to be said, ``lowest`` to the largest; None with a fault."""
+def _required_number(axis: AxisLists, key: str, why: str, lowest: float) -> float | None:
+    """Return a required number between ``lowest`` and the largest; None with a fault."""
     name = SECTION + key
     if name not in axis.statements:
         axis.missing(name, why)
@@ -173,7 +176,9 @@ def _said(axis: AxisLists, key: str, why: str, lowest: float) -> float | None:
 
 
 def _begins(axis: AxisLists, first: float) -> None:
-    """Listed setpoints and kw_startpos name the same beginning, as in the vendor's example."""
+    """Check that the listed setpoints and kw_startpos start at the same position, as in the
+    vendor's example.
+    """
     start = axis.number(SECTION + "kw_startpos")
     if start is not None and start != first:
         statement = axis.statements[SECTION + "kw_startpos"]
@@ -185,8 +190,9 @@ def _begins(axis: AxisLists, first: float) -> None:
 def _negative(
     axis: AxisLists, entries: Entries, count: int, largest: float, *, bilateral: bool | None
 ) -> FloatArray | None:
-    """Return the column that acts arriving towards -; with one column for both, a second one that
-    says something else is a contradiction.
+    """Return the column for an approach towards -.
+
+    A second column is a contradiction if one column holds for both directions and they differ.
     """
     name = f"{SECTION}table[i].neg"
     if bilateral:
@@ -228,8 +234,10 @@ def _period(
     negative: FloatArray,
     unit: float,
 ) -> float | None:
-    """Return the turn of a table that wraps (mm or deg; ``positions`` count in ``unit``): first and
-    last entry are one place.
+    """Return the turn of a table that repeats, mm or deg: its first and last entry are one
+    position.
+
+    ``positions`` count in ``unit``.
     """
     last = len(positions) - 1
     statement = axis.statements[f"{SECTION}table[{last}].pos"]
@@ -249,35 +257,36 @@ def _period(
 def switched(
     axis: AxisLists, request: Request, parameter: str, section: str, assumed: list[Assumption]
 ) -> bool:
-    """Return whether a compensation acts: its switch in the axis parameters, and whether an NC
-    program has to call it (``manual_activation``).
+    """Return whether a compensation is active, by its switch in the axis parameters.
+
+    With ``manual_activation`` set, an NC program has to call it.
     """
     on = axis.switch(parameter)
     switches = [None if on is None else float(on)]
     called = axis.switch(section + "manual_activation")
     switches += [0.0] if called else []
-    acts = request.acts(switches)
+    active = request.is_active(switches)
     if request.active is not None:
         why = "as the job says"
     else:
         why = "only where an NC program calls it" if called else "not in the files"
     if called or on is None:
-        assumed.append(Assumption(f"{parameter} of axis {axis.address}", str(int(acts)), why))
-    return acts
+        assumed.append(Assumption(f"{parameter} of axis {axis.address}", str(int(active)), why))
+    return active
 
 
-def _acts(axis: AxisLists, request: Request, assumed: list[Assumption]) -> bool:
+def _leadscrew_active(axis: AxisLists, request: Request, assumed: list[Assumption]) -> bool:
     return switched(axis, request, "lr_param.ssfk", SECTION, assumed)
 
 
 def read_backlash(
     axis: AxisLists, table: LeadscrewTable | None, assumed: list[Assumption]
 ) -> float:
-    """Return the lost motion (mm or deg, not negative) that the control takes out of an axis.
+    """Return the backlash compensation of an axis, mm or deg, not negative.
 
-    Which direction gets it is not said: counted as nothing in the direction in which the axis is
-    referenced. A negative value (play before the measuring system) is refused where it acts, and so
-    is any in addition to a table with two columns, which replaces it.
+    The vendor does not state its direction: counted as nothing in the direction of referencing. A
+    negative value (play before the measuring system) is refused where it is active. So is any value
+    in addition to a table with two columns, which replaces it.
     """
     own = "getriebe[0].lose"
     value = axis.whole(own, -(2**15))
@@ -304,7 +313,7 @@ def read_backlash(
     elif value < 0 or value >= 2**15:
         message = f"{own} of axis {axis.address}: the direction of a negative one is unknown"
         axis.fault(statement, message, "0 to 32767, or lr_param.anwahl_losekomp 0")
-    elif table is not None and table.acts and table.bilateral:
+    elif table is not None and table.active and table.bilateral:
         message = f"{own} of axis {axis.address} in addition to a table with two columns"
         axis.fault(statement, message, "0: the table holds the reversal")
     fact = f"sense of {own} of axis {axis.address}"

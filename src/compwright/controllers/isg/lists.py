@@ -23,8 +23,11 @@ _STATEMENT = re.compile(r"([A-Za-z_]\w*(?:\s*\[\s*\d+\s*\]|\.[A-Za-z_]\w*)*)(?:\
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
 #: What a line that is no statement must not hold: it would be one that got damaged.
 _OURS = re.compile(r"kopf|kw\s*\.|lr_param|getriebe|achs_kw|zahl_kw", re.IGNORECASE)
-#: What acts on a standing axis; an axis parameter list holds hundreds of other statements.
-_ACTING = re.compile(r"kw\.|lr_param\.(?:ssfk|crosscomp2?|anwahl_losekomp)$|getriebe\[\d+\]\.lose$")
+#: Statements that correct the position of an axis at rest; an axis parameter list holds hundreds of
+#: others.
+_COMPENSATING = re.compile(
+    r"kw\.|lr_param\.(?:ssfk|crosscomp2?|anwahl_losekomp)$|getriebe\[\d+\]\.lose$"
+)
 _HEADERS = ("kopf.achs_nr", "kopf.log_achs_nr")
 #: Logical axis numbers are UNS16.
 _HIGHEST_AXIS = 65535
@@ -52,8 +55,8 @@ class ListStatement(OfLine):
 
 @dataclass(slots=True)
 class AxisLists:
-    """The statements of one axis that act, by name. ``files``: the lists they come from;
-    ``faults``: what is wrong with this axis; only an axis under work stops on them.
+    """Statements of one axis, by name. ``files``: the lists they come from; ``faults``: of this
+    axis, which stop only an axis under work.
     """
 
     address: str
@@ -62,7 +65,7 @@ class AxisLists:
     faults: list[Fault] = field(default_factory=list)
 
     def add(self, statement: ListStatement) -> None:
-        """Take a statement; a second one of its name must say the same."""
+        """Add a statement; a second one of the same name must have the same value."""
         known = self.statements.setdefault(statement.name, statement)
         if _value(known) != _value(statement):
             self.faults.append(
@@ -73,7 +76,7 @@ class AxisLists:
             )
 
     def number(self, name: str) -> float | None:
-        """Return a statement's number; None where the statement is absent, or is no number (a
+        """Return a statement's number; None if it is absent, or is not a number (then with a
         fault).
         """
         statement = self.statements.get(name)
@@ -85,7 +88,9 @@ class AxisLists:
         return value
 
     def switch(self, name: str) -> bool | None:
-        """Return a statement's 0 or 1; None where it is absent, or anything else (a fault)."""
+        """Return a statement's 0 or 1; None if it is absent, or anything else (then with a
+        fault).
+        """
         value = self.number(name)
         if value is not None and value not in (0.0, 1.0):
             self.fault(self.statements[name], f"{name} of axis {self.address}", "0 or 1")
@@ -102,11 +107,11 @@ class AxisLists:
         return None if value is None else int(value)
 
     def fault(self, statement: ListStatement, message: str, expected: str) -> None:
-        """Keep a fault at a statement."""
+        """Add a fault at a statement."""
         self.faults.append(statement.fault(message, expected=expected))
 
     def missing(self, name: str, why: str) -> None:
-        """Keep the fault that a statement is not there."""
+        """Add the fault that a statement is missing."""
         self.faults.append(
             Fault(
                 message=f"axis {self.address}: {why}",
@@ -128,7 +133,7 @@ class AxisLists:
 
 @dataclass(slots=True)
 class ControlLists:
-    """What all files say: the axes by logical number, notes on what is left alone, and faults that
+    """Contents of all lists: axes by logical number, notes on what is ignored, and faults that
     concern no single axis.
     """
 
@@ -153,7 +158,7 @@ def read_lists(files: Sequence[ControlFile]) -> ControlLists:
             axis = lists.axes.setdefault(address, AxisLists(address))
             axis.files.append(name)
             for statement in found:
-                if _ACTING.match(statement.name):
+                if _COMPENSATING.match(statement.name):
                     axis.add(statement)
     return lists
 
@@ -287,7 +292,7 @@ def _address(
 def _loaded(
     name: str, found: list[ListStatement], started: dict[str, str] | None, lists: ControlLists
 ) -> bool:
-    """Whether a list is loaded: a compensation list that the start-up list does not name is not."""
+    """Return whether a list is loaded: the start-up list, if there is one, must name it."""
     if started is None or name.casefold() in started:
         return True
     if not any(statement.name.startswith("kw.") for statement in found):

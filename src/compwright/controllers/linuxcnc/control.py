@@ -1,17 +1,17 @@
 """LinuxCNC: screw compensation (``COMP_FILE``) and ``BACKLASH`` of each joint.
 
-Stated from the control's source and from runs of LinuxCNC 2.9.0~pre1, apart from the definition
-that writes the files:
+Stated from the control's source and from runs of LinuxCNC 2.9.0~pre1, independently of the
+definition that writes the files:
 
 - While the joint moves towards + the table's second column counts, towards - the third; the
   correction is added to the command. COMP_FILE_TYPE 0 (the default): the columns are actual
   positions, correction = nominal - actual. Any other type: the columns are the corrections.
 - Looked up at the commanded joint position, linear between rows, the end row's value held outside;
   no modulo, rotary joints included.
-- BACKLASH (the full gap) acts only where the table holds no row: +BACKLASH/2 going +, -BACKLASH/2
-  going -.
-- Everything is in machine units ([TRAJ] LINEAR_UNITS, ANGULAR_UNITS). Which direction the reference
-  is approached in plays no part.
+- BACKLASH (the full gap) is active only where the table holds no row: +BACKLASH/2 going +,
+  -BACKLASH/2 going -.
+- Everything is in machine units ([TRAJ] LINEAR_UNITS, ANGULAR_UNITS). The direction of referencing
+  has no effect.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ class LinuxCncControl:
     notes: tuple[str, ...]
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the joint numbers that the files speak of, ascending."""
+        """Return the joint numbers that the files mention, ascending."""
         return tuple(self.joints)
 
     def nodes(self, address: str) -> FloatArray:
@@ -95,7 +95,7 @@ class LinuxCncControl:
         return _looked_up(joint.table, x, direction) * joint.unit
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (): no table of one joint acts on another."""
+        """Return (): no table corrects one joint by the position of another."""
         return ()
 
     def cross_correction(  # the protocol's names
@@ -105,7 +105,7 @@ class LinuxCncControl:
         positions: FloatArray,  # noqa: ARG002
         direction: Direction,  # noqa: ARG002
     ) -> FloatArray:
-        """Raise UsageError: no table of one joint acts on another."""
+        """Raise UsageError: no table corrects one joint by the position of another."""
         raise UsageError(
             Fault(
                 message=(
@@ -123,8 +123,8 @@ class LinuxCncControl:
 
 
 def _looked_up(table: CompTable, x: FloatArray, direction: Direction) -> FloatArray:
-    """Return the table's correction at ``x`` (machine units) as the servo loop does: row below, its
-    slope times the distance.
+    """Return the table's correction at ``x`` (machine units), computed as in the servo loop: the
+    row below plus its slope times the distance.
     """
     if not table.defined:
         return np.full(x.shape, np.nan)
@@ -145,9 +145,9 @@ def linuxcnc_control(files: Sequence[ControlFile], request: Request) -> LinuxCnc
     the tables they name.
 
     A table without an INI belongs to the joint of its name ``joint_N...``, else to the option
-    ``axis``. Whatever the control would leave out silently is left out here too and stands in
-    ``notes``. Raises InputError where it would not start (a table that is missing, a key without a
-    number) and where the files do not say which joint loads a table.
+    ``axis``. What the control would leave out silently is left out here too and listed in
+    ``notes``. Raises InputError where the control would not start (a missing table, a key without a
+    number) and where the files do not state which joint loads a table.
     """
     names = [file.name for file in files]
     if len(set(names)) != len(names):
@@ -169,7 +169,7 @@ def linuxcnc_control(files: Sequence[ControlFile], request: Request) -> LinuxCnc
 
 
 class _JointLoader:
-    """Builds the joints and gathers what is assumed, worth a note, or keeps the control from
+    """Builds the joints; collects assumptions, notes, and faults that keep the control from
     starting.
     """
 
@@ -184,7 +184,7 @@ class _JointLoader:
         self.faults: list[Fault] = []
 
     def joints(self) -> dict[str, _Joint]:
-        """Return all joints that the files speak of, by number."""
+        """Return all joints that the files mention, by number."""
         numbers = {number for ini in self.inis for number in ini.joints()}
         orphans = self._orphans(numbers)
         self._kinematics()
@@ -204,7 +204,9 @@ class _JointLoader:
         return {str(number): joint for number, joint in sorted(found.items()) if joint is not None}
 
     def works_on_axis(self, letter: str) -> bool:
-        """Return whether a joint of this axis is asked for; any may be where no INI says which."""
+        """Return whether a joint of this axis is under work; True where no INI states the
+        joints.
+        """
         numbers = [
             number
             for ini in self.inis
@@ -214,13 +216,13 @@ class _JointLoader:
         return not self.inis or any(self.works_on_joint(str(number)) for number in numbers)
 
     def works_on_joint(self, number: str) -> bool:
-        """Return whether a joint is asked for; it may be where its number is a variable."""
-        asked = {joint_number(one) for one in self.request.asked}
-        return not asked or not number.isdigit() or number in asked
+        """Return whether a joint is under work; True if its number is a variable."""
+        wanted = {joint_number(one) for one in self.request.axes_under_work}
+        return not wanted or not number.isdigit() or number in wanted
 
     def _kinematics(self) -> None:
-        """A table belongs to a joint: where kinematics mix joints into axes, none of them is the
-        axis that was measured.
+        """Refuse kinematics that mix joints: a table corrects a joint, the test measured an
+        axis.
         """
         for ini in self.inis if self.request.reference else ():
             value = ini.find("KINS", "KINEMATICS")
@@ -234,13 +236,13 @@ class _JointLoader:
                 )
 
     def _wrapped(self, numbers: set[int]) -> None:
-        """A wrapped rotary axis counts on past its turn, where the end of a table holds: no table
-        can serve it.
+        """Refuse a wrapped rotary axis: its position counts on past the turn, where no table
+        reaches.
         """
         for ini in self.inis if self.request.reference else ():
             letters = letters_of_joints(ini)
             for number in sorted(numbers):
-                if number >= len(letters) or not self.request.asks_for(str(number)):
+                if number >= len(letters) or not self.request.is_under_work(str(number)):
                     continue
                 value = ini.find(f"AXIS_{letters[number]}", "WRAPPED_ROTARY")
                 if value is not None and leading_number(value.text) not in (None, 0.0):
@@ -254,7 +256,7 @@ class _JointLoader:
                     )
 
     def _orphans(self, numbers: set[int]) -> dict[int, str]:
-        """Return the tables that no INI names, by the joint that is taken to load them."""
+        """Return the tables that no INI names, by the joint that is assumed to load them."""
         named = {
             bare_name(value.text)
             for number in numbers

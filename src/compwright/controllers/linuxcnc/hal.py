@@ -1,4 +1,4 @@
-"""LinuxCNC: what HAL files add to an axis beside its table, and to a joint's backlash.
+"""LinuxCNC: corrections that HAL files add to an axis, and changes to a joint's backlash.
 
 Words of halcmd(1): ``setp PIN VALUE``, ``net SIGNAL PIN ..``, ``linkps``, ``linksp``, ``linkpp``;
 an INI holds such lines as ``HALCMD = ..``. Pins of motion(9): ``axis.L.eoffset-counts`` times
@@ -20,10 +20,10 @@ _OFF = frozenset({"0", "0.0", "false"})
 def run_time_pins(
     files: Sequence[ControlFile], concerns: Callable[[str], bool], joint: Callable[[str], bool]
 ) -> Iterator[Fault]:
-    """Yield the lines that set or link a pin which corrects an axis beside its table.
+    """Yield the lines that set or link a pin which corrects an axis in addition to its table.
 
-    ``concerns``: whether an axis, by its letter in capitals, is worked on; ``joint``: a joint by
-    its number.
+    ``concerns``: returns whether an axis (letter in capitals) is under work; ``joint``: the same
+    for a joint by its number.
     """
     for file in files:
         lines = file.content.decode("latin-1").replace("\r", "\n").split("\n")

@@ -1,9 +1,9 @@
-"""LinuxCNC's INI files as the control looks things up in them.
+"""LinuxCNC's INI files, with the control's own rules for finding a value.
 
 Only the first section of a name is searched, the first matching key counts, a value runs to the end
 of its line (a remark behind it belongs to the value), a key without a value counts as absent, a
-line ending in a backslash goes on in the next. ``#INCLUDE name`` puts another file in place. Read
-in LinuxCNC's source (``inifile.cc``, the start script), 2.9.
+line ending in a backslash goes on in the next. ``#INCLUDE name`` inserts another file. Source:
+LinuxCNC 2.9 (``inifile.cc``, the start script).
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class IniLine:
 
 @dataclass(frozen=True, slots=True)
 class IniValue:
-    """What stands behind a key's equals sign."""
+    """The text behind a key's equals sign."""
 
     text: str
     line: IniLine
@@ -49,7 +49,7 @@ class IniValue:
 
 @dataclass(frozen=True, slots=True)
 class IniFile:
-    """One INI file with what it includes put in place."""
+    """One INI file with its includes inserted."""
 
     name: str
     lines: tuple[IniLine, ...]
@@ -105,7 +105,7 @@ def _looks_like_ini(file: ControlFile) -> bool:
 
 
 def read_inis(files: Sequence[ControlFile]) -> tuple[tuple[IniFile, ...], frozenset[str]]:
-    """Return the INI files that no other one includes, with their includes in place, and the names
+    """Return the INI files that no other one includes, with their includes inserted, and the names
     of all files used for them.
     """
     by_name = {file.name: file for file in files}

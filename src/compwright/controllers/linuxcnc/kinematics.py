@@ -1,6 +1,6 @@
-"""LinuxCNC: which joint is which axis, and kinematics in which no joint is one.
+"""LinuxCNC: which joint is which axis, and kinematics in which no joint is an axis.
 
-From the control's own kinematics modules and example configurations.
+Source: the control's own kinematics modules and example configurations.
 """
 
 from __future__ import annotations
@@ -38,20 +38,22 @@ def joint_number(address: str) -> str:
 
 
 def letters_of_joints(ini: IniFile) -> str:
-    """Return the letter of each joint: those given to the kinematics, for another kinematics than
-    trivkins the machine's axes where each has one joint, else the row of all letters.
+    """Return the axis letter of each joint.
+
+    Those given to the kinematics; for kinematics other than trivkins the machine's axes, if each
+    has one joint; else all letters in order.
     """
-    said = {
+    values = {
         key: "" if (value := ini.find(section, key)) is None else value.text
         for section, key in (("KINS", "KINEMATICS"), ("KINS", "JOINTS"), ("TRAJ", "COORDINATES"))
     }
-    given = re.search("coordinates=([A-Za-z]+)", said["KINEMATICS"])
+    given = re.search("coordinates=([A-Za-z]+)", values["KINEMATICS"])
     if given is not None:
         return given.group(1).upper()
-    axes = said["COORDINATES"].upper().replace(" ", "").replace("\t", "")
-    module = said["KINEMATICS"].lower().split()[:1]
+    axes = values["COORDINATES"].upper().replace(" ", "").replace("\t", "")
+    module = values["KINEMATICS"].lower().split()[:1]
     return (
         axes
-        if module not in ([], ["trivkins"]) and said["JOINTS"].strip() == str(len(axes))
+        if module not in ([], ["trivkins"]) and values["JOINTS"].strip() == str(len(axes))
         else _LETTERS
     )

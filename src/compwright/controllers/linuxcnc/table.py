@@ -1,11 +1,11 @@
-"""A LinuxCNC compensation file (``COMP_FILE``) as the control loads it: line by line, stopping
-without a word.
+"""A LinuxCNC compensation file (``COMP_FILE``) as the control loads it: line by line, with silent
+stops.
 
 The control reads pieces of up to 254 bytes, takes the first three numbers of each the way C's
 ``scanf`` does, and stops at the first piece without three numbers; the rest of the file is never
-looked at and nothing is reported. A row that does not ascend, and every row after 256, is dropped
-with an operator error and the control runs on. Observed on LinuxCNC 2.9.0~pre1 (Debian 12) and read
-in its source (``usrmotLoadComp``, ``EMCMOT_SET_JOINT_COMP``); unchanged up to 2.9.9.
+read and nothing is reported. A row that does not ascend, and every row after 256, is dropped with
+an operator error and the control runs on. Observed on LinuxCNC 2.9.0~pre1 (Debian 12) and read in
+its source (``usrmotLoadComp``, ``EMCMOT_SET_JOINT_COMP``); unchanged up to 2.9.9.
 """
 
 from __future__ import annotations

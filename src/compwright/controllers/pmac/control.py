@@ -1,15 +1,15 @@
 """Delta Tau PMAC and Turbo PMAC: leadscrew and backlash tables, constant backlash.
 
-Stated from the manuals (PMAC and Turbo PMAC, software reference and user manual), apart from the
-definition that writes the scripts:
+Stated from the manuals (PMAC and Turbo PMAC, software reference and user manual), independently of
+the definition that writes the scripts:
 
 - ``DEFINE COMP``: corrections, added; 1/16 count of the target motor by position of the source
   motor, entry i at i * length / entries counts from motor zero, 0 at motor zero, linear, repeating
   after the length. ``I51`` enables all tables.
 - ``DEFINE BLCOMP`` and ``Ixx86``: subtracted while the last commanded direction is negative;
   ``Ixx85`` 0 switches them off.
-- Axes are motors, named by their number. Counts per unit are an option; motor zero is the
-  reference position.
+- Axes are motors, named by their number. Counts per unit are an option; motor zero is the reference
+  position.
 """
 
 from __future__ import annotations
@@ -29,7 +29,8 @@ from compwright.records.correction import Assumption, ControlFile
 
 @dataclass(frozen=True, slots=True)
 class PmacControl:
-    """A PMAC after its scripts, all motors homed. See ``controllers.virtual.VirtualControl``.
+    """A PMAC after its scripts were executed, all motors homed. See
+    ``controllers.virtual.VirtualControl``.
 
     Addresses are motor numbers as text.
     """
@@ -41,12 +42,12 @@ class PmacControl:
     notes: tuple[str, ...]
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the numbers of the motors that the scripts speak of, ascending."""
+        """Return the numbers of the motors that the scripts mention, ascending."""
         return tuple(str(number) for number in self.motors)
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of the entries of the motor's own tables, with motor zero, over
-        one length; mm or deg, whether they are switched on or not.
+        """Return the positions (k,) of the entries of the motor's own tables and of motor zero,
+        over one length; mm or deg, active or not.
         """
         number, motor = self._motor(address)
         return self._scale(number).nodes(motor.tables) if motor.tables else np.empty(0)
@@ -64,7 +65,7 @@ class PmacControl:
         return motor.added(scale.motor(x), negative=negative) / scale.counts
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (source, target) of the tables of one motor over another that act."""
+        """Return (source, target) of the active tables of one motor over another."""
         return tuple((str(source), str(target)) for source, target in self.tables)
 
     def cross_correction(
@@ -111,11 +112,11 @@ class PmacControl:
 
 
 def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
-    """Return the control after the scripts ``files`` in their order.
+    """Return the control after executing the scripts ``files`` in their order.
 
-    Raises InputError for what the card would refuse, what contradicts itself, what is not known
-    and may act, and what acts on an axis under work and is not read; UsageError where the option
-    ``counts_per_unit`` of a motor that is corrected is missing or 0.
+    Raises InputError for what the card would refuse, contradictions, unknown commands that may
+    compensate, and active compensation of an axis under work that cannot be read; UsageError where
+    the option ``counts_per_unit`` of a corrected motor is missing or 0.
     """
     card = run_scripts(files)
     raise_all(InputError, [*card.faults, *_not_sent(card, request)])
@@ -141,26 +142,29 @@ def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
 
 
 def _not_sent(card: Card, request: Request) -> list[Fault]:
-    """Return what may not have been sent to the card, of motors under work; where all of it was,
-    what cannot have been sent together.
+    """Return the commands of motors under work that may not have been sent to the card.
+
+    If all were sent: those that cannot have been sent together.
     """
     if request.carried_out:
         return [
             place.fault(f"{why}: not all of it was sent")
             for motor, place, why in card.not_both
-            if not motor or request.asks_for(str(motor))
+            if not motor or request.is_under_work(str(motor))
         ]
     return [
         place.fault("is in a conditional block: say with `active` whether it was sent")
         for motor, place in card.left_out
-        if not motor or request.asks_for(str(motor))
+        if not motor or request.is_under_work(str(motor))
     ]
 
 
 def _left(card: Card, judged: Judged, request: Request) -> list[str]:
-    """Raise the faults of motors under work; return those of others as notes, with the card's."""
+    """Raise the faults of motors under work; return those of other motors, and the card's, as
+    notes.
+    """
     faults = [
-        fault for number, fault in judged.faults if not number or request.asks_for(str(number))
+        fault for number, fault in judged.faults if not number or request.is_under_work(str(number))
     ]
     raise_all(InputError, list(dict.fromkeys(faults)))
     return [*card.notes, *(str(fault) for _, fault in judged.faults)]
@@ -172,9 +176,9 @@ def _scales(
     request: Request,
     assumed: list[Assumption],
 ) -> dict[int, MotorScale]:
-    """Return the scale of each motor; one that is not under work may have none."""
-    asked = {number for number in numbers if request.asks_for(str(number))}
-    asked |= {source for source, target in crossing if target in asked}
+    """Return the scale of each motor; None is allowed for one that is not under work."""
+    wanted = {number for number in numbers if request.is_under_work(str(number))}
+    wanted |= {source for source, target in crossing if target in wanted}
     scales = {}
     for number in sorted(numbers):
         given = request.options_of(str(number)).get("counts_per_unit")
@@ -183,7 +187,7 @@ def _scales(
             zero, why = request.referenced(str(number))
             assumed += [why] if why is not None else []
             scales[number] = MotorScale(counts, zero)
-        elif number in asked:
+        elif number in wanted:
             raise _without_counts(number, given)
     return scales
 

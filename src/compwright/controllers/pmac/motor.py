@@ -1,4 +1,4 @@
-"""What a motor's tables and its backlash add, in counts of the motor.
+"""Corrections of a motor by its tables and its backlash, in counts of the motor.
 
 The control looks up the uncorrected position of the source motor, rolled over into 0 to length,
 interpolates between two entries and adds the result to the target in both directions. Backlash
@@ -58,36 +58,38 @@ class MotorScale:
 
 @dataclass(frozen=True, slots=True)
 class Motor:
-    """``own``: tables over the motor itself; ``varying``: its backlash table; ``constant``: Ixx86,
-    1/16 count; ``tables_act`` and ``backlash_acts``: whether they are switched on.
+    """One motor. ``own``: tables over the motor itself; ``varying``: its backlash table;
+    ``constant``: Ixx86, 1/16 count; ``tables_active``, ``backlash_active``: whether they are
+    switched on.
     """
 
     own: tuple[CardTable, ...]
     varying: CardTable | None
     constant: float
-    tables_act: bool
-    backlash_acts: bool
+    tables_active: bool
+    backlash_active: bool
 
     @property
     def tables(self) -> tuple[CardTable, ...]:
-        """All tables over the motor itself, whether they act or not."""
+        """All tables over the motor itself, active or not."""
         return (*self.own, *(() if self.varying is None else (self.varying,)))
 
     @property
     def idle(self) -> bool:
-        """Whether nothing is added at any place whatever the counts."""
-        return not self.tables and not (self.constant and self.backlash_acts)
+        """Return whether the correction is 0 everywhere, whatever the counts."""
+        return not self.tables and not (self.constant and self.backlash_active)
 
     def added(self, position: FloatArray, *, negative: bool) -> FloatArray:
-        """Return what is added (counts) at ``position`` (counts, any shape) when the motor was last
-        commanded in ``negative`` direction or not.
+        """Return the correction (counts) at ``position`` (counts, any shape).
+
+        ``negative``: the motor was last commanded in negative direction.
         """
         total = np.zeros(position.shape)
-        for table in self.own if self.tables_act else ():
+        for table in self.own if self.tables_active else ():
             total = total + looked_up(table, position)
-        if negative and self.backlash_acts:
+        if negative and self.backlash_active:
             total = total - self.constant / PER_COUNT
-            if self.varying is not None and self.tables_act:
+            if self.varying is not None and self.tables_active:
                 total = total - looked_up(self.varying, position)
         return total
 
@@ -100,7 +102,7 @@ def looked_up(table: CardTable, position: FloatArray) -> FloatArray:
 
 
 class Judged:
-    """Reads what acts on each motor, and gathers what is assumed and what is wrong by motor."""
+    """Reads the active compensation of each motor; collects assumptions and faults by motor."""
 
     def __init__(self, card: Card, request: Request, assumed: list[Assumption]) -> None:
         self.card = card
@@ -125,16 +127,16 @@ class Judged:
         return found
 
     def _enabled(self) -> bool:
-        """Whether I51 ends as 1; where no script says it, tables count as active."""
+        """Return whether I51 ends as 1; if no script sets it, tables count as active."""
         setting = self.card.variables.get(ENABLE)
         if setting is not None and setting.value not in (0.0, 1.0):
             self._wrong(0, setting, "I51", "0 or 1")
         value = None if setting is None else setting.value
-        acts = self.request.acts([value])
+        active = self.request.is_active([value])
         if (value is None or self.request.active is not None) and self.card.tables:
             why = "not in the files" if self.request.active is None else "as the job says"
-            self.assumed.append(Assumption("I51", str(int(acts)), why))
-        return acts
+            self.assumed.append(Assumption("I51", str(int(active)), why))
+        return active
 
     def _wrong(self, motor: int, setting: VariableSetting, name: str, expected: str) -> None:
         fault = setting.place.fault(name, expected=expected, found=repr(setting.text))
@@ -161,7 +163,7 @@ class Judged:
         return Motor(tuple(own), varying, size, self.enabled, backlash)
 
     def _closed(self, table: CardTable) -> None:
-        """The last entry stands for motor zero too, where the correction is 0 by definition."""
+        """Check the last entry: it is also motor zero, where the correction is 0 by definition."""
         if table.entries and table.entries[-1] != 0:
             message = (
                 f"the last entry of DEFINE {table.kind} of motor {table.motor} is the place of"
@@ -172,7 +174,7 @@ class Judged:
         self._turn(table)
 
     def _turn(self, table: CardTable) -> None:
-        """On an endless axis the table has to repeat with the turn."""
+        """Check that the table of an endless axis repeats with its turn."""
         turn = by_address(self.request.modulo, str(table.source))
         options = self.request.options_of(str(table.source))
         counts = abs(finite_number(options.get("counts_per_unit")) or 0.0) * (turn or 0.0)
@@ -189,7 +191,7 @@ class Judged:
             self.faults.append((table.target, fault))
 
     def _register(self, number: int) -> float | None:
-        """Return a backlash variable, None where no script sets it, or with a fault."""
+        """Return a backlash variable; None if no script sets it, or with a fault."""
         setting = self.card.variables.get(number)
         if setting is None:
             return None
@@ -212,7 +214,7 @@ class Judged:
         return value or 0.0
 
     def _taken_up(self, number: int, varying: CardTable | None) -> bool:
-        """Whether the take-up rate lets backlash act."""
+        """Return whether the take-up rate makes backlash compensation active."""
         name = 100 * number + TAKE_UP
         value = self._register(name)
         if value is None and name not in self.card.variables and self.request.active is None:
@@ -223,10 +225,10 @@ class Judged:
                 place = varying.place if varying is not None else ScriptPlace("", 0)
             self._missing(number, name, place, "0, its default, switches backlash off")
             return False
-        acts = self.request.acts([value])
-        if not acts:
+        active = self.request.is_active([value])
+        if not active:
             self.card.notes.append(f"backlash of motor {number} is off (I{name})")
-        return acts
+        return active
 
     def _missing(self, motor: int, name: int, place: ScriptPlace, why: str) -> None:
         fault = place.fault(f"I{name} is not in the files: {why}", expected=f"a line I{name}=...")

@@ -1,10 +1,10 @@
-"""A download script of a PMAC, carried out command by command: what stands in the card afterwards.
+"""A download script of a PMAC, executed command by command, and the resulting state of the card.
 
 ``;`` starts a remark. A table is announced (``DEFINE COMP``, ``DEFINE BLCOMP``) for the motor
 addressed last (``#n``); its entries follow as decimal whole numbers. The card refuses a table
 (ERR003) while one of its kind exists for a lower motor, or a buffer that has to come later; what it
-would refuse is a fault here. Commands that do not concern compensation are left alone; one that is
-not known is a fault, because it may act.
+would refuse is a fault here. Commands that do not concern compensation are ignored; an unknown one
+is a fault, because it may change the compensation.
 """
 
 from __future__ import annotations
@@ -75,8 +75,8 @@ class ScriptPlace(OfLine):
 
 @dataclass(frozen=True, slots=True)
 class CardTable:
-    """A table as the card holds it. ``entries``: 1/16 count of ``target``; entry i (from 1) stands
-    i * ``length`` / n counts of ``source`` from its motor zero. ``plane``: over two motors;
+    """A table as the card holds it. ``entries``: 1/16 count of ``target``; entry i (from 1) is at i
+    * ``length`` / n counts of ``source`` from its motor zero. ``plane``: over two motors;
     ``desired``: looked up by the commanded position.
     """
 
@@ -103,9 +103,9 @@ class VariableSetting:
 
 @dataclass(slots=True)
 class Card:
-    """What stands in the card when all scripts have run. ``later``: assignments that programs make
-    when they run; ``left_out``: what may not have been sent, by motor (0: all of them);
-    ``not_both``: what was certainly not sent together with something else, and why.
+    """State of the card after all scripts. ``later``: assignments that programs make when they run;
+    ``left_out``: commands that may not have been sent, by motor (0: all motors); ``not_both``:
+    commands that were certainly not sent together, and why.
     """
 
     tables: dict[tuple[str, int], CardTable] = field(default_factory=dict)
@@ -123,7 +123,7 @@ class Card:
 
 
 def run_scripts(files: Sequence[ControlFile]) -> Card:
-    """Return the card after all ``files`` in their order; nothing is raised."""
+    """Return the card after executing all ``files`` in their order; nothing is raised."""
     card, sending = Card(), Sending()
     for file in files:
         text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf").upper()
@@ -148,7 +148,7 @@ def run_scripts(files: Sequence[ControlFile]) -> Card:
 
 
 class _Script:
-    """Carries out one script: which motor is addressed, which table waits for entries."""
+    """Executes one script: which motor is addressed, which table waits for entries."""
 
     def __init__(self, card: Card, sending: Sending) -> None:
         self.card = card
@@ -175,7 +175,7 @@ class _Script:
             rest = rest[end:].strip()
 
     def finish(self) -> None:
-        """Keep the fault of a table that did not get all its entries."""
+        """Add a fault for a table that did not get all its entries."""
         table, self.waiting = self.waiting, None
         if table is not None:
             self.card.faults.append(
@@ -187,7 +187,7 @@ class _Script:
             )
 
     def _command(self, rest: str, place: ScriptPlace) -> int | None:
-        """Carry out the first command of ``rest`` and return where it ends; None ends the line."""
+        """Execute the first command of ``rest``; return where it ends, None if it ends the line."""
         if self.waiting is not None:
             match = _NUMBER.match(rest)
             if match is not None:
@@ -219,9 +219,9 @@ class _Script:
         return self._unknown(rest, place)
 
     def _unknown(self, rest: str, place: ScriptPlace) -> int | None:
-        """Refuse what is not known; read over what macros make harmless."""
-        said = self.sending.put_in(rest)
-        if said != rest and _HARMLESS.fullmatch(said.strip()):
+        """Refuse an unknown command; skip one that its macros make harmless."""
+        expanded = self.sending.put_in(rest)
+        if expanded != rest and _HARMLESS.fullmatch(expanded.strip()):
             return len(rest)
         message = "not a command that is known here: it may act"
         if _NUMBER.match(rest):
@@ -232,8 +232,9 @@ class _Script:
         return None
 
     def _sent(self, what: str, motor: int, place: ScriptPlace) -> bool:
-        """Note what concerns compensation; False, with a fault, where the same stands in another
-        branch of a block: the card did not get both.
+        """Record a command that concerns compensation, and return True.
+
+        False, with a fault, if another branch of a block has the same: the card did not get both.
         """
         here = list(self.sending.blocks)
         before = [(key, one) for key, each in self.done.items() for one in each] if here else []
@@ -329,7 +330,7 @@ class _Script:
         self.waiting = table
 
     def _refuse(self, kind: str, motor: int, place: ScriptPlace) -> None:
-        """Keep a fault where the card would not take a table (ERR003)."""
+        """Add a fault where the card would not take a table (ERR003)."""
         lower = [other for one, other in self.card.tables if one == kind and other < motor]
         later = [one for one in _LATER[kind] if self.card.holds(one)]
         if (kind, motor) in self.card.tables:
@@ -371,7 +372,7 @@ class _Script:
         value = calculated(self.sending.put_in(text))
         end = int(last or first) if count is None else int(first) + (int(count) - 1) * int(step)
         for number in range(int(first), end + 1, max(1, int(step or 1))):
-            if acts(number) and self._sent(f"I{number}", number // 100, place):
+            if concerns_compensation(number) and self._sent(f"I{number}", number // 100, place):
                 self.card.variables[number] = VariableSetting(value, text, place)
 
     def _open(self, match: re.Match[str], place: ScriptPlace) -> None:
@@ -379,11 +380,11 @@ class _Script:
         self._program(match.group(1), place)
 
     def _program(self, rest: str, place: ScriptPlace) -> None:
-        """Read over a program: what it does to compensation happens when it runs."""
+        """Skip a program: what it does to compensation happens only when it runs."""
         program, closed, after = re.match(r"(.*?)(?:\b(CLOSE\b)(.*))?$", rest).groups()  # type: ignore[union-attr]
         program = _CONDITION.sub("", self.sending.put_in(program))
         for match in re.finditer(r"(?<![A-Z0-9])I(\d{1,4})\s*=(?!=)", program):
-            if acts(int(match.group(1))):
+            if concerns_compensation(int(match.group(1))):
                 self.card.later[int(match.group(1))] = place
         tables = re.search(r"(?<![A-Z])(?:DEL(?:ETE)?|DEF(?:INE)?)\s*(?:BL)?COMP\b", program)
         if tables or re.match(r"\s*I\([^=]*\)\s*=(?!=)", program):
@@ -393,7 +394,7 @@ class _Script:
             self.line(after, place)
 
 
-def acts(number: int) -> bool:
-    """Return whether an I-variable is one of those that switch or size compensation."""
+def concerns_compensation(number: int) -> bool:
+    """Return whether an I-variable switches or sizes compensation."""
     motor, kind = divmod(number, 100)
     return number == ENABLE or (1 <= motor <= HIGHEST_MOTOR and kind in (TAKE_UP, SIZE))

@@ -1,7 +1,7 @@
-"""What is done to a script before the card sees it, for the judge: remarks are cut off, macros are
-put in place, and it is noted which lines stand in blocks that may be left out.
+"""Preprocessing of a script before the card gets it, for the judge: remarks are removed, macros are
+expanded, and lines in blocks that may be skipped are marked.
 
-Apart from the room that writes scripts: expressions are worked out by Python's own grammar.
+Independent of the room that writes scripts: Python's own grammar evaluates expressions.
 """
 
 from __future__ import annotations
@@ -36,10 +36,10 @@ Block = tuple[int, int, tuple[bool, str, int], bool]
 
 
 def apart(here: Sequence[Block], there: Sequence[Block]) -> bool:
-    """Return whether not both of two places in these blocks are sent."""
+    """Return whether two places in these blocks cannot both be sent."""
     return any(
-        branch != its if begun == other else asked == question and answered is not answer
-        for begun, branch, asked, answered in here
+        branch != its if begun == other else queried == question and answered is not answer
+        for begun, branch, queried, answered in here
         for other, its, question, answer in there
     )
 
@@ -56,8 +56,10 @@ class Sending:
     counts: dict[str, int] = field(default_factory=dict)
 
     def takes(self, line: str, number: int) -> str | None:
-        """Take a line without remarks that is for the sending program; return what is wrong with it
-        (empty: nothing), None where it is for the card.
+        """Process a line (without remarks) for the sending program; return its fault, or an empty
+        text.
+
+        None if the line is for the card.
         """
         match = _DIRECTIVE.fullmatch(line.strip())
         if match is None:
@@ -71,8 +73,8 @@ class Sending:
             self.macros.pop(rest, None)
             self._changed(rest)
         elif name.startswith("IF"):
-            asked = "" if name == "IF" else rest
-            question = name == "IF", re.sub(r"\s", "", rest), self.counts.get(asked, 0)
+            queried = "" if name == "IF" else rest
+            question = name == "IF", re.sub(r"\s", "", rest), self.counts.get(queried, 0)
             self.blocks.append((number, 0, question, name != "IFNDEF"))
         elif not self.blocks:
             return f"#{name} outside of a block"
@@ -88,7 +90,7 @@ class Sending:
             self.counts[name] = self.counts.get(name, 0) + 1
 
     def put_in(self, text: str) -> str:
-        """Return a text with the macros in it replaced."""
+        """Return a text with its macros expanded."""
         for _ in range(_ROUNDS):
             after = _WORD.sub(lambda word: self.macros.get(word.group(), word.group()), text)
             if after == text or len(after) > _LONGEST:
@@ -103,8 +105,9 @@ def without_remarks(line: str) -> str:
 
 
 def expression(text: str) -> str:
-    """Return the expression at the beginning of a text; what may be a command of its own behind a
-    blank (``&1``, ``%100``) ends it.
+    """Return the expression at the beginning of a text.
+
+    It ends before a blank that a command may follow (``&1``, ``%100``).
     """
     place = good = depth = 0
     wanted = True
@@ -128,7 +131,7 @@ def expression(text: str) -> str:
 
 
 def calculated(text: str) -> float | None:
-    """Return the number that an expression of numbers gives, None where it gives none."""
+    """Return the value of an expression of numbers, None if it has none."""
     if len(text) > _LONGEST or re.search(r"[^-+*/%&|^()\s.\dA-F$]|\*\*|//", text):
         return None
     plain = re.sub(r"\$([\dA-F]+)", r"0x\1", text.strip())

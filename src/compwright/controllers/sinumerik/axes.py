@@ -1,7 +1,7 @@
-"""The names of a machine axis of a SINUMERIK: AXn by its place, the name of MD10000, the channel's
-name (MD20080, MD20070).
+"""Names of a SINUMERIK's machine axes: AXn by index, the name in MD10000, and the channel's name
+(MD20080, MD20070).
 
-A real archive mixes them (``$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"`` beside ``[0,AX1]``): they are one
+A real archive mixes them (``$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"`` and ``[0,AX1]``): they are one
 axis.
 """
 
@@ -16,15 +16,13 @@ from compwright.controllers.sinumerik.text import ProgramContent, VariableAssign
 
 @dataclass(frozen=True, slots=True)
 class MachineAxisNames:
-    """``by_name``: upper-case name -> AXn; ``called``: AXn -> the name by which the axis was asked
-    for.
-    """
+    """``by_name``: upper-case name -> AXn; ``called``: AXn -> the name in the request."""
 
     by_name: dict[str, str]
     called: dict[str, str]
 
     def name(self, text: str) -> str:
-        """Return the one name of an axis; a name that no list holds stays as it is."""
+        """Return the canonical name AXn of an axis; an unknown name is returned unchanged."""
         place = self.by_name.get(text.upper())
         if place is None:
             return self.called.get(text.upper(), text)
@@ -42,7 +40,7 @@ class MachineAxisNames:
         )
 
     def renamed(self, entry: VariableAssignment) -> VariableAssignment:
-        """Return an assignment with its axes under their one name."""
+        """Return an assignment with its axes under their canonical names."""
         axis = self.name(entry.axis) if entry.axis else ""
         names = self.name(entry.names) if entry.names else ""
         return (
@@ -53,7 +51,7 @@ class MachineAxisNames:
 
 
 def axis_names(contents: Sequence[ProgramContent], request: Request) -> MachineAxisNames:
-    """Return the names that the files list; a name that stands for two axes stands for none."""
+    """Return the names that the files list; a name used for two axes is left out."""
     meant: dict[str, set[str]] = {}
     for content in contents:
         for place, names in content.machine_names.items():
@@ -75,6 +73,6 @@ def axis_names(contents: Sequence[ProgramContent], request: Request) -> MachineA
         for name, places in {**channel, **meant}.items()
         if len(places) == 1
     }
-    asked = dict.fromkeys((*request.reference_return, *request.encoder))
-    called = {by_name.get(name.upper(), name.upper()): name for name in asked}
+    requested = dict.fromkeys((*request.reference_return, *request.encoder))
+    called = {by_name.get(name.upper(), name.upper()): name for name in requested}
     return MachineAxisNames(by_name, called)

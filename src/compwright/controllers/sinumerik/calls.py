@@ -1,5 +1,5 @@
-"""Calls among a SINUMERIK's programs: which programs come back, which of them start in any case,
-and in which order their assignments are carried out.
+"""Calls among a SINUMERIK's programs: which programs return, which certainly start, and in which
+order their assignments are executed.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from compwright.controllers.sinumerik.linked import EVERYTHING
 from compwright.controllers.sinumerik.reach import Doubt, Line, comes_back, inevitable
 from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment
 
-#: Variables of which a value other than 0 acts on an axis.
-_ACTING = frozenset({"AA_ENC_COMP", "AN_CEC", "MA_BACKLASH"})
+#: Variables that correct an axis where their value is not 0.
+_COMPENSATING = frozenset({"AA_ENC_COMP", "AN_CEC", "MA_BACKLASH"})
 
 
 @dataclass(frozen=True, slots=True)
 class PlacedBlock:
-    """A program in the file that holds it."""
+    """A program and the file that holds it."""
 
     content: ProgramContent
     block: ProgramBlock
@@ -32,7 +32,7 @@ class PlacedBlock:
 
 @dataclass(slots=True)
 class ProgramCalls:
-    """The programs of several files with their calls of each other."""
+    """The programs of several files and their calls of each other."""
 
     blocks: list[PlacedBlock]
     _titles: dict[str, list[PlacedBlock]] = field(default_factory=dict)
@@ -58,8 +58,8 @@ class ProgramCalls:
         return found
 
     def _spread(self) -> None:
-        """Find the programs that assign something or call such, back from those that do, and those
-        that start in any case, on from those that need no call.
+        """Find the programs that assign something, directly or by calls, and those that certainly
+        start.
         """
         waiting = [one for one in self.blocks if one.block.branches]
         while waiting:
@@ -83,7 +83,7 @@ class ProgramCalls:
                         waiting += self._titles[name]
 
     def doubts(self, block: ProgramBlock) -> list[Doubt]:
-        """Return what in a program may keep its assignments from being carried out."""
+        """Return the statements of a program that may keep its assignments from being executed."""
         return [one for one in block.doubts if not self._comes_back(one.call)]
 
     def has(self, name: str) -> bool:
@@ -91,7 +91,7 @@ class ProgramCalls:
         return name in self._titles
 
     def calls_of(self, block: ProgramBlock) -> list[Line]:
-        """Return the lines that call programs that assign something, or call such."""
+        """Return the lines that call programs which assign something, directly or by calls."""
         return [line for line in block.trail if line.mentions & self._loaders]
 
     def is_called(self, block: ProgramBlock) -> bool:
@@ -99,7 +99,9 @@ class ProgramCalls:
         return block.title in self._sites
 
     def trail(self, block: ProgramBlock) -> list[Line]:
-        """Return the lines of a program, those calls plain behind which it goes on."""
+        """Return the lines of a program; a call after which the run certainly continues is a plain
+        line.
+        """
         back = {one.line for one in (*block.doubts, *block.late) if self._comes_back(one.call)}
         called = {line.number for line in self.calls_of(block)}
         return [
@@ -113,8 +115,8 @@ class ProgramCalls:
         ]
 
     def not_started(self, placed: PlacedBlock) -> tuple[str, Doubt] | None:
-        """Return the file and the line that may keep a whole program from being carried out; None
-        where it is carried out.
+        """Return the file and line that may keep a whole program from being executed; None if it
+        certainly is.
         """
         behind: list[int] = []
         while id(placed.block) not in self._started:
@@ -130,18 +132,20 @@ class ProgramCalls:
         return None
 
     def in_doubt(self, block: ProgramBlock) -> bool:
-        """Return whether something before an assignment or a call may leave that out."""
+        """Return whether an earlier statement may skip an assignment or a call."""
         return bool(self.doubts(block)) or any(
             self._before(block, line) for line in self.calls_of(block)
         )
 
     def loads(self, placed: PlacedBlock, above: Collection[str] = ()) -> list[int]:
-        """Return lines of a program of which every run carries out one, which assign compensation
-        other than 0 or call a program that does; empty where a run may do without.
+        """Return lines of which every run of a program executes at least one, and which assign
+        compensation other than 0, directly or by a call; empty if a run may do without.
         """
         if id(placed.block) not in self._loads:
             lines = {
-                one.line for one in placed.assignments if one.name in _ACTING and one.value != 0.0
+                one.line
+                for one in placed.assignments
+                if one.name in _COMPENSATING and one.value != 0.0
             }
             title = placed.block.title
             for line in [] if title in above else self.calls_of(placed.block):
@@ -154,8 +158,8 @@ class ProgramCalls:
         return self._loads[id(placed.block)]
 
     def lasts(self, placed: PlacedBlock) -> dict[str, VariableAssignment]:
-        """Return the last assignment of each variable when a program and what it calls are carried
-        out line by line.
+        """Return the last assignment of each variable when a program and the programs it calls are
+        executed line by line.
         """
         key = id(placed.block)
         if key not in self._lasts:
@@ -179,7 +183,7 @@ class ProgramCalls:
         return Doubt(line.number, " ".join(line.words)) if line.conditional else None
 
     def _comes_back(self, name: str) -> bool:
-        """Return whether a run goes on behind the call of a program in any case."""
+        """Return whether a run certainly continues after the call of a program."""
         if name not in self._back:
             self._back[name] = False  # one that calls itself
             placed = self._titles.get(name, [])

@@ -1,13 +1,13 @@
-"""The CEC tables of all files: which of them count, and what is said of the rest.
+"""The CEC tables of all files: which of them count, and why the others do not.
 
 A builder's tables need not be curves (real archive: MIN -850, MAX 0, STEP 100; output ``(X)``, STEP
-0): such a table is left out where all its values are zero, and nothing is said of its pair of axes
-where they are not.
+0): such a table is ignored if all its values are zero; otherwise the correction of its pair of axes
+is unknown.
 
 A product (MULT_BY_TABLE = n: with the table of index n - 1, manual p. 245, p. 249, p. 252) is not
-counted, nor are the own values of the table that asks for it: no page says whether these are added
-beside the product. Such a table is named; as long as it stays as it is, it acts before and after
-alike. With a partner that puts out nothing there is no product.
+counted, nor are the own values of the table with that factor: no page says whether these are added
+to the product. Such a table is reported; as long as it stays unchanged, its effect is the same
+before and after. With a partner whose output is zero there is no product.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from compwright.controllers.sinumerik.text import VariableAssignment
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.correction import Assumption
 
-#: MD32720 where nobody changed it, mm or deg (as in a real archive).
+#: Default of MD32720, mm or deg (as in a real archive).
 _USUAL_LIMIT = 1.0
 _SIGNS = {"correction": 1, "error": -1}
 
@@ -43,15 +43,14 @@ def load_sag(
     screws: frozenset[str] = frozenset(),
     room: tuple[int, int] | None = None,
 ) -> Sag:
-    """Return the tables from all assignments in the order of the files; what is wrong goes to
+    """Return the tables from all assignments in the order of the files; faults and notes go to
     ``remarks``.
 
-    ``spelling``: upper case -> the name by which an axis is already known; ``unknown_keys``: by
-    table a key that is not known; ``names``: which names are those of machine axes; ``lengths``:
-    which axes have lengths, and the basic system; ``screws``: axes (upper case) whose leadscrew
-    table is switched on; ``room``: how many tables of how many points the control has, None where
-    machine data say it. Raises UsageError for an option ``cec_sign`` that is neither
-    ``correction`` nor ``error``.
+    ``spelling``: upper case -> the known name of an axis; ``unknown_keys``: by table, a key that is
+    not known; ``names``: which names are those of machine axes; ``lengths``: which axes have
+    lengths, and the basic system; ``screws``: axes (upper case) whose leadscrew table is switched
+    on; ``room``: how many tables of how many points the control has, None where machine data state
+    it. Raises UsageError for an option ``cec_sign`` that is neither ``correction`` nor ``error``.
     """
     sign = _sign(request)
     loader = CecTableLoader(
@@ -92,9 +91,8 @@ def load_sag(
 
 
 def _sign(request: Request) -> int:
-    option = request.options.get(
-        "cec_sign", "correction"
-    )  # a job's options always hold it: None where nobody said it
+    # the options of a job always hold the key: None where it is not given
+    option = request.options.get("cec_sign", "correction")
     if option is None:
         return 0
     if option not in _SIGNS:
@@ -127,15 +125,15 @@ def _say_sign(sign: int, request: Request, remarks: Remarks) -> None:
 
 
 def _without_products(tables: Mapping[int, SagTable], remarks: Remarks) -> list[SagTable]:
-    """Return the tables without those whose product with another one may act; these are named.
+    """Return the tables without those that may be part of an active product; these are reported.
 
-    No page says what the product with a table that SD41300 switches off, or that is weighted with
-    0, gives: only one whose values are all zero is none.
+    No page says what a product gives with a table that SD41300 switches off, or with weight 0. So
+    only a table whose values are all zero certainly gives none.
     """
     counted: list[SagTable] = []
     for index, table in tables.items():
         partner = None if table.factor is None else tables.get(table.factor)
-        if partner is None or not (np.any(partner.table.values) and table.acts()):
+        if partner is None or not (np.any(partner.table.values) and table.is_active()):
             counted.append(table)
             continue
         remarks.notes.append(
@@ -147,7 +145,7 @@ def _without_products(tables: Mapping[int, SagTable], remarks: Remarks) -> list[
 
 
 def _remark(sag: Sag, output: str, pairs: Sequence[Pair], remarks: Remarks) -> None:
-    """Say what the control does unasked to the sum of one output axis."""
+    """Note how the control limits or switches off the sum of one output axis."""
     reached = 0.0
     for pair in pairs:
         base = pair[0]

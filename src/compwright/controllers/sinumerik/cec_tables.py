@@ -1,6 +1,4 @@
-"""CEC tables from their assignments: which are curves that can be followed, which are left alone,
-which are wrong.
-"""
+"""CEC tables from their assignments: valid curves, ignored tables, and faults."""
 
 from __future__ import annotations
 
@@ -45,9 +43,9 @@ _ELSE = {
 
 
 class CecTableLoader:
-    """Builds the tables. ``odd``: axes with a table over themselves that acts and cannot be
-    followed, and why; ``left_out``: indices of tables that are left alone; ``uncounted``: axes with
-    tables over themselves that stay and are not counted.
+    """Builds the tables. ``odd``: axes with an active table over themselves that cannot be
+    evaluated, and why; ``left_out``: indices of ignored tables; ``uncounted``: axes with tables
+    over themselves that stay unchanged and are not counted.
     """
 
     def __init__(
@@ -79,7 +77,7 @@ class CecTableLoader:
         """Return the tables by index, ascending."""
         found: dict[int, SagTable] = {}
         empty: list[int] = []
-        asked: dict[int, VariableAssignment] = {}
+        factor_entries: dict[int, VariableAssignment] = {}
         for index, entries in sorted(self.by_table.items()):
             data = [entry for entry in entries if entry.name.startswith(_PREFIX)]
             if not data:
@@ -92,14 +90,14 @@ class CecTableLoader:
                 continue
             found[index] = table
             if table.factor is not None:
-                asked[table.factor] = next(
+                factor_entries[table.factor] = next(
                     entry for entry in data if entry.name == f"{_PREFIX}_MULT_BY_TABLE"
                 )
         if empty:
             self.remarks.notes.append(
                 f"CEC tables {_ranges(empty)}: all zero, the control's own default for no table"
             )
-        self._check_factors(found, asked, {*empty, *self.left_out})
+        self._check_factors(found, factor_entries, {*empty, *self.left_out})
         if self.left_out:
             self.remarks.notes.append(
                 f"CEC tables {_ranges(self.left_out)} are no curves and left alone"
@@ -107,8 +105,8 @@ class CecTableLoader:
         return found
 
     def beyond(self, tables: Mapping[int, SagTable], room: tuple[int, int]) -> list[Fault]:
-        """Return the faults of tables for which a control of fixed size has no ``room`` (tables,
-        points).
+        """Return the faults of tables that do not fit the ``room`` (tables, points) of the
+        control.
         """
         most, points = room
         return [
@@ -122,12 +120,14 @@ class CecTableLoader:
         ]
 
     def without_cut_sums(self, tables: Sequence[SagTable]) -> list[SagTable]:
-        """Return the tables without those of an output axis whose sum may be larger than MD32720,
-        where no job writes any of them: what is cut off stays the same, and is not counted.
+        """Return the tables without those whose output axis may exceed MD32720, if no job writes
+        any of them.
+
+        The part that is cut off stays the same and is not counted.
         """
         cut = set()
         for output in {table.output for table in tables}:
-            mine = [table for table in tables if table.output == output and table.acts()]
+            mine = [table for table in tables if table.output == output and table.is_active()]
             limit = self.of_axis(output, "MA_CEC_MAX_SUM")
             if limit is None or not mine or not all(table.stays for table in mine):
                 continue
@@ -149,7 +149,7 @@ class CecTableLoader:
         return last_value(self.by_axis.get(axis.upper(), []), name)
 
     def switched_off(self, output: str) -> bool:
-        """Return whether MD32710 ends as 0, with the remark that belongs to either answer."""
+        """Return whether MD32710 ends as 0; add the remark for either answer."""
         enabled = self.of_axis(output, "MA_CEC_ENABLE")
         if enabled is None:
             self.remarks.assumed.append(
@@ -168,8 +168,8 @@ class CecTableLoader:
     def _curve(
         self, index: int, entries: Sequence[VariableAssignment], data: Sequence[VariableAssignment]
     ) -> SagTable | None:
-        """Return a table that is a curve. A whole one that is none is left alone; one that was cut
-        short is a fault.
+        """Return a table if it is a valid curve; else ignore a complete one, and add a fault for
+        one that was cut short.
         """
         names = {
             entry.name.removeprefix(f"{_PREFIX}_"): entry.names
@@ -184,7 +184,7 @@ class CecTableLoader:
             inner = self.remarks
         finally:
             self.remarks = outer
-        on = self._acts(entries, output, own=output == base)
+        on = self._is_active(entries, output, own=output == base)
         reasons = self._reasons(index, entries, (base, output)) if on else iter(())
         strange = (
             f"{name} is no machine axis"
@@ -213,7 +213,7 @@ class CecTableLoader:
     def _in_mm(
         self, data: Sequence[VariableAssignment], base: str, output: str
     ) -> Sequence[VariableAssignment]:
-        """Return a table in mm: MD32711 of its output axis says whether it is in inch."""
+        """Return a table in mm; MD32711 of its output axis states whether it is in inch."""
         if self.of_axis(output, "MA_CEC_SCALING_SYSTEM_METRIC") != 0.0:
             return data
         return inches_in_mm(
@@ -225,7 +225,7 @@ class CecTableLoader:
     def _reasons(
         self, index: int, entries: Sequence[VariableAssignment], pair: Pair
     ) -> Iterator[str]:
-        """Yield why a table that acts does something else than its values say."""
+        """Yield why the effect of an active table differs from its values."""
         for name, (most, why) in _ELSE.items():
             value = last_value(entries, name)
             if value is not None and not 0.0 <= value <= most:
@@ -242,19 +242,21 @@ class CecTableLoader:
         index: int,
         pair: Pair,
         why: str,
-        acting: Sequence[VariableAssignment],
+        entries: Sequence[VariableAssignment],
         inner: Remarks,
     ) -> None:
-        """Leave a whole table alone that cannot be followed; the table of an axis under work over
-        itself is a fault where it acts. ``acting``: its assignments, empty where it is off.
+        """Ignore a complete table that cannot be evaluated.
+
+        An active table of an axis under work over itself is a fault instead. ``entries``: the
+        assignments of the table, empty if it is off.
         """
         base, output = pair
-        moved = any(entry.value for entry in acting if entry.name == _PREFIX)
-        moved = moved or ("SN_CEC" in why and bool(acting))
-        asked = {name.upper() for name in self.names.called.values()}
-        own = base.upper() == output.upper() and (not asked or output.upper() in asked)
+        moved = any(entry.value for entry in entries if entry.name == _PREFIX)
+        moved = moved or ("SN_CEC" in why and bool(entries))
+        wanted = {name.upper() for name in self.names.called.values()}
+        own = base.upper() == output.upper() and (not wanted or output.upper() in wanted)
         if moved and own and not self._stays(index, output):
-            self.remarks.faults += inner.faults or [acting[0].fault(f"{label_of(index)}: {why}")]
+            self.remarks.faults += inner.faults or [entries[0].fault(f"{label_of(index)}: {why}")]
             return
         self.left_out.append(index)
         if moved and (own or base.upper() != output.upper()):
@@ -266,27 +268,27 @@ class CecTableLoader:
             self.odd[name] = f"{label_of(index)}: {why}"
 
     def _stays(self, index: int, output: str) -> bool:
-        """Return whether a job works on the axis and does not name this table in ``cec_tables``:
-        then it is not written.
+        """Return whether a table stays unchanged: the job works on the axis and ``cec_tables`` does
+        not name the table.
         """
         if by_address(self.request.axis_options, output) is None:
             return False
         named = self.request.options_of(output).get("cec_tables")
         return not isinstance(named, list | tuple) or index not in named
 
-    def _acts(self, entries: Sequence[VariableAssignment], output: str, *, own: bool) -> bool:
-        """Return whether a table acts; what the job says of the test counts for tables of an axis
-        over itself.
+    def _is_active(self, entries: Sequence[VariableAssignment], output: str, *, own: bool) -> bool:
+        """Return whether a table is active; `Request.active` decides for tables of an axis over
+        itself.
 
-        Not where the leadscrew table of the axis is on: then the job speaks of that one, and what
-        is switched off slept.
+        It does not if the leadscrew table of the axis is on: then it refers to that table, and a
+        CEC table that is switched off was not active.
         """
         switches = [
             last_value(entries, "SN_CEC_TABLE_ENABLE"),
             self.of_axis(output, "MA_CEC_ENABLE"),
         ]
         if own and not (output.upper() in self.screws and 0.0 in switches):
-            return self.request.acts(switches)
+            return self.request.is_active(switches)
         return all(switch != 0.0 for switch in switches)
 
     def _table(
@@ -329,8 +331,8 @@ class CecTableLoader:
         )
 
     def _axis_of(self, data: Sequence[VariableAssignment], name: str, label: str) -> str:
-        """Return an axis of a table by the name that all others use, empty with a fault when the
-        files do not say it.
+        """Return an axis of a table by its canonical name; empty with a fault if the files do not
+        state it.
         """
         entry = single(data, name, self.remarks.faults)
         if entry is None or not entry.names:
@@ -354,13 +356,16 @@ class CecTableLoader:
             self.remarks.notes.append(
                 f"CEC table {index}: SD41300 $SN_CEC_TABLE_ENABLE ends as 0: the table does not act"
             )
-        return self._acts(entries, output, own=True) if own else enabled != 0.0
+        return self._is_active(entries, output, own=True) if own else enabled != 0.0
 
     def _check_factors(
-        self, found: dict[int, SagTable], asked: dict[int, VariableAssignment], empty: set[int]
+        self,
+        found: dict[int, SagTable],
+        factor_entries: dict[int, VariableAssignment],
+        empty: set[int],
     ) -> None:
-        """Refuse a product with a table that no file holds."""
-        for index, entry in asked.items():
+        """Add a fault for a product with a table that no file holds."""
+        for index, entry in factor_entries.items():
             if index not in found and index not in empty and not self.remarks.faults:
                 self.remarks.faults.append(
                     entry.fault(
@@ -373,7 +378,9 @@ class CecTableLoader:
 def _is_damaged(
     data: Sequence[VariableAssignment], names: Mapping[str, str], inner: Remarks
 ) -> bool:
-    """Return whether a table is no odd one but a file that was cut short or contradicts itself."""
+    """Return whether a table is incomplete or contradicts itself (a file cut short), not merely
+    unusual.
+    """
     points = {entry.point for entry in data if entry.name == _PREFIX}
     incomplete = _NEEDED - {entry.name for entry in data} or not all(names.values())
     gaps = points != set(range(len(points)))
@@ -381,7 +388,7 @@ def _is_damaged(
 
 
 def label_of(index: int) -> str:
-    """Return how messages call a table."""
+    """Return the name of a table in messages."""
     return f"CEC table {index}"
 
 
@@ -397,8 +404,10 @@ def _ranges(indices: Sequence[int]) -> str:
 
 
 def _extremes(tables: Sequence[SagTable]) -> tuple[float, float]:
-    """Return how far the sum of ``tables`` may reach up, and down: of tables with one input axis
-    the extremes of their sum, of several the sum of these.
+    """Return the largest and the smallest possible sum of ``tables``.
+
+    For tables with one input axis: the extremes of their sum; for several input axes: the sum of
+    these.
     """
     up = down = 0.0
     for base in {table.input for table in tables}:

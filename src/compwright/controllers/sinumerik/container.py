@@ -1,5 +1,5 @@
-"""The commissioning archive of a SINUMERIK in its container (``@@MMCIBN.nnn``): which of its
-members are the control's state.
+r"""Commissioning archive of a SINUMERIK in its container (``@@MMCIBN.nnn``): which members are the
+control's state.
 
 Stated from two real archives, every member of both: a row of members, each a header of 512 bytes,
 then its data, then NUL bytes up to the next multiple of 512. Fields of a header are text ended by
@@ -7,8 +7,8 @@ NUL: the shown name at 50, the kind at 108 (``7`` holds data), the size in bytes
 sum at 148 (sum of the 512 bytes, those of the check sum itself counted as NUL), the folder at 384;
 numbers are decimal. The data of the first member are the list of all others, one path a line.
 
-What acts stands in the folder ``\\_NC_ACT.DIR\\``. Everything else is programs, definitions and
-drive data: a program assigns compensation data only when somebody runs it.
+The active data are in the folder ``\_NC_ACT.DIR\``. Everything else is programs, definitions and
+drive data: a program assigns compensation data only when it is run.
 """
 
 from __future__ import annotations
@@ -44,8 +44,8 @@ class _Member:
 
 @dataclass(slots=True)
 class Opened:
-    """``files``: the active members as text files, each named ``ARCHIVE: MEMBER``; ``faults``: what
-    is wrong with the container.
+    """``files``: the active members as text files, each named ``ARCHIVE: MEMBER``; ``faults``: of
+    the container.
     """
 
     files: list[ControlFile] = field(default_factory=list)
@@ -59,10 +59,11 @@ def is_container(content: bytes) -> bool:
 
 @lru_cache(maxsize=_KEPT)
 def active_files(file: ControlFile) -> Opened:
-    """Return the members that are the control's state, in their order; the same one twice counts
-    once. Nothing is raised: a container that is cut short or does not fit its own sizes, and two
-    members of one name that differ, are faults. What was opened is kept by content: it is not to be
-    changed.
+    """Return the members that are the control's state, in their order; equal repetitions count
+    once.
+
+    Nothing is raised: a container that is cut short or has wrong sizes, and two members of one name
+    that differ, are faults. The result is cached by content: do not change it.
     """
     opened = Opened()
     seen: dict[str, bytes] = {}
@@ -93,7 +94,7 @@ def active_files(file: ControlFile) -> Opened:
     except InputError as error:
         opened.faults.extend(error.faults)
         return opened
-    opened.faults += _said_twice(opened.files)
+    opened.faults += _contradictions(opened.files)
     opened.faults += [
         Fault(
             message=f"the archive is cut short: its list names {name}, which is not in it",
@@ -108,9 +109,11 @@ def active_files(file: ControlFile) -> Opened:
     return opened
 
 
-def _said_twice(files: list[ControlFile]) -> Iterator[Fault]:
-    """Yield where two members end with two values of one variable. A control writes its machine
-    data into INITIAL.INI and, in parts, into the CFG members; MD11200 alone is a command.
+def _contradictions(files: list[ControlFile]) -> Iterator[Fault]:
+    """Yield a fault for each variable that two members end with different values.
+
+    A control writes its machine data into INITIAL.INI and, in parts, into the CFG members; MD11200
+    alone is a command and may differ.
     """
     ends: dict[bytes, tuple[bytes, ControlFile, int]] = {}
     for file in files:
@@ -144,15 +147,16 @@ def _as_number(text: bytes) -> float | bytes:
 
 
 def _listed(content: bytes) -> list[str]:
-    """Return the names of the active members that the list of contents holds, marks left out."""
+    """Return the names of the active members in the list of contents, without marks."""
     lines = content.decode("latin-1").splitlines()
     names = [line[len(_ACTIVE) :] for line in lines if line.upper().startswith(_ACTIVE)]
     return [name for name in names if not name.startswith("@@")]
 
 
 def _members(file: ControlFile) -> Iterator[_Member]:
-    """Yield the members in order. Raises InputError where no header stands at the end of the one
-    before, or the data end early.
+    """Yield the members in order.
+
+    Raises InputError where no header follows the end of a member, or the data end early.
     """
     content, start, before = file.content, 0, "the first member"
     while start < len(content):
@@ -187,9 +191,9 @@ def _members(file: ControlFile) -> Iterator[_Member]:
 
 def _size(header: bytes) -> int | None:
     """Return the size that a header states, None where these bytes are no header."""
-    size, told = _field(header, 124), _field(header, 148)
-    whole = len(header) == _BLOCK and size.isdecimal() and told.isdecimal()
-    if not whole or sum(header) - sum(header[_SUM]) != int(told):
+    size, check_sum = _field(header, 124), _field(header, 148)
+    whole = len(header) == _BLOCK and size.isdecimal() and check_sum.isdecimal()
+    if not whole or sum(header) - sum(header[_SUM]) != int(check_sum):
         return None
     return int(size)
 

@@ -1,8 +1,8 @@
 """SINUMERIK 840D sl: leadscrew compensation (EEC, ``$AA_ENC_COMP``), sag and cross tables (CEC) and
 backlash (MD32450); also 828D, 840D power line and SINUMERIK ONE.
 
-Stated from the manuals, apart from the definition that writes the files; the sag tables in
-``sag``, the order of loading in ``loading``, inch in ``lengths``:
+Stated from the manuals, independently of the definition that writes the files; the sag tables are
+in ``sag``, the order of loading in ``loading``, inch in ``lengths``:
 
 - The leadscrew table's value is added to the actual value, so a positive value moves the axis
   towards minus: the shift of the axis is minus the value (Function Manual Extended Functions
@@ -10,7 +10,7 @@ Stated from the manuals, apart from the definition that writes the files; the sa
 - Linear between points (p. 237). Outside the end values stay: that of point 0 below MIN, the last
   one above MAX (p. 240). A modulo table repeats with the period MAX - MIN (p. 242); its two end
   values have to be equal (p. 249).
-- MD32700 must be 1 for the table to act (p. 237); a load sequence counts by its last value.
+- MD32700 must be 1 for the table to be active (p. 237); a load sequence counts by its last value.
 - MD32450 positive: the encoder leads the machine part, plain lost motion (808D ADVANCED parameter
   manual p. 241). Nothing in the direction of referencing, on reversal the whole value in the
   direction of motion: shift = sgn(d) * MD32450 * MD32452.
@@ -56,7 +56,7 @@ _ROOM_828D = (8, 200)
 @dataclass(frozen=True, slots=True)
 class _SinumerikAxis:
     """``table``: of the active measuring system, values as in the file (errors). ``screw_on``: the
-    files end with a table on.
+    table is on at the end of the files.
     """
 
     table: CompensationTable | None = None
@@ -85,17 +85,15 @@ class SinumerikControl:
     notes: tuple[str, ...]
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the machine axes that the files speak of, those with sag tables over themselves
-        alone last.
+        """Return the machine axes that the files correct; those with only sag tables over
+        themselves come last.
 
         An axis that is only input or output of another one's table is not among them (`cross`).
         """
         return tuple(self.axes)
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of all points of the axis' own tables, whether they are
-        switched on or not.
-        """
+        """Return the positions (k,) of all points of the axis' own tables, active or not."""
         name, axis = self._axis(address)
         return union(
             [
@@ -105,11 +103,11 @@ class SinumerikControl:
         )
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the shift of the axis at ``positions`` (any shape) arriving in ``direction``, mm
-        or deg.
+        """Return the correction at ``positions`` (any shape), approached in ``direction``; mm or
+        deg.
 
-        What other axes do to it is not in it (`cross_correction`). Raises UsageError for an axis
-        that the files do not speak of, and for one whose own tables are multiplied by tables over
+        Corrections by other axes are not included (`cross_correction`). Raises UsageError for an
+        axis that is not in the files, and for one whose own tables are multiplied by tables over
         another axis.
         """
         name, axis = self._axis(address)
@@ -120,10 +118,10 @@ class SinumerikControl:
         return total
 
     def cross(self) -> tuple[Pair, ...]:
-        """Return (input, output) of the tables by which one axis corrects another, in order of
-        their index, switched on or not.
+        """Return (input, output) of the tables by which one axis corrects another, active or not,
+        in order of their index.
 
-        Tables that are not a curve are left out and stand in ``notes``; so is everything where the
+        Tables that are not a curve are left out and listed in ``notes``; so are all tables if the
         option ``cec_sign`` is not given.
         """
         if not self.sag.sign:
@@ -137,11 +135,11 @@ class SinumerikControl:
         positions: FloatArray,
         direction: Direction,
     ) -> FloatArray:
-        """Return the shift of ``output`` (mm, deg for a rotary one) with ``input`` at ``positions``
-        (any shape).
+        """Return the correction of ``output`` (mm, deg for a rotary axis) with ``input`` at
+        ``positions`` (any shape), moving in ``direction``.
 
-        ``direction`` is that in which ``input`` moves. Raises UsageError for a pair without a
-        table, and for one that depends on the position of a third axis.
+        Raises UsageError for a pair without a table, and for one that depends on the position of a
+        third axis.
         """
         wanted = (self.names.name(input).casefold(), self.names.name(output).casefold())
         crossing = [pair for pair in self.sag.pairs() if pair[0] != pair[1]]
@@ -160,7 +158,7 @@ class SinumerikControl:
         return self.sag.shift(pair, np.asarray(positions, dtype=np.float64), direction)
 
     def _axis(self, address: str) -> tuple[str, _SinumerikAxis]:
-        """Return an axis by the name that the files use."""
+        """Return an axis by its name in the files."""
         known = {name: name for name in self.axes}
         name = by_address(known, self.names.name(address))
         if name is None:
@@ -181,15 +179,16 @@ def sinumerik_control(
     """Return the control with ``files`` loaded: commissioning archives in their container, and over
     them table files, machine data and whole text archives in any order.
 
-    The active measuring system is ``request.encoder``; where it is not given, the only one with a
-    table, and this is listed in ``assumed``. Option ``cec_sign``: ``correction`` when a positive
-    CEC value moves the output axis towards +, ``error`` when towards -; without it nothing is said
-    of what CEC tables do. Option ``units``: ``inch`` where no file says the basic system. All names
-    of a machine axis (MD10000, MD20080) are one axis. ``room``: sag tables and points of each,
-    where the control has a fixed number. Raises InputError for what the control would
-    not take or what contradicts itself: every fault with file and line. UsageError for a measuring
-    system other than 1 or 2, another ``cec_sign``, and a program whose assignments may not all
-    have been carried out (``request.carried_out``).
+    The active measuring system is ``request.encoder``; if it is not given, the only one with a
+    table, listed in ``assumed``. Option ``cec_sign``: ``correction`` when a positive CEC value
+    moves the output axis towards +, ``error`` when towards -; without it the effect of CEC tables
+    is unknown. Option ``units``: ``inch`` if no file states the basic system. All names of a
+    machine axis (MD10000, MD20080) are one axis. ``room``: number of sag tables and of their
+    points, where the control has a fixed number.
+
+    Raises InputError for anything the control would not take or that is contradictory, every fault
+    with file and line; UsageError for a measuring system other than 1 or 2, a wrong ``cec_sign``,
+    and a program whose assignments may not all have been executed (``request.carried_out``).
     """
     loaded = load(files)
     if request.active is False and not loaded.faults:
@@ -244,7 +243,7 @@ def sinumerik_control(
 
 
 def _out_of_range(entry: VariableAssignment) -> Fault | None:
-    """Return the fault of a value that no SINUMERIK takes, None for a good one."""
+    """Return the fault of a value that no SINUMERIK accepts, None for a valid one."""
     value, expected = entry.value, ""
     if not math.isfinite(value):
         return entry.fault(f"value of ${entry.name} is not a finite number", found=str(value))
@@ -309,8 +308,8 @@ class _AxisLoader:
                     "not in the files: counted as active",
                 )
             )
-        acts = self.request.acts([enabled])
-        if table is not None and not acts:
+        active = self.request.is_active([enabled])
+        if table is not None and not active:
             ends = (
                 "ends as 0"
                 if enabled == 0.0
@@ -325,7 +324,7 @@ class _AxisLoader:
             self.remarks.assumed.append(assumption)
         return _SinumerikAxis(
             table=table,
-            enabled=acts,
+            enabled=active,
             backlash=backlash * self._factor(name, entries),
             reference_return=returning,
             screw_on=any(
@@ -348,7 +347,7 @@ class _AxisLoader:
         if is_default(data, _PREFIX):
             self.remarks.notes.append(f"{label}: all zero, the control's own default for no table")
             return None
-        stranger = not self.request.asks_for(name)
+        stranger = not self.request.is_under_work(name)
         table = build_table(data, _PREFIX, label, name, self.remarks, stranger=stranger)
         if table is not None and not stranger:
             reserved = [entry for entry in given if entry.name == "MA_MM_ENC_COMP_MAX_POINTS"]

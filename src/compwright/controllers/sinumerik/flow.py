@@ -1,10 +1,11 @@
-"""What else than values a SINUMERIK's program says: does it carry out every assignment in it?
+"""Statements of a SINUMERIK's program other than assignments: do they let every assignment be
+executed?
 
 A file of such a control is a part program. Jumps (GOTOF, GOTOB, CASE), branches (IF), loops (FOR,
 WHILE, LOOP, REPEAT), calls (CALL, L100, PCALL, EXTCALL, a subprogram by its name), synchronised
 actions (WHEN .. DO), blocks that are skipped (/) and stops may keep an assignment from being
-carried out, or carry out others. Only a short list of statements certainly does not; all others are
-doubts, as far as an assignment follows them in the same program.
+executed, or execute others. Only a short list of statements certainly does not; all others are
+doubts if an assignment follows them in the same program.
 """
 
 from __future__ import annotations
@@ -70,13 +71,13 @@ _MOST_WORDS = 200
 
 @dataclass(slots=True)
 class ProgramBlock:
-    """One program of a file. ``doubts`` stand before its last assignment, ``late`` behind it.
+    """One program of a file. ``doubts``: before its last assignment; ``late``: after it.
 
-    ``branch`` counts the branches so far; ``branches`` says by line in which each assignment
-    stands, -1 before any doubt. ``inches``: by line, what sets the unit of lengths; ``end``: where
-    the program ends in any case; ``variables``: what it defines or assigns itself;
-    ``caller``: what shows that another program has to call or start this one; ``title``: the name
-    by which it is called, empty for what no program calls; ``trail``: its lines.
+    ``branch``: number of branches so far; ``branches``: by line, the branch of each assignment, -1
+    before any doubt. ``inches``: by line, what sets the unit of lengths; ``end``: where the program
+    certainly ends; ``variables``: what it defines or assigns itself; ``caller``: the line that
+    shows that another program has to call or start this one; ``title``: the name by which it is
+    called, empty if it cannot be called; ``trail``: its lines.
     """
 
     doubts: list[Doubt] = field(default_factory=list)
@@ -92,8 +93,9 @@ class ProgramBlock:
 
     @classmethod
     def named(cls, name: str, line: int, *, behind: bool = False) -> ProgramBlock:
-        """Return the program that a header or a file's name begins; ``behind``: others stand
-        before it in the file.
+        """Return the program that a header or a file's name begins.
+
+        ``behind``: other programs precede it in the file.
         """
         word = name.split(";", 1)[0].strip()
         loaded = _LOADED.match(word) is not None
@@ -105,7 +107,7 @@ class ProgramBlock:
         )
 
     def assigned(self, code: str, line: int) -> None:
-        """Take down that an assignment stands in a line: what stood before it counts."""
+        """Record that a line holds an assignment: the doubts before it count."""
         opening = _NUMBER.match(code)
         number = opening["number"] if opening is not None else None
         self.trail.append(Line(line, _names(number), (), given=True))
@@ -114,8 +116,8 @@ class ProgramBlock:
         self.branches[line] = self.branch if self.doubts else -1
 
     def statement(self, code: str, line: int, whole: str) -> None:
-        """Take down a line (strings emptied, without comment; ``whole``: as it stands) that assigns
-        nothing of compensation.
+        """Record a line without compensation data (strings emptied, no comment; ``whole``: as
+        written).
         """
         opening = _NUMBER.match(code)
         skipped = opening is not None and opening["skipped"] is not None
@@ -187,15 +189,16 @@ class ProgramBlock:
 
 
 def _assigned(words: Sequence[str]) -> frozenset[str]:
-    """Return the variable of the program's own that a quiet statement assigns."""
+    """Return the program's own variable that a harmless statement assigns."""
     if "=" not in words or words[0] in _QUIET or words[0].startswith("$"):
         return frozenset()
     return frozenset({words[0] if words[1] == "=" else EVERYTHING})
 
 
 def _assigned_by(words: Sequence[str]) -> frozenset[str]:
-    """Return what any other statement may assign: everything, but for forks, ends, motions and
-    functions.
+    """Return the variables that any other statement may assign.
+
+    Everything, except for forks, ends, motions and functions.
     """
     forks = words[0] in _FORKS and words[0] != "FOR"
     plain = all(map(_ADDRESS.fullmatch, words))
@@ -203,7 +206,9 @@ def _assigned_by(words: Sequence[str]) -> frozenset[str]:
 
 
 def _called(statement: str) -> str | None:
-    """Return the program that a statement calls and does nothing else, None for any other one."""
+    """Return the program that a statement calls without doing anything else; None for other
+    statements.
+    """
     text = re.fullmatch(r'CALL\s*"([^"]+)"|PCALL\s+([^\s("]+)[^"]*', statement, re.IGNORECASE)
     if text is not None:
         title = _TITLE.fullmatch(re.split(r"[/\\]", text[1] or text[2])[-1])
@@ -217,12 +222,12 @@ def _names(name: str | None) -> frozenset[str]:
 
 
 def _names_programs(words: Sequence[str]) -> bool:
-    """Return whether a statement may call any program that it names, not the first one alone."""
+    """Return whether a statement may call any program that it names, not only the first."""
     return any("CALL" in word or word in _CALLERS for word in words)
 
 
 def _calculates(words: list[str]) -> bool:
-    """Return whether words are one expression that calls nothing but functions without effect."""
+    """Return whether words are one expression without side effects."""
     before = "("
     for word in words:
         value = _VALUE.fullmatch(word) is not None and word not in _WORD_JOINTS
@@ -242,8 +247,10 @@ def _calls_nothing(words: list[str]) -> bool:
 
 
 def is_given(right: str, *, naming: bool) -> bool:
-    """Return whether the right side of an assignment is a value as it stands, and not one that the
-    program works out. ``naming``: an axis is one.
+    """Return whether the right side of an assignment is a literal value, not computed by the
+    program.
+
+    ``naming``: an axis name counts as one.
     """
     right = right.strip()
     if re.fullmatch(r"R\d+", right, re.IGNORECASE):

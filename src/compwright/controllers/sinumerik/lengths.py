@@ -1,4 +1,4 @@
-"""Which lengths of the files are in inch, and their conversion to mm."""
+"""Lengths in inch in the files, and their conversion to mm."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from compwright.controllers.sinumerik.axes import MachineAxisNames
 from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment
 from compwright.foundations.errors import Fault
 
-_MM = 25.4  # mm in an inch, MD10250 where nobody changed it
+_MM = 25.4  # mm in an inch, the default of MD10250
 #: What is a length of a linear axis, in the basic system.
 _LENGTHS = frozenset(
     {
@@ -29,19 +29,19 @@ _OWN_UNITS = {"linear": (0, 11), "rotary": (1, 12)}
 
 @dataclass(frozen=True, slots=True)
 class Lengths:
-    """``inch``: the basic system is the inch; ``rotary``: upper-case axis -> whether it turns, as
-    job or files say.
+    """``inch``: the basic system is the inch; ``rotary``: upper-case axis -> whether it is rotary,
+    by job or files.
     """
 
     inch: bool
     rotary: Mapping[str, bool]
 
     def is_linear(self, axis: str) -> bool:
-        """Return whether an axis has lengths; one of which nobody says its kind has."""
+        """Return whether an axis has lengths; one of unknown kind has."""
         return not self.rotary.get(axis.upper(), False)
 
     def in_mm(self, entry: VariableAssignment) -> VariableAssignment:
-        """Return an assignment of an axis with its length in mm; any other one as it is."""
+        """Return an assignment with the length of a linear axis in mm; any other one unchanged."""
         if not self.inch or entry.name not in _LENGTHS or not self.is_linear(entry.axis):
             return entry
         return replace(entry, value=entry.value * _MM)
@@ -50,8 +50,9 @@ class Lengths:
 def inches_in_mm(
     data: Sequence[VariableAssignment], *, values: bool, positions: bool
 ) -> list[VariableAssignment]:
-    """Return the assignments of a CEC table that is in inch (MD32711), in mm: its ``values``, its
-    ``positions``, each where it belongs to a linear axis.
+    """Return the assignments of a CEC table in inch (MD32711), converted to mm.
+
+    Converted are its ``values`` and its ``positions``, each if it belongs to a linear axis.
     """
     scaled = {"AN_CEC": values} | dict.fromkeys(
         ("AN_CEC_MIN", "AN_CEC_MAX", "AN_CEC_STEP"), positions
@@ -65,17 +66,17 @@ def inches_in_mm(
 def lengths_of(
     contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request
 ) -> tuple[Lengths, list[Fault]]:
-    """Return the units of all lengths, and what is wrong with them: a basic system that is said in
-    two ways, an inch of another length, units of somebody's own.
+    """Return the units of all lengths, and their faults: contradicting basic systems, an inch of
+    another length, user-defined units.
 
-    Where no file says the basic system, the option ``units`` does (``inch``), else it is metric.
+    If no file states the basic system, the option ``units`` does (``inch``), else it is metric.
     """
-    said = [
+    systems = [
         (metric, content.name, line)
         for content in contents
         for line, metric in content.units.metric
     ]
-    inch = not said[0][0] if said else request.options.get("units") == "inch"
+    inch = not systems[0][0] if systems else request.options.get("units") == "inch"
     rotary = {
         names.name(entry.axis).upper(): entry.value == 1.0
         for content in contents
@@ -92,7 +93,7 @@ def lengths_of(
             place=f"line {line}",
             hint="export all files from the control again, at one time",
         )
-        for metric, file, line in said
+        for metric, file, line in systems
         if metric is inch
     ]
     faults += _strange(contents, request, inch=inch)

@@ -1,7 +1,7 @@
-"""Conditions of a SINUMERIK's program that cannot turn out independently of each other.
+"""Conditions of a SINUMERIK's program that depend on each other.
 
-Two lines that ask about one variable, which nothing assigns between them, get the same answer from
-it. So the ways through the program are followed once for each value that makes a difference.
+Two conditions on one variable that is not assigned between them get the same value. So the program
+is followed once for each value that makes a difference.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ Words = tuple[str, ...]
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """What a line asks: about ``what`` (a variable, or the words of a whole condition), as a test
-    of a number. ``variables``: those in it.
+    """Condition of a line: a test of ``what`` (a variable, or the words of a whole condition)
+    against a number. ``variables``: those in it.
     """
 
     what: Words
@@ -33,7 +33,7 @@ class Question:
     two: bool = False
 
     def answer(self, value: float) -> bool:
-        """Return whether it is true for a value of ``what``."""
+        """Return whether the condition is true for a value of ``what``."""
         less, same = value < self.number, value == self.number
         return {
             "==": same,
@@ -47,7 +47,7 @@ class Question:
 
 @dataclass(frozen=True, slots=True)
 class Fork:
-    """Where a line goes on, as bits: after a true condition, and after one that is not."""
+    """The next lines, as bits: after a true condition, and after a false one."""
 
     question: Question
     true: int
@@ -55,8 +55,10 @@ class Fork:
 
 
 def question_of(words: Words) -> Question | None:
-    """Return what the words of a condition ask, None for what may change without an assignment: a
-    variable of the control, a field, a function.
+    """Return the question in the words of a condition.
+
+    None if its value may change without an assignment: a variable of the control, a field, a
+    function.
     """
     words = _without_brackets(words)
     variables = frozenset(
@@ -91,25 +93,25 @@ def answered(
     assigning: Mapping[int, frozenset[str]],
     behind: Callable[[int], int],
 ) -> Iterator[dict[int, int]]:
-    """Yield where the lines with linked questions go on, by place, for each set of answers.
+    """Yield the next lines of all linked conditions, by place, for each set of answers.
 
-    ``assigning``: the variables that lines assign; ``behind``: the lines behind one, as bits.
+    ``assigning``: the variables that lines assign; ``behind``: the lines after a line, as bits.
     """
     places: dict[Words, list[int]] = {}
     for place, fork in forks.items():
         places.setdefault(fork.question.what, []).append(place)
     candidates: dict[Words, list[float]] = {}
-    for what, asked in places.items():
-        variables = forks[asked[0]].question.variables | {EVERYTHING}
-        among = sum(1 << place for place in asked)
+    for what, same_question in places.items():
+        variables = forks[same_question[0]].question.variables | {EVERYTHING}
+        among = sum(1 << place for place in same_question)
         changed = any(
             not variables.isdisjoint(names)
             and behind(place) & among
-            and any(behind(one) >> place & 1 for one in asked)
+            and any(behind(one) >> place & 1 for one in same_question)
             for place, names in assigning.items()
         )
-        if len(asked) > 1 and not changed:
-            candidates[what] = _candidates([forks[place].question for place in asked])
+        if len(same_question) > 1 and not changed:
+            candidates[what] = _candidates([forks[place].question for place in same_question])
     taken, size = [], 1
     for what in sorted(candidates, key=lambda one: (len(candidates[one]), one)):
         size *= len(candidates[what])

@@ -1,9 +1,9 @@
-"""The files of a SINUMERIK in the order in which the control takes them: the commissioning archive
+"""Files of a SINUMERIK in the order in which the control loads them: the commissioning archive
 first, small files over it.
 
-What is loaded over an archive goes variable by variable: the last value of a variable counts, and
-what no small file names keeps the archive's value. Text files beside each other have no order: what
-they say in two ways is a contradiction.
+A file loaded over an archive replaces single variables: the last value of a variable counts, and a
+variable that no small file names keeps the archive's value. Text files have no order among each
+other: if they differ, that is a contradiction.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from compwright.records.correction import ControlFile
 
 @dataclass(slots=True)
 class Loaded:
-    """``under``: what the archives in containers say; ``over``: all other files."""
+    """``under``: contents of the archives in containers; ``over``: of all other files."""
 
     under: list[ProgramContent] = field(default_factory=list)
     over: list[ProgramContent] = field(default_factory=list)
@@ -34,8 +34,9 @@ class Loaded:
         return [*self.under, *self.over]
 
     def assignments(self, names: MachineAxisNames) -> list[VariableAssignment]:
-        """Return what is assigned in the end, axes under their one name, in the order of loading:
-        nothing of the archive that a small file replaces.
+        """Return the final assignments in the order of loading, axes under their canonical names.
+
+        Those of the archive that a small file replaces are left out.
         """
         under = [names.renamed(entry) for content in self.under for entry in content.assignments]
         over = [names.renamed(entry) for content in self.over for entry in content.assignments]
@@ -44,9 +45,9 @@ class Loaded:
         return [*_within_new_ends(kept, over), *over]
 
     def unanswered(self, names: MachineAxisNames) -> list[Fault]:
-        """Return the faults of variables that a file enters as ``n/a`` and no other file enters."""
+        """Return the faults of variables that a file gives as ``n/a`` and no other file gives."""
         open_entries = [entry for content in self.contents for entry in content.not_given]
-        said = {_variable(e) for e in self.assignments(names)} if open_entries else set()
+        assigned = {_variable(e) for e in self.assignments(names)} if open_entries else set()
         return [
             entry.fault(
                 f"{entry.variable} is not given here, and no other file says it",
@@ -54,7 +55,7 @@ class Loaded:
                 found="n/a",
             )
             for entry in open_entries
-            if _variable(names.renamed(entry)) not in said
+            if _variable(names.renamed(entry)) not in assigned
         ]
 
 
@@ -79,8 +80,9 @@ def _variable(entry: VariableAssignment) -> tuple[str, int, int | None, str]:
 def _within_new_ends(
     kept: list[VariableAssignment], over: Sequence[VariableAssignment]
 ) -> list[VariableAssignment]:
-    """Return the archive's assignments without the points above the end of a table that a small
-    file makes shorter: the control keeps them and does not use them.
+    """Return the archive's assignments without table points above a new, shorter end.
+
+    The control keeps those points and does not use them.
     """
     changed = {
         _table(entry)

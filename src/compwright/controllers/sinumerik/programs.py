@@ -1,5 +1,5 @@
-"""Whether the assignments of a SINUMERIK's programs count: all of them were carried out, or it is
-asked for.
+"""Checks whether all assignments of a SINUMERIK's programs were executed; if that is open, the user
+has to state it.
 """
 
 from __future__ import annotations
@@ -21,10 +21,12 @@ _EXPORT = "the control's own export of the data in place of the program"
 def check_programs(
     contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request, *, inch: bool
 ) -> None:
-    """Raise InputError for programs that assign one variable in two branches, cannot carry out all
-    of their assignments, jump to a label that is not the only one, or count lengths in another unit
-    than the control (``inch``); UsageError where the answer is missing whether all was carried out.
-    Programs of other axes alone stop nothing.
+    """Check that every run of the programs executes all assignments; programs of other axes stop
+    nothing.
+
+    Raises InputError for a variable assigned in two branches, assignments that no run executes
+    together, a jump to an ambiguous label, and a unit of lengths other than the control's
+    (``inch``). Raises UsageError if it is not stated whether all was executed.
     """
     questions: list[Fault] = []
     calls = ProgramCalls.among(contents)
@@ -38,7 +40,7 @@ def check_programs(
         content, block = placed.content, placed.block
         given = [renamed[content.name, one.line] for one in placed.assignments]
         concerned = not given or any(
-            not entry.axis or request.asks_for(entry.axis) for entry in given
+            not entry.axis or request.is_under_work(entry.axis) for entry in given
         )
         if not ((block.branches and concerned) or calls.calls_of(block) or calls.is_called(block)):
             continue
@@ -55,9 +57,11 @@ def check_programs(
 
 
 def without_programs(contents: Sequence[ProgramContent]) -> list[ProgramContent]:
-    """Return the contents without the assignments of programs that may not have been carried out,
-    where it is known that none of them was. Raises InputError where every run of a program carries
-    some of them out, and for jumps to a label that is not the only one.
+    """Return the contents without the assignments of programs that are known not to have been
+    executed.
+
+    Raises InputError where every run of a program executes some of them, and for jumps to an
+    ambiguous label.
     """
     faults: list[Fault] = []
     found = []
@@ -118,8 +122,8 @@ def _out_of_order(
     renamed: Mapping[tuple[str, int], VariableAssignment],
     request: Request,
 ) -> Iterator[Fault]:
-    """Yield the faults of variables that end with another value in the order of the calls than in
-    that of the lines.
+    """Yield a fault for each variable whose last value in the order of calls differs from that in
+    the order of lines.
     """
     by_line: dict[str, VariableAssignment] = {}
     by_call: dict[str, VariableAssignment] = {}
@@ -129,7 +133,7 @@ def _out_of_order(
     for variable, last in by_call.items():
         other, axis = by_line[variable], renamed[last.file, last.line].axis
         if (other.value, other.names) != (last.value, last.names) and (
-            not axis or request.asks_for(axis)
+            not axis or request.is_under_work(axis)
         ):
             yield last.fault(
                 f"{last.variable} is assigned in {other.file}, line {other.line} too, and one of"
@@ -140,7 +144,7 @@ def _out_of_order(
 
 
 def _not_all(placed: PlacedBlock, calls: ProgramCalls) -> Iterator[Fault]:
-    """Yield the fault of assignments, or calls, of which one run cannot carry out all."""
+    """Yield the fault of assignments, or calls, that one run cannot execute together."""
     block = placed.block
     if not (calls.doubts(block) or calls.calls_of(block)):
         return

@@ -1,8 +1,8 @@
-"""Which lines of a SINUMERIK's program can be carried out in one run of it.
+"""Which lines of a SINUMERIK's program one run can execute.
 
-Every line has a set of lines behind it (bits of a whole number), grown until nothing changes. A
-condition may turn out either way, linked ones in step (`linked`); a line that is not understood may
-stop everything. Behind the last line come the end, from where the calling program goes on, and the
+Every line has a set of lines that may follow it (bits of a whole number), grown until nothing
+changes. A condition may be true or false, linked ones alike (`linked`); an unknown statement may
+stop everything. After the last line come the end, from where the calling program continues, and the
 stop of everything.
 """
 
@@ -17,8 +17,8 @@ from compwright.controllers.sinumerik.linked import EVERYTHING, Fork, answered, 
 
 @dataclass(frozen=True, slots=True)
 class Doubt:
-    """A statement that may change what is carried out; ``call``: the program that it calls, if such
-    a program exists and nothing else stands there.
+    """A statement that may change what is executed; ``call``: the program it calls, if that exists
+    and the statement does nothing else.
     """
 
     line: int
@@ -43,9 +43,10 @@ _NAME = re.compile(r"N\d+|(?!R\d+$)[A-Z_]\w+")
 @dataclass(frozen=True, slots=True)
 class Line:
     """One line: its ``number``, the ``names`` to which a jump may lead, and its ``words`` in
-    capitals, none where it does not matter for the order of lines. ``skipped``: with block skip on.
+    capitals, empty if they do not affect the order of lines. ``skipped``: with block skip on.
     ``given``: an assignment, or a call of a program of the files. ``mentions``: the programs that
-    it may call; ``conditional``: not in every case. ``assigned``: variables of the program's own.
+    it may call; ``conditional``: not in every case. ``assigned``: the program's own variables that
+    it assigns.
     """
 
     number: int
@@ -59,8 +60,8 @@ class Line:
 
 
 def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
-    """Return the lines without assignments that follow one another and to which nothing jumps, and
-    the numbers for which each of them counts.
+    """Return the lines with runs of consecutive assignments merged (unless a jump leads to them),
+    and the numbers that each remaining line represents.
     """
     wanted = {word for line in lines for word in line.words} | {EVERYTHING}
     found: list[Line] = []
@@ -77,8 +78,8 @@ def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
 
 
 def conflicts(lines: Sequence[Line]) -> tuple[int, int] | None:
-    """Return the number of an assignment that no run carries out, and 0; or of two that no run
-    carries out both; None where one run can carry all of them out.
+    """Return a conflict of the assignments: the number of one that no run executes, and 0; or two
+    that no run executes together; None if one run can execute all.
     """
     short, _ = _shortened(lines)
     found = _conflict(short, _next(short))
@@ -106,9 +107,10 @@ def _conflict(short: Sequence[Line], ways: Sequence[int]) -> tuple[int, int] | N
 
 
 def inevitable(lines: Sequence[Line], among: Collection[int]) -> list[int]:
-    """Return numbers ``among`` those of given lines of which every run of the program carries out
-    at least one: a single one if possible. None if a run may get by without them, or only if it
-    never ends.
+    """Return numbers ``among`` those of given lines of which every run executes at least one: a
+    single one if possible.
+
+    Empty if a run may do without them.
     """
     short, groups = _shortened(lines)
     found: set[int] = set()
@@ -140,8 +142,9 @@ def _inevitable(
 
 
 def _in_step(lines: Sequence[Line]) -> Iterator[list[int]]:
-    """Yield what `_next` gives, for each set of answers to linked conditions; motions and switching
-    functions go on.
+    """Yield the result of `_next` for each set of answers to linked conditions.
+
+    Motions and switching functions go on to the next line.
     """
     every = _next(lines)
     behind = _behind(every)
@@ -172,12 +175,12 @@ def _fork(line: Line, bits: int, after: int) -> Fork | None:
 
 
 def comes_back(lines: Sequence[Line]) -> bool:
-    """Return whether no run of a subprogram stops before it returns to its caller."""
+    """Return whether every run of a subprogram returns to its caller."""
     return not lines or not _behind(_next(lines))[0] >> len(lines) + 1 & 1
 
 
 def unclear_jumps(lines: Sequence[Line]) -> list[int]:
-    """Return the numbers of jumps and repetitions that fit more than one label of the program."""
+    """Return the numbers of jumps and repetitions that match more than one label of the program."""
     names = _labels(lines)
     found = []
     for place, line in enumerate(lines):
@@ -203,8 +206,10 @@ def _labels(lines: Sequence[Line]) -> dict[str, list[int]]:
 
 
 def _sought(jump: str, name: str, place: int, names: Mapping[str, Sequence[int]]) -> list[int]:
-    """Return the labels that a jump in a place comes to first: GOTOB goes back from its own line,
-    GOTOF on from the next one; GOTO and GOTOC go on, and where they find none, it is any before.
+    """Return the labels that a jump in a place reaches first.
+
+    GOTOB searches back from its own line, GOTOF on from the next one; GOTO and GOTOC search on,
+    then any before.
     """
     back = [one for one in names.get(name, ()) if one <= place]
     on = [one for one in names.get(name, ()) if one > place]
@@ -216,7 +221,7 @@ def _sought(jump: str, name: str, place: int, names: Mapping[str, Sequence[int]]
 
 
 def _behind(follow: Sequence[int]) -> list[int]:
-    """Return for every line the lines to which a run may come behind it."""
+    """Return for every line the lines that a run may reach after it."""
     behind = list(follow)
     changed = True
     while changed:
@@ -234,8 +239,9 @@ def _behind(follow: Sequence[int]) -> list[int]:
 
 
 def _next(lines: Sequence[Line]) -> list[int]:
-    """Return for every line the lines that may be carried out next, as bits; the bits behind the
-    last line are the end and the stop.
+    """Return for every line the lines that may be executed next, as bits.
+
+    The bits after the last line are the end and the stop.
     """
     names = _labels(lines)
     ways = [1 << place + 1 for place in range(len(lines))]
@@ -261,7 +267,7 @@ def _next(lines: Sequence[Line]) -> list[int]:
 
 
 def _closed(word: str, place: int, start: int, other: int, ways: list[int]) -> int:
-    """Set where the lines of a block lead, and return where its closing line does."""
+    """Set the next lines of a block's lines; return those of its closing line."""
     after = 1 << place + 1
     if word == "ENDIF":
         ways[start] |= 1 << (other + 1 if other >= 0 else place)
@@ -291,8 +297,9 @@ def _own_ways(line: Line, place: int, end: int, names: Mapping[str, Sequence[int
 
 
 def ends_here(words: Sequence[str]) -> bool:
-    """Return whether one of the words ends the program: M2, M17, M30, RET. An M word with an equals
-    sign behind it is of another spindle.
+    """Return whether one of the words ends the program: M2, M17, M30, RET.
+
+    An M word followed by an equals sign belongs to another spindle.
     """
     behind = (*words[1:], "")
     return any(

@@ -4,15 +4,15 @@ another, or itself.
 Stated from the manuals (Function Manual Extended Functions 03/2013, chapter K3; 802D sl Function
 Manual 11/2012; Siemens' texts of the setting data):
 
-- The input is the setpoint of INPUT_AXIS, the value acts on OUTPUT_AXIS, which may be the same axis
-  (p. 248). Several tables add up (802D sl p. 215). Linear between points (p. 237), outside the end
-  values stay (p. 248), a modulo table repeats and its two end values should be equal (p. 249).
+- The input is the setpoint of INPUT_AXIS, the value corrects OUTPUT_AXIS, which may be the same
+  axis (p. 248). Several tables add up (802D sl p. 215). Linear between points (p. 237), outside the
+  end values stay (p. 248), a modulo table repeats and its two end values should be equal (p. 249).
 - DIRECTION 0: both; 1: only while the input axis moves towards +; -1: only towards - (p. 249).
 - SD41300 switches a table, MD32710 of the output axis the sum (p. 245); SD41310 is a factor on a
   table, MD32720 limits the sum.
 - Sign: the Function Manual of 03/2009 says on p. 372 that a positive value moves the axis towards
   -, as with the leadscrew table, and a builder's measuring program in a real archive agrees. Values
-  may have been made the other way round: only the option ``cec_sign`` says it.
+  may have been made the other way round: only the option ``cec_sign`` states it.
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ Pair = tuple[str, str]
 
 @dataclass(frozen=True, slots=True)
 class SagTable:
-    """One table. ``direction`` 1, -1 or 0 for both; ``factor``: index of the table that
-    MULT_BY_TABLE names, None without one; ``stays``: nobody is going to write it, so that it acts
-    before and after alike.
+    """One table. ``direction``: 1, -1 or 0 for both; ``factor``: index of the table that
+    MULT_BY_TABLE names, None without one; ``stays``: the table is not going to be written, so its
+    effect is the same before and after.
     """
 
     input: str
@@ -51,15 +51,15 @@ class SagTable:
     stays: bool = False
 
     def value(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the weighted value at ``positions`` (any shape) of the input axis; zero where the
-        table does not act.
+        """Return the weighted value at ``positions`` (any shape) of the input axis; zero if the
+        table is not active.
         """
         if not self.enabled or self.direction == -direction.sign:
             return np.zeros(positions.shape)
         return self.weight * self.table.value(positions)
 
-    def acts(self) -> bool:
-        """Return whether the table puts out anything other than zero."""
+    def is_active(self) -> bool:
+        """Return whether the table is on and its output is not zero everywhere."""
         return self.enabled and self.weight != 0.0 and bool(np.any(self.table.values))
 
     def bound(self, direction: Direction) -> float:
@@ -72,8 +72,8 @@ class Sag:
     """All tables that are counted. ``sign`` of the values, +1 or -1, 0: not known.
 
     ``off``: output axes that MD32710 switches off; ``limits``: MD32720 by output axis, mm or deg.
-    ``odd``: axes with a table over themselves that acts and is no curve, and why; ``uncounted``:
-    axes with one that stays as it is and is not counted.
+    ``odd``: axes with an active table over themselves that is not a curve, and why; ``uncounted``:
+    axes with such a table that stays unchanged and is not counted.
     """
 
     by_pair: Mapping[Pair, tuple[SagTable, ...]]
@@ -84,8 +84,8 @@ class Sag:
     uncounted: tuple[str, ...] = ()
 
     def pairs(self) -> tuple[Pair, ...]:
-        """Return input and output axis of all tables in order of their index, each pair once,
-        switched on or not.
+        """Return input and output axis of all tables, active or not, in order of their index, each
+        pair once.
         """
         return tuple(self.by_pair)
 
@@ -94,8 +94,10 @@ class Sag:
         return union([table.table.positions() for table in self._of(pair)])
 
     def own_shift(self, axis: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return what an axis' tables over itself add at ``positions``; UsageError where that
-        cannot be said. Without the sign those that stay are not counted.
+        """Return the correction at ``positions`` by an axis' tables over itself.
+
+        If the sign is unknown, tables that stay unchanged are not counted. Raises UsageError where
+        the correction is unknown.
         """
         pair = (axis, axis)
         if axis in self.odd:
@@ -110,7 +112,7 @@ class Sag:
             )
         if self.sign:
             return self.shift(pair, positions, direction)
-        if all(table.stays or not table.acts() for table in self._of(pair)):
+        if all(table.stays or not table.is_active() for table in self._of(pair)):
             return np.zeros(positions.shape)
         raise UsageError(
             Fault(
@@ -122,8 +124,8 @@ class Sag:
         )
 
     def shift(self, pair: Pair, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return how far the output axis moves with the input axis at ``positions`` (any shape),
-        moving in ``direction``. Raises UsageError where the sign is not known.
+        """Return the correction of the output axis with the input axis at ``positions`` (any
+        shape), moving in ``direction``. Raises UsageError if the sign is not known.
         """
         if self.sign == 0 and pair[0] != pair[1]:
             raise UsageError(
@@ -165,9 +167,7 @@ class Sag:
 
 
 def union(positions: Sequence[FloatArray]) -> FloatArray:
-    """Return the points (k,) of several tables, ascending, those nearer than 1e-9 mm or deg
-    once.
-    """
+    """Return the points (k,) of several tables, ascending; points within 1e-9 mm or deg are one."""
     filled = [nodes for nodes in positions if nodes.size]
     if len(filled) < 2:
         return filled[0] if filled else np.empty(0)

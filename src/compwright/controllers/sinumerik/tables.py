@@ -21,7 +21,7 @@ from compwright.records.correction import Assumption
 #: MIN + k * STEP meets MAX to this part of a step: rounding of printed digits.
 _WHOLE_STEPS = 1e-6
 #: To this part of a step it was meant to: loader programs print steps of four decimals (19.7436 for
-#: 770 / 39). Counted as met, and said.
+#: 770 / 39). Counted as met, and reported.
 _MEANT_STEPS = 1e-3
 #: No control divides a millimetre or a degree further; below it positions and steps leave double
 #: precision.
@@ -64,7 +64,7 @@ class CompensationTable:
 
 @dataclass(slots=True)
 class Remarks:
-    """What was assumed, is worth a note, or is wrong; all parts of the control write into one."""
+    """Assumptions, notes and faults; all parts of the control add to one."""
 
     assumed: list[Assumption] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
@@ -72,8 +72,8 @@ class Remarks:
 
 
 def last_value(entries: Sequence[VariableAssignment], name: str) -> float | None:
-    """Return the last value assigned to a variable, None without one: a load sequence switches off
-    and on again.
+    """Return the last value assigned to a variable (a load sequence switches off and on again);
+    None without one.
     """
     return next((entry.value for entry in reversed(entries) if entry.name == name), None)
 
@@ -114,9 +114,9 @@ def build_table(
     """Return the table of one measuring system or index from all its assignments, or None with the
     faults in ``remarks``.
 
-    ``prefix``: name of the values' variable; ``label``: how messages call the table; ``owner``: the
-    axis or table whose IS_MODULO may have to be assumed; ``stranger``: nobody asks for it, so that
-    one that cannot be followed is left alone and noted.
+    ``prefix``: name of the values' variable; ``label``: name of the table in messages; ``owner``:
+    the axis or table whose IS_MODULO may have to be assumed; ``stranger``: the axis is not under
+    work, so a table that cannot be evaluated is ignored and noted.
     """
     faults: list[Fault] = []
     first = entries[0]
@@ -184,7 +184,7 @@ def too_few_points(
 
 
 def _impossible(first: VariableAssignment, label: str, table: CompensationTable) -> list[Fault]:
-    """Return the faults of a table that is complete but cannot be followed."""
+    """Return the faults of a table that is complete but cannot be evaluated."""
     if np.any(np.diff(table.positions()) <= 0.0):
         return [
             first.fault(
@@ -258,8 +258,8 @@ def _ends(
 def _split(
     first: VariableAssignment, label: str, prefix: str, grid: tuple[float, float, float]
 ) -> Fault:
-    """Return the fault of a table whose MAX lies between two points of different values: no page
-    says what acts there.
+    """Return the fault of a table whose MAX lies between two points of different values: no manual
+    page states the value there.
     """
     step, low, high = grid
     return first.fault(
@@ -316,5 +316,5 @@ def _agree(same: Sequence[VariableAssignment], faults: list[Fault]) -> None:
             found=entry.names or f"{entry.value:g}",
         )
         for entry in same[1:]
-        if entry.said != same[0].said
+        if entry.comparable != same[0].comparable
     ]

@@ -1,7 +1,7 @@
 """Assignments in SINUMERIK text files, as the control's program interpreter would take them.
 
-A second, small reader on purpose: it shares nothing with the room that writes these files. It looks
-only at what moves an axis by its position: the leadscrew table (``$AA_ENC_COMP...``), backlash
+A second, small reader on purpose: it shares nothing with the room that writes these files. It reads
+only what moves an axis by its position: the leadscrew table (``$AA_ENC_COMP...``), backlash
 (MD32450), the sag and cross tables (``$AN_CEC...``) and the machine and setting data of these.
 Source of the text form: SINUMERIK 840D sl/828D Function Manual Extended Functions 03/2013, chapter
 K3 (pages 237-249), and archives.
@@ -60,8 +60,8 @@ READ: Mapping[str, tuple[str, ...]] = {
     "MA_NUM_ENCS": _BY_AXIS,
 }
 
-#: What is said of an axis beside its compensation. Cycles ask for these all the time: only a plain
-#: assignment counts, every other line with one of them is none of our business.
+#: Facts of an axis other than its compensation. Cycles read them all the time: only a plain
+#: assignment counts, every other line with one of them is ignored.
 FACTS = frozenset({"MA_IS_ROT_AX", "MA_NUM_ENCS"})
 
 #: The lists of names: machine axes from 1 (MD10000), axes of the channel (MD20080) and the machine
@@ -71,8 +71,8 @@ _NAME_LISTS = re.compile(
         \[\s*(?P<place>[0-9]{1,3})\s*\]\s*=\s*(?:"(?P<name>[^"]*)"|(?P<number>[0-9]{1,3}))""",
     re.VERBOSE | re.IGNORECASE,
 )
-#: What stands in every line that `_NAME_LISTS` matches, and in every one of `FACTS`: most lines of
-#: an archive hold neither.
+#: Text in every line that `_NAME_LISTS` matches; `_FACT` is the same for `FACTS`. Most lines of an
+#: archive hold neither, so this is tested first.
 _NAMED_LIST = "_AXCONF_"
 _FACT = re.compile("|".join(sorted(FACTS)), re.IGNORECASE)
 #: An assignment of a value as it stands, of which an archive has thousands.
@@ -81,7 +81,7 @@ _PLAIN = re.compile(
     r"""(?:[+-]?[\d.]+|'[HB]\w+'|"")\s*""",
     re.IGNORECASE,
 )
-#: Assignments beside compensation of which the value decides kinds and units.
+#: Assignments other than compensation whose value decides kinds and units.
 _DECIDING = re.compile(
     rf"\s*(?:N\d+\s*)?\$(?:{'|'.join(sorted(FACTS))}|MN_SCALING_\w+)\s*(?:\[[^\]]*\])?"
     r"\s*=(?!=)(?P<right>.*)",
@@ -110,7 +110,7 @@ _NAME = re.compile(r"\$\s*([A-Za-z]\w*)")
 _HEADER = re.compile(r"%_N_", re.IGNORECASE)
 #: Comments in files of compwright: what the card has somebody set by hand after loading them, and
 #: what was so in the control for which they were written.
-_SAID_BESIDE = re.compile(r"; (?:by hand|as it is): (?=\$)")
+_TYPED_BY_HAND = re.compile(r"; (?:by hand|as it is): (?=\$)")
 _PATH = re.compile(r"\$PATH\s*=", re.IGNORECASE)
 _END = re.compile(r"(?:N\d+\s*)?M(?:17|30|0?2)(?!\s*[\d=])", re.IGNORECASE)
 _ASSIGNMENT = re.compile(
@@ -163,20 +163,20 @@ class VariableAssignment(OfLine):
         return f"${self.name}[{','.join(index or self.axis for index in indices)}]"
 
     @property
-    def said(self) -> float | str:
-        """The right side in a form that compares: the number, or the axis whatever its case."""
+    def comparable(self) -> float | str:
+        """The right side in a comparable form: the number, or the axis in capitals."""
         return self.names.upper() if self.name in _NAMING else self.value
 
 
 @dataclass(slots=True)
 class ProgramContent:
-    """What one file says: its assignments in order, remarks, and what is wrong with it.
+    """Contents of one file: its assignments in order, remarks, and faults.
 
-    ``machine_names``, ``channel_names``: names by place from 0; ``channel_places``: machine axes
-    from 1 by place of the channel; ``facts``: plain assignments of `FACTS`; ``units``: what is
-    said of the unit of lengths; ``not_given``: assignments of ``n/a``, whose value is somewhere
-    else; ``unknown_keys``: by table a key of it that is not known; ``blocks``: what its programs do
-    besides.
+    ``machine_names``, ``channel_names``: names by index from 0; ``channel_places``: machine axes
+    from 1 by index in the channel; ``facts``: plain assignments of `FACTS`; ``units``: lines that
+    set the unit of lengths; ``not_given``: assignments of ``n/a``, whose value is somewhere else;
+    ``unknown_keys``: by table, a key of it that is not known; ``blocks``: the other statements of
+    its programs.
     """
 
     name: str = ""
@@ -192,8 +192,8 @@ class ProgramContent:
     blocks: list[ProgramBlock] = field(default_factory=lambda: [ProgramBlock()])
     faults: list[Fault] = field(default_factory=list)
 
-    def said(self) -> tuple[int, ...]:
-        """Return how many statements that count were found so far."""
+    def statement_counts(self) -> tuple[int, ...]:
+        """Return the numbers of statements found so far, by kind."""
         units = self.units
         of_units = len(units.metric) + len(units.inch) + len(units.own)
         return len(self.assignments), len(self.facts), len(self.not_given), of_units
@@ -212,12 +212,12 @@ class _Program:
 
 @lru_cache(maxsize=_KEPT)
 def read_file(file: ControlFile) -> ProgramContent:
-    """Return the assignments of one file (bytes, ASCII with any comment). Faults are collected,
+    """Return the contents of one file (bytes, ASCII with any comment); faults are collected,
     nothing is raised.
 
     A file may hold several programs, as an archive does: a line ``%_N_...`` opens the next one.
-    What stands behind the end of a program (M17, M30, M02) and before the next header is a fault,
-    because the control does not read it. What was read is kept by content: it is not to be changed.
+    Text between the end of a program (M17, M30, M02) and the next header is a fault, because the
+    control does not read it. The result is cached by content: do not change it.
     """
     found = ProgramContent(file.name, blocks=[ProgramBlock.named(file.name, 1)])
     if b"\x00" in file.content:
@@ -234,7 +234,7 @@ def read_file(file: ControlFile) -> ProgramContent:
     lines = re.split(r"\r\n|\n|\r", file.content.decode("latin-1"))
     for number, raw in enumerate(_with_points(lines), start=1):
         line = raw.lstrip("\xef\xbb\xbf") if number == 1 else raw
-        code = _SAID_BESIDE.sub("", line, count=1) if line.startswith("; ") else line.lstrip()
+        code = _TYPED_BY_HAND.sub("", line, count=1) if line.startswith("; ") else line.lstrip()
         if _HEADER.match(code):
             _note_end(program, file.name, found, last=False)
             program = _Program(number, len(found.assignments))
@@ -244,7 +244,7 @@ def read_file(file: ControlFile) -> ProgramContent:
         begun = begun or code[:1] not in ("", ";")
         if _NAMED_LIST in code.upper():
             _read_names(code, found)
-        before = found.said()
+        before = found.statement_counts()
         found.units.read(code.split(";", 1)[0], number)
         whole = code
         code = _QUOTED.sub('""', code).split(";", 1)[0].rstrip()
@@ -254,7 +254,7 @@ def read_file(file: ControlFile) -> ProgramContent:
             code = whole  # its text is a line of the program
         if _MENTION.search(code) and not _PATH.match(code):
             _read_line(code, file.name, number, found, ended=found.blocks[-1].end is not None)
-        _note_flow(code, number, found, whole, said=found.said() != before)
+        _note_flow(code, number, found, whole, counted=found.statement_counts() != before)
         program.ended = program.ended or _END.match(code) is not None
     _note_end(program, file.name, found, last=True)
     variables = {name for block in found.blocks for name in block.variables}
@@ -267,11 +267,12 @@ def read_file(file: ControlFile) -> ProgramContent:
     return found
 
 
-def _note_flow(code: str, number: int, found: ProgramContent, whole: str, *, said: bool) -> None:
-    """Take down what a line does in its program; ``said``: it is a statement that counts;
-    ``whole``: with its strings.
+def _note_flow(code: str, number: int, found: ProgramContent, whole: str, *, counted: bool) -> None:
+    """Record a line's effect on the flow of its program.
+
+    ``counted``: it holds a statement that counts; ``whole``: the line with its strings.
     """
-    if said:
+    if counted:
         found.blocks[-1].assigned(code, number)
     elif code and not (_PLAIN.fullmatch(code) or _PATH.match(code)):
         found.blocks[-1].statement(code, number, whole)
@@ -295,7 +296,7 @@ def _computed(file: str, number: int, shown: str) -> Fault:
 
 
 def _read_names(code: str, found: ProgramContent) -> None:
-    """Take down what a line of the lists of axis names says."""
+    """Record the axis names in a line of the name lists."""
     match = _NAME_LISTS.match(code)
     if match is None:
         return
@@ -308,8 +309,10 @@ def _read_names(code: str, found: ProgramContent) -> None:
 
 
 def _with_points(lines: list[str]) -> list[str]:
-    """Return the lines of a file with decimal points where it certainly has decimal commas: such a
-    value fills a line, and no value of the file has a point.
+    """Return the lines of a file with decimal commas replaced by points, if they certainly are
+    decimal.
+
+    That is: such a value fills a line, and no value of the file has a point.
     """
     bare = [line.split(";", 1)[0] for line in lines]
     if any(map(_POINT.search, bare)) or not any(map(_COMMA.search, lines)):
@@ -318,7 +321,7 @@ def _with_points(lines: list[str]) -> list[str]:
 
 
 def _read_fact(code: str, file: str, number: int, found: ProgramContent) -> None:
-    """Take down a plain assignment of `FACTS`."""
+    """Record a plain assignment of `FACTS`."""
     match = _ASSIGNMENT.fullmatch(code)
     name = "" if match is None else match["name"].upper()
     if match is None or name not in FACTS or "=" not in match["sign_of_assignment"]:
@@ -438,7 +441,7 @@ def _read_assignment(
 
 
 def _foreign_key(name: str, index: str, found: ProgramContent) -> bool:
-    """Take down a key of a table that is not known here; False for anything else."""
+    """Record an unknown key of a table; False for anything else."""
     known = name.startswith("AN_CEC_") and _WHOLE.fullmatch(index.strip()) is not None
     if known:
         found.unknown_keys[int(index)] = name

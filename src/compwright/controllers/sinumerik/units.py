@@ -1,9 +1,9 @@
-"""What the files of a SINUMERIK say of the unit of lengths.
+"""Unit of lengths in the files of a SINUMERIK.
 
-MD10240 (basic system: 1 mm, 0 inch) or a line ``METRIC`` or ``INCH`` before the values: whatever is
-downloaded is scaled so, compensation values with it (840Di manual 06.03 p. 10-283; 808D ADVANCED
-parameter manual 08/2013 p. 33). MD10250 is the length of an inch. MD10220 puts a factor of its own
-(MD10230) on a physical quantity, by bits: 0 linear positions, 1 angular ones, 11 linear and 12
+MD10240 (basic system: 1 mm, 0 inch) or a line ``METRIC`` or ``INCH`` before the values: all data
+loaded, compensation values included, are scaled by it (840Di manual 06.03 p. 10-283; 808D ADVANCED
+parameter manual 08/2013 p. 33). MD10250 is the length of an inch. MD10220 applies a user's factor
+(MD10230) to a physical quantity, by bits: 0 linear positions, 1 angular ones, 11 linear and 12
 angular compensation values (Siemens' texts of these data).
 """
 
@@ -38,7 +38,7 @@ class UnitLines:
     factors: list[tuple[int, tuple[int, float]]] = field(default_factory=list)
 
     def read(self, code: str, number: int) -> None:
-        """Take down what a line without its comment says."""
+        """Record the unit that a line without its comment sets."""
         match = _UNITS.fullmatch(code)
         if match is None:
             return
@@ -53,7 +53,7 @@ class UnitLines:
 
 
 def _decimal(text: str) -> float:
-    """Return a number of digits and points; not a number where it is none."""
+    """Return a number of digits and points; NaN for other text."""
     try:
         return float(text)
     except ValueError:

@@ -1,15 +1,20 @@
-"""What acts on one axis of a FANUC: the totals of its pitch data, its backlash, its second table.
+"""Compensation of one FANUC axis: totals of the pitch data, backlash, second (cyclic) table.
 
-Every contradiction becomes a fault of the memory; what is left open a note or an assumption.
-Sources: ``control``, ``beside``.
+Contradictions in the files become faults of the memory; open points become notes or assumptions.
+Sources: ``control``, ``additional_functions``.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
+from compwright.controllers.fanuc.additional_functions import (
+    CYCLIC,
+    CYCLIC_FACTOR,
+    Cycle,
+    inclination,
+)
 from compwright.controllers.fanuc.axis import AxisLoader
-from compwright.controllers.fanuc.beside import CYCLIC, CYCLIC_FACTOR, Cycle, inclination
 from compwright.controllers.fanuc.grid import IncrementGrid
 from compwright.controllers.fanuc.memory import number_list
 from compwright.controllers.fanuc.options import Options
@@ -25,11 +30,10 @@ _WHOLE_PERIODS = 1e-6
 def pitch_table(
     loader: AxisLoader, grid: IncrementGrid, options: Options, returning: Direction
 ) -> PitchTable | None:
-    """Return the totals of a grid whose points are all there, inclination with them where it is
-    counted; None when its points are at fault.
+    """Return the totals of a grid, with its inclination where that is counted.
 
-    The set of the reference-return direction is 0 at the reference; the other one stands off it by
-    3627.
+    The set of the reference-return direction is 0 at the reference; the other set is offset by
+    3627. None where points of the grid are missing or faulty.
     """
     # the number of the reference itself owns no section of an endless axis, and need not be among
     # its numbers
@@ -67,12 +71,13 @@ def pitch_table(
 
 
 def backlash(loader: AxisLoader, axis: int, options: Options) -> int:
-    """Return 1851 in detection units, at rapid traverse 1852 where 1800#4 = 1.
+    """Return the backlash parameter in detection units: 1851, or 1852 at rapid traverse if 1800#4 =
+    1.
 
-    0 where the files do not hold it, or hold a wrong one of an axis nobody asks for.
+    0 where the files do not hold it, or hold an invalid one of an axis that is not under work.
     """
     memory = loader.memory
-    whole = memory.whole if loader.asked(axis) else memory.whole_if_sound
+    whole = memory.whole if loader.under_work(axis) else memory.whole_if_sound
     feed = whole(1851, axis)
     if not memory.given(1851, axis):
         memory.assumed.append(Assumption(f"backlash 1851 of {axis}", "0", "not in the files"))
@@ -99,15 +104,17 @@ def backlash(loader: AxisLoader, axis: int, options: Options) -> int:
 def cycle(
     loader: AxisLoader, axis: int, grid: IncrementGrid | None, options: Options
 ) -> Cycle | None:
-    """Return the second table of an axis where it is counted, None where it has none or it is at
-    fault. ``grid``: of its main table.
+    """Return the second (cyclic) table of an axis; None if it has none, it is not counted, or it is
+    at fault.
+
+    ``grid``: the grid of the axis' main table.
     """
     memory = loader.memory
-    ends = [memory.machine.said(number, axis) for number in CYCLIC]
-    acting = [entry for entry in ends[1:] if entry is not None and not entry.zero]
-    if "cyclic" not in options.counted or not acting:
+    ends = [memory.machine.entry(number, axis) for number in CYCLIC]
+    nonzero = [entry for entry in ends[1:] if entry is not None and not entry.zero]
+    if "cyclic" not in options.counted or not nonzero:
         return None
-    factor = memory.machine.said(CYCLIC_FACTOR, axis)
+    factor = memory.machine.entry(CYCLIC_FACTOR, axis)
     if factor is not None and factor.whole not in (0, 1):
         memory.faults.append(
             factor.fault(f"what 14988 does to the second table of axis {axis} is not known", "1")
@@ -117,11 +124,11 @@ def cycle(
         0 if entry is None else entry.whole if entry.whole is not None else -1
         for entry in (first, last)
     )
-    rotary = loader.said_rotary(axis) is True if grid is None else loader.rotary(axis)
+    rotary = loader.known_rotary(axis) is True if grid is None else loader.rotary(axis)
     interval = None if width is None else memory.entry_length(width, axis, rotary=rotary)
     if not 0 <= low < high or last is None or width is None or interval is None or interval <= 0.0:
         memory.faults.append(
-            acting[0].fault(
+            nonzero[0].fault(
                 f"the second table of axis {axis} (14985 {low}, 14986 {high})",
                 "14985 below 14986, and 14987 above 0 with a decimal point",
             )
@@ -167,7 +174,7 @@ def cycle(
 
 
 def _rapid_unknown(loader: AxisLoader, axis: int, feed: int, options: Options) -> None:
-    """Which bit makes 1852 act is not known on a series with its own numbers."""
+    """Add a fault for 1852 on a series whose switching bit for it is unknown."""
     rapid = loader.memory.whole_if_sound(1852, axis)
     if options.rapid and rapid is not None and rapid != feed:
         loader.memory.faults.append(
@@ -179,8 +186,9 @@ def _rapid_unknown(loader: AxisLoader, axis: int, feed: int, options: Options) -
 
 
 def _inclined(loader: AxisLoader, grid: IncrementGrid, options: Options, used: int) -> FloatArray:
-    """Return the inclination (k + 1,) at the section ends of a grid, detection units, without 3623;
-    0 where it is not counted.
+    """Return the inclination (k + 1,) at the section ends of a grid, in detection units.
+
+    Not multiplied by 3623. 0 where inclination is not counted.
     """
     numbers = np.arange(grid.lowest - 1 + used, grid.highest + 1, dtype=np.float64)
     if "inclination" not in options.counted:
@@ -207,7 +215,7 @@ def _inclined(loader: AxisLoader, grid: IncrementGrid, options: Options, used: i
 
 
 def _check_turn(loader: AxisLoader, grid: IncrementGrid, pulses: int) -> None:
-    """The increments of a turn have to add up to 0."""
+    """Add a fault if the increments of a turn do not add up to 0."""
     if grid.turn is not None and pulses != 0:
         creep = pulses * grid.magnification
         loader.fault(

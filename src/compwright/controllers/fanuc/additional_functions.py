@@ -1,6 +1,6 @@
-"""What acts on a FANUC's axis beside its pitch data and its backlash.
+"""Compensation of a FANUC axis in addition to its pitch data and its backlash.
 
-Stated from the manuals, apart from the room that writes the files:
+Stated from the manuals, independently of the room that writes the files:
 
 - Inclination: four point numbers 5861 to 5864 and amounts 5871 to 5874 in detection units make
   three straight lines, put out at the pitch intervals and added to the pitch amount (35i-B,
@@ -19,8 +19,8 @@ Stated from the manuals, apart from the room that writes the files:
   (practice). Never counted.
 - 1846 to 1849: smooth backlash (practice). Never counted: the whole 1851 is taken.
 
-What is not counted stays as it is, so it acts the same before and after a change of the table, and
-is named.
+A function that is not counted is reported. compwright does not change it, so its effect is the same
+before and after a change of the table.
 """
 
 from __future__ import annotations
@@ -60,16 +60,17 @@ _LARGEST = 32767
 
 @dataclass(frozen=True, slots=True)
 class InclinedLines:
-    """Straight lines through ``amounts`` (detection units) at ``points`` (numbers), ascending; the
-    ends hold.
+    """Straight lines through ``amounts`` (detection units) at ``points`` (numbers, ascending).
+
+    Outside, the end values hold.
     """
 
     points: tuple[int, ...]
     amounts: tuple[int, ...]
 
     def at(self, numbers: FloatArray, reference: int) -> FloatArray:
-        """Return detection units at point ``numbers`` (any shape), 0 at the one of the
-        reference.
+        """Return detection units at point ``numbers`` (any shape), relative to the reference's
+        number.
         """
         corners = dict(zip(self.points, self.amounts, strict=True))
         here, there = (
@@ -81,8 +82,8 @@ class InclinedLines:
 
 @dataclass(frozen=True, slots=True)
 class Cycle:
-    """The second table: totals (n + 1,) in detection units at the ends of its sections, the first
-    and the last 0, ``interval`` mm or deg; it repeats in both directions.
+    """The second (cyclic) table. ``totals`` (n + 1,): detection units at the section ends, first
+    and last 0; ``interval``: mm or deg. It repeats in both directions.
     """
 
     interval: float
@@ -111,28 +112,28 @@ class Bend:
 
 
 def inclination(machine: Machine, axis: int, faults: list[Fault]) -> InclinedLines | None:
-    """Return the inclination of an axis, None where every amount is 0 or it is at fault."""
-    at = [machine.said(number, axis) for number in _INCLINED_AT]
-    amounts = [machine.said(number, axis) for number in _INCLINED]
+    """Return the inclination of an axis; None if every amount is 0, or with a fault."""
+    at = [machine.entry(number, axis) for number in _INCLINED_AT]
+    amounts = [machine.entry(number, axis) for number in _INCLINED]
     return _lines(at, amounts, f"inclination of axis {axis}", faults)
 
 
 def cyclic_numbers(machine: Machine, axis: int) -> range:
     """Return the point numbers that the second table of an axis uses."""
-    first, last = (machine.said(number, axis) for number in CYCLIC[:2])
+    first, last = (machine.entry(number, axis) for number in CYCLIC[:2])
     low, high = (0 if entry is None else entry.whole or 0 for entry in (first, last))
     return range(low, high + 1) if 0 <= low < high else range(0)
 
 
 def inclined(machine: Machine, axis: int) -> MachineEntry | None:
-    """Return an amount of inclination that is not 0, None without one."""
-    found = (machine.said(number, axis) for number in _INCLINED)
+    """Return an inclination amount that is not 0; None if all are 0."""
+    found = (machine.entry(number, axis) for number in _INCLINED)
     return next((entry for entry in found if entry is not None and not entry.zero), None)
 
 
 def bends(machine: Machine, faults: list[Fault]) -> Iterator[Bend]:
-    """Yield the pairs of straightness compensation that bend something; what is wrong with a pair
-    is a fault.
+    """Yield the straightness pairs with an amount other than 0; add a fault for each invalid
+    pair.
     """
     more = _any(machine, _MORE_STRAIGHT)
     if more is not None:
@@ -161,8 +162,8 @@ def bends(machine: Machine, faults: list[Fault]) -> Iterator[Bend]:
 
 
 def refusing(machine: Machine, axis: int) -> Iterator[Fault]:
-    """Yield a fault where a parameter may act on an axis and its meaning is not known."""
-    found = (machine.said(number, axis) for number in machine.series.unknown)
+    """Yield a fault for each parameter that may correct the axis and whose meaning is unknown."""
+    found = (machine.entry(number, axis) for number in machine.series.unknown)
     entry = next((entry for entry in found if entry is not None and not entry.zero), None)
     if entry is not None:
         yield entry.fault(
@@ -171,22 +172,20 @@ def refusing(machine: Machine, axis: int) -> Iterator[Fault]:
 
 
 def left_out(machine: Machine, axis: int, counted: frozenset[str]) -> Iterator[str]:
-    """Yield a remark for each function that acts on an axis and is not counted: it stays as it
-    is.
-    """
+    """Yield a remark for each function that is active on an axis and not counted."""
     by_axis = {
         "inclination": ("inclination compensation", _INCLINED),
         "cyclic": ("the second (cyclic) pitch error table", CYCLIC[1:]),
         "": ("smooth backlash", _SMOOTH),
     }
     for option, (name, numbers) in by_axis.items():
-        acting = [
+        nonzero = [
             entry
             for number in numbers
-            if (entry := machine.said(number, axis)) is not None and not entry.zero
+            if (entry := machine.entry(number, axis)) is not None and not entry.zero
         ]
-        if acting and option not in counted:
-            yield f"{name} acts ({_where(acting[0])}) and is not counted"
+        if nonzero and option not in counted:
+            yield f"{name} is active ({_where(nonzero[0])}) and is not counted"
     straight = () if "straightness" in counted else (*_MOVED, *_BENDING)
     for name, axes in (
         ("straightness compensation", straight),
@@ -206,11 +205,11 @@ def _lines(
     what: str,
     faults: list[Fault],
 ) -> InclinedLines | None:
-    """Return the lines of four numbers and four amounts; None where every amount is 0 or something
-    is at fault.
+    """Return the lines through four numbers and four amounts; None if all are 0, or with a
+    fault.
     """
-    acting = [entry for entry in amounts if entry is not None and not entry.zero]
-    if not acting:
+    nonzero = [entry for entry in amounts if entry is not None and not entry.zero]
+    if not nonzero:
         return None
     points = [0 if entry is None else entry.whole for entry in at]
     values = [0 if entry is None else entry.whole for entry in amounts]
@@ -219,21 +218,21 @@ def _lines(
         faults.append(bad.fault(f"a point number of the {what}", "a whole number"))
         return None
     if any(value is None or abs(value) > _LARGEST for value in values):
-        bad = next(e for e in acting if e.whole is None or abs(e.whole) > _LARGEST)
+        bad = next(e for e in nonzero if e.whole is None or abs(e.whole) > _LARGEST)
         faults.append(bad.fault(f"an amount of the {what}", f"-{_LARGEST} to {_LARGEST}"))
         return None
     pairs = [(p or 0, v or 0) for p, v in zip(points, values, strict=True)]
     if any(a[0] > b[0] or (a[0] == b[0] and a[1] != b[1]) for a, b in pairwise(pairs)):
         found = ", ".join(f"{point}: {value}" for point, value in pairs)
         faults.append(
-            acting[0].fault(f"the points of the {what} ({found})", "ascending, one amount at each")
+            nonzero[0].fault(f"the points of the {what} ({found})", "ascending, one amount at each")
         )
         return None
     return InclinedLines(tuple(p for p, _ in pairs), tuple(v for _, v in pairs))
 
 
 def _of(machine: Machine, number: int, owner: Owner) -> MachineEntry | None:
-    """Return the value of one path, else of the machine."""
+    """Return the value of one path, else that of the machine."""
     found = machine.entries.get(number, {})
     return found.get(owner, found.get(MACHINE))
 
@@ -241,7 +240,7 @@ def _of(machine: Machine, number: int, owner: Owner) -> MachineEntry | None:
 def _one_axis(
     machine: Machine, owner: Owner, entry: MachineEntry, faults: list[Fault]
 ) -> int | None:
-    """Return the axis that an axis number names; a fault where it may mean another one too."""
+    """Return the axis that an axis number names; None with a fault if it may also name another."""
     axes = () if entry.whole is None else machine.named(owner, entry.whole)
     if len(axes) == 1:
         return axes[0]
@@ -266,7 +265,7 @@ def _naming(machine: Machine, numbers: Iterable[int], axis: int) -> Iterator[Mac
 
 
 def _any(machine: Machine, numbers: Iterable[int]) -> MachineEntry | None:
-    """Return a value of these parameters that is not 0, of any owner."""
+    """Return a value other than 0 of these parameters, of any owner; None if there is none."""
     found = (entry for number in numbers for entry in machine.entries.get(number, {}).values())
     return next((entry for entry in found if not entry.zero), None)
 

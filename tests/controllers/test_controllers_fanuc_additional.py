@@ -307,7 +307,9 @@ class TestStraightness:
             control(self.WHOLE.replace("N03623Q1A1P1", "N03623Q1A1P0"), **self.COUNTED)
 
     def test_nobody_asks_for_it(self) -> None:
-        box = control(self.WHOLE.replace("A2P0\n", "A2P0A3P0\n"), **self.COUNTED, asked=("3",))
+        box = control(
+            self.WHOLE.replace("A2P0\n", "A2P0A3P0\n"), **self.COUNTED, axes_under_work=("3",)
+        )
         assert box.cross() == ()
 
 
@@ -365,10 +367,10 @@ class TestPaths:
             "N01800Q1L1P00000000L2P00010000\nN01851Q1A1P12A2P4\nN01852Q1A1P12A2P9\n",
             *self.TABLE,
         )
-        box = control(text, asked=("1",))
+        box = control(text, axes_under_work=("1",))
         assert um(box, (8.0,)) == [2]
         with pytest.raises(InputError, match="1800#4"):
-            control(text, asked=("2",))
+            control(text, axes_under_work=("2",))
 
 
 class TestDetectionUnit:
@@ -604,7 +606,7 @@ def test_a_contradiction_stops_the_axis_that_it_may_hold_for() -> None:
     def two(first: str, second: str, *asked: str) -> VirtualControl:
         start = tape("N01851Q1A1P4A2P6\n", first).encode()
         files = [ControlFile("A.TXT", start), ControlFile("B.TXT", tape(second).encode())]
-        return virtual_control("fanuc-30i", files, options=UM, asked=asked)
+        return virtual_control("fanuc-30i", files, options=UM, axes_under_work=asked)
 
     with pytest.raises(InputError, match="5871 of A2 contradicts"):
         two("N05871Q1A2P10\n", "N05871Q1A2P12\n", "2")
