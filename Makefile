@@ -46,8 +46,8 @@ site: $(VENV)/.site  ## the documentation as a folder of pages with search, into
 	$(BIN)/python -m sphinx --quiet --fail-on-warning --keep-going -b html docs site
 	@echo 'Open site/index.html'
 
-pages: $(VENV)/.report  ## docs/job-keys.md anew, from the models of a job
-	$(BIN)/python docs/generate.py docs/job-keys.md
+pages: $(VENV)/.report  ## the pages of docs/ that are made from the code and the definitions, anew
+	$(BIN)/python docs/generate.py docs
 
 real-linuxcnc: $(VENV)/.test  ## only the tests on the real controller
 	$(BIN)/python -m pytest -m real_linuxcnc -rs

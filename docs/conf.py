@@ -11,7 +11,7 @@ from pathlib import Path
 DOCS = Path(__file__).parent
 sys.path.insert(0, str(DOCS))
 
-from generate import write_pages  # noqa: E402 - the line above makes it findable
+from generate import pages, write_pages  # noqa: E402 - the line above makes it findable
 
 project = "compwright"
 extensions = ["myst_parser", "sphinx.ext.autodoc"]
@@ -42,5 +42,5 @@ def _fit(_app, page, source):
 
 def setup(app):
     """Write the pages that are made from the code, then read all pages."""
-    app.connect("builder-inited", lambda _app: write_pages(DOCS / "reference"))
+    app.connect("builder-inited", lambda _app: write_pages(DOCS / "reference", pages()))
     app.connect("source-read", _fit)

@@ -1,6 +1,6 @@
 """Write the reference pages that are made from the code: commands, keys of a job, controls, the
-library. `make site` makes them anew; `job-keys.md` alone stands in the repository, and a test
-compares it with the code (`make pages` renews it).
+library. `make site` makes them anew; those of `kept_pages` are in the repository, and a test
+compares them with the code (`make pages` renews them).
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Literal, get_args, get_origin
 
 import click
+from control_facts import facts_page, open_facts_page
 from pydantic import BaseModel
 
 import compwright
@@ -194,9 +195,18 @@ def pages() -> dict[str, str]:
     }
 
 
-def write_pages(folder: Path) -> None:
-    """Write the pages; one that has not changed is left as it is."""
-    for name, text in pages().items():
+def kept_pages() -> dict[str, str]:
+    """Return the generated pages that are in the repository, by their names in `docs/`."""
+    return {
+        "job-keys.md": job_page(),
+        "control-facts.md": facts_page(),
+        "open-facts.md": open_facts_page(),
+    }
+
+
+def write_pages(folder: Path, made: dict[str, str]) -> None:
+    """Write pages by their names; one that has not changed is left as it is."""
+    for name, text in made.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         if not path.is_file() or path.read_text(encoding="utf-8") != text:
@@ -204,4 +214,4 @@ def write_pages(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    Path(sys.argv[1]).write_text(job_page(), encoding="utf-8")
+    write_pages(Path(sys.argv[1]), kept_pages())

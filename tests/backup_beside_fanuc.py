@@ -258,7 +258,7 @@ def modes_on_the_old_grid(rng: Rng, whole: bool) -> Job:
     text = f"{{mode: {mode}, goal: {goal}}}"
     job = replace(job, axes=tuple(_with_table(axis, text) for axis in job.axes))
     if mode == "bidirectional" and any(axis.home < 0 for axis in job.axes):
-        # 1006#5 says +: what 3627 means is contradicted (docs/controllers/fanuc-30i.md, 1006#5)
+        # 1006#5 says +: what 3627 means is contradicted (docs/controllers/fanuc.md, 1006#5)
         return replace(job, mark="answerable", names=("3627", "reference return"))
     return job
 

@@ -27,7 +27,7 @@ _BASIC = "basic system"
 _NAMES = "$MN_AXCONF_MACHAX_NAME_TAB"
 _OF_CHANNEL = ("$MC_", "$P_", "$SC_", "_")
 #: Beginnings of the variables that act on an axis or decide its units, kind or zero, with what they
-#: are (SINUMERIK lists of machine and setting data; docs/controllers/sinumerik.md).
+#: are (SINUMERIK lists of machine and setting data; docs/controllers/siemens-840d-sl.md).
 _MEANINGS = {
     "$AA_ENC_COMP_STEP": "EEC: spacing",
     "$AA_ENC_COMP_MIN": "EEC: first position",
