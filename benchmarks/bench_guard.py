@@ -18,7 +18,7 @@ import numpy as np
 
 from compwright.evaluation.standards import evaluate
 from compwright.planning.axes import AxisWork, predict_axis, start_axis
-from compwright.prediction.acting import Correction, nothing
+from compwright.prediction.active_corrections import Correction, nothing
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.correction import ControlState

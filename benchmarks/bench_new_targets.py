@@ -40,7 +40,7 @@ from examiner_axes import (
 from compwright.planning import new_targets
 from compwright.planning.axes import predict_axis, start_axis
 from compwright.planning.limits import accept_decisions
-from compwright.prediction.acting import nothing
+from compwright.prediction.active_corrections import nothing
 from compwright.records.axis import Axis as JobAxis
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlState

@@ -13,7 +13,7 @@ from compwright.evaluation.standards import evaluate
 from compwright.planning.axes import AxisWork
 from compwright.planning.circles import CircleWork
 from compwright.planning.wanted import MeasuredError
-from compwright.prediction.acting import Correction, nothing
+from compwright.prediction.active_corrections import Correction, nothing
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.circular import (

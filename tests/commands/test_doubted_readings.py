@@ -16,7 +16,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.evaluation.plausibility import plausibility_findings
 from compwright.evaluation.same_error import same_error_findings, same_error_odds
-from compwright.evaluation.usual import turned_odds
+from compwright.evaluation.typical_magnitudes import turned_odds
 from compwright.planning.misread import misread_findings
 from compwright.planning.wanted import observed_tests
 from compwright.records.axis import Axis, AxisKind, Direction

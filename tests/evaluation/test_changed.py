@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from compwright.evaluation.changed import Told, difference, scatter_changed
+from compwright.evaluation.changed import ParameterValue, difference, scatter_changed
 from compwright.evaluation.scores import chance, score_of_ratio, score_of_t
 from compwright.evaluation.standard_errors import standard_errors
 
@@ -40,10 +40,10 @@ def parameters(up: np.ndarray, down: np.ndarray) -> dict[str, float]:
     }
 
 
-def told(up: np.ndarray, down: np.ndarray) -> dict[str, Told]:
+def parameter(up: np.ndarray, down: np.ndarray) -> dict[str, ParameterValue]:
     errors = standard_errors(up, down, K)
     return {
-        name: Told(value, errors[name].value, errors[name].dof)
+        name: ParameterValue(value, errors[name].value, errors[name].dof)
         for name, value in parameters(up, down).items()
     }
 
@@ -66,7 +66,7 @@ def test_an_unchanged_machine_is_hardly_ever_called_changed(shift: float) -> Non
     rng = np.random.default_rng(2)
     alarms = 0
     for _ in range(100):
-        one, other = (told(*made(rng, shift=shift)) for _ in range(2))
+        one, other = (parameter(*made(rng, shift=shift)) for _ in range(2))
         alarms += sum(difference(one[name], other[name]).clear for name in ("A", "B", "B_mean"))
         alarms += scatter_changed(one["s"], other["s"]).clear
     assert alarms <= 4  # of 400 comparisons
@@ -77,18 +77,20 @@ def test_a_collision_shows() -> None:
     rng = np.random.default_rng(3)
     found = {"B_mean": 0, "s": 0}
     for _ in range(50):
-        before = told(*made(rng))
-        found["B_mean"] += difference(before["B_mean"], told(*made(rng, lost=7.0))["B_mean"]).clear
-        found["s"] += scatter_changed(before["s"], told(*made(rng, s=1.0))["s"]).clear
+        before = parameter(*made(rng))
+        found["B_mean"] += difference(
+            before["B_mean"], parameter(*made(rng, lost=7.0))["B_mean"]
+        ).clear
+        found["s"] += scatter_changed(before["s"], parameter(*made(rng, s=1.0))["s"]).clear
     assert found["B_mean"] >= 49
     assert found["s"] >= 45
 
 
 def test_what_is_declared_counts() -> None:
-    one, other = Told(10.0, 0.3, 40.0), Told(14.0, 0.3, 40.0)
+    one, other = ParameterValue(10.0, 0.3, 40.0), ParameterValue(14.0, 0.3, 40.0)
     assert difference(one, other).clear
-    assert not difference(one, other, beside=2.0).clear
-    assert not difference(Told(10.0, 0.3, 40.0, declared=2.0), other).clear
+    assert not difference(one, other, between_tests=2.0).clear
+    assert not difference(ParameterValue(10.0, 0.3, 40.0, declared=2.0), other).clear
 
 
 def test_tests_without_repeats_have_no_standard_errors() -> None:

@@ -21,7 +21,7 @@ from compwright.foundations.session import Session
 from compwright.jobs.reading import read_job
 from compwright.planning.axes import predict_axis, start_axis
 from compwright.planning.declared import fresh_slope, slope_after, with_slopes
-from compwright.prediction.acting import nothing
+from compwright.prediction.active_corrections import nothing
 from compwright.records.axis import AxisKind
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.correction import ControlState

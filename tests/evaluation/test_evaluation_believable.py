@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from compwright.evaluation.believable import believable, not_made
+from compwright.evaluation.valid_readings import believable, not_made
 from compwright.planning.wanted import observed_tests
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.plan import PlannedTest

@@ -33,12 +33,12 @@ EXEMPT = {
     "estimation.circle_solution": "the record of a fit whose formulas are elsewhere",
     "fitting.__init__": "no code",
     "fitting.anchored": "counts whole spacings from the reference; what it refuses is the control's",
-    "fitting.beyond": "compares a loss with the noise and words a fault",
+    "fitting.truncation": "compares a loss with the noise and words a fault",
     "fitting.endless": "a plain mean of the turns",
     "fitting.grid": "takes one of the grids that are made elsewhere, and says why not",
     "fitting.named_spacing": "counts quanta of the position between the ends of the table",
     "fitting.remarks": "words what was computed elsewhere",
-    "fitting.standing": "holds the nodes that are there against the control's limits",
+    "fitting.existing_grid": "compares the existing nodes with the limits of the control",
     "fitting.steps": "counts quanta of the position",
 }
 

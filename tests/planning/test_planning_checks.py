@@ -12,7 +12,7 @@ from compwright.planning.axes import AxisWork
 from compwright.planning.checks import Checks, laser_over, lost_motion, mismatch, scale_error
 from compwright.planning.circles import CircleWork
 from compwright.planning.stated import Stated
-from compwright.prediction.acting import IDLE, Acting
+from compwright.prediction.active_corrections import IDLE, ActiveCorrections
 from compwright.records.axis import AxisKind
 from compwright.records.conditions import UncertaintyBudget
 from compwright.records.correction import AxisCompensation
@@ -35,7 +35,9 @@ FROM_CIRCLE = ApplyRequest(backlash_from="circle")
 
 
 def checks_of(
-    works: Mapping[str, AxisWork], states: Mapping[str, Acting] | None = None, **words: Any
+    works: Mapping[str, AxisWork],
+    states: Mapping[str, ActiveCorrections] | None = None,
+    **words: Any,
 ) -> Checks:
     axes = [work.planned.axis for work in works.values()]
     return Checks(job_of(*axes, **words), works, states or {"as_found": IDLE})
@@ -56,7 +58,7 @@ def test_a_control_that_acted_during_the_circle_alone_is_counted_with() -> None:
     """It took 2 µm of the lost motion away and 15 µm/m of the scale, while the circle was
     measured.
     """
-    during = Acting({"X": by_slope(-15e-6, lost=-2.0 * UM)}, {})
+    during = ActiveCorrections({"X": by_slope(-15e-6, lost=-2.0 * UM)}, {})
     found = laser_over(circle_of({}), work_of(LAGS), 0, during)
     assert found.lost_motion.value == pytest.approx(3.0 * UM)
     assert found.scale.value == pytest.approx(5.0 * PPM)

@@ -17,7 +17,14 @@ from compwright.planning.circles import (
     start_circle,
     worse_circles,
 )
-from compwright.prediction.acting import IDLE, Acting, added, by_motion, difference, nothing
+from compwright.prediction.active_corrections import (
+    IDLE,
+    ActiveCorrections,
+    added,
+    by_motion,
+    difference,
+    nothing,
+)
 from compwright.prediction.circular import CirclePath
 from compwright.records.axis import AxisKind
 from compwright.records.circular import CircularResult, CircularRun, CircularTest
@@ -58,7 +65,7 @@ def test_an_axis_that_moves_back_gets_its_correction_of_that_direction() -> None
 
 def test_the_tool_is_moved_by_its_own_axes_and_by_each_other() -> None:
     """At X 200, Y -300 with X on its way to + and Y to -."""
-    acting = Acting(
+    acting = ActiveCorrections(
         {"X": by_slope(10e-6, lost=1.0 * UM), "Y": by_slope(20e-6, lost=2.0 * UM)},
         {("X", "Y"): by_slope(30e-6), ("Y", "X"): by_slope(0.0, lost=4.0 * UM)},
     )
@@ -78,7 +85,7 @@ def test_a_table_that_lengthens_an_axis_lengthens_the_circle_along_it(
     )
     test = measured()
     planned = replace(circle_of({}).planned, test=test, centre=(500.0, -300.0))
-    longer = Acting({"X": by_slope(100e-6)}, {})
+    longer = ActiveCorrections({"X": by_slope(100e-6)}, {})
     for before, after, sign in ((IDLE, longer, 1.0), (longer, IDLE, -1.0)):
         found: Any = predicted_circle(circle_of({}).result, planned, before, after)
         moved = found.test.runs[0].deviations - test.runs[0].deviations

@@ -10,7 +10,7 @@ import pytest
 
 from compwright.planning.circles import CircleWork
 from compwright.planning.cross import CrossPlan, angle_of, plan_cross
-from compwright.prediction.acting import IDLE, Acting
+from compwright.prediction.active_corrections import IDLE, ActiveCorrections
 from compwright.records.axis import Axis
 from compwright.records.job import ApplyRequest, CrossRequest
 from compwright.records.plan import PlannedCross
@@ -23,7 +23,7 @@ BEND_X = ApplyRequest(squareness={"XY": "X"})
 
 def plan(
     *circles: CircleWork,
-    states: Mapping[str, Acting] | None = None,
+    states: Mapping[str, ActiveCorrections] | None = None,
     axes: tuple[Axis, ...] = AXES,
     **words: Any,
 ) -> CrossPlan:
@@ -84,20 +84,20 @@ def test_the_ramp_is_zero_at_the_reference_of_the_axis_that_moves() -> None:
 def test_what_acts_between_the_axes_takes_its_own_slope_off_the_angle(
     pair: tuple[str, str],
 ) -> None:
-    acting = Acting({"X": by_slope(5e-4), "Y": by_slope(-3e-4)}, {pair: by_slope(30e-6)})
+    acting = ActiveCorrections({"X": by_slope(5e-4), "Y": by_slope(-3e-4)}, {pair: by_slope(30e-6)})
     assert angle_of(square(0.0), acting) == pytest.approx(30.0 * PPM, rel=1e-3)
     assert angle_of(square(0.0), IDLE) == 0.0
 
 
 def test_a_step_at_the_reversal_is_no_angle() -> None:
     """A correction that only depends on the direction moves both halves of each run alike."""
-    acting = Acting({}, {("X", "Y"): by_slope(0.0, lost=10.0 * UM)})
+    acting = ActiveCorrections({}, {("X", "Y"): by_slope(0.0, lost=10.0 * UM)})
     assert angle_of(square(0.0), acting) == pytest.approx(0.0, abs=0.1 * PPM)
 
 
 def test_a_circle_of_another_state_is_brought_to_what_acts_now() -> None:
     """While Y was bent by 30 µm/m it still showed 10: the machine itself has 40."""
-    before = Acting({}, {("X", "Y"): by_slope(30e-6)})
+    before = ActiveCorrections({}, {("X", "Y"): by_slope(30e-6)})
     circle = square(10.0, measured_in="before")
     now_bare = plan(circle, apply=BEND_Y, states={"as_found": IDLE, "before": before})
     assert only(now_bare).squareness == pytest.approx(40.0 * PPM, rel=1e-3)
@@ -224,7 +224,7 @@ def test_what_acted_then_and_acts_now_counts_for_a_direct_measurement() -> None:
     the other way round.
     """
     bent, request = (
-        Acting({}, {("X", "Y"): by_slope(10e-6)}),
+        ActiveCorrections({}, {("X", "Y"): by_slope(10e-6)}),
         straight((0.0,) * 3, measured_in="then"),
     )
     bare_now = plan(cross=(request,), states={"as_found": IDLE, "then": bent})
@@ -234,7 +234,7 @@ def test_what_acted_then_and_acts_now_counts_for_a_direct_measurement() -> None:
 
 
 def test_directions_of_the_moving_axis_are_kept_apart() -> None:
-    lag = Acting({}, {("X", "Y"): lambda x, way: (4e-6 if way is MINUS else 0.0) * x})
+    lag = ActiveCorrections({}, {("X", "Y"): lambda x, way: (4e-6 if way is MINUS else 0.0) * x})
     request = straight((0.0,) * 3, measured_in="then")
     found = plan(cross=(request,), states={"as_found": IDLE, "then": lag})
     added_by = only(found).added

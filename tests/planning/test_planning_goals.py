@@ -14,7 +14,7 @@ from compwright.planning.axis_fits import fit_all
 from compwright.planning.fresh import Like, fresh_tests
 from compwright.planning.goals import goal_told
 from compwright.planning.scenarios import alike, gains, scenarios_of
-from compwright.prediction.acting import nothing
+from compwright.prediction.active_corrections import nothing
 from compwright.records.axis import Axis, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import ControlState, no_compensation

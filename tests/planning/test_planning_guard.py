@@ -18,7 +18,7 @@ from compwright.planning.fresh import Like
 from compwright.planning.guard import guard_bands
 from compwright.planning.outlook import predict_same_targets
 from compwright.planning.wanted import MeasuredError
-from compwright.prediction.acting import Correction, nothing
+from compwright.prediction.active_corrections import Correction, nothing
 from compwright.records.axis import AxisKind
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.job import Job

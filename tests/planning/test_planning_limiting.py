@@ -25,7 +25,7 @@ from compwright.planning.limiting import (
 from compwright.planning.shortfalls import PERIOD, QUANTUM, REVERSAL, shortfalls
 from compwright.planning.verdict import verdict
 from compwright.planning.worth import worth_of_points
-from compwright.prediction.acting import nothing
+from compwright.prediction.active_corrections import nothing
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, no_compensation

@@ -11,7 +11,7 @@ from compwright.evaluation.standards import evaluate
 from compwright.planning import fresh
 from compwright.planning.axes import AxisWork, no_gain
 from compwright.planning.outlook import predict, spread_of, why_not_better, why_not_seen
-from compwright.prediction.acting import difference, nothing
+from compwright.prediction.active_corrections import difference, nothing
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
 from compwright.records.prediction import Quantiles

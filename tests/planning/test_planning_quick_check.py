@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from compwright.planning.quick_check import check_positions, moved_by, quick_check
-from compwright.prediction.acting import Correction, nothing
+from compwright.prediction.active_corrections import Correction, nothing
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import AxisCompensation
 from planning_samples import MINUS, PLUS, UM, KnownAxis, axis_of, by_slope, work_of

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from compwright.planning.reversals import own_reversal, rise_of
-from compwright.prediction.acting import nothing
+from compwright.prediction.active_corrections import nothing
 from compwright.records.axis import AxisKind
 from compwright.records.estimate import ErrorEstimate
 

@@ -12,7 +12,7 @@ from compwright.planning.axes import AxisWork, CapacityOf
 from compwright.planning.checks import Checks
 from compwright.planning.circles import CircleWork
 from compwright.planning.scale import Scaled, scale_steps, scaled_axes, shrinking
-from compwright.prediction.acting import IDLE, Acting
+from compwright.prediction.active_corrections import IDLE, ActiveCorrections
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
@@ -37,7 +37,7 @@ Y = axis_of("Y")
 def scaled(
     *circles: CircleWork,
     works: Mapping[str, AxisWork] | None = None,
-    states: Mapping[str, Acting] | None = None,
+    states: Mapping[str, ActiveCorrections] | None = None,
     state: ControlState = EMPTY,
     axis: Axis = Y,
     capacity: CapacityOf = capacity_of,
@@ -96,7 +96,7 @@ def test_what_is_in_the_control_stays_in_the_total() -> None:
         negative=np.array([0.0, -30.0 * UM]),
     )
     state = ControlState(format="any", axes={"Y": table})
-    acts = {"as_found": Acting({"Y": table.at}, {})}
+    acts = {"as_found": ActiveCorrections({"Y": table.at}, {})}
     circle = circle_of({"scale_error_second": (50.0, 2.0)}, feed=150.0)
     found = scaled(circle, state=state, states=acts)
     assert slope_of(found) == pytest.approx(-80.0 * PPM, abs=0.2 * PPM)
@@ -104,7 +104,7 @@ def test_what_is_in_the_control_stays_in_the_total() -> None:
 
 def test_a_circle_of_another_state_is_brought_to_what_acts_now() -> None:
     """Measured while the control drew back 30 µm/m, it showed 50; now nothing acts: 80."""
-    states = {"as_found": IDLE, "before": Acting({"Y": by_slope(-30e-6)}, {})}
+    states = {"as_found": IDLE, "before": ActiveCorrections({"Y": by_slope(-30e-6)}, {})}
     circle = circle_of({"scale_error_second": (50.0, 2.0)}, feed=150.0, measured_in="before")
     found = scaled(circle, states=states)
     assert "scale +80.0 ± 4.0 µm/m" in found.finding.message

@@ -6,7 +6,7 @@ import numpy as np
 
 from compwright.evaluation.standards import evaluate
 from compwright.planning.axes import AxisWork, start_axis
-from compwright.prediction.acting import nothing
+from compwright.prediction.active_corrections import nothing
 from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest

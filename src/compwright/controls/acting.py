@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from compwright.controls.decoded import DecodedState, judged
-from compwright.prediction.acting import IDLE, Acting, Correction, nothing
+from compwright.prediction.active_corrections import IDLE, ActiveCorrections, Correction, nothing
 from compwright.prediction.dead_zone import as_applied
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import CrossCompensation
@@ -38,7 +38,7 @@ def applied_of(decoded: DecodedState | None, axis: Axis) -> Correction:
     return correction if applied is judged_table else applied.at
 
 
-def acting(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> Acting:
+def acting(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> ActiveCorrections:
     """Return what the judge says that a state does to the axes of a job and between them; nothing
     where nobody said it.
     """
@@ -46,7 +46,7 @@ def acting(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> Acting:
         return IDLE
     names = {axis.address: name for name, axis in axes.items()}
     pairs = dict.fromkeys((entry.input, entry.output) for entry in decoded.state.cross)
-    return Acting(
+    return ActiveCorrections(
         along={name: applied_of(decoded, axis) for name, axis in axes.items()},
         across={
             (names[pair[0]], names[pair[1]]): _across(decoded, pair)

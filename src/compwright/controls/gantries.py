@@ -16,7 +16,7 @@ from compwright.foundations.errors import CapacityError, CompwrightError, Fault,
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.tables import fit_within
-from compwright.prediction.acting import difference
+from compwright.prediction.active_corrections import difference
 from compwright.records.axis import Axis, Direction, FloatArray, partner_of
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState, no_compensation

@@ -17,7 +17,7 @@ from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import AxisWork
 from compwright.planning.outlook import yardstick
 from compwright.planning.wanted import with_change
-from compwright.prediction.acting import Correction, difference
+from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 

@@ -10,7 +10,7 @@ import numpy as np
 from compwright.controllers.virtual import VirtualControl
 from compwright.controls.decoded import judges
 from compwright.foundations.errors import Fault
-from compwright.prediction.acting import Correction
+from compwright.prediction.active_corrections import Correction
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import ControlState, CrossCompensation
 

@@ -11,15 +11,15 @@ from compwright.evaluation.scores import chance, score_of_ratio, score_of_t
 
 #: Standard normal value that chance exceeds, up or down, once in 1000 comparisons.
 CLEAR = 3.29
-#: µm/m: slope that one of two tests has beside the other where nobody declares anything of
-#: temperature, as much as 1 K makes of steel.
+#: µm/m: difference of slope between two tests that is assumed where no temperature uncertainty is
+#: declared: the expansion of steel for 1 K.
 UNDECLARED_SLOPE = 11.5
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
-    """A parameter of a test: its value, standard error with degrees of freedom, and the standard
-    uncertainty that is declared beside it; all in one unit.
+class ParameterValue:
+    """A parameter of a test: value, standard error with its degrees of freedom, and ``declared``,
+    the standard uncertainty that the job declares; all in one unit.
     """
 
     value: float
@@ -49,13 +49,15 @@ class Change:
         return abs(self.score) > CLEAR
 
 
-def difference(before: Told, after: Told, beside: float = 0.0) -> Change:
-    """Return by how much a parameter differs; ``beside``: a standard uncertainty between the two
-    tests that neither tells of. GUM (JCGM 100:2008) 5.1.2 and G.4.1.
+def difference(before: ParameterValue, after: ParameterValue, between_tests: float = 0.0) -> Change:
+    """Return the difference of a parameter between two tests, with its standard uncertainty.
+
+    ``between_tests``: a standard uncertainty of the difference that neither test contains. GUM
+    (JCGM 100:2008) 5.1.2 and G.4.1.
     """
     size = after.value - before.value
-    scattered = [(told.std_error**2, told.dof) for told in (before, after)]
-    known = before.declared**2 + after.declared**2 + beside**2
+    scattered = [(parameter.std_error**2, parameter.dof) for parameter in (before, after)]
+    known = before.declared**2 + after.declared**2 + between_tests**2
     total = known + sum(variance for variance, _ in scattered)
     if total <= 0.0:
         return Change(size, 0.0, math.copysign(math.inf, size) if size else 0.0)
@@ -66,7 +68,7 @@ def difference(before: Told, after: Told, beside: float = 0.0) -> Change:
     return Change(size, math.sqrt(total), score)
 
 
-def scatter_changed(before: Told, after: Told) -> Change:
+def scatter_changed(before: ParameterValue, after: ParameterValue) -> Change:
     """Return by how much the standard deviation of a reading differs, judged by the ratio of the
     variances (F law).
     """

@@ -35,13 +35,13 @@ def plan_findings(
     standard: str,
     travel: tuple[float, float] | None,
     periods: Sequence[float],
-    beside: Sequence[PositioningTest] = (),
+    other_tests: Sequence[PositioningTest] = (),
 ) -> list[Finding]:
-    """Return the findings about how the test was planned, by ``standard`` (an id such as
-    ``iso230-2:2014``).
+    """Return the findings about the plan of the test: targets, cycle, travel, number of runs.
 
-    ``travel`` of the axis and ``periods`` of known periodic errors in mm or deg; ``beside``: other
-    tests of the axis. VDI 3441 is checked by the rules of ISO 230-2.
+    ``standard``: its edition (an id such as ``iso230-2:2014``); VDI 3441 is checked by the rules of
+    ISO 230-2. ``travel`` of the axis and ``periods`` of known periodic errors in mm or deg;
+    ``other_tests``: other tests of the axis.
     """
     findings = [*_runs(test)]
     if test.kind is AxisKind.LINEAR:
@@ -49,7 +49,7 @@ def plan_findings(
     else:
         findings += _rotary_targets(test, standard)
     findings += [
-        *_long_axis(test, standard, travel, beside),
+        *_long_axis(test, standard, travel, other_tests),
         *_travel_covered(test, travel),
         *_spacing(test, periods),
     ]
@@ -157,22 +157,24 @@ def _long_axis(
     test: PositioningTest,
     standard: str,
     travel: tuple[float, float] | None,
-    beside: Sequence[PositioningTest],
+    other_tests: Sequence[PositioningTest],
 ) -> list[Finding]:
-    """CW-T005: axes over 2 000 mm or 360° have two tests: n = 1 over the whole length, n = 5 over 2
-    000 mm or 360°. Nothing is said of the other one where it is ``beside``.
+    """CW-T005: axes over 2 000 mm or 360° need two tests: n = 1 over the whole length, n = 5 over 2
+    000 mm or 360°.
+
+    No finding where the second test is among ``other_tests``.
     """
     if not _is_long(test, travel) or (test.kind is AxisKind.ROTARY and standard == _FIRST_EDITION):
         return []
     limit = "2 000 mm" if test.kind is AxisKind.LINEAR else "360°"
     findings = []
     if _is_single(test):
-        if all(approaches(other) == 1 for other in beside):
+        if all(approaches(other) == 1 for other in other_tests):
             findings.append(Finding.of("CW-T005.repeated_missing", "info", limit=limit))
         findings += _long_interval(test, standard)
     elif _length(test) > LONG[test.kind] * (1.0 + 1e-9):
         findings.append(Finding.of("CW-T005.repeated_long", "warning", limit=limit))
-    elif not any(_is_single(other) for other in beside):
+    elif not any(_is_single(other) for other in other_tests):
         findings.append(Finding.of("CW-T005.whole_missing", "info", limit=limit))
     return findings
 
@@ -230,14 +232,14 @@ def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -
         return []
     interval = (last - first) / (test.targets.size - 1)
     ends = [(first - travel[0], "lower"), (travel[1] - last, "upper")]
-    told = [
+    uncovered = [
         say("CW-T007.end", length=position_text(round(gap, 6), test), end=end)
         for gap, end in ends
         if gap > interval * (1.0 + 1e-9)
     ]
-    if not told:
+    if not uncovered:
         return []
-    return [Finding.of("CW-T007.uncovered", "info", ends=told)]
+    return [Finding.of("CW-T007.uncovered", "info", ends=uncovered)]
 
 
 def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
@@ -248,7 +250,10 @@ def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
         return []
     hidden = [
         Finding.of(
-            "CW-T008.period", "warning", period=position_text(period, test), better=_told(test)
+            "CW-T008.period",
+            "warning",
+            period=position_text(period, test),
+            better=_targets_text(test),
         )
         for period in periods
         if _phases_seen(test.targets, period) < _PHASES_SEEN
@@ -263,12 +268,12 @@ def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
             "CW-T008.equal",
             "info",
             interval=position_text(float(intervals.mean()), test),
-            better=_told(test),
+            better=_targets_text(test),
         )
     ]
 
 
-def _told(test: PositioningTest) -> Sentence:
+def _targets_text(test: PositioningTest) -> Sentence:
     low, high = float(test.targets[0]), float(test.targets[-1])
     return told_targets(low, high, test.targets.size, test.kind.unit)
 

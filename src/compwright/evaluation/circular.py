@@ -231,20 +231,20 @@ def _reasons(
 
 def _further_runs(ordered: Mapping[Sense, list[ActualPath]]) -> list[Finding]:
     """CW-C001: several runs in a direction; the first counts, with G of the others."""
-    told = []
+    others = []
     for sense, runs in ordered.items():
         for path in runs[1:]:
             _, inner, outer = minimum_zone(path.points)
             G = Amount((outer - inner) * MICROMETRES_PER_MILLIMETRE, "µm")
-            told.append(say("CW-C001.other", direction=sense, run=path.run.number, G=G))
-    if not told:
+            others.append(say("CW-C001.other", direction=sense, run=path.run.number, G=G))
+    if not others:
         return []
     first = [
         say("CW-C001.run", direction=sense, run=runs[0].run.number)
         for sense, runs in ordered.items()
         if runs
     ]
-    return [Finding.of("CW-C001", "info", first=first, others=told)]
+    return [Finding.of("CW-C001", "info", first=first, others=others)]
 
 
 def _require_sound(test: CircularTest) -> None:

@@ -1,8 +1,8 @@
 """Checks of a circular test: directions, calibration, sampling, gaps, feed, closing of the circle,
 set-up offset.
 
-Findings, never refusals. The standard sets no limits for most of these; those used here are stated
-beside each.
+They give findings and refuse nothing. The standard sets no limits for most of these; the limits
+used are explained next to each.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ _OPEN_LEAST: Final = 0.001
 #: Lost motion makes a true step where an axis reverses: ends nearer to an axis (deg) are not
 #: compared.
 _NEAR_AXIS: Final = 3.0
-#: Where commanded and measured angles would give radii that differ by more than this (mm), the
-#: reading of the angle is told.
+#: Where commanded and measured angles would give radii that differ by more than this (mm), a
+#: finding states how the angle was read.
 _OFFSET_EFFECT: Final = 1e-4
 
 

@@ -39,15 +39,16 @@ class ActualPath:
 
 
 def paths(runs: Sequence[CircularRun], nominal_radius: float) -> tuple[ActualPath, ...]:
-    """Return the actual paths of ``runs`` (angles deg, deviations mm) of one set-up,
+    """Return the actual paths of ``runs`` (angles deg, deviations mm) of one set-up;
     ``nominal_radius`` in mm.
 
-    The angles are commanded, so they count about the programmed centre; the distances count from
-    the set-up centre, which lies somewhat beside it. The programmed centre seen from the set-up is
-    taken as the least-squares centre of all runs together, and a point lies from the set-up centre
-    in the direction of its commanded point. The round is repeated until the centre stands still.
-    Points laid out at the commanded angles around the set-up centre instead would turn an offset e
-    into an ellipse of e²/2R: 2.5 µm for 0.5 mm at R = 50 mm.
+    Angles are commanded angles and count from the programmed centre; distances count from the
+    set-up centre. The two differ by the set-up offset. The programmed centre is taken as the
+    least-squares centre of all runs together, and each point lies from the set-up centre in the
+    direction of its commanded point. This is iterated until the centre no longer moves.
+
+    If the points were placed at the commanded angles around the set-up centre, an offset e would
+    become an ellipse of e²/2R: 2.5 µm for 0.5 mm at R = 50 mm.
 
     Raises InputError where no circle passes through the points.
     """

@@ -28,8 +28,8 @@ _DIRECTIONS: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 #: eight targets (six degrees of freedom) honest runs do so once in 200 000 pairs.
 _COPY: Final = 0.1
 _TARGETS: Final = 8
-#: Of the differences of the pairs this one stands for the noise: above most copies, below a run
-#: that lies far off.
+#: Quantile of the differences of the pairs that is used as the noise: above most copies, below an
+#: outlying run.
 _QUANTILE: Final = 0.75
 #: Differences within this many steps of the instrument's last digit are made by the rounding.
 _STEPS: Final = 1.5
@@ -38,8 +38,8 @@ _CHANCE: Final = 1e-3
 #: Copies named in a message; the others are counted.
 _NAMED: Final = 4
 _MOST_LISTED: Final = 20  # runs of one group, and groups, that are listed
-#: Runs that are held all against all; among more of them some are alike by chance, and the work
-#: grows with their square.
+#: Most runs that are compared pair by pair; among more of them some are alike by chance, and the
+#: work grows with their square.
 _MOST_RUNS: Final = 100
 #: Differences of readings that are held in memory at once.
 _AT_ONCE: Final = 1_000_000

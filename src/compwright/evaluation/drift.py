@@ -26,10 +26,10 @@ _COARSE: Final = 0.1
 def environmental_variation(
     drift: DriftTest, duration_min: float | None
 ) -> tuple[float, tuple[Finding, ...]]:
-    """Return the range E_VE (µm or arcsec) and what is to be said of it: CW-T026 which range it is,
-    CW-T027 a series that is too short or too coarse for it.
+    """Return the range E_VE of environmental variation (µm or arcsec) and its findings.
 
-    ``duration_min``: how long a positioning test takes; None: the whole series counts.
+    CW-T026: which range it is; CW-T027: the series is too short or too coarse for it.
+    ``duration_min``: duration of a positioning test; None: the whole series counts.
     """
     length = float(drift.minutes[-1] - drift.minutes[0])
     over = length if duration_min is None else min(duration_min, length)

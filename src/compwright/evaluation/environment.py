@@ -159,7 +159,7 @@ def _curve(
     """
     drawn = np.repeat(values[np.newaxis], count, axis=0)
     known = np.isfinite(values)
-    if np.count_nonzero(known) < 4:  # beside a straight line nothing would be left to judge by
+    if np.count_nonzero(known) < 4:  # a straight line would leave too few to judge
         return drawn
     along = targets[known] - targets[known].mean()
     line = values[known].mean() + along * (along @ values[known]) / (along @ along)

@@ -1,9 +1,9 @@
-"""Can these readings be what they say they are? Units, copies and directions that a single test
-gives away by itself.
+"""Are the readings of a test plausible? Wrong units, copies and directions that a single test
+reveals.
 
-What is certain is said by `certain_fault` (a caller refuses the test), what is possible by
-`plausibility_findings` (doubts, shown first). Reasons for each number stand at its constant;
-lengths in mm, angles in deg.
+`certain_fault` returns what is certain (a caller refuses the test), `plausibility_findings` what is
+possible (doubts, shown first). The reason of each number is at its constant; lengths in mm, angles
+in deg.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from compwright.evaluation.copies import same_runs_findings
 from compwright.evaluation.readings import position_text, text_of
 from compwright.evaluation.scatter import pooled_scatter, spread_of
 from compwright.evaluation.statistics import mean_deviation
-from compwright.evaluation.usual import turned_odds, unit_odds
+from compwright.evaluation.typical_magnitudes import turned_odds, unit_odds
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
 from compwright.records.axis import AxisKind

@@ -17,14 +17,14 @@ from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.believable import (
+from compwright.evaluation.residuals import pooled, robust_scale, run_medians
+from compwright.evaluation.valid_readings import (
     BY_CHANCE,
     chance_of_zero,
     far_readings,
     kept,
     without_readings,
 )
-from compwright.evaluation.residuals import pooled, robust_scale, run_medians
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor
 from compwright.records.axis import Direction, FloatArray
@@ -45,7 +45,7 @@ DRIFT_CHANCE: Final = 0.02
 _RANDOM_ORDERS: Final = 20_000
 #: Of more runs than this no orders are tried: they would fill the memory.
 _MOST_ORDERED: Final = 100
-#: Runs that are told one by one, the farthest ones.
+#: Most runs that are named one by one, the farthest ones.
 _MOST_TRAVERSES: Final = 20
 #: A traverse is suspect when its median shift exceeds so many robust standard deviations of a
 #: reading. The medians of sound traverses seldom reach one of them; shifts of whole runs that are
@@ -73,7 +73,7 @@ def signed_text(value: float, test: PositioningTest) -> Amount:
 
 
 def unit_text(test: PositioningTest) -> str:
-    """Return the unit in which deviations are told to the user."""
+    """Return the unit in which deviations are shown to the user."""
     return "µm" if test.kind.unit == "mm" else "arcsec"
 
 
@@ -93,18 +93,20 @@ def _run_number(test: PositioningTest, direction: Direction, column: int) -> int
 
 
 def reading_findings(
-    test: PositioningTest, compare: Compare, told: Collection[str] = ()
+    test: PositioningTest, compare: Compare, reported: Collection[str] = ()
 ) -> list[Finding]:
-    """Return the findings about the readings of ``test``; ``compare`` words the result without some
-    of them. ``told``: codes of what an estimate of the noise tells: of a drift (CW-T012) nothing is
-    said again, of suspect readings (CW-T014) the result with and without them.
+    """Return the findings about the readings of ``test``.
+
+    ``compare`` words the result with and without some of the readings. ``reported``: codes that the
+    noise estimate reports already. With CW-T012 in it, drift is not reported again; with CW-T014,
+    only the result with and without the suspect readings is.
     """
     return [
         *missing_readings(test),
         *zero_traverses(test),
-        *([] if "CW-T012" in told else drift(test)),
+        *([] if "CW-T012" in reported else drift(test)),
         *suspect_traverses(test, compare),
-        *suspect_readings(test, compare, told="CW-T014" in told),
+        *suspect_readings(test, compare, reported="CW-T014" in reported),
     ]
 
 
@@ -143,7 +145,7 @@ def zero_traverses(test: PositioningTest) -> list[Finding]:
 
     A file that was read with this finding of its own (CW-R010) does not get the first one twice.
     """
-    told = any(finding.code == "CW-R010" for finding in test.findings)
+    reported = any(finding.code == "CW-R010" for finding in test.findings)
     findings, filled = [], []
     chance = chance_of_zero(test)
     for direction in _BOTH:
@@ -158,7 +160,7 @@ def zero_traverses(test: PositioningTest) -> list[Finding]:
             if values.size > 1 and not np.any(values):
                 findings += (
                     []
-                    if told
+                    if reported
                     else [
                         Finding.of(
                             "CW-T011.traverse",
@@ -226,12 +228,15 @@ def drift(test: PositioningTest) -> list[Finding]:
         return []
     return [
         Finding.of(
-            "CW-T012", "warning", how=_told(test, scores, means, growths), chance=100.0 * chance
+            "CW-T012",
+            "warning",
+            how=_drift_sentence(test, scores, means, growths),
+            chance=100.0 * chance,
         )
     ]
 
 
-def _told(
+def _drift_sentence(
     test: PositioningTest,
     directions: Iterable[Direction],
     means: FloatArray,
@@ -303,8 +308,8 @@ def _orders(runs: int) -> FloatArray:
 
 
 def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
-    """Return a finding for each run that lies off its fellows as a whole, in one direction or in
-    both (CW-T013); at least three runs.
+    """Return a finding for each run that is an outlier as a whole, in one direction or in both
+    (CW-T013); at least three runs.
     """
     shifts = _shifts(test)
     suspect = _suspect(test, shifts)
@@ -340,8 +345,10 @@ def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
 
 
 def _shifts(test: PositioningTest) -> dict[Traverse, float]:
-    """Return by how much each traverse lies off its fellows (median over the targets, mm or deg),
-    of directions with three runs or more.
+    """Return the offset of each traverse from the others of its direction (median over the targets,
+    mm or deg).
+
+    Directions with three runs or more.
     """
     shifts: dict[Traverse, float] = {}
     for direction, residual in zip(_BOTH, pooled(test)[0], strict=True):
@@ -352,10 +359,10 @@ def _shifts(test: PositioningTest) -> dict[Traverse, float]:
 
 
 def _suspect(test: PositioningTest, shifts: Mapping[Traverse, float]) -> dict[int, list[Traverse]]:
-    """Return by run the traverses that are suspect.
+    """Return by run the suspect traverses.
 
-    They are held against the scatter of a reading in the other runs: one that lies off would else
-    hide behind the scatter that it makes itself.
+    Each is compared with the scatter of a reading in the other runs, because an outlying run would
+    otherwise hide in its own scatter.
     """
     residuals, scale = pooled(test)
     within = robust_scale([each - run_medians(each) for each in residuals], test)
@@ -383,17 +390,18 @@ def _without(test: PositioningTest, traverses: Iterable[Traverse]) -> Positionin
 
 
 def suspect_readings(
-    test: PositioningTest, compare: Compare, *, told: bool = False
+    test: PositioningTest, compare: Compare, *, reported: bool = False
 ) -> list[Finding]:
-    """Return one finding for all readings that lie far off their target's and their traverse's
-    others (CW-T014); n >= 4. ``told``: which they are is said elsewhere, here the result with and
-    without them.
+    """Return one finding for all readings that are outliers at their target and in their traverse
+    (CW-T014); n >= 4.
+
+    ``reported``: another finding names them; this one gives the result with and without them.
     """
     found, scale = far_readings(test)
     if not found:
         return []
     changed = without_readings(test, found)
-    if told:
+    if reported:
         compared = compare(changed)
         return (
             [Finding.of("CW-T014.compared", "info", readings=len(found), compared=compared)]

@@ -1,6 +1,4 @@
-"""Is it the same measurement twice? Tests beside each other: files and readings that are the
-same.
-"""
+"""Is it the same measurement twice? Find tests of one job with equal files or equal readings."""
 
 from __future__ import annotations
 
@@ -12,7 +10,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from compwright.evaluation.alike import alike_in_a_run, alike_in_all
+from compwright.evaluation.duplicate_tests import alike_in_a_run, alike_in_all
 from compwright.evaluation.scatter import pooled_scatter
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source, share_a_file
@@ -193,10 +191,10 @@ def repeat_findings(tests: Sequence[PositioningTest]) -> list[Finding | None]:
     time that grows with their number, not with its square.
     """
     kinds = _one_of_each(tests)
-    beside = _sharing_runs([tests[members[0]] for members in kinds])
+    sharing = _sharing_runs([tests[members[0]] for members in kinds])
     found: list[Finding | None] = [None] * len(tests)
     for kind, members in enumerate(kinds):
-        same = sorted(index for near in (kind, *beside[kind]) for index in kinds[near])
+        same = sorted(index for near in (kind, *sharing[kind]) for index in kinds[near])
         for index in members:
             others = [other for other in same[: _NAMED + 2] if other != index]
             if others:
@@ -206,17 +204,17 @@ def repeat_findings(tests: Sequence[PositioningTest]) -> list[Finding | None]:
 
 def _sharing_runs(tests: Sequence[PositioningTest]) -> list[set[int]]:
     """Return for each test those that share a run with it; of very many, more than are named."""
-    beside: list[set[int]] = [set() for _ in tests]
+    sharing: list[set[int]] = [set() for _ in tests]
     looked_at: set[tuple[int, int]] = set()
     for group in alike_in_a_run(tests, _TARGETS):
         for one, other in combinations(group, 2):
-            if min(len(beside[one]), len(beside[other])) > _NAMED or (one, other) in looked_at:
+            if min(len(sharing[one]), len(sharing[other])) > _NAMED or (one, other) in looked_at:
                 continue
             looked_at.add((one, other))
             if share_a_run(tests[one], tests[other]):
-                beside[one].add(other)
-                beside[other].add(one)
-    return beside
+                sharing[one].add(other)
+                sharing[other].add(one)
+    return sharing
 
 
 def _one_of_each(tests: Sequence[PositioningTest]) -> list[list[int]]:

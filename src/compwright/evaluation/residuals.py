@@ -9,7 +9,7 @@ import numpy as np
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.positioning import PositioningTest
 
-#: Factors that make the median absolute deviation of n normal readings unbiased, beside 1.4826
+#: Factors, on top of 1.4826, for an unbiased median absolute deviation of n normal readings
 #: (Croux and Rousseeuw, 1992).
 _MAD_FACTORS: Final = {
     2: 1.196,

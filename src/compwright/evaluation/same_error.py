@@ -1,10 +1,10 @@
-"""Two axes that show the same error: was one of them measured twice, or a test given for the
-other?
+"""Two axes that show the same error: was one axis measured twice, or a test assigned to the wrong
+axis?
 
-Held against each other at the targets that both have: the means of one error differ by noise alone,
-those of two axes by a smooth curve as large as their errors besides. Marginal likelihoods
-(Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, eq. 5.8); the zeros of the
-instrument are free.
+They are compared at their common targets: the means of one and the same error differ only by noise,
+those of two axes also by a smooth curve as large as their errors. Marginal likelihoods (Rasmussen
+and Williams, Gaussian Processes for Machine Learning, 2006, eq. 5.8); the zero of each instrument
+is free.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from compwright.records.positioning import SAME_READING, PositioningTest
 #: Odds from which two axes are doubted: errors of two axes are alike to the noise very rarely, and
 #: a job has up to ten pairs of axes.
 _DOUBTED: Final = 1000.0
-#: Odds are told up to here: beyond, what the model leaves out decides.
+#: Largest odds that are reported: beyond, what the model leaves out decides.
 _MOST: Final = 1e6
 _FEWEST: Final = 5
 #: Length over which errors of axes change, as a share of the common range.

@@ -13,7 +13,7 @@ import numpy as np
 from compwright.evaluation.changed import (
     UNDECLARED_SLOPE,
     Change,
-    Told,
+    ParameterValue,
     difference,
     scatter_changed,
 )
@@ -26,9 +26,9 @@ from compwright.records.history import (
     SameTable,
 )
 
-#: What is judged. The others follow from these (E, R), or hang on single readings (G).
+#: Judged parameters. The others follow from these (E, R), or depend on single readings (G).
 JUDGED = ("A", "B", "B_mean", "s", "squareness")
-#: They hang on where was measured: judged only between tests at the same targets, to one standard.
+#: They depend on the targets: judged only between tests at the same targets, to one standard.
 _OF_TARGETS = frozenset({"A", "E", "M", "R", "B"})
 #: Targets are the same within this share of the measured length.
 _SAME_TARGET = 1e-3
@@ -37,8 +37,10 @@ _COMMON = 0.8
 
 
 def noted_changes(entries: Sequence[HistoryEntry]) -> list[NotedChange]:
-    """Return what differs between tests of one axis or plane, each held against the last one before
-    it that can be compared; ``entries`` in their order in time.
+    """Return what changed between the tests of one axis or plane: each is compared with the last
+    comparable test before it.
+
+    ``entries`` in their order in time.
     """
     found = []
     for place, entry in enumerate(entries):
@@ -208,8 +210,10 @@ def _common_length(one: Sequence[float], other: Sequence[float]) -> bool:
 
 
 def _compared(one: HistoryEntry, other: HistoryEntry, parameter: str) -> tuple[Change, bool]:
-    """Return the difference, and whether a slope was allowed for because nobody declares one."""
-    before, after = _told(one, parameter), _told(other, parameter)
+    """Return the difference, and whether it includes a slope that is assumed because no uncertainty
+    is declared.
+    """
+    before, after = _parameter_value(one, parameter), _parameter_value(other, parameter)
     if parameter == "s":
         return scatter_changed(before, after), False
     undeclared = (
@@ -221,14 +225,14 @@ def _compared(one: HistoryEntry, other: HistoryEntry, parameter: str) -> tuple[C
     return difference(before, after, UNDECLARED_SLOPE * length / 1000.0), undeclared
 
 
-def _told(entry: HistoryEntry, parameter: str) -> Told:
+def _parameter_value(entry: HistoryEntry, parameter: str) -> ParameterValue:
     error, dof = entry.errors[parameter]
     U, coverage = entry.declared.get(parameter, (0.0, 1.0))
-    return Told(entry.values[parameter], error, dof, U / coverage)
+    return ParameterValue(entry.values[parameter], error, dof, U / coverage)
 
 
 def same_table(one: HistoryEntry, other: HistoryEntry) -> SameTable:
-    """Return whether the same table acted in two tests, as far as their files tell."""
+    """Return whether the same table was active in two tests, as far as their files show."""
     if not one.acting or not other.acting:
         return "unknown"
     if one.acting == other.acting:
@@ -239,8 +243,9 @@ def same_table(one: HistoryEntry, other: HistoryEntry) -> SameTable:
 
 
 def without_repeats(entries: Sequence[HistoryEntry]) -> Iterator[HistoryEntry]:
-    """Yield the tests of one axis or plane each once: a test that a later job uses again is the
-    same. One that says how its table acted counts before one that does not.
+    """Yield each test of one axis or plane once, although a later job may use it again.
+
+    An entry that states which table was active takes precedence over one that does not.
     """
     kept: dict[tuple[str, ...], HistoryEntry] = {}
     for entry in entries:

@@ -12,7 +12,7 @@ import numpy as np
 
 from compwright.records.axis import FloatArray
 
-#: Which cell is the largest must not hang on last bits.
+#: The choice of the largest cell must not depend on the last bits.
 _DIGITS = 9
 
 

@@ -174,18 +174,20 @@ def evaluate(
     periods: Sequence[float] = (),
     budget: UncertaintyBudget | None = None,
     thermal: Thermal | None = None,
-    told: Collection[str] = (),
-    beside: Sequence[PositioningTest] = (),
+    reported: Collection[str] = (),
+    other_tests: Sequence[PositioningTest] = (),
 ) -> PositioningResult:
-    """Evaluate ``test`` (mm or deg) to ``standard``; everything in the result is in mm or deg.
+    """Evaluate ``test`` (mm or deg) to ``standard``; the result is in mm or deg.
 
     ``spread`` "range" takes s from the range of the readings (1988 and GOST only). ``travel``,
-    ``periods`` (mm or deg, machine coordinates) and other tests of the axis (``beside``) serve the
-    test checks, ``budget`` and ``thermal`` the uncertainty; ``told``: codes of checks of the
-    readings that an estimate of the noise tells (`reading_findings`). A parameter is None where the
-    standard does not define it, the approach direction was not measured, or a target lacks the two
-    readings that s needs; ``not_applicable`` says which. A parameter is never formed over fewer
-    targets than were measured; a finding tells R and A of the others instead.
+    ``periods`` (mm or deg, machine coordinates) and ``other_tests`` of the axis are used by the
+    test checks, ``budget`` and ``thermal`` by the uncertainty; ``reported``: codes of reading
+    checks that the noise estimate reports already (`reading_findings`).
+
+    A parameter is None where the standard does not define it, the approach direction was not
+    measured, or a target lacks the two readings that s needs; ``not_applicable`` gives the reason.
+    A parameter is never formed over fewer targets than were measured; a finding gives R and A of
+    the other targets instead.
 
     Raises UsageError for an unknown standard or a range method that does not exist for it or this
     n, InputError when the test holds no reading or its arrays do not fit together.
@@ -203,12 +205,12 @@ def evaluate(
     given = {name: None if name in reasons else float(value) for name, value in values.items()}
     findings = [*test.findings, *_target_findings(test, columns, chosen, measured)]
     findings += plausibility_findings(test)
-    findings += plan_findings(test, chosen.id, travel, periods, beside)
+    findings += plan_findings(test, chosen.id, travel, periods, other_tests)
 
     def compare(other: PositioningTest) -> Sentence | None:
         return _comparison(test, given, other, chosen, spread)
 
-    findings += reading_findings(test, compare, told)
+    findings += reading_findings(test, compare, reported)
     uncertainty = None
     if budget is not None:
         uncertainty, remarks = expanded_uncertainties(
@@ -287,9 +289,7 @@ def _columns(test: PositioningTest, standard: Standard, spread: str) -> TargetCo
     s_positive, s_negative = s(test.positive), s(test.negative)
     reversal = mean_positive - mean_negative
     r_positive, r_negative, r = repeatability(reversal, s_positive, s_negative, standard.coverage)
-    if (
-        standard.names is VDI_NAMES
-    ):  # VDI has no R_i; its 6 s of both directions together stands in their place
+    if standard.names is VDI_NAMES:  # VDI has no R_i; its 6 s of both directions together is used
         r_positive = r_negative = np.full(test.targets.size, np.nan)
         r = vdi_positional_scatter(s_positive, s_negative)
     return TargetColumns(

@@ -34,7 +34,7 @@ _SIGMA: Final = 1.0 / math.sqrt(12.0)
 _READINGS: Final = 500_000
 DRAWS: Final = (1000, 4000)
 _AT_ONCE: Final = 500_000
-#: Decimals of mm or deg that are told: below, only the rounding of sums is left.
+#: Decimals of mm or deg that are reported: below, only the rounding of sums is left.
 _DIGITS: Final = 12
 #: Expansion coefficient of the machine where none is given, µm/(m K): steel.
 _STEEL: Final = 11.5
@@ -139,15 +139,15 @@ def length_uncertainty(
 def slope_between_tests(
     test: PositioningTest, budget: UncertaintyBudget | None, first: Thermal | None
 ) -> float:
-    """Return the standard deviation (mm/mm) of the slope that one test has of its own beside other
+    """Return the standard deviation (mm/mm) of the slope by which one test differs from the other
     tests of its axis.
 
-    Drawn per test: the temperature U_theta (sensors are placed and read anew, and a hall is never
-    the same), the misalignment of the beam and the set-up. Common to all tests and so without
-    effect between them: the instrument, which is taken to be the same one, and the coefficient,
-    which is a property of the scale: an error U_alpha of it counts over the difference of the
-    temperatures of this test and of the ``first`` only. The environmental variation is in the
-    scatter of the readings. Zero without a budget, and for angles, which do not expand.
+    Drawn per test: the temperature U_theta (sensors are placed and read again, and a hall changes),
+    the misalignment of the beam and the set-up. Common to all tests, without effect between them:
+    the instrument, assumed to be the same one, and the coefficient of expansion, a property of the
+    scale. An error U_alpha of the coefficient counts only over the difference of the temperatures
+    of this test and of the ``first``. The environmental variation is in the scatter of the
+    readings. Zero without a budget, and for angles, which do not expand.
     """
     length = float(test.targets[-1] - test.targets[0])
     if budget is None or test.kind is AxisKind.ROTARY or length <= 0.0:
@@ -223,14 +223,16 @@ def _measured(test: PositioningTest) -> PositioningTest:
 
 @dataclass(frozen=True, slots=True)
 class _Added:
-    """What instrument and environment add, mm or deg: standard deviation of the ``slope`` over the
-    positions (mm/mm), of what goes ``with_slope`` and of what goes ``beside`` it in the difference
-    of two targets; ``variation``, range of the environmental variation of a reading.
+    """Uncertainty that instrument and environment add, mm or deg.
+
+    ``slope``: standard deviation of the slope over the positions (mm/mm). In the difference of two
+    targets: ``with_slope``, the part that follows the slope, and ``without_slope``, the part that
+    does not. ``variation``: range of the environmental variation of a reading.
     """
 
     slope: float
     with_slope: float
-    beside: float
+    without_slope: float
     variation: float
 
 
@@ -269,7 +271,7 @@ def _propagated(
     rng = np.random.default_rng(0)  # the same test has the same uncertainty
     readings = max(test.positive.size + test.negative.size, 1)
     count = int(np.clip(_READINGS // readings, *DRAWS))
-    slopes, besides = (rng.permutation(_normal_scores(count)) for _ in range(2))
+    slopes, rests = (rng.permutation(_normal_scores(count)) for _ in range(2))
     along = added.slope * (test.targets - test.targets[0])[:, np.newaxis]
     found: dict[str, list[FloatArray]] = {name: [] for name in names}
     for part in np.array_split(np.arange(count), max(1, count * readings // _AT_ONCE)):
@@ -287,7 +289,7 @@ def _propagated(
             off = one[name] - other[name]
             if name[0] in "AEM":  # what goes with the slope adds to what that does, more or less
                 sense = np.where(moved[name] >= other[name], 1.0, -1.0)
-                off = off + sense * with_slope + added.beside * besides[part]
+                off = off + sense * with_slope + added.without_slope * rests[part]
             draws.append(off)
     return {name: np.concatenate(draws) for name, draws in found.items()}
 

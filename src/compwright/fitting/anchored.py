@@ -1,4 +1,4 @@
-"""Grids that hang on the reference position: the reference plus whole spacings, or one period of an
+"""Grids placed from the reference position: the reference plus whole intervals, or one period of an
 endless axis from it.
 """
 

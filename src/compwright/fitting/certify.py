@@ -53,7 +53,7 @@ def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict
     }
 
 
-def settled_proof(proof: Mapping[str, float]) -> dict[str, float]:
+def rounded_proof(proof: Mapping[str, float]) -> dict[str, float]:
     """Return a certificate without the last bits of the arithmetic (Higham 2002, chapter 3)."""
     return {name: settled_number(value, RESIDUE) for name, value in proof.items()}
 

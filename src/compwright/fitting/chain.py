@@ -1,8 +1,8 @@
-"""One curve as a chain: neighbouring node values are coupled, nothing else is. Its optimum without
+"""One curve as a chain, in which only neighbouring node values are coupled: its optimum without
 whole numbers, and lower bounds.
 
 The mean square of held minus wanted is a quadratic whose matrix H is tridiagonal (linear
-interpolation) or diagonal (steps). With v0 its minimum and a constant c beside the curve (the
+interpolation) or diagonal (steps). With v0 its minimum and a constant c added to the curve (the
 reversal value; c0 at the minimum):
 
     f(v, c) = least + (v - v0)'H(v - v0)/2 + (c - c0) r'(v - v0) + stiffness (c - c0)^2 / 2
@@ -34,13 +34,13 @@ _SAFE: Final = 1e-9
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CurveChain:
-    """A curve's values at the nodes that matter, as module docstring; arrays (m,) unless said
-    otherwise.
+    """The values of a curve at m of its nodes; arrays (m,) where no other shape is given. Symbols:
+    module docstring.
 
-    ``kept``: which of the ``size`` nodes these are: those that the travel sees and those that are
-    bound. ``span`` (m-1,): sections between neighbours. ``off`` (m-1,): coupling. ``fixed``: values
-    that are zero. ``closed``: the last value equals the first. ``inverse``: diagonal of the inverse
-    of H; ``share``: H - share * diag(H) is positive semidefinite.
+    ``kept``: which of the ``size`` nodes these are: those within the travel and those with a
+    condition. ``span`` (m-1,): sections between neighbours. ``off`` (m-1,): coupling. ``fixed``:
+    values that are zero. ``closed``: the last value equals the first. ``inverse``: diagonal of the
+    inverse of H; ``share``: H - share * diag(H) is positive semidefinite.
     """
 
     size: int
@@ -108,10 +108,9 @@ class CurveChain:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wish:
-    """What is wanted of a curve: at points with ``rows``, ``weights`` (p,) and ``aims`` (p,) in mm
-    or deg.
+    """The wanted curve: at points with ``rows``, ``weights`` (p,) and ``aims`` (p,) in mm or deg.
 
-    ``constant``: whether the constant acts at these points.
+    ``constant``: whether the constant is added at these points.
     """
 
     rows: Rows
@@ -364,28 +363,29 @@ def limiting_push(chain: CurveChain, limits: Limits, constant_range: tuple[float
     if not chain.span.size:
         return no_push(chain)  # one value: its range shows in the windows
     m, scale, step = chain.diagonal.size, float(np.max(chain.diagonal)), limits.step
-    beside = 1 if chain.stiffness else 0
+    has_constant = 1 if chain.stiffness else 0
     upper = [sparse.diags([chain.diagonal, chain.off], [0, 1])]
     P = sparse.csc_matrix(upper[0])
-    if beside:
+    if has_constant:
         P = sparse.bmat(
             [[P, chain.coupling[:, np.newaxis]], [None, np.array([[chain.stiffness]])]],
             format="csc",
         )
-    centre = np.append(chain.optimum, [chain.constant] * beside) / step
+    centre = np.append(chain.optimum, [chain.constant] * has_constant) / step
     whole = P + sparse.triu(P, 1).T
     rows = [
-        sparse.diags([-np.ones(m - 1), np.ones(m - 1)], [0, 1], shape=(m - 1, m + beside)),
-        sparse.eye(m + beside),
+        sparse.diags([-np.ones(m - 1), np.ones(m - 1)], [0, 1], shape=(m - 1, m + has_constant)),
+        sparse.eye(m + has_constant),
     ]
     low = [limits.increments[0] * chain.span, np.where(chain.fixed, 0.0, limits.low / step)]
     high = [limits.increments[1] * chain.span, np.where(chain.fixed, 0.0, limits.high / step)]
-    if beside:
+    if has_constant:
         low.append(np.array([constant_range[0] / step]))
         high.append(np.array([constant_range[1] / step]))
     if chain.closed:
         ends = sparse.csc_matrix(
-            (np.array([1.0, -1.0]), (np.array([0, 0]), np.array([0, m - 1]))), shape=(1, m + beside)
+            (np.array([1.0, -1.0]), (np.array([0, 0]), np.array([0, m - 1]))),
+            shape=(1, m + has_constant),
         )
         rows.append(ends)
         low.append(np.zeros(1))

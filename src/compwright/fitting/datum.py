@@ -23,7 +23,7 @@ def with_datum(
     """
     zeroed, place, findings = zero_in_the_zero_state(wanted, layout.nodes, capacity)
     if layout.shape == "single":
-        zeroed = _shifted(zeroed, _beside_the_mean(zeroed, place, layout, capacity))
+        zeroed = _shifted(zeroed, _offset_from_mean(zeroed, place, layout, capacity))
     return zeroed, findings
 
 
@@ -50,16 +50,16 @@ def _shifted(wanted: WantedCorrection, shift: float) -> WantedCorrection:
     return replace(wanted, positive=wanted.positive - shift, negative=wanted.negative - shift)
 
 
-def _beside_the_mean(
+def _offset_from_mean(
     wanted: WantedCorrection, place: float, layout: UnknownsLayout, capacity: Capacity
 ) -> float:
-    """Return by how much one curve with one reversal value lies beside what is wanted of the return
-    direction at ``place``, mm or deg.
+    """Return the difference (mm or deg) at ``place`` between a curve with one reversal value and
+    the wanted correction of the return direction.
 
-    The best curve follows the mean of both directions, half the one reversal value beside it (least
-    squares: Draper and Smith, Applied Regression Analysis, 3rd ed. 1998, chapter 1). Were it pinned
-    to what is wanted there instead, it would have to bend off before and behind the reference by
-    half of what the reversal there differs from that value.
+    The best curve follows the mean of both directions, half of the one reversal value away from it
+    (least squares: Draper and Smith, Applied Regression Analysis, 3rd ed. 1998, chapter 1). If the
+    curve were fixed to the wanted value at the reference instead, it would bend on both sides of
+    it, by half of the difference between the reversal there and that value.
     """
     home = wanted.reference_return
     reversal = wanted.total(home) - wanted.total(home.opposite)

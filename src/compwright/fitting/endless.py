@@ -1,4 +1,4 @@
-"""Endless axes: what is wanted over the turn, told over exactly one period from the reference."""
+"""Endless axes: the wanted correction, mapped to exactly one period from the reference."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ from typing import Final, Literal
 
 import numpy as np
 
-from compwright.fitting.certify import settled_proof
+from compwright.fitting.certify import rounded_proof
 from compwright.fitting.datum import with_datum
 from compwright.fitting.endless import over_one_period
 from compwright.fitting.goals import Range, as_wish, best_for, mean_over
@@ -64,10 +64,14 @@ def fit_table(
     which is the expected squared deviation but for a constant that no table changes (Rasmussen and
     Williams 2006, section 2.4). Goals ``A``, ``E``, ``M``: least mean of that parameter over the
     tests in ``wanted.scenarios`` (ISO 230-2:1997, 2.20, 2.21, 2.23), without them least range of
-    what is wanted. Zero in the zero state. A single slope takes ``expected`` whatever the goal,
-    whole increments where they undo what the goal gains, and both say so. Without ``costs`` nobody
-    asks what each limit costs, which takes as long as the table itself. Raises CapacityError where
-    the control cannot hold what is asked or no certified solution was found.
+    the wanted correction. The correction is zero in the zero state.
+
+    A single slope is fitted by ``expected`` whatever the goal; so are whole increments where
+    rounding removes the gain of the goal. Both give a finding. ``costs``: whether to compute what
+    each limit costs, which takes as long as the table itself.
+
+    Raises CapacityError where the control cannot hold the requested table or no certified solution
+    was found.
     """
     _refuse(capacity, request)
     if capacity.line is not None:
@@ -106,7 +110,7 @@ def fit_table(
         compensation=table,
         mode=shape,
         mode_reason=reason,
-        certificate=settled_proof({**best.certificate, "rounding": worst}),
+        certificate=rounded_proof({**best.certificate, "rounding": worst}),
         limits=limits,
         findings=findings,
         keeps_grid=grid.kept,
@@ -226,8 +230,10 @@ def _whole_goal(
     )
     if with_it < without:
         return replace(usual, compensation=whole.compensation, certificate=whole.certificate)
-    said = goal_finding(goal, "rounded to whole increments, what gains it shows no gain in tests")
-    return replace(usual, findings=(*usual.findings, *said))
+    finding = goal_finding(
+        goal, "rounded to whole increments, what gains it shows no gain in tests"
+    )
+    return replace(usual, findings=(*usual.findings, *finding))
 
 
 @dataclass(frozen=True, slots=True)

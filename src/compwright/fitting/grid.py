@@ -13,9 +13,9 @@ import numpy as np
 
 from compwright.fitting.anchored import anchored_grids
 from compwright.fitting.automatic_grid import candidates_over, grid_chosen, most_points
+from compwright.fitting.existing_grid import existing_nodes, too_close
 from compwright.fitting.held_grid import HeldGrid, grid_of
 from compwright.fitting.named_spacing import Span, spaced_as_named
-from compwright.fitting.standing import standing_nodes, too_close
 from compwright.fitting.steps import GridCandidate, whole
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import FloatArray
@@ -46,9 +46,9 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
             _given_nodes(np.array(capacity.nodes), request, wanted.kind.unit), wanted, capacity
         )
     _check_order(wanted, request)
-    standing = standing_nodes(wanted, capacity, request)
-    if standing is not None:
-        return _kept(standing, capacity, wanted)
+    kept_nodes = existing_nodes(wanted, capacity, request)
+    if kept_nodes is not None:
+        return _kept(kept_nodes, capacity, wanted)
     if capacity.anchored or capacity.period is not None:
         grids = anchored_grids(wanted, capacity, request, most_points(capacity))
         if spacing is not None:
@@ -87,7 +87,7 @@ def possible_grids(
 def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatArray:
     """Return the nodes that the control's own table has; the job may name them, but no others."""
     step = float(np.max(np.diff(nodes)))
-    asked = (
+    requested = (
         ("start", request.start, float(nodes[0])),
         ("end", request.end, float(nodes[-1])),
         ("spacing", request.named_spacing, step),
@@ -105,7 +105,7 @@ def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatAr
                 found=f"{given:.10g} {unit}",
                 hint=f"set `table: {{{name}: {there:.10g}}}`, or leave `{name}` out",
             )
-            for name, given, there in asked
+            for name, given, there in requested
             if given is not None and abs(given - there) > 1e-6
         ],
     )

@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.fitting.certify import settled_proof
+from compwright.fitting.certify import rounded_proof
 from compwright.fitting.problem import quadrature
 from compwright.fitting.remarks import added, loss_findings, worth_saying
 from compwright.foundations.errors import CapacityError, Fault, raise_all
@@ -61,7 +61,7 @@ def fit_line(
         compensation=table,
         mode="single",
         mode_reason="one slope and one reversal value: the control holds no table",
-        certificate=settled_proof(
+        certificate=rounded_proof(
             {
                 "objective": float(np.sqrt(line.mean_square(slope, reversal))),
                 "lower_bound": float(np.sqrt(bound)),
@@ -73,7 +73,7 @@ def fit_line(
 
 
 def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
-    asked = {"start": request.start, "end": request.end, "spacing": request.named_spacing}
+    requested = {"start": request.start, "end": request.end, "spacing": request.named_spacing}
     raise_all(
         CapacityError,
         [
@@ -84,7 +84,7 @@ def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
                 found=f"{value:g}",
                 hint=f"leave `{name}` out of `table`",
             )
-            for name, value in asked.items()
+            for name, value in requested.items()
             if value is not None
         ],
     )
@@ -106,8 +106,8 @@ class _FittedLine:
         )
 
     def mean_square(self, slope: float, reversal: float) -> float:
-        """Return the mean over the travel and both directions; ``reversal`` acts against the return
-        direction.
+        """Return the mean square over the travel and both directions; ``reversal`` is added against
+        the return direction.
         """
         straight = slope * self.x
         left = straight - self.own, straight + reversal - self.other

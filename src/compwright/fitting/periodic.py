@@ -1,7 +1,8 @@
-"""Taking a known period out of the wanted correction, for grids that cannot hold it: least squares
-of cosine and sine at known frequencies (Bloomfield, Fourier Analysis of Time Series, 2nd ed. 2000,
-chapter 2) beside a piecewise straight curve (de Boor, A Practical Guide to Splines, 1978,
-chapter III).
+"""Remove a known period from the wanted correction, for grids that cannot hold it.
+
+Least squares of cosine and sine at known frequencies (Bloomfield, Fourier Analysis of Time Series,
+2nd ed. 2000, chapter 2) together with a piecewise straight curve (de Boor, A Practical Guide to
+Splines, 1978, chapter III).
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from compwright.records.axis import FloatArray
 from compwright.records.estimate import WantedCorrection
 
 _HARMONICS: Final = (1, 2)
-#: Fewest points per cycle at which a harmonic can be told from the curve beneath it.
+#: Fewest points per cycle at which a harmonic can be distinguished from the curve beneath it.
 _POINTS_PER_CYCLE: Final = 2.5
 
 

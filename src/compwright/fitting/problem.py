@@ -54,8 +54,9 @@ def rows_at(
     >= 2.
 
     Linear: straight lines (de Boor, A Practical Guide to Splines, 1978, chapter III). Step: the
-    nearest node's value; exactly in the middle that of the upper node, as the record
-    `AxisCompensation` has it. Outside, the end value is held or nothing acts.
+    nearest node's value; exactly in the middle that of the upper node, as in the record
+    `AxisCompensation`. Outside the nodes the end value is held or the correction is zero, by
+    ``below`` and ``above``.
     """
     right = np.clip(np.searchsorted(nodes, positions, side="right"), 1, nodes.size - 1)
     if interpolation == "step":
@@ -154,10 +155,13 @@ class UnknownsLayout:
         own = matrix.placed(shape)
         if self.reversal == "none" or direction is self.home:
             return own
-        # A second table holds the constant only where a table acts; backlash acts everywhere.
+        # A second table holds the constant only where a table is active; backlash compensation is
+        # active everywhere.
         points = np.arange(matrix.shape[0], dtype=np.int64)
-        acts = matrix @ np.ones(k) if self.reversal == "free" else np.ones(points.size)
-        constant = SparseMatrix(shape=shape, row=points, column=np.full(points.size, k), value=acts)
+        constant_part = matrix @ np.ones(k) if self.reversal == "free" else np.ones(points.size)
+        constant = SparseMatrix(
+            shape=shape, row=points, column=np.full(points.size, k), value=constant_part
+        )
         return sum_of([own, constant])
 
 

@@ -1,6 +1,4 @@
-"""What the user should know about a table: where it acts, where it does not, and what the control's
-limits cost.
-"""
+"""Findings about a table: where it is active, where it is not, what limits of the control cost."""
 
 from __future__ import annotations
 
@@ -24,7 +22,8 @@ WORTH_SAYING: Final = 0.05
 #: share of the standard deviation of one reading: it adds a hundredth to the square of 2 s.
 _SHOWN: Final = {AxisKind.LINEAR: 5e-5, AxisKind.ROTARY: 0.05 / 3600.0}
 _OF_THE_NOISE: Final = 0.2
-#: Points beyond the travel from which on it is said that the control counts from its reference.
+#: From this many points beyond the travel on, a finding explains that the control counts from its
+#: reference.
 _MANY: Final = 5
 
 
@@ -35,8 +34,8 @@ def small(kind: AxisKind) -> tuple[float, str]:
 
 def worth_saying(costs: list[tuple[str, float]], quantum: float) -> tuple[Limit, ...]:
     """Return the ``costs`` (cause; rms in mm or deg) that are more than dust."""
-    told = [(cause, settled_number(value)) for cause, value in costs]
-    return tuple(Limit(cause, value) for cause, value in told if value > WORTH_SAYING * quantum)
+    rounded = [(cause, settled_number(value)) for cause, value in costs]
+    return tuple(Limit(cause, value) for cause, value in rounded if value > WORTH_SAYING * quantum)
 
 
 def added(larger: float, smaller: float) -> float:
@@ -48,8 +47,10 @@ def added(larger: float, smaller: float) -> float:
 def edge_findings(
     table: AxisCompensation, wanted: WantedCorrection, *, kept: bool
 ) -> tuple[Finding, ...]:
-    """Return what acts where the table does not cover the travel, and where it reaches beyond. An
-    endless table has no edges; one on a grid that was there (``kept``) reaches as far as it did.
+    """Return the findings about the ends: the correction where the table does not cover the travel,
+    and points beyond the travel.
+
+    An endless table has no ends; one on an existing grid (``kept``) keeps its range.
     """
     if table.period is not None:
         return ()

@@ -202,13 +202,15 @@ def _with_equations(
 
 
 def _factored(matrix: SparseMatrix) -> Callable[[FloatArray], FloatArray]:
-    """Return what solves ``matrix`` x = right for the conditions of a problem with equations, less
-    a small number on the diagonal of the equations: such a matrix is quasi-definite and has
-    triangular factors in any order, without exchanging rows (Vanderbei, SIAM J. Optim. 5, 1995).
+    """Return a function that solves ``matrix`` x = right, for the conditions of a problem with
+    equations.
 
-    Nodes and their limits are put beside each other, which leaves a narrow band (Cuthill and McKee,
-    Proc. 24th National Conference ACM, 1969), and what couples with nearly all, the constant
-    between the directions, last: the work is in proportion to the nodes.
+    A small number is subtracted on the diagonal of the equations. Such a matrix is quasi-definite
+    and has triangular factors in any order, without exchanging rows (Vanderbei, SIAM J. Optim. 5,
+    1995). Nodes and their limits are ordered next to each other, which leaves a narrow band
+    (Cuthill and McKee, Proc. 24th National Conference ACM, 1969). The constant between the
+    directions, which couples with nearly all, comes last: the work is proportional to the number of
+    nodes.
     """
     from scipy.sparse.csgraph import reverse_cuthill_mckee
     from scipy.sparse.linalg import splu

@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.fitting.certify import lattice_certificate, settled_proof
+from compwright.fitting.certify import lattice_certificate, rounded_proof
 from compwright.fitting.chain import CurveChain, Wish, build_chain, no_push, relax
 from compwright.fitting.datum import zero_in_the_zero_state
 from compwright.fitting.held_grid import HeldGrid
@@ -317,9 +317,7 @@ def whole_table(
     *,
     address: str,
 ) -> FittedTable:
-    """Return the fitted table with everything that is to be said about it; ``mode`` is the choice
-    made and its reason.
-    """
+    """Return the fitted table with all its findings; ``mode``: the chosen shape and the reason."""
     table, proof, limits, findings = fit_whole(
         grid, aim, mode[0], capacity, lattice, address=address
     )
@@ -327,7 +325,7 @@ def whole_table(
         compensation=table,
         mode=mode[0],
         mode_reason=mode[1],
-        certificate=settled_proof(proof),
+        certificate=rounded_proof(proof),
         limits=limits,
         findings=(
             *grid.findings,

@@ -9,8 +9,8 @@ from typing import Final, Literal, Protocol
 import numpy as np
 
 from compwright.estimation.reach import longer_tests
-from compwright.evaluation.believable import believable
 from compwright.evaluation.standards import evaluate
+from compwright.evaluation.valid_readings import believable
 from compwright.foundations.findings import Finding
 from compwright.planning.declared import fresh_slope, with_slopes
 from compwright.planning.file_statements import statement_findings
@@ -37,7 +37,7 @@ from compwright.planning.wanted import (
     observed_tests,
     with_change,
 )
-from compwright.prediction.acting import Correction, difference, nothing
+from compwright.prediction.active_corrections import Correction, difference, nothing
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
@@ -152,8 +152,8 @@ def evaluated(
         periods=axis.screw_pitch,
         budget=job.budget(axis.kind),
         thermal=test.thermal,
-        told=told,
-        beside=beside,
+        reported=told,
+        other_tests=beside,
     )
 
 

@@ -21,7 +21,7 @@ from compwright.planning.tables import fit_within, freely_chosen
 from compwright.planning.wanted import (
     wanted_correction,
 )
-from compwright.prediction.acting import difference
+from compwright.prediction.active_corrections import difference
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest

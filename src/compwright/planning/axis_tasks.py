@@ -16,7 +16,7 @@ from compwright.planning.never_applied import never_applied
 from compwright.planning.shortfalls import unheld_period
 from compwright.planning.verdict import stopped, verdict
 from compwright.planning.worth import worth_of_points
-from compwright.prediction.acting import Correction, nothing
+from compwright.prediction.active_corrections import Correction, nothing
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.job import AxisJob, Job
 from compwright.records.plan import PlannedTest

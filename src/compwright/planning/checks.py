@@ -13,7 +13,7 @@ from compwright.foundations.findings import Finding
 from compwright.planning.axes import AxisWork
 from compwright.planning.circles import CircleWork, effect_of
 from compwright.planning.stated import Stated
-from compwright.prediction.acting import IDLE, Acting, difference
+from compwright.prediction.active_corrections import IDLE, ActiveCorrections, difference
 from compwright.records.axis import Axis, Direction
 from compwright.records.job import Job
 
@@ -32,7 +32,7 @@ class ByLaser:
     scale: Stated
 
 
-def laser_over(work: CircleWork, axis: AxisWork, index: int, during: Acting) -> ByLaser:
+def laser_over(work: CircleWork, axis: AxisWork, index: int, during: ActiveCorrections) -> ByLaser:
     """Return lost motion (mm, > 0 lags) and scale of an axis by its positioning test, at both ends
     of a circle.
 
@@ -80,7 +80,7 @@ class Checks:
     """Holds every circle of a job against the positioning tests of its axes."""
 
     def __init__(
-        self, job: Job, works: Mapping[str, AxisWork], states: Mapping[str, Acting]
+        self, job: Job, works: Mapping[str, AxisWork], states: Mapping[str, ActiveCorrections]
     ) -> None:
         self.job = job
         self.works = works

@@ -23,7 +23,7 @@ from compwright.foundations.errors import (
 from compwright.foundations.findings import Finding
 from compwright.planning.diagnosed import diagnosed_circle
 from compwright.planning.limits import limit_faults
-from compwright.prediction.acting import Acting
+from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.prediction.circular import moved_test, predict_circle
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.circular import CircularEffect, CircularResult, CircularTest
@@ -267,7 +267,10 @@ def _worse(name: str, circle: CirclePrediction, parameter: str) -> Finding:
 
 
 def predicted_circle(
-    result: CircularResult, planned: PlannedCircle, change_from: Acting, change_to: Acting
+    result: CircularResult,
+    planned: PlannedCircle,
+    change_from: ActiveCorrections,
+    change_to: ActiveCorrections,
 ) -> CirclePrediction:
     """Return the prediction for a test measured while ``change_from`` acted, once ``change_to``
     does.

@@ -17,7 +17,7 @@ import numpy as np
 from compwright.foundations.findings import Finding, Severity
 from compwright.planning.circles import CircleWork, effect_of, why_undetermined
 from compwright.planning.stated import SIGNIFICANT
-from compwright.prediction.acting import Acting
+from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.prediction.circular import path_of
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularRun
@@ -68,8 +68,8 @@ class CrossPlan:
 def plan_cross(
     job: Job,
     circles: Sequence[CircleWork],
-    states: Mapping[str, Acting],
-    now: Acting,
+    states: Mapping[str, ActiveCorrections],
+    now: ActiveCorrections,
 ) -> CrossPlan:
     """Return the corrections between axes that the job asks for: direct measurements, and of
     circles what ``apply`` names.
@@ -87,8 +87,8 @@ class _Planner:
         self,
         job: Job,
         circles: Sequence[CircleWork],
-        states: Mapping[str, Acting],
-        now: Acting,
+        states: Mapping[str, ActiveCorrections],
+        now: ActiveCorrections,
     ) -> None:
         self.job = job
         self.axes: dict[str, Axis] = {name: entry.axis for name, entry in job.axes.items()}
@@ -312,7 +312,7 @@ class _Planner:
             self.find("CW-P112", "warning", axis=bent)
 
 
-def angle_of(work: CircleWork, state: Acting) -> float:
+def angle_of(work: CircleWork, state: ActiveCorrections) -> float:
     """Return the squareness, rad, that what acts between the axes takes away over the circle of
     ``work``.
     """

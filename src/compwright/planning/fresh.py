@@ -14,7 +14,7 @@ import numpy as np
 
 from compwright.estimation.axis import Draws
 from compwright.planning.wanted import MeasuredError
-from compwright.prediction.acting import Correction
+from compwright.prediction.active_corrections import Correction
 from compwright.prediction.positioning import dithered_targets, fresh_slopes, predict_test
 from compwright.prediction.scatter import FreshScatter, fresh_scatter
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray

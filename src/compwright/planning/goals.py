@@ -11,7 +11,7 @@ from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import AxisWork
 from compwright.planning.fresh import FreshTests
 from compwright.planning.scenarios import alike
-from compwright.prediction.acting import Correction, difference
+from compwright.prediction.active_corrections import Correction, difference
 from compwright.words.sentences import say
 
 #: What is told: of both directions, of the one that was measured, or of VDI/DGQ 3441.

@@ -13,7 +13,7 @@ from compwright.planning.declared import slope_after, slope_in_table
 from compwright.planning.fresh import Like
 from compwright.planning.outlook import predict_same_targets
 from compwright.planning.wanted import MeasuredError, with_change
-from compwright.prediction.acting import Correction
+from compwright.prediction.active_corrections import Correction
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.job import Job
 from compwright.records.plan import PlannedAxis

@@ -14,7 +14,7 @@ from compwright.planning.axes import AxisWork
 from compwright.planning.fresh import FreshTests
 from compwright.planning.outlook import spread_of, yardstick
 from compwright.planning.shortfalls import as_curve, shortfalls, unheld_period
-from compwright.prediction.acting import Correction, difference
+from compwright.prediction.active_corrections import Correction, difference
 from compwright.prediction.dead_zone import as_applied
 from compwright.records.limits import Cause, Limiting
 from compwright.records.noise import NoisePart

@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from compwright.foundations.errors import Fault
-from compwright.prediction.acting import Correction, added
+from compwright.prediction.active_corrections import Correction, added
 from compwright.records.axis import Axis, Direction, FloatArray, Motion
 from compwright.records.correction import ControlState
 from compwright.records.job import AS_FOUND, Job

@@ -15,7 +15,7 @@ from compwright.planning.fresh import FreshTests, Like, fresh_tests, generator
 from compwright.planning.limits import accept_decisions, accepted_index, magnitude
 from compwright.planning.motions import with_motion
 from compwright.planning.wanted import MeasuredError
-from compwright.prediction.acting import Correction
+from compwright.prediction.active_corrections import Correction
 from compwright.records.axis import Axis
 from compwright.records.job import AxisJob
 from compwright.records.plan import PlannedAxis

@@ -15,7 +15,7 @@ from compwright.planning.fresh import (
     generator,
 )
 from compwright.planning.wanted import MeasuredError
-from compwright.prediction.acting import Correction
+from compwright.prediction.active_corrections import Correction
 from compwright.prediction.positioning import fresh_slopes, predict_test
 from compwright.prediction.scatter import fresh_scatter
 from compwright.records.axis import Axis, Direction

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.planning.axes import AxisWork
-from compwright.prediction.acting import Correction, difference
+from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import Direction, FloatArray
 
 #: A reading further off than this many times the scatter of one reading is no accident (with a

@@ -8,7 +8,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.prediction.acting import Correction
+from compwright.prediction.active_corrections import Correction
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.estimate import ErrorEstimate
 from compwright.records.noise import NoiseDraws

@@ -21,7 +21,7 @@ from compwright.planning.circles import CircleWork, why_undetermined
 from compwright.planning.stated import Stated
 from compwright.planning.tables import NEW_GRID, fit_beside, fit_staying
 from compwright.planning.wanted import dense_positions, held_by, wanted_correction
-from compwright.prediction.acting import IDLE, Acting
+from compwright.prediction.active_corrections import IDLE, ActiveCorrections
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import ControlState
 from compwright.records.correction_need import need_of, shortfall
@@ -247,7 +247,7 @@ def _now(stated: Stated, work: CircleWork, name: str, checks: Checks) -> Stated:
     )
 
 
-def _slope(state: Acting, name: str, middle: float, radius: float) -> float:
+def _slope(state: ActiveCorrections, name: str, middle: float, radius: float) -> float:
     ends, correction = np.array([middle - radius, middle + radius]), state.on(name)
     return float(np.mean([np.diff(correction(ends, direction))[0] for direction in Direction])) / (
         2.0 * radius

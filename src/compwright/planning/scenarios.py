@@ -10,7 +10,7 @@ import numpy as np
 
 from compwright.planning.fresh import END_MARGIN, FreshTests, generator
 from compwright.planning.wanted import MeasuredError
-from compwright.prediction.acting import Correction
+from compwright.prediction.active_corrections import Correction
 from compwright.prediction.positioning import dithered_targets
 from compwright.prediction.scatter import fresh_scatter
 from compwright.records.axis import Axis, Direction, FloatArray

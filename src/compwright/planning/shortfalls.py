@@ -20,7 +20,7 @@ from compwright.fitting.held_grid import held_part
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
 from compwright.planning.wanted import beside
-from compwright.prediction.acting import Correction, difference
+from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation

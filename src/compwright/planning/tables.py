@@ -11,9 +11,9 @@ from typing import Final
 
 import numpy as np
 
-from compwright.fitting.beyond import beyond_limits, far_beyond
 from compwright.fitting.fit import fit_table
 from compwright.fitting.losses import good_enough
+from compwright.fitting.truncation import beyond_limits, far_beyond
 from compwright.foundations.errors import CapacityError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit

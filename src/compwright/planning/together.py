@@ -17,7 +17,7 @@ from compwright.evaluation.agreement import disagreeing_test
 from compwright.foundations.findings import Finding
 from compwright.planning.motions import backlash_more, with_motion
 from compwright.planning.wanted import MeasuredError, held_by, measured_error
-from compwright.prediction.acting import Correction, nothing
+from compwright.prediction.active_corrections import Correction, nothing
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import Acted, PlannedTest

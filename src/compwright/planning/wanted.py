@@ -11,7 +11,7 @@ from compwright.estimation.axis import AxisPosterior, Draws, estimate_axis
 from compwright.estimation.noise import noise_of
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed import ObservedTest
-from compwright.evaluation.believable import not_made, without_traverses
+from compwright.evaluation.valid_readings import not_made, without_traverses
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.prediction.dead_zone import as_applied

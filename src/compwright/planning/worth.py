@@ -13,7 +13,7 @@ from compwright.foundations.errors import CapacityError
 from compwright.planning.axes import AxisWork
 from compwright.planning.fresh import FreshTests
 from compwright.planning.tables import fit_beside
-from compwright.prediction.acting import Correction, difference
+from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.fitted import TableRequest

@@ -31,7 +31,7 @@ _LEAST: Final = 1e-9
 #: By which part of it a fresh test drifts otherwise than the first one (standard deviation). Mostly
 #: an axis warms up by its own motion, and the same cycle brings the same heat; what differs is the
 #: temperature at which it starts and how freely it runs. A judgement, for which no source gives a
-#: figure: a start 1 K beside the last one, where 15 K would be the way to the steady state. Another
+#: figure: a start 1 K from the last one, where 15 K would be the way to the steady state. Another
 #: drift altogether is no part of it: ISO 230-2:1997, clause 3.3, wants none in a test.
 _DIFFERS: Final = 0.07
 
@@ -192,6 +192,6 @@ def _errors(draws: NoiseDraws, shape: tuple[int, int, int], rng: np.random.Gener
         fixed = draws.outlier_fixed[spoilt, np.newaxis, np.newaxis]
         chance = rng.random((spoilt.size, *shape[1:]))
         side = np.where(chance < 0.5 * share, -size, size)
-        beside = np.where(fixed, errors[spoilt] + side, size * errors[spoilt])
-        errors[spoilt] = np.where(chance < share, beside, errors[spoilt])
+        outliers = np.where(fixed, errors[spoilt] + side, size * errors[spoilt])
+        errors[spoilt] = np.where(chance < share, outliers, errors[spoilt])
     return errors

@@ -18,7 +18,7 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.input_sizes import MACHINE
 from compwright.foundations.session import Session
-from compwright.prediction.acting import IDLE, Acting
+from compwright.prediction.active_corrections import IDLE, ActiveCorrections
 from compwright.prediction.circular import moved_test
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun
@@ -112,7 +112,7 @@ def _file_of(
     )
 
 
-def _bent(recording: CircleRecording, between: Acting) -> CircleRecording:
+def _bent(recording: CircleRecording, between: ActiveCorrections) -> CircleRecording:
     """Return what the instrument records when one axis' position moves the other one: every point
     of the path moved so far.
     """
@@ -144,7 +144,9 @@ def _rerecorded(traverse: Traverse, moved: CircularRun) -> Traverse:
     )
 
 
-def _loaded(session: Session, machine: VirtualMachine, tables: Path, file: str) -> Acting:
+def _loaded(
+    session: Session, machine: VirtualMachine, tables: Path, file: str
+) -> ActiveCorrections:
     """Return what the tables in a folder do to a machine and between its axes. Raises UsageError,
     InputError.
     """

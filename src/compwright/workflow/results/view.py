@@ -15,7 +15,7 @@ from compwright.documents.evaluation import evaluation_document
 from compwright.documents.findings import finding_documents
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.planning.axes import AxisWork
-from compwright.prediction.acting import difference
+from compwright.prediction.active_corrections import difference
 from compwright.records.axis import Direction
 from compwright.records.circular import CircularResult
 from compwright.records.job import Job

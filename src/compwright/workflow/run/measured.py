@@ -22,7 +22,7 @@ from compwright.foundations.errors import Fault, InputError, UsageError, raise_a
 from compwright.foundations.findings import Finding
 from compwright.foundations.session import Session
 from compwright.jobs.idle_keys import idle_keys
-from compwright.prediction.acting import Acting
+from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularTest
 from compwright.records.correction import Assumption, ControlState
@@ -45,7 +45,7 @@ class Measured:
     control: Control
     inputs: JobInputs
     circles: tuple[CircularTest, ...]
-    acting: Mapping[str, Acting]
+    acting: Mapping[str, ActiveCorrections]
     named: tuple[Assumption, ...]
     findings: tuple[Finding, ...]
 

@@ -15,7 +15,7 @@ from compwright.planning.axes import AxisWork
 from compwright.planning.circles import CircleWork, predicted_circle
 from compwright.planning.limits import circle_decisions
 from compwright.planning.outlook import yardstick
-from compwright.prediction.acting import IDLE, Acting, Correction
+from compwright.prediction.active_corrections import IDLE, ActiveCorrections, Correction
 from compwright.records.job import AS_FOUND
 from compwright.records.prediction import AxisPrediction, CirclePrediction, TestPrediction
 from compwright.workflow.run.fitted import Fitted
@@ -76,7 +76,7 @@ def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
     return work.as_found if work.planned.fitted is None else applied_of(loaded, work.planned.axis)
 
 
-def _circle(work: CircleWork, measured: Measured, then: Acting) -> CirclePrediction:
+def _circle(work: CircleWork, measured: Measured, then: ActiveCorrections) -> CirclePrediction:
     """Predict a circle from the state it was measured in to what acts after loading."""
     during = measured.acting.get(work.planned.measured_in, IDLE)
     prediction = predicted_circle(work.result, work.planned, during, then)
@@ -84,14 +84,14 @@ def _circle(work: CircleWork, measured: Measured, then: Acting) -> CirclePredict
     return replace(prediction, accept=circle_decisions(work.planned.accept, prediction, rule))
 
 
-def _acting_then(measured: Measured, fitted: Fitted, written: Written) -> Acting:
+def _acting_then(measured: Measured, fitted: Fitted, written: Written) -> ActiveCorrections:
     """Return what acts after loading, on the axes and between them."""
     now, after = measured.acting.get(AS_FOUND, IDLE), written.cross.after
     along = {
         axis.name: applied_of(written.loaded, axis)
         for axis, _ in tables_of(written.works, fitted.scales)
     }
-    return Acting(
+    return ActiveCorrections(
         {**now.along, **along},
         now.across if after is None else acting(after, measured.axes).across,
     )

@@ -18,7 +18,7 @@ from compwright.planning.wanted import (
     measured_error,
     observed_tests,
 )
-from compwright.prediction.acting import nothing
+from compwright.prediction.active_corrections import nothing
 from compwright.prediction.dead_zone import as_applied
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import ControlState, no_compensation

@@ -24,7 +24,7 @@ from compwright.planning.limits import lacking_guard, measured_decisions, unguar
 from compwright.planning.motions import with_motion
 from compwright.planning.outlook import predict_same_targets
 from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
-from compwright.prediction.acting import Correction, difference, nothing
+from compwright.prediction.active_corrections import Correction, difference, nothing
 from compwright.prediction.dead_zone import as_applied
 from compwright.records.axis import Axis, Direction, partner_of
 from compwright.records.correction import AxisCompensation

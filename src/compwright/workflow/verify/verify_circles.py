@@ -39,7 +39,7 @@ from compwright.planning.circles import (
 from compwright.planning.diagnosed import diagnosed_circle
 from compwright.planning.limits import lacking_circle_guard, measured_circle_decisions
 from compwright.planning.stated import SIGNIFICANT
-from compwright.prediction.acting import Acting, added
+from compwright.prediction.active_corrections import ActiveCorrections, added
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularResult, CircularTest
 from compwright.records.job import Acknowledged, Job
@@ -156,8 +156,8 @@ def _verified(
     plan: Plan,
     circle: PlannedCircle,
     after: CircularTest,
-    during: Acting,
-    then: Acting,
+    during: ActiveCorrections,
+    then: ActiveCorrections,
 ) -> VerifiedCircle:
     before, result = (
         with_uncertainty(
@@ -230,7 +230,7 @@ def squareness_decisions(circles: Mapping[str, VerifiedCircle]) -> list[Decision
     ]
 
 
-def _planned(plan: Plan, as_found: DecodedState, axes: Mapping[str, Axis]) -> Acting:
+def _planned(plan: Plan, as_found: DecodedState, axes: Mapping[str, Axis]) -> ActiveCorrections:
     """Return what the control does once the plan's tables are loaded."""
     now = acting(as_found, axes)
     along = {
@@ -238,7 +238,7 @@ def _planned(plan: Plan, as_found: DecodedState, axes: Mapping[str, Axis]) -> Ac
         for name, entry in plan.axes.items()
         if entry.fitted is not None
     }
-    then = Acting({**now.along, **along}, dict(now.across))
+    then = ActiveCorrections({**now.along, **along}, dict(now.across))
     for entry in plan.cross:
         if entry.written:
             pair = (entry.input, entry.output)

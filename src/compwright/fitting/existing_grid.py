@@ -1,7 +1,7 @@
-"""The grid that is in the control: whether a new table can stand on exactly its nodes.
+"""The existing grid of the control: whether a new table can use exactly its nodes.
 
-Other functions of a control may hang on its nodes and their numbers; where they stay, what these
-functions do is the same before and after, and cancels.
+Other functions of a control may depend on these nodes and their numbers. Where the nodes stay, such
+functions do the same before and after, and cancel.
 """
 
 from __future__ import annotations
@@ -25,14 +25,15 @@ _LEAST_COVERED: Final = 0.5
 _SAME: Final = 1e-6
 
 
-def standing_nodes(
+def existing_nodes(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
 ) -> FloatArray | None:
-    """Return the nodes (k,) mm or deg of the grid that is in the control, told from the reference
-    where it repeats; None where there is none, or where the job wants another one.
+    """Return the nodes (k,), mm or deg, of the grid in the control; from the reference on where it
+    repeats.
 
-    An end that the job names cuts them short, or goes on at their spacing. Raises CapacityError
-    where the grid cannot serve, with the reason.
+    None where there is no grid, or where the job wants another one. An end that the job names cuts
+    the grid short, or extends it at its own interval. Raises CapacityError where the grid cannot be
+    used, with the reason.
     """
     if not (request.keeps and capacity.there):
         return None

@@ -39,12 +39,12 @@ def unit_odds(test: PositioningTest, factor: float) -> float:
     """Return how much more usual the readings are times ``factor`` than as they are."""
     outside = outside_factor(test.kind.unit)
     s, dof = pooled_scatter(test)
-    told = [(spread_of(test) * outside, _RANGE[test.kind])]
+    sizes = [(spread_of(test) * outside, _RANGE[test.kind])]
     if dof >= _ENOUGH and s > _ROUNDING:
-        told.append((s * outside, _SCATTER[test.kind]))
+        sizes.append((s * outside, _SCATTER[test.kind]))
     logs = (
         _log_square(size / centre) - _log_square(size * factor / centre)
-        for size, centre in told
+        for size, centre in sizes
         if size > 0.0
     )
     return math.exp(min(sum(logs), 50.0))

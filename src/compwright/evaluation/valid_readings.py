@@ -1,4 +1,6 @@
-"""What of a test is no measurement of the axis: traverses that were not made, readings far off."""
+"""Which parts of a test are no measurement of the axis: traverses that were not made, outlying
+readings.
+"""
 
 from __future__ import annotations
 
@@ -25,8 +27,8 @@ _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def believable(test: PositioningTest) -> PositioningTest:
-    """Return ``test`` without the traverses that were not made (`not_made`) and without the
-    readings that lie far off (CW-T014).
+    """Return ``test`` without the traverses that were not made (`not_made`) and without outlying
+    readings (CW-T014).
     """
     made = without_traverses(test, not_made(test))
     return without_readings(made, far_readings(made)[0])
@@ -62,8 +64,11 @@ def without_traverses(
 def far_readings(
     test: PositioningTest,
 ) -> tuple[list[tuple[float, Direction, int, int]], float]:
-    """Return how far off, direction, target and column of each suspect reading, the farthest first;
-    and the robust standard deviation of a reading. mm or deg.
+    """Return the outlying readings, the farthest first, and the robust standard deviation of a
+    reading, mm or deg.
+
+    Each outlier: distance from the other readings (mm or deg), direction, index of the target,
+    column of the run.
     """
     found: list[tuple[float, Direction, int, int]] = []
     inner = [residual - run_medians(residual) for residual in pooled(test)[0]]

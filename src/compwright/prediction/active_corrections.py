@@ -1,4 +1,4 @@
-"""What acts in a control: corrections by position and direction, on axes and between them.
+"""The active corrections of a control by position and direction, on axes and between them.
 
 A correction is what the control adds to the command, mm or deg, > 0 towards the positive end.
 """
@@ -24,7 +24,7 @@ def nothing(positions: FloatArray, _direction: Direction) -> FloatArray:
 
 
 def difference(new: Correction, old: Correction) -> Correction:
-    """Return what changes when ``new`` acts in place of ``old``."""
+    """Return ``new`` minus ``old``: how the correction changes when ``new`` replaces ``old``."""
     return partial(_together, new, old, -1.0)
 
 
@@ -43,7 +43,7 @@ def _together(
 
 
 @dataclass(frozen=True, slots=True)
-class Acting:
+class ActiveCorrections:
     """What a control does: ``along`` by axis name, on the axis itself; ``across`` by input and
     output axis, on the output.
     """
@@ -52,11 +52,11 @@ class Acting:
     across: Mapping[tuple[str, str], Correction]
 
     def on(self, axis: str) -> Correction:
-        """Return what acts on an axis by its own position."""
+        """Return the correction of an axis by its own position."""
         return self.along.get(axis, nothing)
 
     def between(self, given: str, bent: str) -> Correction:
-        """Return what acts on the axis ``bent`` by the position of ``given``."""
+        """Return the correction of the axis ``bent`` by the position of ``given``."""
         return self.across.get((given, bent), nothing)
 
     def displacement(self, axes: tuple[str, str]) -> Displacement:
@@ -81,8 +81,8 @@ class Acting:
         return at
 
 
-#: Nothing acts, or nobody said what does.
-IDLE = Acting({}, {})
+#: No correction, or an unknown one.
+IDLE = ActiveCorrections({}, {})
 
 
 def by_motion(correction: Correction, positions: FloatArray, moves: FloatArray) -> FloatArray:
