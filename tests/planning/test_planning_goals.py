@@ -12,7 +12,7 @@ import pytest
 from compwright.planning.axes import AxisWork, start_axis
 from compwright.planning.axis_fits import fit_all
 from compwright.planning.fresh import Like, fresh_tests
-from compwright.planning.goals import goal_told
+from compwright.planning.goals import goal_findings
 from compwright.planning.scenarios import alike, gains, scenarios_of
 from compwright.prediction.active_corrections import nothing
 from compwright.records.axis import Axis, Direction
@@ -53,11 +53,11 @@ def fitted(goal: Literal["expected", "A", "E", "M"], spacing: float) -> AxisWork
     return fit_all({"X": replace(work, entry=entry, planned=planned)}, capacity, "job.yaml")["X"]
 
 
-def told(work: AxisWork) -> list[str]:
+def parameters(work: AxisWork) -> list[str]:
     table = work.planned.fitted
     assert table is not None
     fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, Like())
-    return [finding.message for finding in goal_told(work, table.compensation.at, fresh)]
+    return [finding.message for finding in goal_findings(work, table.compensation.at, fresh)]
 
 
 def test_scenarios_are_tests_like_the_one_that_was_measured() -> None:
@@ -88,14 +88,14 @@ def test_one_direction_has_tests_of_one_direction() -> None:
 def test_a_goal_that_gains_is_told_with_both_numbers() -> None:
     """Two nodes under a bent error: E with the goal, and in brackets with the usual table."""
     work = fitted("E", 1000.0)
-    (message,) = told(work)
+    (message,) = parameters(work)
     assert "made for the least E" in message
     mine, usual = (float(part.strip("(),")) for part in message.split("E ")[-1].split()[:2])
     assert mine < 0.97 * usual
 
 
 def test_a_goal_that_gains_nothing_says_so() -> None:
-    (message,) = told(fitted("A", 25.0))
+    (message,) = parameters(fitted("A", 25.0))
     if "is the one of least A too" not in message:  # or it is nearly the same
         values = [part.strip("(),") for part in message.split("A ")[-1].split()[:2]]
         assert float(values[0]) == pytest.approx(float(values[1]), rel=0.01)
@@ -103,7 +103,7 @@ def test_a_goal_that_gains_nothing_says_so() -> None:
 
 def test_without_a_goal_nothing_is_told() -> None:
     work = fitted("expected", 25.0)
-    assert told(work) == []
+    assert parameters(work) == []
     assert work.planned.wanted is not None
     assert work.planned.wanted.scenarios is None
 
@@ -198,6 +198,6 @@ def test_a_table_that_fresh_tests_do_not_bear_out_is_not_taken(
     assert work.planned.request.goal == "expected"
     assert work.planned.wanted is not None
     assert work.planned.wanted.scenarios is None
-    (message,) = told(work)
+    (message,) = parameters(work)
     assert "the table of least expected square is taken" in message
     assert "in brackets with the one made for E" in message

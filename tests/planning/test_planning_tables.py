@@ -63,7 +63,7 @@ def test_what_exceeds_the_range_by_far_is_refused_before_anything_is_fitted(
     millimetres: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Whole steps over metres would be searched for hours."""
-    monkeypatch.setattr(tables, "fit_beside", None)
+    monkeypatch.setattr(tables, "fit_remaining", None)
     far = wish(millimetres * X / 500.0, millimetres * X / 500.0, positions=X)
     range_of_10_mm = replace(stepping(()), value_range=(-10.0, 10.0))
     with pytest.raises(CapacityError, match="value range") as refused:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.planning.together import counted_together, with_what_acted
+from compwright.planning.together import counted_together, with_active_corrections
 from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
 from compwright.records.axis import Axis, Direction, Motion
 from compwright.records.correction import AxisCompensation, ControlState
@@ -67,7 +67,7 @@ def told(
     active = None
     if tests[0].measured_in in given:
         active = given[tests[0].measured_in].axes.get("X")
-    acted = with_what_acted(tests, axis, given)
+    acted = with_active_corrections(tests, axis, given)
     counted, error, doubts = counted_together(acted, observed_tests(acted, active), axis, active)
     return [test.acted is not None for test in counted], error, [each.code for each in doubts]
 
@@ -236,7 +236,7 @@ def test_a_short_test_before_the_whole_one_leaves_the_slope_to_that() -> None:
     near, whole = planned("near", "off", targets=DITHERED[8:15]), rising(0.0)
     spans = []
     for tests in ((near, whole), (whole,)):
-        acted = with_what_acted(tests, axis_of(), STATES)
+        acted = with_active_corrections(tests, axis_of(), STATES)
         error = measured_error(acted, observed_tests(acted, None), axis_of(), None)
         spans.append(np.mean(error.own.summary(WHERE).std_positive))
     assert spans[0] < spans[1] + 0.3 * UM

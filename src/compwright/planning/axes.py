@@ -28,7 +28,7 @@ from compwright.planning.never_applied import never_applied
 from compwright.planning.new_targets import decided
 from compwright.planning.outlook import predict, why_not_better, why_not_seen, yardstick
 from compwright.planning.tables import offer
-from compwright.planning.together import counted_together, with_what_acted
+from compwright.planning.together import counted_together, with_active_corrections
 from compwright.planning.wanted import (
     MeasuredError,
     check_coverage,
@@ -59,12 +59,14 @@ class CapacityOf(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisWork:
-    """One axis of a run. ``as_found``: what the control does now, by the judge; ``refused``: why
-    its table is not written; ``chosen``: the table on a grid of our own choice, where that of the
-    control stays and may lose something by it; ``beside``: where the job has another goal than the
-    least expected square, the one of the two tables that was not taken. ``doubts``:
-    of tests that contradict the first, or look like something else than what they say;
-    ``at_targets``: the estimate at the targets of the first test.
+    """The work on one axis of a run.
+
+    ``as_found``: the present correction of the control, by the judge; ``refused``: why its table is
+    not written; ``chosen``: the table on a grid of our own choice, where the existing grid stays
+    and this may cost something; ``alternative``: where the job's goal differs from the least
+    expected square, the table that was not taken. ``doubts``: about tests that contradict the
+    first, or look unlike their description; ``at_targets``: the estimate at the targets of the
+    first test.
     """
 
     entry: AxisJob
@@ -75,7 +77,7 @@ class AxisWork:
     capacity: Capacity | None = None
     refused: str = ""
     chosen: FittedTable | None = None
-    beside: FittedTable | None = None
+    alternative: FittedTable | None = None
     doubts: tuple[Finding, ...] = ()
     at_targets: ErrorEstimate | None = None
 
@@ -90,7 +92,7 @@ class AxisWork:
 
     @property
     def active(self) -> Correction:
-        """What acted during the first test; zero where nobody said."""
+        """The correction that was active during the first test; zero where it is unknown."""
         active = self.planned.active
         return nothing if active is None else active.at
 
@@ -102,7 +104,7 @@ class AxisWork:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What was noticed on this axis beside the findings of its tests."""
+        """The findings of this axis that are not findings of a single test."""
         fitted = self.planned.fitted
         own = (
             *self._longer_tests(),
@@ -132,18 +134,19 @@ class AxisWork:
 
 
 #: Checks of the readings that an estimate of the noise tells with its size and its odds.
-_TOLD_BY: Final = {"CW-E020": "CW-T012", "CW-E021": "CW-T012", "CW-E024": "CW-T014"}
+_REPORTED_BY: Final = {"CW-E020": "CW-T012", "CW-E021": "CW-T012", "CW-E024": "CW-T014"}
 
 
 def evaluated(
     job: Job,
     axis: Axis,
     test: PositioningTest,
-    told: Collection[str] = (),
-    beside: Sequence[PositioningTest] = (),
+    reported: Collection[str] = (),
+    other_tests: Sequence[PositioningTest] = (),
 ) -> PositioningResult:
-    """Return a test of an axis evaluated as its job asks; ``told``: see `evaluate`; ``beside``:
-    other tests of the axis.
+    """Return a test of an axis evaluated by the settings of its job.
+
+    ``reported``: see `evaluate`; ``other_tests``: other tests of the axis.
     """
     return evaluate(
         test,
@@ -152,8 +155,8 @@ def evaluated(
         periods=axis.screw_pitch,
         budget=job.budget(axis.kind),
         thermal=test.thermal,
-        reported=told,
-        other_tests=beside,
+        reported=reported,
+        other_tests=other_tests,
     )
 
 
@@ -166,7 +169,7 @@ def start_axis(
 ) -> AxisWork:
     """Evaluate the tests of an axis and estimate its error from those that count together.
 
-    ``states``: by name, those of which somebody said what they are; ``as_found``: what acts now.
+    ``states``: the known states, by name; ``as_found``: the correction that is active at present.
     Raises UsageError for tolerances that fit no test, InputError where the tests that count cover
     less than half of the travel.
     """
@@ -174,23 +177,25 @@ def start_axis(
     measured = [planned.test for planned in tests]
     others = [[other for other in measured if other is not test] for test in measured]
     results = tuple(
-        evaluated(job, axis, test, beside=beside)
-        for test, beside in zip(measured, others, strict=True)
+        evaluated(job, axis, test, other_tests=other_tests)
+        for test, other_tests in zip(measured, others, strict=True)
     )
     check_limits(job, entry, results)
     active = None
     if tests[0].measured_in in states:
         active = held_by(states[tests[0].measured_in], axis)
-    tests = with_what_acted(with_backlash(with_slopes(job, tests), axis, states), axis, states)
+    tests = with_active_corrections(
+        with_backlash(with_slopes(job, tests), axis, states), axis, states
+    )
     observed = observed_tests(tests, active)
     misread = misread_tests(tests, observed, axis, states)
     tests, posterior, contradicting = counted_together(tests, observed, axis, active)
     results = tuple(
         with_known_backlash(
-            evaluated(job, axis, result.test, told, beside) if told else result, bare
+            evaluated(job, axis, result.test, reported, other_tests) if reported else result, bare
         )
-        for result, told, beside, bare in zip(
-            results, _told(posterior), others, observed, strict=True
+        for result, reported, other_tests, bare in zip(
+            results, _reported_checks(posterior), others, observed, strict=True
         )
     )
     check_coverage(job.file, axis, [each.test for each in tests if each.acted is not None])
@@ -217,11 +222,11 @@ def start_axis(
     )
 
 
-def _told(posterior: MeasuredError) -> Iterator[frozenset[str]]:
+def _reported_checks(posterior: MeasuredError) -> Iterator[frozenset[str]]:
     """Yield by test the checks of its readings that the estimate tells, if it counts there."""
     for noise, place in zip(posterior.noises, posterior.counted, strict=True):
         found = () if noise is None or place is None else noise.findings
-        yield frozenset(_TOLD_BY[each.code] for each in found if each.code in _TOLD_BY)
+        yield frozenset(_REPORTED_BY[each.code] for each in found if each.code in _REPORTED_BY)
 
 
 def predict_axis(
@@ -231,9 +236,10 @@ def predict_axis(
     job: Job,
     fresh: FreshTests | None = None,
 ) -> AxisPrediction:
-    """Return what fresh tests of an axis will show when ``new`` acts. ``table``: what was written
-    for it, as read back; None where nothing was. ``fresh``: tests like its first one at new
-    targets, where they are drawn already.
+    """Return the prediction of fresh tests of an axis with the correction ``new``.
+
+    ``table``: the written table, as read back; None where none was written. ``fresh``: tests like
+    the first one at new targets, where they are drawn already.
     """
     axis, rule = work.planned.axis, job.decision_rule
     first = fresh or fresh_like_first(work, rule)
@@ -260,8 +266,8 @@ def predict_axis(
 def _predicted_test(
     work: AxisWork, place: int, new: Correction, job: Job, fresh: FreshTests | None
 ) -> TestPrediction:
-    """Return what a fresh test like the one at ``place`` will show when ``new`` acts, with the
-    guard bands where a guarded decision speaks of it.
+    """Return the prediction of a fresh test like the one at ``place`` with the correction ``new``;
+    with guard bands where a guarded decision needs them.
     """
     planned, result = work.planned, work.results[place]
     test = planned.tests[place]
@@ -309,9 +315,12 @@ def _offered(
 
 
 def no_gain(work: AxisWork, new: Correction) -> str:
-    """Return why ``new``, the table as read back, would not improve the axis over what the control
-    does now, or not by as much as the job asks for; empty when it does. Readings far off, which no
-    table moves, do not judge, nor do traverses that were not made.
+    """Return why ``new``, the table as read back, would not improve the axis enough; empty where it
+    does.
+
+    It is compared with the present correction of the control and with the gain that the job
+    requires. Outlying readings, which no table changes, and traverses that were not made do not
+    count.
     """
     changes = [difference(each, work.active) for each in (new, work.as_found)]
     first = work.results[0]

@@ -40,7 +40,7 @@ class _Fitted:
     request: TableRequest
     table: FittedTable
     chosen: FittedTable | None
-    beside: FittedTable | None
+    alternative: FittedTable | None
     capacity: Capacity
 
 
@@ -87,7 +87,7 @@ def fit_all(
                 fitted=found.table,
             ),
             chosen=found.chosen,
-            beside=found.beside,
+            alternative=found.alternative,
         )
     raise_all(CapacityError, collect(errors))
     return fitted
@@ -100,16 +100,16 @@ def _fit(
     table where two would hold what may be the drift of the test, and the job leaves the choice.
     """
     work, capacity, rule = task
-    found = _fit_as_asked(work, capacity, rule)
+    found = _requested_fit(work, capacity, rule)
     if isinstance(found, CapacityError) or not _holds_drift(work, found, rule):
         return found
     planned = replace(work.planned, request=replace(work.planned.request, mode="single"))
-    single = _fit_as_asked(replace(work, planned=planned), capacity, rule)
+    single = _requested_fit(replace(work, planned=planned), capacity, rule)
     if isinstance(single, CapacityError):
         return single
-    tables = (single.table, single.chosen, single.beside)
-    table, chosen, beside = (one and replace(one, mode_reason=_ONE_TABLE) for one in tables)
-    return replace(single, table=table or single.table, chosen=chosen, beside=beside)
+    tables = (single.table, single.chosen, single.alternative)
+    table, chosen, alternative = (one and replace(one, mode_reason=_ONE_TABLE) for one in tables)
+    return replace(single, table=table or single.table, chosen=chosen, alternative=alternative)
 
 
 def _holds_drift(work: AxisWork, found: _Fitted, rule: Literal["simple", "guarded"]) -> bool:
@@ -121,7 +121,7 @@ def _holds_drift(work: AxisWork, found: _Fitted, rule: Literal["simple", "guarde
     return rises_as_drift(rise_of(planned.estimate, work.active), within)
 
 
-def _fit_as_asked(
+def _requested_fit(
     work: AxisWork, capacity: Capacity, rule: Literal["simple", "guarded"]
 ) -> _Fitted | CapacityError:
     """Return what is wanted of an axis and its tables, or why the control cannot hold one. The
@@ -138,7 +138,7 @@ def _fit_as_asked(
     try:
         expected = replace(request, goal="expected")
         capacity, usual = practical_table(wanted, capacity, expected, axis, _shown(work, rule))
-        beside = None
+        alternative = None
         if request.goal != "expected":
             scenarios = scenarios_of(work.results[0], work.posterior, planned.estimate, axis)
             judged = replace(wanted, scenarios=scenarios)
@@ -146,11 +146,11 @@ def _fit_as_asked(
             if _pays(work, table, usual, rule):
                 chosen = freely_chosen(judged, capacity, request, table, axis)
                 return _Fitted(judged, request, table, chosen, usual, capacity)
-            beside = table
+            alternative = table
         chosen = freely_chosen(wanted, capacity, expected, usual, axis)
     except CapacityError as error:
         return error
-    return _Fitted(wanted, expected, usual, chosen, beside, capacity)
+    return _Fitted(wanted, expected, usual, chosen, alternative, capacity)
 
 
 def _shown(work: AxisWork, rule: Literal["simple", "guarded"]) -> Shown:

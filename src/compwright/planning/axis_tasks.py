@@ -1,6 +1,7 @@
-"""Work on one axis, stage by stage, as it is handed to a process beside the first one: functions of
-one argument. What they take and return needs this room to be loaded, and neither commands nor
-formats, so that such a process begins soon.
+"""The work on one axis in stages, each a function of one argument that a second process can run.
+
+Arguments and results need only this room, neither commands nor formats, so that such a process
+starts quickly.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from dataclasses import replace
 
 from compwright.planning.axes import AxisWork, fresh_like_first, no_gain, predict_axis, start_axis
 from compwright.planning.drifting import drift_or_reversal
-from compwright.planning.goals import goal_told
+from compwright.planning.goals import goal_findings
 from compwright.planning.limiting import what_limits
 from compwright.planning.never_applied import never_applied
 from compwright.planning.shortfalls import unheld_period
@@ -26,8 +27,8 @@ from compwright.records.prediction import AxisPrediction
 def started(
     task: tuple[Job, AxisJob, tuple[PlannedTest, ...], Mapping[str, ControlState]],
 ) -> AxisWork:
-    """Return an axis evaluated and estimated (`start_axis`); what acts on it now is not needed for
-    that.
+    """Return an axis evaluated and estimated (`start_axis`); the present correction is not needed
+    for that.
     """
     return start_axis(*task, nothing)
 
@@ -49,7 +50,7 @@ def predicted(
     axis, prediction = work.planned.axis, predict_axis(*task, fresh)
     findings = (
         *prediction.findings,
-        *goal_told(work, new, fresh),
+        *goal_findings(work, new, fresh),
         *drift_or_reversal(work, fresh),
         *(() if fitted is None else never_applied(work.planned.axis, fitted.compensation)),
     )
@@ -63,7 +64,7 @@ def predicted(
         findings = (*findings, *((short[1],) if short else ()))
     # Of a table that was fitted, not of an axis whose tests contradict its files.
     refused = bool(work.refused) and work.capacity is not None
-    said = (
+    verdicts = (
         (stopped(axis, limits),)
         if work.stops
         else tuple(verdict(axis, limits, tabled=tabled, refused=refused))
@@ -72,5 +73,5 @@ def predicted(
         prediction,
         limits=limits,
         worth=worth_of_points(work, new, fresh, limits.parameter),
-        findings=(*findings, *said),
+        findings=(*findings, *verdicts),
     )

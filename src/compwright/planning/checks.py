@@ -1,5 +1,5 @@
-"""Circles beside the laser: lost motion and scale of one axis told by both, each with its
-uncertainty.
+"""Compare circles with the positioning test: lost motion and scale of one axis from both, each with
+its uncertainty.
 """
 
 from __future__ import annotations

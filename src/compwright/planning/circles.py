@@ -34,7 +34,7 @@ from compwright.records.prediction import CirclePrediction
 from compwright.words.sentences import say
 
 CIRCULAR_STANDARD = "iso230-4:2005"
-#: A circular deviation that grows by this factor or less is told by the numbers alone.
+#: A circular deviation that grows by this factor or less gets no finding; the numbers show it.
 WORSE = 1.1
 #: Fresh circular tests that are drawn.
 DRAWS: Final = 100
@@ -143,7 +143,7 @@ def in_job_names(test: CircularTest, axes: Iterable[str]) -> CircularTest:
 def _centre(
     test: CircularTest, given: tuple[float, ...] | None, axes: Mapping[str, Axis]
 ) -> tuple[tuple[float, float], bool]:
-    """Return the centre of the circle on its two axes, and whether anybody said it."""
+    """Return the centre of the circle on its two axes, and whether it is known."""
     if given is not None and len(given) == 2:
         return (given[0], given[1]), True
     if given is not None:
@@ -272,8 +272,8 @@ def predicted_circle(
     change_from: ActiveCorrections,
     change_to: ActiveCorrections,
 ) -> CirclePrediction:
-    """Return the prediction for a test measured while ``change_from`` acted, once ``change_to``
-    does.
+    """Return the prediction for a test that was measured with ``change_from`` active, once
+    ``change_to`` is active.
     """
     axes = planned.test.axes
     old, new = change_from.displacement(axes), change_to.displacement(axes)

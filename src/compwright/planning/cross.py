@@ -1,10 +1,10 @@
 """Corrections between axes: squareness from circles, squareness and straightness from direct
 measurements.
 
-Everything here is what is added to what the control does already. The angle of a circle is that of
-the machine with what acted between its axes while it was measured; a state with other tables has
-another angle. Signs: squareness > 0 means more than 90° between the two positive axes; the bent
-axis gets + squareness times the distance of the other one from its reference.
+All values here are changes of the present correction. The angle of a circle is that of the machine
+with the corrections that were active between its axes during the measurement; a state with other
+tables has another angle. Signs: squareness > 0 means more than 90° between the two positive axes;
+the bent axis gets + squareness times the distance of the other one from its reference.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class Squareness:
 
 @dataclass(frozen=True, slots=True)
 class CrossPlan:
-    """What shall be added between axes, and what is to be said about it."""
+    """The changes of the corrections between axes, and their findings."""
 
     planned: tuple[PlannedCross, ...] = ()
     findings: tuple[Finding, ...] = ()
@@ -71,11 +71,11 @@ def plan_cross(
     states: Mapping[str, ActiveCorrections],
     now: ActiveCorrections,
 ) -> CrossPlan:
-    """Return the corrections between axes that the job asks for: direct measurements, and of
-    circles what ``apply`` names.
+    """Return the corrections between axes that the job requests: direct measurements, and the
+    circles that ``apply`` names.
 
-    ``states``: what acts in each state of the job, by its name; ``now``: what acts in the control
-    now.
+    ``states``: the active corrections in each state of the job, by its name; ``now``: those in the
+    control at present.
     """
     planner = _Planner(job, circles, states, now)
     planned = tuple(planner.measured()) + tuple(planner.squareness())
@@ -118,7 +118,9 @@ class _Planner:
             yield planned
 
     def _measured(self, request: CrossRequest) -> PlannedCross:
-        """Return minus the deviation, plus what acted during the measurement less what acts now."""
+        """Return minus the deviation, plus the correction during the measurement, minus the present
+        one.
+        """
         where = np.array(request.positions)
         pair = (request.input, request.output)
         before = self.states.get(request.measured_in, self.now).between(*pair)
@@ -193,11 +195,11 @@ class _Planner:
         """Yield the ramp of every plane that ``apply`` names; say of the others what would be
         corrected.
         """
-        asked = {
+        requested = {
             frozenset({bent, other_axis(plane, bent)}): (plane, bent)
             for plane, bent in self.job.apply.squareness.items()
         }
-        for pair, (plane, bent) in asked.items():
+        for pair, (plane, bent) in requested.items():
             other = other_axis(plane, bent)
             if bent not in self.axes or other not in self.axes or pair in self.measured_pairs:
                 continue
@@ -211,7 +213,7 @@ class _Planner:
                 yield self._ramp(other, bent, angle)
         for pair, angle in self.angles.items():
             if (
-                pair not in asked
+                pair not in requested
                 and pair not in self.measured_pairs
                 and need_of(angle.value * _PPM, angle.std_error * _PPM) == "correct"
             ):
@@ -256,7 +258,9 @@ class _Planner:
         )
 
     def _angles(self, circles: Sequence[CircleWork]) -> Iterator[tuple[frozenset[str], Squareness]]:
-        """Yield by pair of axes the weighted mean of its circles, each brought to what acts now."""
+        """Yield by pair of axes the weighted mean of its circles, each converted to the present
+        corrections.
+        """
         by_pair: dict[frozenset[str], list[CircleWork]] = {}
         for work in circles:
             if effect_of(work.result, "squareness") is not None:
@@ -291,7 +295,7 @@ class _Planner:
         bent = angle_of(work, during) - angle_of(work, self.now)
         return effect.value / _PPM + bent, effect.std_error / _PPM
 
-    # --- what is to be said
+    # --- findings
     # ----------------------------------------------------------------------------------------------
 
     def _reach(self, label: str, axis: Axis, length: float, of: str) -> None:
@@ -313,7 +317,7 @@ class _Planner:
 
 
 def angle_of(work: CircleWork, state: ActiveCorrections) -> float:
-    """Return the squareness, rad, that what acts between the axes takes away over the circle of
+    """Return the squareness, rad, that the corrections between the axes remove over the circle of
     ``work``.
     """
     test = work.planned.test

@@ -19,8 +19,10 @@ from compwright.records.positioning import PositioningTest
 
 
 def with_slopes(job: Job, tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
-    """Return the tests of an axis with the standard deviation of the slope (mm/mm) that each has of
-    its own; ``guarded``: beside the first test, whose slope is in U.
+    """Return the tests of an axis, each with the standard deviation of its own slope (mm/mm).
+
+    ``guarded``: the slope relative to the first test, because the slope of the first test is part
+    of U.
     """
     first = tests[0].test
     own = tuple(
@@ -30,12 +32,12 @@ def with_slopes(job: Job, tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ..
         )
         for each in tests
     )
-    return beside_first(own) if job.decision_rule == "guarded" else own
+    return relative_to_first(own) if job.decision_rule == "guarded" else own
 
 
-def beside_first(tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
-    """Return the tests with slopes as they lie beside the first, on which the table stands: it has
-    none, the others both.
+def relative_to_first(tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
+    """Return the tests with slopes relative to the first, from which the table is made: zero for
+    the first, the combination of both for the others.
     """
     first, *others = tests
     return (

@@ -17,10 +17,10 @@ _NOT_SEPARABLE = (
 
 
 def diagnosed_circle(test: CircularTest, standard: str) -> CircularResult:
-    """Return the test evaluated to ``standard`` with its causes; without them, and with the reason,
-    where they cannot be told.
+    """Return the test evaluated to ``standard``, with the causes of its deviations.
 
-    Raises InputError for a test that cannot be evaluated.
+    Where the causes cannot be determined, without them and with the reason. Raises InputError for a
+    test that cannot be evaluated.
     """
     result = evaluate_circle(test, standard)
     try:
@@ -31,8 +31,8 @@ def diagnosed_circle(test: CircularTest, standard: str) -> CircularResult:
 
 
 def _diagnosed(test: CircularTest) -> Diagnosis:
-    """Return the causes. Raises InputError where they cannot be told, as for computed samples:
-    without noise nothing is judged.
+    """Return the causes. Raises InputError where they cannot be determined, as for computed samples
+    without noise.
     """
     with np.errstate(invalid="ignore"):  # a variance below zero is found by its root
         try:

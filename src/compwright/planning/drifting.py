@@ -1,10 +1,10 @@
-"""Drift within a run looks like a reversal: in the mean, and as one that varies along the travel.
+"""Drift within a run looks like a reversal error that varies along the travel.
 
 A run goes up through the m targets and down again (ISO 230-2, standard test cycle): 2 m readings at
 equal times, target i (0 .. m - 1) in + as number i, in - as number 2 m - 1 - i. An axis that drifts
-by D from the first of n runs to the last moves by D / (n - 1) within each, so that its reversal
-(mean in + less mean in -) shows -(2 m - 1 - 2 i) / (2 m) of that beside the play: on the average
-one half, nearly all of it at the low end, nearly nothing at the high one.
+by D from the first of n runs to the last moves by D / (n - 1) within each. Its reversal (mean in +
+minus mean in -) then changes by -(2 m - 1 - 2 i) / (2 m) of that: one half on average, nearly all
+of it at the low end, nearly nothing at the high end.
 """
 
 from __future__ import annotations

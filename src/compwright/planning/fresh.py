@@ -130,15 +130,15 @@ class FreshTests:
         )
 
     def _scatter_without(self, parts: frozenset[NoisePart]) -> FreshScatter:
-        asked = parts if parts and self.has(tuple(parts)) else frozenset()
-        if asked not in self.drawn:
-            for other in [key for key in self.drawn if key and asked]:
+        removed = parts if parts and self.has(tuple(parts)) else frozenset()
+        if removed not in self.drawn:
+            for other in [key for key in self.drawn if key and removed]:
                 del self.drawn[other]
             rng = np.random.default_rng()
             rng.bit_generator.state = self.state
-            bare = without(self.draws.noise, *asked)
-            self.drawn[asked] = _scatter(self.result, bare, self.sets, self.chosen, rng)
-        return self.drawn[asked]
+            bare = without(self.draws.noise, *removed)
+            self.drawn[removed] = _scatter(self.result, bare, self.sets, self.chosen, rng)
+        return self.drawn[removed]
 
 
 def draws_like(result: PositioningResult) -> int:

@@ -14,29 +14,31 @@ from compwright.planning.scenarios import alike
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.words.sentences import say
 
-#: What is told: of both directions, of the one that was measured, or of VDI/DGQ 3441.
-_TOLD: Final = (
+#: Reported parameters: of both directions, of the one that was measured, or of VDI/DGQ 3441.
+_REPORTED: Final = (
     ("A", "E", "M"),
     ("A_positive", "E_positive", "A_negative", "E_negative"),
     ("P", "Pa"),
 )
 
 
-def goal_told(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
+def goal_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
     """Yield what ``fresh`` tests at new targets show of A, E and M with ``new``, and with the table
     that was not taken, where the job has another goal than the least expected square (CW-P152).
     """
     planned, goal = work.planned, work.entry.table.goal
-    if work.beside is None or planned.fitted is None:
+    if work.alternative is None or planned.fitted is None:
         return
     mine, others = (
-        fresh.quantiles(difference(acts, work.active))
-        for acts in (new, work.beside.compensation.at)
+        fresh.quantiles(difference(correction, work.active))
+        for correction in (new, work.alternative.compensation.at)
     )
-    same = alike(planned.fitted, work.beside)
+    same = alike(planned.fitted, work.alternative)
     unit = planned.axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
-    names = next(found for told in _TOLD if (found := [name for name in told if name in mine]))
+    names = next(
+        found for parameters in _REPORTED if (found := [name for name in group if name in mine])
+    )
     left = any(finding.code == GOAL_LEFT for finding in planned.fitted.findings)
     yield Finding.of(
         "CW-P152",

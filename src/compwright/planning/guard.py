@@ -29,23 +29,25 @@ def guard_bands(
     posterior: MeasuredError,
     change: Correction,
 ) -> Mapping[str, ExpandedUncertainty] | None:
-    """Return U (mm or deg, k = 2) of the parameters that a fresh test like ``result``, the one at
-    ``place`` of its axis, will have after a ``change`` of the correction; None where the job
-    declares nothing, and for VDI 3441.
+    """Return U (mm or deg, k = 2) of the parameters of a fresh test like ``result``, after a
+    ``change`` of the correction.
 
-    It is the U of the measured test as the change leaves it (`expanded_uncertainties`), because U
-    depends on the curve that is left. Temperature, misalignment and set-up are drawn twice: for the
-    test on which the table stands, whose error acts in the machine from then on, and for the fresh
-    one. The instrument and the coefficient of expansion are the same in both: what they do wrong
-    the table has, and the fresh test does not show it; they count once. U is at least by how much
-    the declared slopes of both tests, in the band, move its ends: a guarded decision accepts and
-    rejects nothing that a simple one leaves open.
+    ``result``: the test at ``place`` of its axis. None where the job declares no uncertainty, and
+    for VDI 3441.
+
+    It is the U of the measured test after the change (`expanded_uncertainties`), because U depends
+    on the remaining curve. Temperature, misalignment and set-up are drawn twice: for the test from
+    which the table is made, whose error stays in the machine, and for the fresh one. The instrument
+    and the coefficient of expansion are the same in both: the table contains their error and the
+    fresh test does not show it, so they count once. U is at least the amount by which the declared
+    slopes of both tests move the ends of the band: a guarded decision accepts and rejects nothing
+    that a simple one leaves undecided.
     """
     test, kind = result.test, result.test.kind
     budget = job.budget(kind)
     if budget is None:
         return None
-    if kind is AxisKind.ROTARY:  # of angles the set-up is no slope: both draws of it lie beside
+    if kind is AxisKind.ROTARY:  # set-up gives no slope of angles: add both draws
         budget = replace(budget, setup=math.hypot(budget.setup, budget.setup))
     stated, _ = expanded_uncertainties(
         with_change(test, *(change(test.targets, direction) for direction in Direction)),

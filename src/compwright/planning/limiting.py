@@ -1,5 +1,6 @@
-"""What limits an axis: how much of its predicted parameter each cause makes, told by the same draws
-with the cause and without it.
+"""What limits an axis: how much each cause contributes to its predicted parameter.
+
+Each cause is computed from the same draws with and without it.
 """
 
 from __future__ import annotations
@@ -40,12 +41,12 @@ _WORTH_SAYING: Final = 0.005
 
 
 def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting | None:
-    """Return what limits the first of A, E, ... that the first test of an axis has, when ``new``
-    acts; None where it has none. ``fresh``: tests like that one, at new targets.
+    """Return what limits the first of A, E, ... that the first test of an axis has, with the
+    correction ``new``; None where it has none.
 
-    Each cause is taken away alone, while all others stay. What the table does not hold of the known
-    error is the sum of the causes that `shortfalls` names, so that taking one away is adding what
-    it lacks.
+    ``fresh``: tests like that one, at new targets. Each cause is removed alone, while all others
+    stay. The part of the known error that the table does not hold is the sum of the causes that
+    `shortfalls` names: to remove one is to add what it lacks.
     """
     name = yardstick(work.results[0])
     if name is None:
@@ -56,8 +57,8 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting 
     least = shown(change, known=False, unknown=False, warm=False)
     alike = shown(change, cured=("tails",))
     causes = [
-        # Readings that scatter, but for the few that lie far off, which are told in parts of the
-        # same scatter: those are taken away first.
+        # Scatter without the few outliers, which are given in units of the same scatter: the
+        # outliers are removed first.
         Cause(cause=NOISE, value=alike.median - shown(change, cured=("scatter",)).median),
         *(
             Cause(cause=cause, value=then.median - without.median, rms=rms)
@@ -93,8 +94,8 @@ def _shown(fresh: FreshTests, name: str, change: Correction, **taken: Any) -> Qu
 def _without(
     work: AxisWork, fresh: FreshTests, change: Correction, shown: _ShownParameter, alike: Quantiles
 ) -> Iterator[tuple[str, Quantiles, float | None]]:
-    """Yield every cause with what tests without it show, and what the fit says of it; ``alike``:
-    what those without readings far off show.
+    """Yield every cause with the parameter of tests without it, and what the fit reports for it;
+    ``alike``: the parameter without outlying readings.
     """
     for cause, parts in _SCATTERING.items():
         if fresh.has(parts):

@@ -105,11 +105,12 @@ def measured_decisions(
     proven: bool,
 ) -> dict[str, AcceptDecision]:
     """Return the decision about each tolerance of the job from the test after loading (limits in µm
-    or arcsec); a guarded decision needs the uncertainty of this test, and no more: what the tests
-    before have put into the table acts in the machine, and is measured with it.
+    or arcsec).
 
-    Of readings that are not ``believed`` nothing is decided, and nothing is accepted of a test that
-    is not ``proven``: it shows less than the one that it repeats.
+    A guarded decision needs the uncertainty of this test only: the tests before are contained in
+    the table, which is active and measured with it. Readings that are not ``believed`` give no
+    decision. A test that is not ``proven``, because it shows less than the one that it repeats,
+    accepts nothing.
     """
     if entry.accept is None:
         return {}

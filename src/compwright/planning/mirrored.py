@@ -1,14 +1,15 @@
-"""Is the table in the control the mirror image of a test that should have been taken with it? Then
-the table was made from this very test: it did not act in it, and a further table would take away
-the same error a second time.
+"""Is the table in the control the mirror image of a test that should have been taken with it?
 
-Compared are the middles of both directions without their straight line: a temperature changes the
-line, a backlash that was taken over in part the distance of the directions, and neither changes
-what is left. A test that was taken with its table shows what the table leaves: of the table's own
-shape little, give or take a quarter (`planning.misread`), and hardly ever all of it, turned.
+Then the table was made from this very test: it was not active in the test, and a further table
+would remove the same error twice.
+
+Compared are the means of both directions without their straight line. A temperature changes the
+line, a partly copied backlash value the distance of the directions; neither changes the rest. A
+test that was taken with its table shows what the table leaves: little of the table's own shape,
+plus or minus a quarter (`planning.misread`), and hardly ever all of it with the opposite sign.
 
 A table that changes an older one is the mirror image of the test where the older one is small
-beside the change. Where it is not, shapes cannot tell: the plan of that run can
+relative to the change. Where it is not, shapes cannot decide: the plan of that run can
 (`workflow.inputs.own_output`).
 """
 

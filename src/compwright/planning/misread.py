@@ -1,16 +1,17 @@
-"""Is a test what its file and its state say? Its readings as stated are held against the same
-readings taken otherwise: with the sign turned, + and - exchanged, in the opposite order of the
-targets, counted against the machine, or measured while the table of the control did not act.
+"""Do the readings of a test agree with its file and its state?
 
-Each way of reading leaves an error of the axis, and is as likely as that error is. Axes err
-smoothly, so what jumps from target to target has to come from the table that acted, where it jumps,
-and targets with random parts (ISO 230-2:1988, 4.3.2) have to lie where the error says. And a table
-was made for its axis in four cases of five: the error is its opposite times a factor, 1 give or
-take a quarter; half of these tables hold what jumps as well (periods, wear), half the smooth part
-alone. In the fifth case the factor is anything about 0. So flat readings under a table are what a
-good table leaves, and say nothing against it. Without a table sign and directions
-leave an error as smooth as before, and nothing is said of them here (`evaluation.plausibility`
-looks at the reversal).
+The readings as stated are compared with the same readings under another assumption: opposite sign,
++ and - exchanged, targets in the opposite order, positions counted against the machine, or the
+table of the control not active.
+
+Each assumption leaves an error of the axis, and is as likely as that error. Errors of axes are
+smooth. Jumps from target to target must therefore come from jumps of the active table, and targets
+with random parts (ISO 230-2:1988, 4.3.2) must lie where the error predicts. Four tables of five are
+assumed to be made for their axis: the error is the opposite of the table times a factor of 1 ±
+0.25. Half of these tables hold the jumps too (periods, wear), half the smooth part alone. For the
+fifth the factor is anything about 0. Flat readings with an active table are therefore what a good
+table leaves, and no doubt. Without a table, sign and directions leave an error as smooth as before;
+they are not judged here (`evaluation.plausibility` judges the reversal).
 """
 
 from __future__ import annotations
@@ -29,9 +30,9 @@ from compwright.evaluation.copies import same_runs_findings
 from compwright.evaluation.plausibility import reversal_above_zero
 from compwright.foundations.findings import Finding
 from compwright.planning.mirrored import mirrored_tests
-from compwright.planning.together import acted_at
+from compwright.planning.together import active_at
 from compwright.planning.ways_of_reading import (
-    ActedAt,
+    ActiveAt,
     TestReading,
     WayOfReading,
     plus,
@@ -62,9 +63,9 @@ _NAMED: Final = 0.1
 _MADE_FOR_IT: Final = 0.25
 _ANYTHING: Final = 1.0
 _SHARES: Final = (0.4, 0.4, 0.2)
-#: With fewer targets nothing is said.
+#: Fewest targets of a test that is judged.
 _FEWEST: Final = 6
-#: Ratios are told up to here: beyond, what the model leaves out decides.
+#: Largest ratio that is reported: beyond, what the model leaves out decides.
 _MOST: Final = 1e6
 
 
@@ -74,9 +75,10 @@ def misread_tests(
     axis: Axis,
     states: Mapping[str, ControlState],
 ) -> tuple[Finding, ...]:
-    """Return the doubts of the tests of an axis (CW-P160, and CW-P161 of `mirrored_tests`);
-    ``observed``: the same without what acted in them, as far as ``states`` (by name) say it. A test
-    that made its table is not doubted for another cause as well.
+    """Return the doubts about the tests of an axis (CW-P160, and CW-P161 of `mirrored_tests`).
+
+    ``observed``: the same tests with the correction that was active in them subtracted, as far as
+    ``states`` (by name) give it. A test that made its table gets no second doubt.
     """
     mirrored = dict(mirrored_tests(tests, observed, axis, states))
     known = states if tests[0].measured_in in states else {}
@@ -88,15 +90,18 @@ def misread_tests(
             # Copied runs tell nothing of the noise: it is inferred with the error.
             replace(bare, noise=None) if same_runs_findings(planned.test) else bare,
             axis,
-            acted_at(planned, axis, known),
+            active_at(planned, axis, known),
         )
     )
     return (*mirrored.values(), *misread)
 
 
 def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> PositioningResult:
-    """Return a result in which a reversal above zero (CW-T032) is no doubt where the backlash value
-    that acted explains it: in ``bare``, the test without what acted in it, nothing is doubted.
+    """Return the result with CW-T032 (reversal above zero) as information where the active backlash
+    value explains it.
+
+    That is: in ``bare``, the test with the active correction subtracted, the reversal is not above
+    zero.
     """
     if reversal_above_zero(bare.test):
         return result
@@ -113,16 +118,18 @@ def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> Positi
     return replace(result, findings=findings)
 
 
-def misread_findings(bare: ObservedTest, axis: Axis, acted: ActedAt | None) -> tuple[Finding, ...]:
-    """Return the doubt (CW-P160) of a test whose readings are far more likely taken otherwise than
-    as stated, with how much more.
+def misread_findings(
+    bare: ObservedTest, axis: Axis, active: ActiveAt | None
+) -> tuple[Finding, ...]:
+    """Return the doubt (CW-P160) about a test whose readings are far more likely under another
+    assumption than as stated, with the odds.
 
-    ``bare``: the test without what acted in it; ``acted``: what that was by position and direction,
-    mm or deg, None where nobody knows.
+    ``bare``: the test with the active correction subtracted; ``active``: that correction by
+    position and direction, mm or deg, None where it is unknown.
     """
     if bare.test.targets.size < _FEWEST:
         return ()
-    ways = ways_of_reading(bare, axis, acted)
+    ways = ways_of_reading(bare, axis, active)
     if len(ways) < 2:
         return ()
     logs = {

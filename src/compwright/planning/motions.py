@@ -1,8 +1,8 @@
-"""Tests of one axis at cutting feed and at rapid traverse, where a control may compensate backlash
-by different values.
+"""Tests of one axis at cutting feed and at rapid traverse, for which a control may compensate
+backlash by different values.
 
 A table is made for the motion of the first test (``Axis.motion``). A new one changes both values
-alike, so that in a test at the other motion their difference acts before and afterwards.
+equally, so that their difference is active in a test at the other motion before and afterwards.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from compwright.records.plan import PlannedTest
 
 
 def backlash_more(axis: Axis, motion: Motion, state: ControlState | None) -> float:
-    """Return by how much the backlash that acts in a test is more than at the motion of the axis,
-    mm or deg; 0 where nobody says what is in the control.
+    """Return the backlash value that is active in a test minus the value at the motion of the axis,
+    mm or deg; 0 where the control's values are unknown.
     """
     if state is None or motion == axis.motion:
         return 0.0
@@ -34,8 +34,8 @@ def with_motion(correction: Correction, axis: Axis, more: float) -> Correction:
     """Return a correction with ``more`` backlash, mm or deg, against the reference return."""
 
     def shift(positions: FloatArray, direction: Direction) -> FloatArray:
-        acts = direction is not axis.reference_return
-        return np.full(np.shape(positions), direction.sign * more if acts else 0.0)
+        compensated = direction is not axis.reference_return
+        return np.full(np.shape(positions), direction.sign * more if compensated else 0.0)
 
     return correction if more == 0.0 else added(correction, shift)
 
@@ -43,8 +43,9 @@ def with_motion(correction: Correction, axis: Axis, more: float) -> Correction:
 def with_backlash(
     tests: tuple[PlannedTest, ...], axis: Axis, states: Mapping[str, ControlState]
 ) -> tuple[PlannedTest, ...]:
-    """Return the tests with the backlash that acts in each beside that of the axis' motion, by what
-    is in the control now, else by what acted.
+    """Return the tests, each with the active backlash value minus that of the axis' motion.
+
+    The values come from the control's present state, else from the state of the test.
     """
     return tuple(
         replace(

@@ -131,8 +131,8 @@ def why_not_seen(
 
 
 def spread_of(shown: Quantiles) -> float:
-    """Return the standard deviation of a parameter from test to test, below its median: a few
-    readings far off stretch it above.
+    """Return the standard deviation of a parameter between tests, from the part below its median: a
+    few outlying readings widen the part above.
     """
     return 2.0 * (shown.median - shown.p05) / BAND
 

@@ -100,9 +100,9 @@ def _with_fewest_points(
     aim = shown(best)
 
     def enough(grid: FloatArray) -> _Found | None:
-        asked = _covering(request, grid, capacity.cover)
+        covering = _covering(request, grid, capacity.cover)
         try:
-            fewer = fit_within(wanted, capacity, asked, axis)
+            fewer = fit_within(wanted, capacity, covering, axis)
         except CapacityError:
             return None
         found = shown(fewer)
@@ -114,8 +114,8 @@ def _with_fewest_points(
     if taken is None:
         return best
     fewer, found = taken
-    told = _fewer_points(axis, fewer, best, found, aim)
-    return replace(fewer, findings=(*fewer.findings, told))
+    finding = _fewer_points(axis, fewer, best, found, aim)
+    return replace(fewer, findings=(*fewer.findings, finding))
 
 
 def _fewest(

@@ -73,9 +73,10 @@ def quick_check(work: AxisWork, new: Correction) -> Iterator[CheckReading]:
 
 
 def moved_by(work: AxisWork, new: Correction, position: float) -> float:
-    """Return how far a fixed position of an axis, mm or deg, moves when ``new`` acts in place of
-    what acts now. Where homing counts the correction at the reference as zero, what changes there
-    moves nothing.
+    """Return how far a fixed position of an axis, mm or deg, moves when ``new`` replaces the
+    present correction.
+
+    Where homing counts the correction at the reference as zero, a change there moves nothing.
     """
     axis, change = work.planned.axis, difference(new, work.as_found)
     moved, zero = change(np.array([position, axis.reference]), axis.reference_return)

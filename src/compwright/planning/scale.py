@@ -19,7 +19,7 @@ from compwright.planning.axes import CapacityOf
 from compwright.planning.checks import Checks, mismatch, scale_error
 from compwright.planning.circles import CircleWork, why_undetermined
 from compwright.planning.stated import Stated
-from compwright.planning.tables import NEW_GRID, fit_beside, fit_staying
+from compwright.planning.tables import NEW_GRID, fit_remaining, fit_staying
 from compwright.planning.wanted import dense_positions, held_by, wanted_correction
 from compwright.prediction.active_corrections import IDLE, ActiveCorrections
 from compwright.records.axis import Axis, Direction
@@ -51,7 +51,7 @@ class Scaled:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What is to be said of it: where its grid moves, that too."""
+        """The findings about the scale; where it moves its grid, that too."""
         fitted = None if self.planned is None else self.planned.fitted
         moved = () if fitted is None else fitted.findings
         return (self.finding, *(one for one in moved if one.code == NEW_GRID))
@@ -235,7 +235,7 @@ def _index(work: CircleWork, name: str) -> int:
 
 
 def _now(stated: Stated, work: CircleWork, name: str, checks: Checks) -> Stated:
-    """Return a scale found while a circle was measured as it is with what acts now."""
+    """Return a scale measured by a circle, converted to the present corrections."""
     radius, middle = work.planned.test.nominal_radius, work.planned.centre[_index(work, name)]
     during = checks.states.get(work.planned.measured_in, IDLE)
     now = checks.states.get(AS_FOUND, IDLE)
@@ -282,7 +282,7 @@ def _planned(
     limits = capacity(axis)
 
     def fit(request: TableRequest) -> FittedTable:
-        return fit_beside(wanted, limits, request, axis)
+        return fit_remaining(wanted, limits, request, axis)
 
     fitted = fit_staying(fit, limits, entry.table, axis)
     return PlannedAxis(

@@ -39,7 +39,7 @@ _SHOWN_BY: Final = {
 def scenarios_of(
     result: PositioningResult, posterior: MeasuredError, estimate: ErrorEstimate, axis: Axis
 ) -> Scenarios:
-    """Return fresh tests like ``result`` at newly dithered targets, as far as they lie beside the
+    """Return fresh tests like ``result`` at newly dithered targets, as deviations from the
     ``estimate``.
     """
     test = result.test
@@ -59,10 +59,10 @@ def scenarios_of(
             (Direction.NEGATIVE, draws.negative, scatter.mean_negative, scatter.s_negative),
         ):
             name = way.name.lower()
-            beside = drawn - np.interp(targets, estimate.positions, estimate.mean(way)) + mean
+            relative = drawn - np.interp(targets, estimate.positions, estimate.mean(way)) + mean
             half = np.where(np.isfinite(s), result.coverage * s, 0.0)
             measured = np.all(np.isfinite(mean))
-            parts[name].append(beside.ravel() if measured else np.empty(0))
+            parts[name].append(relative.ravel() if measured else np.empty(0))
             parts[f"half_{name}"].append(half.ravel() if measured else np.empty(0))
     joined = {name: settled(np.concatenate(blocks)) for name, blocks in parts.items()}
     return Scenarios(count=sets * _TESTS_EACH, **joined)

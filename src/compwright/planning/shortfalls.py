@@ -19,7 +19,7 @@ from compwright.fitting.grid import choose_grid
 from compwright.fitting.held_grid import held_part
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
-from compwright.planning.wanted import beside
+from compwright.planning.wanted import without_others
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
@@ -41,8 +41,8 @@ _FINE: Final = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Shortfall:
-    """What acts less what is wanted, mm or deg, as far as it comes from ``cause``; ``rms``: what
-    the fit says that this cause leaves; None where it says nothing.
+    """The held correction minus the wanted one, mm or deg, as far as it comes from ``cause``;
+    ``rms``: what the fit reports for this cause, None where it reports nothing.
     """
 
     cause: str
@@ -67,23 +67,23 @@ def shortfalls(
 def unheld_period(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
 ) -> tuple[Shortfall, Finding] | None:
-    """Return what no table on the grid of the ``request`` would hold of short periods, and what is
-    to be said about it; None where there is no such period, or no grid.
+    """Return the part of short periods that no table on the grid of the ``request`` would hold, and
+    its finding; None without such a period, or without a grid.
     """
     if capacity.line is not None or not wanted.periods:
         return None
-    own = beside(wanted, capacity.stays)
+    own = without_others(wanted, capacity.stays)
     turn = capacity.period
     over = own if turn is None else over_one_period(own, turn)
     try:
         grid = choose_grid(over, capacity, request)
     except CapacityError:
         return None
-    said = next((one for one in grid.findings if one.code == "CW-F002"), None)
-    if said is None:
+    finding = next((one for one in grid.findings if one.code == "CW-F002"), None)
+    if finding is None:
         return None
     held = held_part(grid.nodes, own, capacity)
-    return Shortfall(PERIOD, difference(as_curve(held), as_curve(own)), grid.left_out), said
+    return Shortfall(PERIOD, difference(as_curve(held), as_curve(own)), grid.left_out), finding
 
 
 def _parts(
@@ -120,10 +120,10 @@ def _parts(
 def _alone(
     held: AxisCompensation, wanted: WantedCorrection
 ) -> tuple[AxisCompensation, WantedCorrection]:
-    """Return the table without what stays beside it, and what is then wanted of it."""
+    """Return the table without the tables that stay, and what is then wanted of it."""
     if not held.others:
         return held, wanted
-    return replace(held, others=()), beside(wanted, held.others)
+    return replace(held, others=()), without_others(wanted, held.others)
 
 
 def _best(
@@ -148,7 +148,9 @@ def _best(
 
 
 def as_curve(wanted: WantedCorrection) -> Correction:
-    """Return what is ``wanted`` (totals, mm or deg) as what acts."""
+    """Return the ``wanted`` correction (totals, mm or deg) as a function of position and
+    direction.
+    """
     return lambda x, way: np.interp(x, wanted.positions, wanted.total(way))
 
 

@@ -1,5 +1,5 @@
-"""A slope that whole increments hold badly goes into a straight line of its own beside the table,
-where the control has one.
+"""Put a slope that whole increments hold badly into a separate straight line, where the control has
+one.
 
 The line takes a whole number of units per section, so that it is exact at every node; the table
 takes the rest, with smaller increments and a smaller step.
@@ -25,7 +25,8 @@ from compwright.words.sentences import Amount
 
 #: The line is worth it where it takes away more than this part of what is left at the nodes.
 WORTH: Final = 0.1
-#: Fits a table beside others that stay, within the limits of the control. Raises CapacityError.
+#: Fits a table in addition to those that stay, within the limits of the control. Raises
+#: CapacityError.
 Fit = Callable[[Capacity, TableRequest], FittedTable]
 
 
@@ -36,8 +37,8 @@ def with_line(
     request: TableRequest,
     plain: FittedTable,
 ) -> FittedTable:
-    """Return the table beside a straight line where that leaves clearly less at the nodes than
-    ``plain``, the table alone; else ``plain``. Either says both numbers.
+    """Return the table with a separate straight line where that leaves clearly less at the nodes
+    than ``plain``, the table alone; else ``plain``. Both give both numbers.
     """
     if capacity.slope is None or capacity.period is not None:
         return plain
@@ -51,12 +52,12 @@ def with_line(
     line = _line(plain.compensation, nodes, capacity.slope, wanted.reference)
     if line is None:
         return plain
-    beside_line = replace(capacity, stays=(*capacity.stays, line), slope=None)
+    with_line_there = replace(capacity, stays=(*capacity.stays, line), slope=None)
     try:
-        inclined = fit(beside_line, grid)
+        inclined = fit(with_line_there, grid)
     except CapacityError:
         return plain
-    left, left_beside = (_left(wanted, each.compensation) for each in (plain, inclined))
+    left, left_with_line = (_left(wanted, each.compensation) for each in (plain, inclined))
     kind = wanted.kind
     factor, unit = outside_factor(kind.unit), shown_unit(kind.unit)
     slope = float(line.positive[-1] - line.positive[0]) / float(nodes[-1] - nodes[1])
@@ -65,8 +66,8 @@ def with_line(
         if kind.unit == "mm"
         else Amount(slope, "", "+.6f")
     )
-    alone, with_line_ = (Amount(each * factor, unit, ".3f") for each in (left, left_beside))
-    if left - left_beside <= WORTH * left:
+    alone, with_line_ = (Amount(each * factor, unit, ".3f") for each in (left, left_with_line))
+    if left - left_with_line <= WORTH * left:
         found = Finding.of("CW-P142.table", "info", slope=rise, left=alone, with_line=with_line_)
         return replace(plain, findings=(*plain.findings, found))
     found = Finding.of("CW-P142.line", "info", slope=rise, left=alone, with_line=with_line_)

@@ -19,7 +19,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.outlook import yardstick
 from compwright.planning.slopes import with_line
-from compwright.planning.wanted import beside
+from compwright.planning.wanted import without_others
 from compwright.planning.waves import with_wave
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
@@ -39,15 +39,16 @@ NEXT_TO_NOTHING: Final = 0.1
 def fit_within(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis
 ) -> FittedTable:
-    """Return the fitted table of an axis, beside those that stay, and beside a line and a wave of
-    their own where the control has them and they help. Raises CapacityError where the control
-    cannot hold it by more than the noise of a reading.
+    """Return the fitted table of an axis, in addition to the tables that stay.
+
+    A line and a wave are used where the control has them and they help. Raises CapacityError where
+    the control cannot hold it by more than the noise of a reading.
     """
 
-    def fit(limits: Capacity, asked: TableRequest) -> FittedTable:
-        own = beside(wanted, limits.stays)
+    def fit(limits: Capacity, requested: TableRequest) -> FittedTable:
+        own = without_others(wanted, limits.stays)
         raise_all(CapacityError, list(far_beyond(own, limits)))
-        table = fit_beside(wanted, limits, asked, axis)
+        table = fit_remaining(wanted, limits, requested, axis)
         raise_all(CapacityError, list(beyond_limits(table, own, limits)))
         return table
 
@@ -58,7 +59,7 @@ def fit_within(
     return replace(table, findings=tuple(dict.fromkeys((*moved, *table.findings))))
 
 
-def fit_beside(
+def fit_remaining(
     wanted: WantedCorrection,
     capacity: Capacity,
     request: TableRequest,
@@ -71,7 +72,7 @@ def fit_beside(
 
     Raises CapacityError where the control cannot hold it.
     """
-    own = beside(wanted, capacity.stays)
+    own = without_others(wanted, capacity.stays)
     table = fit_table(own, capacity, request, address=axis.address, costs=costs)
     return replace(table, compensation=replace(table.compensation, others=capacity.stays))
 
@@ -122,7 +123,7 @@ def freely_chosen(
     that was there and this loses more than a chosen one may; else None.
     """
     held = table.compensation
-    own = beside(wanted, held.others)
+    own = without_others(wanted, held.others)
     if not table.keeps_grid or good_enough(held.positions, own, capacity):
         return None
     try:

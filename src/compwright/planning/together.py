@@ -1,5 +1,7 @@
-"""Which tests of an axis count together: those whose state of the control is known, each without
-what acted in it, as far as they show the same error as the first.
+"""Which tests of an axis count together: those in known states of the control that show the same
+error as the first.
+
+The correction that was active in each is subtracted before the comparison.
 """
 
 from __future__ import annotations
@@ -27,28 +29,29 @@ from compwright.records.positioning import PositioningTest
 _SAME: Final = 0.02
 
 
-def with_what_acted(
+def with_active_corrections(
     tests: Sequence[PlannedTest], axis: Axis, states: Mapping[str, ControlState]
 ) -> tuple[PlannedTest, ...]:
-    """Return the tests with what the control did in each, by its state (``states``, by name) and
-    its motion; None where nobody says by how much that differs from the first, or where a test
-    after the first has readings at a single target, which tells nothing of the error.
+    """Return the tests with the correction that was active in each, by its state (``states``, by
+    name) and its motion.
 
-    Tests in one unknown state and at one motion show the same error, with whatever acted.
+    None where its difference from the first test is unknown, or where a test after the first has
+    readings at a single target, which say nothing about the error. Tests in one unknown state and
+    at one motion show the same error, whatever was active.
     """
     return tuple(
-        replace(test, acted=_acted(test, tests[0], axis, states))
+        replace(test, acted=_active_values(test, tests[0], axis, states))
         if place == 0 or _tells_something(test.test)
         else test
         for place, test in enumerate(tests)
     )
 
 
-def acted_at(
+def active_at(
     test: PlannedTest, axis: Axis, states: Mapping[str, ControlState]
 ) -> Correction | None:
-    """Return what the control did in a test by position and direction; None where nobody says
-    it.
+    """Return the correction that was active in a test, by position and direction; None where it is
+    unknown.
     """
     state = states.get(test.measured_in)
     if state is None:
@@ -61,11 +64,11 @@ def _tells_something(test: PositioningTest) -> bool:
     return int(np.count_nonzero(read)) > 1
 
 
-def _acted(
+def _active_values(
     test: PlannedTest, first: PlannedTest, axis: Axis, states: Mapping[str, ControlState]
 ) -> Acted | None:
     if first.measured_in in states:
-        correction = acted_at(test, axis, states)
+        correction = active_at(test, axis, states)
     elif (test.measured_in, test.motion) == (first.measured_in, first.motion):
         correction = nothing
     else:
@@ -82,9 +85,11 @@ def counted_together(
     axis: Axis,
     active: AxisCompensation | None,
 ) -> tuple[tuple[PlannedTest, ...], MeasuredError, tuple[Finding, ...]]:
-    """Return the tests, those that contradict the first left out of the count; the error that the
-    others tell together; and the doubts of those left out. ``observed``: the same tests without
-    what acted in them; ``active``: what acted in the first.
+    """Return the tests, with those left out of the count that contradict the first; the error from
+    the others; and the doubts.
+
+    ``observed``: the same tests with the active correction subtracted; ``active``: the correction
+    during the first.
     """
 
     @cache
@@ -133,10 +138,10 @@ def _doubt(
     (source, error), (test, own) = telling, shown
     targets = test.test.targets
     estimate = error.own.summary(targets)
-    acted = test.acted or (np.zeros_like(targets), np.zeros_like(targets))
+    active = test.acted or (np.zeros_like(targets), np.zeros_like(targets))
     expected = {
         side: estimate.mean(side) + more
-        for side, more in zip(Direction, acted, strict=True)
+        for side, more in zip(Direction, active, strict=True)
         if source.test.readings(side).any()
     }
     std = {Direction.POSITIVE: estimate.std_positive, Direction.NEGATIVE: estimate.std_negative}

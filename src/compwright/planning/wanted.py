@@ -28,9 +28,9 @@ DENSE_MOST = 4001
 DENSE_PER_PERIOD = 10
 #: Share of the travel that the targets of an axis have to cover at least.
 LEAST_COVERED = 0.5
-#: Slope (mm/mm) that a test may have beside another where nobody declares anything: a machine that
-#: has run, or a hall later in the day, is easily one kelvin warmer, and steel grows by 11.5 µm/m
-#: for each.
+#: Slope (mm/mm) by which two tests may differ where no uncertainty is declared: a machine that has
+#: run, or a hall later in the day, is easily one kelvin warmer, and steel grows by 11.5 µm/m per
+#: kelvin.
 UNDECLARED_SLOPE = 11.5e-6
 
 
@@ -72,8 +72,8 @@ class MeasuredError:
         return self.own.findings
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
-        """Return mean and standard deviation of the deviation at ``positions`` (g,), with what
-        acted during the first test.
+        """Return mean and standard deviation of the deviation at ``positions`` (g,), with the
+        correction active that was active during the first test.
         """
         estimate = self.own.summary(positions)
         if self.active is None:
@@ -87,8 +87,9 @@ class MeasuredError:
     def draw(
         self, positions: FloatArray, count: int, rng: np.random.Generator, test: int = 0
     ) -> Draws:
-        """Return ``count`` joint draws of the deviation at ``positions`` (k,), with what acted
-        during the first test, and of the noise of ``test`` (its place among the tests of the axis).
+        """Return ``count`` joint draws of the deviation at ``positions`` (k,), with the correction
+        of the first test active, and of the noise of ``test`` (its index among the tests of the
+        axis).
         """
         place, own = self.counted[test], self.noises[test]
         draws = self.own.draw(positions, count, rng, place or 0)
@@ -107,17 +108,19 @@ class MeasuredError:
 def observed_tests(
     tests: Sequence[PlannedTest], active: AxisCompensation | None
 ) -> tuple[ObservedTest, ...]:
-    """Return the tests as the estimation takes them: each without what acted in it (``acted``),
-    the first without ``active``, without the traverses that were not made, and with what its
-    repeated readings tell of their noise.
+    """Return the tests as input of the estimation, with the noise inferred from their repeated
+    readings.
+
+    Subtracted from each: the correction that was active in it (``acted``; ``active`` for the
+    first). Left out: the traverses that were not made.
     """
     observed = []
     for place, planned in enumerate(tests):
-        acted = planned.acted
+        active_then = planned.acted
         test = without_traverses(planned.test, not_made(planned.test))
         if place == 0 and active is not None:
-            acted = _at(active, test)
-        bare = test if acted is None else with_change(test, -acted[0], -acted[1])
+            active_then = _at(active, test)
+        bare = test if active_then is None else with_change(test, -active_then[0], -active_then[1])
         observed.append(ObservedTest(test=bare, noise=noise_of(bare), slope_std=planned.slope_std))
     return tuple(observed)
 
@@ -128,11 +131,11 @@ def measured_error(
     axis: Axis,
     active: AxisCompensation | None,
 ) -> MeasuredError:
-    """Return the error of ``axis`` as its tests tell it, as far as they count (``acted``; the first
-    where none says so); ``observed``: the same tests; ``active``: what the control did during the
-    first, None where nobody said.
+    """Return the error of ``axis`` from those of its tests that count (those with ``acted``; the
+    first where none has it).
 
-    The same tests give the same answer.
+    ``observed``: the same tests, as input of the estimation; ``active``: the correction of the
+    control during the first, None where it is unknown. The same tests give the same answer.
     """
     counting = [test.acted is not None for test in tests]
     counting[0] = counting[0] or not any(counting)
@@ -154,7 +157,7 @@ def measured_error(
 
 
 def _nodes_of(active: AxisCompensation) -> tuple[float, ...]:
-    """Return where the tables that acted bend."""
+    """Return the points where the active tables bend."""
     tables = [
         each
         for each in (active, *active.others)
@@ -165,9 +168,11 @@ def _nodes_of(active: AxisCompensation) -> tuple[float, ...]:
 
 
 def _with_own_slopes(tests: Sequence[ObservedTest]) -> list[ObservedTest]:
-    """Return the tests, each with a slope of its own beside that of the axis: as declared, else
-    `UNDECLARED_SLOPE` beside the first that reaches over half of what is measured (a short one
-    tells no slope). Angles do not grow with temperature.
+    """Return the tests, each with a slope of its own in addition to that of the axis.
+
+    Its standard deviation is the declared one, else `UNDECLARED_SLOPE` relative to the first test
+    that covers more than half of the measured range (a short test does not determine a slope).
+    Angles do not grow with temperature.
     """
     ranges = np.array([(each.test.targets[0], each.test.targets[-1]) for each in tests])
     lengths = np.round(np.ptp(ranges, axis=1) / max(float(np.ptp(ranges)), 1e-12), 6)
@@ -269,12 +274,12 @@ def dense_positions(axis: Axis, periods: Sequence[float]) -> FloatArray:
 def wanted_correction(
     estimate: ErrorEstimate, active: AxisCompensation, axis: Axis, *, reversal_log_odds: float
 ) -> WantedCorrection:
-    """Return the totals that would remove the estimated error: what acted during the test minus the
-    error.
+    """Return the totals that would remove the estimated error: the correction during the test minus
+    the error.
 
     wanted(x, d) = active(x, d) - error(x, d), shifted by one constant so that it is zero at the
     reference approached in the reference-return direction. Where the reference lies outside the
-    travel, the nearest end of the travel stands for it. Its periods are those that are there rather
+    travel, the nearest end of the travel is used. Periods are included if they are more probable
     than not.
     """
     positive = active.at(estimate.positions, Direction.POSITIVE) - estimate.mean_positive
@@ -294,8 +299,10 @@ def wanted_correction(
     )
 
 
-def beside(wanted: WantedCorrection, stays: Sequence[AxisCompensation]) -> WantedCorrection:
-    """Return what a table has to do beside others that stay, zero at the reference again."""
+def without_others(wanted: WantedCorrection, stays: Sequence[AxisCompensation]) -> WantedCorrection:
+    """Return the part of the wanted correction that the tables that stay do not hold, zero at the
+    reference.
+    """
     if not stays:
         return wanted
     curves = {}

@@ -38,8 +38,8 @@ def with_wave(
     request: TableRequest,
     plain: FittedTable,
 ) -> FittedTable:
-    """Return the table beside one that repeats with a known short period, where that leaves clearly
-    less than ``plain``; else ``plain``. Either says both numbers.
+    """Return the table with a second one that repeats with a known short period, where that leaves
+    clearly less than ``plain``; else ``plain``. Both give both numbers.
     """
     if capacity.wave is None or plain.compensation.positions.size < 2:
         return plain
@@ -56,11 +56,11 @@ def with_wave(
     )
     if wave is None:
         return plain
-    beside = replace(capacity, stays=(*plain.compensation.others, wave), slope=None, wave=None)
+    with_waves = replace(capacity, stays=(*plain.compensation.others, wave), slope=None, wave=None)
     nodes = plain.compensation.positions
     kept = replace(request, start=float(nodes[0]), end=float(nodes[-1]), spacing=spacing)
     try:
-        waved = fit(beside, request if plain.keeps_grid else kept)
+        waved = fit(with_waves, request if plain.keeps_grid else kept)
     except CapacityError:
         return plain
     left, with_it = (float(np.std(_left(wanted, each.compensation, ()))) for each in (plain, waved))

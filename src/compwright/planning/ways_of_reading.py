@@ -18,7 +18,7 @@ from compwright.records.plan import Acted
 from compwright.records.positioning import PositioningTest
 
 WayOfReading = Literal["stated", "off", "sign", "directions", "order", "against"]
-ActedAt = Callable[[FloatArray, Direction], FloatArray]
+ActiveAt = Callable[[FloatArray, Direction], FloatArray]
 #: Targets as symmetric as this (of their interval) look the same in the opposite order.
 _SYMMETRIC: Final = 1e-3
 #: A table whose shape is below this share of the noise of a mean tells nothing.
@@ -39,24 +39,24 @@ class TestReading:
 
 
 def ways_of_reading(
-    bare: ObservedTest, axis: Axis, acted_at: ActedAt | None
+    bare: ObservedTest, axis: Axis, active_at: ActiveAt | None
 ) -> tuple[TestReading, ...]:
-    """Return the ways between which the readings can tell, as stated first.
+    """Return the assumptions between which the readings can decide, as stated first.
 
-    ``bare``: the test without what acted in it; ``acted_at``: what that was by position and
-    direction, mm or deg, None where nobody knows.
+    ``bare``: the test with the active correction subtracted; ``active_at``: that correction by
+    position and direction, mm or deg, None where it is unknown.
     """
-    table = None if acted_at is None else _at(acted_at, bare.test.targets)
-    if acted_at is None or table is None or not _has_shape(bare, table):
+    table = None if active_at is None else _at(active_at, bare.test.targets)
+    if active_at is None or table is None or not _has_shape(bare, table):
         stated = TestReading("stated", bare)
         if _symmetric(bare.test.targets):
             return (stated,)
         return stated, TestReading("order", _in_opposite_order(bare))
-    return tuple(_with_table(bare, axis, acted_at, table))
+    return tuple(_with_table(bare, axis, active_at, table))
 
 
 def _with_table(
-    bare: ObservedTest, axis: Axis, acted_at: ActedAt, table: Acted
+    bare: ObservedTest, axis: Axis, active_at: ActiveAt, table: Acted
 ) -> Iterator[TestReading]:
     raw, smooth = plus(bare, table), _smooth(bare.test, axis, table)
     yield TestReading("stated", bare, table, smooth)
@@ -66,18 +66,18 @@ def _with_table(
     yield TestReading("order", _less(_in_opposite_order(raw), table), table, smooth)
     if axis.modulo is None:
         against = _counted_against(raw, sum(axis.travel))
-        there = _at(acted_at, against.test.targets)
+        there = _at(active_at, against.test.targets)
         error = _less(against, there)
         yield TestReading("against", error, there, _smooth(against.test, axis, there))
 
 
-def _at(acted_at: ActedAt, targets: FloatArray) -> Acted:
-    return acted_at(targets, Direction.POSITIVE), acted_at(targets, Direction.NEGATIVE)
+def _at(active_at: ActiveAt, targets: FloatArray) -> Acted:
+    return active_at(targets, Direction.POSITIVE), active_at(targets, Direction.NEGATIVE)
 
 
 def _has_shape(bare: ObservedTest, table: Acted) -> bool:
-    """Return whether a table is more than a straight line and a backlash, beside the noise of a
-    mean.
+    """Return whether a table is more than a straight line and a backlash, relative to the noise of
+    a mean.
     """
     test = bare.test
     along = np.linspace(-1.0, 1.0, test.targets.size)

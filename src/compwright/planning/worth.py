@@ -12,16 +12,16 @@ from compwright.fitting.grid import possible_grids
 from compwright.foundations.errors import CapacityError
 from compwright.planning.axes import AxisWork
 from compwright.planning.fresh import FreshTests
-from compwright.planning.tables import fit_beside
+from compwright.planning.tables import fit_remaining
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.fitted import TableRequest
 from compwright.records.limits import Worth
 
-#: So many sizes are shown beside the one that is written and the one that is there.
+#: Number of sizes that are shown in addition to the written and the existing one.
 _SIZES: Final = 7
-#: Beyond this many points nobody looks: nodes lie closer than targets are dithered.
+#: Most points that are considered: with more, nodes lie closer than targets are dithered.
 _MOST: Final = 400
 
 
@@ -80,7 +80,7 @@ def _table_on(
         return None
     given = replace(capacity, nodes=tuple(nodes.tolist()), there=())
     try:
-        return fit_beside(
+        return fit_remaining(
             replace(wanted, scenarios=None), given, request, work.planned.axis, costs=False
         ).compensation.at
     except CapacityError:
@@ -89,7 +89,7 @@ def _table_on(
 
 def _worth(
     fresh: FreshTests,
-    acts: Correction,
+    new: Correction,
     nodes: FloatArray,
     active: Correction,
     name: str,
@@ -97,7 +97,7 @@ def _worth(
     written: bool = False,
     there: bool = False,
 ) -> Worth:
-    shown = fresh.quantiles(difference(acts, active), only=name)[name]
+    shown = fresh.quantiles(difference(new, active), only=name)[name]
     return Worth(
         points=nodes.size,
         spacing=float(np.max(np.diff(nodes))),

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from compwright.estimation.observed import ObservedTest
-from compwright.planning.declared import beside_first, slope_after
+from compwright.planning.declared import relative_to_first, slope_after
 from compwright.planning.motions import with_motion
 from compwright.planning.wanted import (
     MeasuredError,
@@ -137,7 +137,7 @@ def _judged_against(
     """Return the error without the uncertain slope of the first test: between the tests that slope
     is one number together with that of the test after loading.
     """
-    beside = beside_first(planned.tests)
+    beside = relative_to_first(planned.tests)
     if all(one.slope_std == each.slope_std for one, each in zip(beside, observed, strict=True)):
         return posterior
     sloped = [
