@@ -37,7 +37,9 @@ def goal_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterato
     unit = planned.axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
     names = next(
-        found for parameters in _REPORTED if (found := [name for name in group if name in mine])
+        found
+        for parameters in _REPORTED
+        if (found := [name for name in parameters if name in mine])
     )
     left = any(finding.code == GOAL_LEFT for finding in planned.fitted.findings)
     yield Finding.of(
