@@ -90,7 +90,7 @@ def test_what_contradicts_the_files_is_named(what: str, correction: Acts, says: 
     old = judged(correction)
     assert old.verdict.verdict == what, old.verdict
     assert old.contradicted
-    assert old.acted < 0.01
+    assert old.probability_active < 0.01
     assert old.finding() is None
     reason = old.refusal(["look at the switch."])
     assert says in reason

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from compwright.evaluation.changed import ParameterValue, difference, scatter_changed
+from compwright.evaluation.changed import UncertainValue, difference, scatter_changed
 from compwright.evaluation.scores import chance, score_of_ratio, score_of_t
 from compwright.evaluation.standard_errors import standard_errors
 
@@ -40,10 +40,10 @@ def parameters(up: np.ndarray, down: np.ndarray) -> dict[str, float]:
     }
 
 
-def parameter(up: np.ndarray, down: np.ndarray) -> dict[str, ParameterValue]:
+def parameter(up: np.ndarray, down: np.ndarray) -> dict[str, UncertainValue]:
     errors = standard_errors(up, down, K)
     return {
-        name: ParameterValue(value, errors[name].value, errors[name].dof)
+        name: UncertainValue(value, errors[name].value, errors[name].dof)
         for name, value in parameters(up, down).items()
     }
 
@@ -87,10 +87,10 @@ def test_a_collision_shows() -> None:
 
 
 def test_what_is_declared_counts() -> None:
-    one, other = ParameterValue(10.0, 0.3, 40.0), ParameterValue(14.0, 0.3, 40.0)
+    one, other = UncertainValue(10.0, 0.3, 40.0), UncertainValue(14.0, 0.3, 40.0)
     assert difference(one, other).clear
     assert not difference(one, other, between_tests=2.0).clear
-    assert not difference(ParameterValue(10.0, 0.3, 40.0, declared=2.0), other).clear
+    assert not difference(UncertainValue(10.0, 0.3, 40.0, declared=2.0), other).clear
 
 
 def test_tests_without_repeats_have_no_standard_errors() -> None:

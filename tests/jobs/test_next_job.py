@@ -47,7 +47,8 @@ JOB: dict[str, Any] = {
     "decision_rule": "guarded",
 }
 X = NextAxis(
-    before=[{"files": ["m/a.csv"], "name": "x"}], settled={"address": "1", "encoder": {"system": 2}}
+    before=[{"files": ["m/a.csv"], "name": "x"}],
+    resolved={"address": "1", "encoder": {"system": 2}},
 )
 
 

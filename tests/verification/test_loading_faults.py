@@ -127,7 +127,7 @@ def view_of(
     read_back: bool = False,
 ) -> View:
     others = {"Y": compensation(OTHER, address="Y")}
-    loading = Loading(new=new, old=old, acted=old, others=others, read_back=read_back)
+    loading = Loading(new=new, old=old, active_before=old, others=others, read_back=read_back)
     return View(belief=known(first, covariance), hypotheses=loading_hypotheses(loading, TARGETS))
 
 
@@ -357,7 +357,7 @@ def test_a_slope_beside_a_small_table_is_no_second_fault(slope: float) -> None:
 def test_a_turned_test_of_a_table_that_leaves_something() -> None:
     """Beside the table 4 µm are left: turned they are wrong by 8 µm."""
     left = 4 * UM * np.sin(TARGETS / 60.0)
-    rough = Loading(new=ONE_TABLE, old=NONE, acted=NONE)
+    rough = Loading(new=ONE_TABLE, old=NONE, active_before=NONE)
     first = left - shown(WAVES, WAVES, LOST)
     view = View(
         belief=known(first, np.eye(2 * TARGETS.size) * NOISE**2 / RUNS),

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from compwright.cli.saying import answer, errors, json_file, print_lines, tell, told_last
+from compwright.cli.saying import answer, errors, json_file, next_step_line, print_lines, tell
 from compwright.cli.words import (
     FILE_WORD,
     PATH,
@@ -88,7 +88,7 @@ def run_command(
     from compwright.workflow.results.report_file import require_report_form
 
     require_report_form(words["report"], ".pdf")
-    asked = job_of(
+    requested = job_of(
         invocation.session,
         [str(path) for path in inputs],
         format_id=words["format_id"],
@@ -99,20 +99,20 @@ def run_command(
         profile=None if words["profile"] is None else str(words["profile"]),
         out=out,
     )
-    with invocation.crew(len(asked.job.axes), ready_for_axes) as each:
+    with invocation.crew(len(requested.job.axes), ready_for_axes) as each:
         job = planned(
             invocation.session,
-            asked.job,
-            asked.folder,
-            asked.out,
-            stated=asked.stated,
+            requested.job,
+            requested.folder,
+            requested.out,
+            stated=requested.stated,
             accept_worse=words["accept_worse"],
             each=each,
         )
     outcome = write_planned(
         invocation.session,
         job,
-        asked.out,
+        requested.out,
         force=words["force"],
         json_path=json_file(json_path),
         report=words["report"],
@@ -127,13 +127,13 @@ def run_command(
         for entry in outcome.findings
         if entry["severity"] == "error" and entry["code"] != "CW-P001"
     )
-    told_last(
+    next_step_line(
         json_path,
         lambda: after_run(
             outcome,
-            asked.out / "job.yaml" if asked.stated is not None else inputs[0],
-            asked.out,
-            apart=out is not None and asked.stated is None,
+            requested.out / "job.yaml" if requested.stated is not None else inputs[0],
+            requested.out,
+            apart=out is not None and requested.stated is None,
         ),
     )
     return outcome.exit_code
@@ -263,7 +263,7 @@ def verify(
     answer(outcome.document, json_path, lambda: verify_summary(outcome))
     for note in outcome.notes:
         tell(f"note: {note}")
-    told_last(
+    next_step_line(
         json_path,
         lambda: after_verify(
             outcome,

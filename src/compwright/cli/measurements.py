@@ -29,7 +29,7 @@ from compwright.cli.words import (
 )
 from compwright.foundations.own_faults import OWN_FAULT
 
-#: Notes of one kind that are told; the others are counted.
+#: Notes of one kind that are printed; the others are counted.
 _MOST_NOTES = 10
 _STANDARDS = (
     "iso230-2:1988, iso230-2:1997, iso230-2:2006, iso230-2:2014 (default), gost27843:2006, vdi3441;"

@@ -1,4 +1,4 @@
-"""What is printed, where, and what is told when it cannot be."""
+"""Printing: which text goes to which stream, and what happens when it cannot be printed."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from compwright import __version__
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import visible, visible_lines
 
-#: A file of the wrong kind is wrong in every line: nobody reads more than these.
+#: Most errors that are printed: a file of the wrong kind is wrong in every line.
 _MOST_ERRORS = 25
 
 
@@ -75,7 +75,7 @@ def answer_lines(
         print_lines(map(visible, lines()))
 
 
-def told_last(json_path: Path | None, line: Callable[[], str]) -> None:
+def next_step_line(json_path: Path | None, line: Callable[[], str]) -> None:
     """Print the last line of an answer for people: what to do next."""
     if not _on_output(json_path):
         print_lines([line()])
@@ -94,18 +94,18 @@ def errors(lines: Iterable[str]) -> int:
     """Print each error on a line of its own; of very many the first, and how many more there are.
     Returns that number.
     """
-    told = list(lines)
-    for line in told[:_MOST_ERRORS]:
+    texts = list(lines)
+    for line in texts[:_MOST_ERRORS]:
         tell(f"error: {visible(line)}")
-    more = max(len(told) - _MOST_ERRORS, 0)
+    more = max(len(texts) - _MOST_ERRORS, 0)
     if more:
         tell(f"error: ... and {more} more like these")
     return more
 
 
 def tell(line: str) -> None:
-    """Print a line on standard error; where that is closed or full nobody listens, and the exit
-    code says it.
+    """Print a line on standard error; nothing where that is closed or full, because the exit code
+    is enough.
     """
     try:
         click.echo(visible_lines(line), err=True)

@@ -62,7 +62,7 @@ def _done(arguments: list[str], invocation: Invocation) -> int:
         )
     except click.exceptions.Exit as leaving:
         return leaving.exit_code
-    except SystemExit:  # the command line leaves so where nobody reads its help any more
+    except SystemExit:  # raised where the reader of the help has closed the pipe
         return 0
     except click.Abort:
         tell("stopped")
@@ -72,7 +72,7 @@ def _done(arguments: list[str], invocation: Invocation) -> int:
     except CompwrightError as error:
         errors(error.lines())
         return error.exit_code
-    # the last line of defence: a fault of our own, said as one
+    # any other exception is a fault of compwright itself, and reported as one
     except Exception as error:  # noqa: BLE001
         if (
             isinstance(error, OSError) and error.errno == errno.ENOSPC

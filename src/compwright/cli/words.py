@@ -36,8 +36,8 @@ class Invocation:
 
 
 class _PathType(click.ParamType[Path]):
-    """The name of a file or folder. Whether it can be read or written is found out, and said, where
-    it is done.
+    """The name of a file or folder. Whether it can be read or written is checked, and reported,
+    where that is done.
     """
 
     name = "path"

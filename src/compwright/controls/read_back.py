@@ -121,7 +121,7 @@ def _elsewhere(whole: Differences) -> Iterator[EntryDifference]:
                 old=change.old.text,
                 new=change.new.text,
                 meaning=entry.meaning,
-                acts=False,
+                compensates=False,
                 at=one.at,
             )
 

@@ -35,9 +35,10 @@ class Difference:
 
 @dataclass(frozen=True, slots=True)
 class ComparedAxis:
-    """One axis: its address and kind, the comparison of the corrections, and what differs. A
-    ``read_back`` in words: why the correction of what was read back cannot be told. ``look_at``:
-    sentences on what to look at on the control.
+    """One axis: its address and kind, the comparison of the corrections, and the differences.
+
+    A ``read_back`` in words: why the correction from the values read back is unknown. ``look_at``:
+    sentences on what to check on the control.
     """
 
     address: str
@@ -49,9 +50,11 @@ class ComparedAxis:
 
 @dataclass(frozen=True, slots=True)
 class Others:
-    """What differs beside the axes of the plan. ``differences``: compensation of other axes or of
-    the machine; ``elsewhere``: what is not known to compensate; ``not_read_back``: the names of
-    values that compensate and were not among the files.
+    """Differences outside the axes of the plan.
+
+    ``differences``: compensation of other axes or of the machine; ``elsewhere``: values that are
+    not known to compensate; ``not_read_back``: names of values that compensate and were not among
+    the files.
     """
 
     differences: tuple[Difference, ...] = ()
@@ -97,21 +100,21 @@ def compare_document(
 
 def _axis(axis: ComparedAxis) -> dict[str, Any]:
     unit = axis.kind.unit
-    told = axis.read_back
+    comparison = axis.read_back
     compared: dict[str, Any] = {
         "verdict": "unreadable",
-        "message": told,
+        "message": comparison,
         "largest_difference": None,
         "at": None,
         "direction": None,
     }
-    if not isinstance(told, str):
+    if not isinstance(comparison, str):
         compared = {
-            "verdict": told.verdict,
-            "message": told.message,
-            "largest_difference": told.worst * outside_factor(unit),
-            "at": told.position,
-            "direction": told.direction.value,
+            "verdict": comparison.verdict,
+            "message": comparison.message,
+            "largest_difference": comparison.worst * outside_factor(unit),
+            "at": comparison.position,
+            "direction": comparison.direction.value,
         }
     return {
         "address": axis.address,

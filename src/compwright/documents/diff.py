@@ -29,7 +29,7 @@ class EntryDifference:
     old: str | None
     new: str | None
     meaning: str
-    acts: bool
+    compensates: bool
     at: float | None
 
 
@@ -51,38 +51,41 @@ def diff_document(
     cross: Mapping[tuple[str, str], Changed],
     findings: Sequence[Finding],
     *,
-    told: bool,
-    untold: Collection[str],
+    known: bool,
+    unknown: Collection[str],
 ) -> dict[str, Any]:
-    """Return the document. ``names``: what the control's files call the axes, by address; ``told``:
-    the corrections of both sides are known, of all axes; ``untold``: the axes of which they are
-    not.
+    """Return the JSON document of a comparison of two backups.
+
+    ``names``: names of the axes in the control's files, by address; ``known``: whether the
+    corrections of both sides are known for all axes; ``unknown``: the axes for which they are not.
     """
-    acting = [entry for entry in entries if entry.acts]
-    named = (address for entry in acting for address in entry.addresses)
-    known = dict.fromkeys((*corrections, *named))
+    compensating = [entry for entry in entries if entry.compensates]
+    named = (address for entry in compensating for address in entry.addresses)
+    shown = dict.fromkeys((*corrections, *named))
     return {
         "schema": SCHEMA,
         "format": format_id,
         "same": not (entries or corrections or cross),
-        "corrections_compared": told,
+        "corrections_compared": known,
         "axes": {
             address: {
                 "name": names.get(address),
-                "correction_compared": address not in untold,
-                "entries": [_entry(one, address) for one in acting if address in one.addresses],
+                "correction_compared": address not in unknown,
+                "entries": [
+                    _entry(one, address) for one in compensating if address in one.addresses
+                ],
                 "correction": (
                     change_document(corrections[address]) if address in corrections else None
                 ),
             }
-            for address in known
+            for address in shown
         },
         "cross": [
             {"input": pair[0], "output": pair[1], **change_document(change)}
             for pair, change in cross.items()
         ],
-        "machine": [_entry(one, None) for one in acting if not one.addresses],
-        "other": others_document(one for one in entries if not one.acts),
+        "machine": [_entry(one, None) for one in compensating if not one.addresses],
+        "other": others_document(one for one in entries if not one.compensates),
         "findings": finding_documents(findings),
     }
 

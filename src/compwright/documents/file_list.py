@@ -38,7 +38,7 @@ def listed_now(files: Mapping[str, bytes], command: str) -> dict[str, ListedFile
 
 
 def list_text(entries: Mapping[str, ListedFile]) -> bytes:
-    """Return the list as it stands in a folder."""
+    """Return the list as the bytes of its file."""
     listed = [
         {"file": name, "sha256": entry.sha256, "size": entry.size, "by": entry.by}
         for name, entry in sorted(entries.items())

@@ -21,7 +21,7 @@ VALUES = (
     *("A", "E", "M", "R", "B", "B_mean", "s", "slope"),
     *("squareness", "G_bidirectional", "G_ccw", "G_cw"),
 )
-#: A standard normal value beyond which nobody counts.
+#: Largest standard normal value that is given.
 _MOST = 99.0
 
 

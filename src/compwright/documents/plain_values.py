@@ -1,4 +1,4 @@
-"""Schemas of the values that stand in plans and records: numbers, texts, arrays, bytes."""
+"""Schemas of the values in plans and records: numbers, texts, arrays, bytes."""
 
 from __future__ import annotations
 

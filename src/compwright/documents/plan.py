@@ -165,7 +165,7 @@ def _axis_out(axis: PlannedAxis) -> dict[str, Any]:
                 "motion": entry.motion,
                 "backlash_more": entry.backlash_more,
                 "slope_std": entry.slope_std,
-                "acted": _optional(entry.acted, _acted_out),
+                "acted": _optional(entry.acted, _active_out),
                 **_test_out(entry.test),
             }
             for entry in axis.tests
@@ -187,8 +187,8 @@ def _record_out(axis: Axis) -> dict[str, Any]:
     return {**asdict(axis), "options": dict(axis.options)}
 
 
-def _acted_out(acted: Acted) -> dict[str, list[float]]:
-    return {"positive": acted[0].tolist(), "negative": acted[1].tolist()}
+def _active_out(active: Acted) -> dict[str, list[float]]:
+    return {"positive": active[0].tolist(), "negative": active[1].tolist()}
 
 
 def _test_out(test: PositioningTest) -> dict[str, Any]:

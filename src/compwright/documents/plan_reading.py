@@ -46,7 +46,7 @@ def plan_validator(cls: type) -> SchemaValidator:
 
 
 def _periods(values: dict[str, Any]) -> dict[str, Any]:
-    """The periods of an estimate stand beside it."""
+    """Move the periods of an estimate to a key of their own."""
     estimate = replace(values["estimate"], periods=values.get("periods", ()))
     return {**values, "estimate": estimate}
 
@@ -57,7 +57,7 @@ def _finding(values: dict[str, Any]) -> dict[str, Any]:
 
 
 def _unit(unit: Any, info: cs.ValidationInfo) -> None:
-    """The unit beside an axis is that of its kind."""
+    """Check that the unit of an axis is that of its kind."""
     axis = info.data.get("axis")
     if axis is not None and unit not in (None, axis.kind.unit):
         refuse(KeyFault((), "is not the unit of this axis", axis.kind.unit, shown(unit)))
@@ -103,7 +103,7 @@ def _both(sides: Any) -> Any:
 
 _ARRAY: Final = PLAIN[np.ndarray]
 _READINGS: Final = cs.no_info_plain_validator_function(_readings)
-_ACTED: Final = cs.no_info_before_validator_function(
+_ACTIVE: Final = cs.no_info_before_validator_function(
     _both,
     mapping(
         {"positive": _ARRAY, "negative": _ARRAY}, lambda both: (both["positive"], both["negative"])
@@ -131,7 +131,7 @@ FORMS: Final[Mapping[type, RecordForm]] = {
     PlannedTest: RecordForm(
         inline="test",
         absent=frozenset({"motion", "backlash_more", "slope_std", "acted"}),
-        types={"acted": cs.nullable_schema(_ACTED)},
+        types={"acted": cs.nullable_schema(_ACTIVE)},
     ),
     Finding: RecordForm(
         more={"message": str},

@@ -33,7 +33,7 @@ def contradictions(plan: Plan) -> Iterator[KeyFault]:
 
 
 def _names(plan: Plan) -> Iterator[KeyFault]:
-    """Keys are names that belong to what they name; those of states stand in paths of files."""
+    """Check that keys are names of existing things; names of states are used in paths of files."""
     for name, entry in plan.axes.items():
         yield from _other(("axes", name, "axis", "name"), name, entry.axis.name)
     for name, axis in plan.untested.items():
@@ -167,8 +167,8 @@ def _readings(test: PositioningTest) -> Iterator[str]:
     yield from _rules((bool(made), "readings"))
 
 
-def _acted(planned: PlannedTest) -> Iterator[str]:
-    """What acted is told for every target, or not at all."""
+def _active(planned: PlannedTest) -> Iterator[str]:
+    """Check that the active correction is given for every target, or not at all."""
     fits = planned.acted is None or all(
         side.shape == planned.test.targets.shape and bool(np.isfinite(side).all())
         for side in planned.acted
@@ -204,7 +204,7 @@ RULES: Final[Mapping[type, Callable[[Any], Iterator[str]]]] = {
     AxisCompensation: _table,
     CrossCompensation: _table,
     WantedCorrection: _wanted,
-    PlannedTest: _acted,
+    PlannedTest: _active,
     AxisPeriod: _all(
         (
             lambda one: one.period > 0 and 0 <= one.probability <= 1,

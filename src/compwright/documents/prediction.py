@@ -66,9 +66,10 @@ def acknowledged_outside(acknowledged: Iterable[Acknowledged]) -> list[dict[str,
 
 
 def cross_outside(entry: CrossCompensation) -> dict[str, Any]:
-    """Return what one axis adds to another: positions mm or deg, corrections µm or arcsec.
+    """Return the correction that one axis adds to another: positions mm or deg, corrections µm or
+    arcsec.
 
-    ``correction`` is that of both directions; where they differ, that of + beside
+    ``correction`` is that of both directions; where they differ, that of +, and both are in
     ``correction_positive`` and ``correction_negative``.
     """
     factor = outside_factor(entry.output_kind.unit)

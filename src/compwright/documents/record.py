@@ -25,7 +25,7 @@ RECORD = "record.json"
 COPIES_OF_VERIFY = "inputs/verify/"
 
 
-def definition_told(definition_id: str, data: Any, files: Iterable[str], *, own: bool) -> Any:
+def definition_entry(definition_id: str, data: Any, files: Iterable[str], *, own: bool) -> Any:
     """Return how a definition is named: its id, the hash of all that it says, the files it stands
     in.
     """
@@ -172,9 +172,10 @@ def verified_record(
 
 
 def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the record of a run made again where an ``earlier`` one (of `read_record`) lies: with
-    its verification where that is of the same plan; else only with the copies of what
-    was measured after loading, which nobody else may have any more.
+    """Return the record of a repeated run where an ``earlier`` record (of `read_record`) exists.
+
+    It keeps the earlier verification where that belongs to the same plan; else only the copies of
+    the measurements after loading, which may exist nowhere else.
     """
     of_verify = [entry for entry in earlier["files"] if entry.get("by") == "verify"]
     own = {entry["file"] for entry in record["files"]}

@@ -10,7 +10,7 @@ import numpy as np
 
 #: The instrument of simulated ballbar files.
 _BALLBAR = "virtual ballbar"
-#: What a record tells of the parameters of a test, the rest stands in the evaluation.
+#: Parameters of a test that a record contains; the others are in the evaluation.
 PARAMETERS = ("A", "E", "M", "R", "B", "B_mean")
 CIRCLE_PARAMETERS = ("G_bidirectional", "G_ccw", "G_cw")
 
@@ -29,7 +29,7 @@ def measured_test(
     says, empty where it says none; ``s`` the pooled standard deviation of a reading.
     """
     header = {str(key).lower(): str(value) for key, value in result.get("header", {}).items()}
-    told = {
+    common = {
         "kind": result["kind"],
         "name": result["name"],
         "taken": taken,
@@ -41,9 +41,9 @@ def measured_test(
         "sources": [source["sha256"] for source in result["sources"]],
     }
     if result["kind"] == "circular":
-        return {**told, **_circle(result), "measured_in": measured_in.get(result["name"], "")}
+        return {**common, **_circle(result), "measured_in": measured_in.get(result["name"], "")}
     place = f"{result['axis']} {result['name']}"
-    return {**told, **_axis(result, errors), "measured_in": measured_in.get(place, "")}
+    return {**common, **_axis(result, errors), "measured_in": measured_in.get(place, "")}
 
 
 def _axis(result: Mapping[str, Any], errors: Errors) -> dict[str, Any]:

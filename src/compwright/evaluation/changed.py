@@ -17,7 +17,7 @@ UNDECLARED_SLOPE = 11.5
 
 
 @dataclass(frozen=True, slots=True)
-class ParameterValue:
+class UncertainValue:
     """A parameter of a test: value, standard error with its degrees of freedom, and ``declared``,
     the standard uncertainty that the job declares; all in one unit.
     """
@@ -49,7 +49,7 @@ class Change:
         return abs(self.score) > CLEAR
 
 
-def difference(before: ParameterValue, after: ParameterValue, between_tests: float = 0.0) -> Change:
+def difference(before: UncertainValue, after: UncertainValue, between_tests: float = 0.0) -> Change:
     """Return the difference of a parameter between two tests, with its standard uncertainty.
 
     ``between_tests``: a standard uncertainty of the difference that neither test contains. GUM
@@ -68,7 +68,7 @@ def difference(before: ParameterValue, after: ParameterValue, between_tests: flo
     return Change(size, math.sqrt(total), score)
 
 
-def scatter_changed(before: ParameterValue, after: ParameterValue) -> Change:
+def scatter_changed(before: UncertainValue, after: UncertainValue) -> Change:
     """Return by how much the standard deviation of a reading differs, judged by the ratio of the
     variances (F law).
     """

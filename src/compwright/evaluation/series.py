@@ -13,7 +13,7 @@ import numpy as np
 from compwright.evaluation.changed import (
     UNDECLARED_SLOPE,
     Change,
-    ParameterValue,
+    UncertainValue,
     difference,
     scatter_changed,
 )
@@ -225,10 +225,10 @@ def _compared(one: HistoryEntry, other: HistoryEntry, parameter: str) -> tuple[C
     return difference(before, after, UNDECLARED_SLOPE * length / 1000.0), undeclared
 
 
-def _parameter_value(entry: HistoryEntry, parameter: str) -> ParameterValue:
+def _parameter_value(entry: HistoryEntry, parameter: str) -> UncertainValue:
     error, dof = entry.errors[parameter]
     U, coverage = entry.declared.get(parameter, (0.0, 1.0))
-    return ParameterValue(entry.values[parameter], error, dof, U / coverage)
+    return UncertainValue(entry.values[parameter], error, dof, U / coverage)
 
 
 def same_table(one: HistoryEntry, other: HistoryEntry) -> SameTable:

@@ -1,9 +1,9 @@
-"""The job file that ``run FILE...`` leaves: what its options say, and every value that nobody said,
-each with where it comes from.
+"""The job file that ``run FILE...`` leaves: the values of its options, and every assumed value with
+its source.
 
-What a job file has a key for stands there with the value that was taken. An option of the control
-that was left at its default stands as a comment: given, it would count as known, and results would
-no longer name it as assumed.
+A value with a key of the job file is written under that key. An option of the control that was left
+at its default is written as a comment: as a key it would count as known, and results would no
+longer list it as assumed.
 """
 
 from __future__ import annotations
@@ -85,9 +85,11 @@ def assumed_job(
     assumed: Sequence[Assumption],
     by_files: Mapping[str, object],
 ) -> str:
-    """Return the job file of a run without one. ``data``: what its command line said, in the form
-    of a job; ``options``: every option of the control, settled; ``assumed``: what a run lists;
-    ``by_files``: as of `assumed_of`.
+    """Return the job file of a run without one.
+
+    ``data``: the values of its command line, in the form of a job; ``options``: every option of the
+    control with its final value; ``assumed``: what a run lists as assumed; ``by_files``: as in
+    `assumed_of`.
     """
     ((axis, section),) = data["axes"].items()
     left = [entry for entry in assumed if entry.fact.startswith(_OPTION)]
@@ -115,7 +117,7 @@ def assumed_job(
 
 
 def _options(
-    given: Mapping[str, object], left: Sequence[Assumption], settled: Mapping[str, object]
+    given: Mapping[str, object], left: Sequence[Assumption], values: Mapping[str, object]
 ) -> Iterator[_JobLine]:
     """Yield the options of the control: those given, and as comments those left at their
     default.
@@ -127,7 +129,7 @@ def _options(
         yield _JobLine("#   options:")
     for entry in left:
         name = entry.fact.removeprefix(_OPTION)
-        value = settled.get(name)
+        value = values.get(name)
         shown = "" if value is None else f" {flow(value)}"
         yield _JobLine(f"#     {word(name)}:{shown}", f"assumed: {entry.value}, {entry.evidence}")
 
@@ -157,7 +159,7 @@ def _listed(key: str, files: Sequence[str], indent: int, source: str) -> Iterato
         yield _JobLine(f"{' ' * indent}  - {flow(file)}")
 
 
-def _said(key: str) -> str:
+def _option(key: str) -> str:
     """Return the option that fills a key of an axis."""
     return {"encoder": "--option encoder_system", "table": "--option spacing, mode"}.get(
         key, f"--option {key}"
@@ -172,7 +174,7 @@ def _axis(
         yield _JobLine(f"    address: {flow(name)}", "assumed: the control calls the axis so too")
     for key, value in section.items():
         if key not in ("travel", "before"):
-            yield _JobLine(f"    {key}: {flow(value)}", _said(key))
+            yield _JobLine(f"    {key}: {flow(value)}", _option(key))
     for key, value, what in _left_out(section, by_files):
         yield _JobLine(f"    {key}: {flow(value)}", f"assumed: {what}")
     yield from (

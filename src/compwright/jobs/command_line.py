@@ -31,8 +31,8 @@ _AXIS_KEYS: dict[str, tuple[tuple[str, ...], bool]] = {
     "mode": (("table", "mode"), False),
 }
 _OPTIONS = "controller.options."
-#: The key of ``--option`` that says whether compensation acted, where the files of ``--state``
-#: switch it off or do not say.
+#: The key of ``--option`` that states whether compensation was active, where the files of
+#: ``--state`` switch it off or do not state it.
 ACTIVE = "active"
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", re.ASCII)
 _WHOLE = re.compile(r"[-+]?\d{1,15}", re.ASCII)
@@ -61,11 +61,12 @@ def job_from_options(
     named after the first; all paths as they are written.
 
     ``travel`` is ``LO:HI`` in mm or deg; ``states`` are the control's own files, or the single word
-    ``none``, or empty (then nothing is known of the control). Of ``options`` (``K=V``) the keys
+    ``none``, or empty (the control's contents are then unknown). Of ``options`` (``K=V``) the keys
     address, axis_number, kind, reference, reference_return, encoder_system, screw_pitch (a number
-    or numbers with commas), spacing and mode describe the axis, ``active`` (yes or no) says of the
-    files of the state whether compensation acted; all others are options of the controller and
-    their values stay text. Raises UsageError with every fault at once, each naming its option.
+    or numbers with commas), spacing and mode describe the axis; ``active`` (yes or no) states
+    whether the compensation in the files of the state was active; all others are options of the
+    controller and their values stay text. Raises UsageError with every fault at once, each naming
+    its option.
     """
     section: dict[str, Any] = {
         "travel": [_number(end) for end in travel.split(":")],

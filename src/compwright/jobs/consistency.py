@@ -1,8 +1,8 @@
-"""What ties the keys of a job together: names that must exist, ends in order, values that exclude
-each other.
+"""Checks between keys of the job: names that must exist, ends in order, values that exclude each
+other.
 
-Works on the plain data as read, so that its faults stand beside those of the schema; whatever has
-the wrong type is the schema's to report and is passed over here.
+They work on the plain data as read, so that their faults are listed together with those of the
+schema. Values of the wrong type are left to the schema.
 """
 
 from __future__ import annotations

@@ -23,21 +23,21 @@ TEMPERATURES = ("T_m", "T_d")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NextAxis:
-    """What the next round says of an axis otherwise than the last one.
+    """What the next round changes for an axis.
 
-    ``before``: its tests, the one after loading first. ``settled``: keys of the axis that the files
-    of the last round answered, as far as the job leaves them open. ``limited``: the test that the
-    limits speak of, where that is not the first one any more.
+    ``before``: its tests, the one after loading first. ``resolved``: keys of the axis that the job
+    leaves open and the files of the last round answered. ``limited``: the test to which the limits
+    belong, where that is not the first one any more.
     """
 
     before: Sequence[Mapping[str, Any]]
-    settled: Mapping[str, Any] = field(default_factory=dict)
+    resolved: Mapping[str, Any] = field(default_factory=dict)
     limited: str | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NextRound:
-    """What the next round says otherwise. ``paths``: where copies of profiles, stand-still tests
+    """What the next round changes. ``paths``: where copies of profiles, stand-still tests
     and the logo lie, by the path in the last job; ``squareness``: the planes that are looked at
     again.
     """
@@ -149,7 +149,7 @@ def next_job(data: Mapping[str, Any], then: NextRound) -> dict[str, Any]:
 
 def _axis(section: Mapping[str, Any], then: NextAxis) -> dict[str, Any]:
     axis = {key: value for key, value in section.items() if key != "table"}
-    for key, value in then.settled.items():
+    for key, value in then.resolved.items():
         axis[key] = {**value, **axis.get(key, {})} if isinstance(value, Mapping) else value
     axis["before"] = [dict(test) for test in then.before]
     if not then.before:

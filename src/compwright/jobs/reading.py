@@ -372,19 +372,19 @@ def _absent_axes(section: JobSection) -> list[Finding]:
     """Say of every correction that it concerns an axis of which the job knows neither travel nor
     address.
     """
-    asked: list[tuple[str, tuple[str, ...]]] = [
+    requested: list[tuple[str, tuple[str, ...]]] = [
         (f"cross[{index}]", (entry.input, entry.output))
         for index, entry in enumerate(section.cross)
     ]
     if section.apply is not None:
-        asked += [("apply.scale", (name,)) for name in section.apply.scale]
-        asked += [
+        requested += [("apply.scale", (name,)) for name in section.apply.scale]
+        requested += [
             (f"apply.squareness.{plane}", (bent, other_axis(plane, bent)))
             for plane, bent in section.apply.squareness.items()
         ]
     return [
         Finding.of("CW-J004", "error", place=place, axis=name)
-        for place, names in asked
+        for place, names in requested
         for name in names
         if name not in section.axes
     ]

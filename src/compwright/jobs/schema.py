@@ -191,7 +191,7 @@ class GantrySection(JobMapping):
 
 
 class AxisSection(JobMapping):
-    """One axis. ``accept`` (parameter names beside ``test``) and an empty ``before``: see
+    """One axis. ``accept`` (parameter names, and ``test``) and an empty ``before``: see
     `compwright.jobs.consistency`.
     """
 
@@ -428,8 +428,8 @@ class ReportSection(JobMapping):
 
 
 class StateSection(JobMapping):
-    """The files of a state, or the word none; whether compensation acted, where the files switch it
-    off or do not say.
+    """The files of a state, or the word none; whether compensation was active, where the files
+    switch it off or do not state it.
     """
 
     files: Annotated[list[Text], BeforeValidator(listed), Field(min_length=1)]

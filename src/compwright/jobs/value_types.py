@@ -10,8 +10,8 @@ from pydantic_core import PydanticCustomError
 
 
 def _one_line_of_text(value: Any) -> Any:
-    """Accept a word or a whole number as text; a decimal number may have lost digits (1.10) and
-    must stand in quotes.
+    """Accept a word or a whole number as text; a decimal number must be in quotes, because it may
+    have lost digits (1.10).
     """
     if isinstance(value, int) and not isinstance(value, bool):
         return str(value)

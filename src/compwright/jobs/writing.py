@@ -1,5 +1,7 @@
-"""A job file as text. Prefilled: what is known stands in it with its source, what is not is left
-open and said. Or whole, from plain data.
+"""Write a job file as text: prefilled from files, or complete from plain data.
+
+In a prefilled file every known value has its source; every unknown one is left empty, with a
+comment.
 """
 
 from __future__ import annotations
@@ -39,9 +41,10 @@ def job_text(
     *,
     active: bool | None = None,
 ) -> str:
-    """Return a job file (schema version 1); ``active``: what is said of its state.
+    """Return a job file (schema version 1).
 
-    Open values stand as empty keys, so that `run` asks for them.
+    ``active``: whether the compensation of its state was active, None where that is not known.
+    Unknown values are empty keys, so that `run` asks for them.
     """
     lines = [
         "compwright: 1",

@@ -214,15 +214,15 @@ def _traverse(
     corrections: CircleCorrection | None,
 ) -> Traverse:
     count, (start, extent) = plan.samples, (plan.arc[0] % 360.0, plan.arc[1])
-    beside = round(plan.overshoot * count / extent)
-    along = (np.arange(-beside, count + beside) + 0.5) * extent / count
+    overshoot = round(plan.overshoot * count / extent)
+    along = (np.arange(-overshoot, count + overshoot) + 0.5) * extent / count
     angles = start + along if sense == "ccw" else start + extent - along
     travelled = np.radians(along - along[0])
     exact = _radii(errors, plan, angles, sense, travelled, corrections) - plan.radius
     readings = exact + _noise(errors, exact.size, rng)
-    arc = slice(beside, beside + count)
+    arc = slice(overshoot, overshoot + count)
     run = CircularRun(sense=sense, angles=angles[arc], deviations=readings[arc], number=number)
-    return Traverse(run=run, readings=readings, start=beside, end=beside + count - 1)
+    return Traverse(run=run, readings=readings, start=overshoot, end=overshoot + count - 1)
 
 
 def _radii(

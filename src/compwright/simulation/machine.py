@@ -40,11 +40,11 @@ class ScrewError:
 class AxisError:
     """The error of an axis.
 
-    ``slope`` is relative (mm per mm, > 0 travels too far) and acts from the axis' reference
-    position. ``reversal`` is the mean of B = mean(+) - mean(-), negative for lost motion, and
-    ``reversal_variation`` what is added to it over the travel. ``scatter`` is what differs from one
-    reading to the next. ``drift`` is the change of the deviation from the first reading of a test
-    to its last, ``expansion`` that of the slope (relative, from the reference position), both in
+    ``slope`` is relative (mm per mm, > 0 travels too far), from the axis' reference position.
+    ``reversal`` is the mean of B = mean(+) - mean(-), negative for lost motion, and
+    ``reversal_variation`` is its variation over the travel. ``scatter``: standard deviation between
+    readings. ``drift``: change of the deviation from the first reading of a test to its last;
+    ``expansion``: change of the slope (relative, from the reference position). Both grow in
     proportion to the number of readings made.
     """
 

@@ -19,11 +19,11 @@ def overall_verdict(
     """Return the verdict of a verification from the decisions of all limits and the loading verdict
     of every axis.
 
-    ``good``: every limit is kept, every table is loaded and nothing is ``still_open`` (a proof that
-    is lacking). ``bad``: a limit is broken, or a table is known to act otherwise than planned (not
-    active, inverted, ...). Everything else is ``undecided``, and so is a verification without a
-    loading verdict, one with a fault of measurement (its values say nothing of the machine), and
-    one of an axis whose table acts at another temperature (``thermal``).
+    ``good``: every limit is met, every table is loaded and no proof is missing (``still_open``).
+    ``bad``: a limit is exceeded, or a table is known to be active in another way than planned (not
+    active, inverted, ...). Everything else is ``undecided``: also a verification without a loading
+    verdict, one with a fault of measurement (its values do not describe the machine), and an axis
+    whose table is active at another temperature (``thermal``).
     """
     decided, loaded = set(decisions), set(loadings)
     if "measurement" in loaded:

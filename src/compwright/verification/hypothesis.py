@@ -35,12 +35,12 @@ RARE: Final = 0.05
 class Hypothesis:
     """One way in which a table may have been loaded.
 
-    ``positive``, ``negative`` (m,): by how much the correction then differs from what acted behind
-    the belief; ``free`` (2, m): by what it may differ further, times a standard normal number.
-    ``weight``: prior odds against the loaded table. ``slack``: standard deviation of the factor
-    by which the change may differ. ``sloped``: with a slope over the positions of any size.
-    ``inner``: it has the loaded table as its limit (a cut near the end, a factor near one): no name
-    of its own where it is the same. ``read``: of a fault of measurement, what the table does.
+    ``positive``, ``negative`` (m,): the correction then, minus the correction that the expected
+    deviation contains; ``free`` (2, m): a further difference, times a standard normal number.
+    ``weight``: prior odds against the loaded table. ``slack``: standard deviation of a factor on
+    the change. ``sloped``: with a slope over the positions of any size. ``inner``: the loaded table
+    is its limit (a cut near the end, a factor near one), where it has no name of its own. ``read``:
+    for a fault of measurement, the state of the table.
     """
 
     name: LoadingName
@@ -65,18 +65,18 @@ class Hypothesis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Loading:
-    """What was to be loaded, and what was there.
+    """The planned table and the state of the control before.
 
-    ``new``: planned; ``old``: in the control before; ``acted``: behind the belief of the deviation
-    (in the tests before); ``others``: tables planned for other axes, by name. ``beside``: by
-    direction, what acts in the test in any case (m,). ``read_back``: what was read back from the
-    control is what was planned.
+    ``new``: planned; ``old``: in the control before; ``active_before``: in the tests before, from
+    which the expected deviation comes; ``others``: tables planned for other axes, by name.
+    ``always``: by direction, the correction that is active in the test in any case (m,).
+    ``read_back``: the values read back from the control are the planned ones.
     """
 
     new: AxisCompensation
     old: AxisCompensation
-    acted: AxisCompensation
+    active_before: AxisCompensation
     others: Mapping[str, AxisCompensation] = field(default_factory=dict)
     reference: float = 0.0
-    beside: tuple[FloatArray, FloatArray] | None = None
+    always: tuple[FloatArray, FloatArray] | None = None
     read_back: bool = False

@@ -195,9 +195,9 @@ def _as_before(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Curves:
-    """H curves that a test might show beside the belief, mm or deg.
+    """H curves that a test might show, as differences from the expected deviation, mm or deg.
 
-    ``change`` (2, m, H): by how much the correction differs from what acted behind the belief.
+    ``change`` (2, m, H): the correction minus the one that the expected deviation contains.
     ``free``: by the number of a curve, a direction (2, m) in which it may differ further by a
     standard normal amount. ``slack`` (H,): standard deviation of the factor on the change.
     """
@@ -209,12 +209,12 @@ class Curves:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fits:
-    """How H curves fit a test.
+    """How well H curves fit a test.
 
-    ``log_likelihood`` (H,): of the means, all that is not known integrated. ``score`` (H,): the
-    standard normal value as improbable as what is left over. ``slope`` (H, 2): of the test beside
-    the curve, with its standard error, mm/mm; ``amount`` (H, 2): of the free direction, with its
-    standard error, both 0 where there is none.
+    ``log_likelihood`` (H,): of the means, integrated over all unknowns. ``score`` (H,): the
+    residual, as an equally improbable standard normal value. ``slope`` (H, 2): slope of the test
+    relative to the curve, with its standard error, mm/mm; ``amount`` (H, 2): of the free direction,
+    with its standard error, both 0 where there is none.
     """
 
     log_likelihood: FloatArray
@@ -230,7 +230,8 @@ def fits_of(
     declared_slope: float,
     more: Sequence[float] = (0.0,),
 ) -> Fits:
-    """Return how the ``curves`` fit the test ``after`` beside the ``belief``.
+    """Return how well the ``curves``, added to the expected deviation (``belief``), fit the test
+    ``after``.
 
     ``declared_slope``: standard deviation of the slope, mm/mm, by which every test may differ;
     ``more``: that of a further slope: all curves with the first of them, then all with the next.

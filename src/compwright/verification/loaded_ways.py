@@ -29,9 +29,9 @@ class Ways:
     def __init__(self, loading: Loading, targets: FloatArray) -> None:
         self.loading, self.targets = loading, targets
         new = loading.new
-        self.acted = self.at(loading.acted)
-        if loading.beside is not None:
-            self.acted = self.acted - np.stack(loading.beside)
+        self.active_before = self.at(loading.active_before)
+        if loading.always is not None:
+            self.active_before = self.active_before - np.stack(loading.always)
         self.stay = self.at(_only_others(new))
         self.table = replace(new, others=(), backlash=0.0)
         self.own = self.at(self.table)
@@ -51,8 +51,13 @@ class Ways:
         )
 
     def total(self, curve: Curve, backlash: Curve | None = None) -> Curve:
-        """Return the change where ``curve`` acts with ``backlash`` (default: the new one)."""
-        return self.stay + curve + (self.backlash if backlash is None else backlash) - self.acted
+        """Return the change where ``curve`` is active with ``backlash`` (default: the new one)."""
+        return (
+            self.stay
+            + curve
+            + (self.backlash if backlash is None else backlash)
+            - self.active_before
+        )
 
     def made(
         self, name: LoadingName, change: Curve, weight: float, detail: str = "", **more: Any
@@ -74,8 +79,8 @@ class Ways:
         """Yield a fault of the table with the new backlash, and with that which was there."""
         yield self.made(name, self.total(curve), weight, detail, **more)
         if np.any(self.backlash != self.old_backlash):
-            told = f"{detail}, with the old backlash" if detail else "with the old backlash"
-            yield self.made(name, self.total(curve, self.old_backlash), 0.1 * weight, told, **more)
+            words = f"{detail}, with the old backlash" if detail else "with the old backlash"
+            yield self.made(name, self.total(curve, self.old_backlash), 0.1 * weight, words, **more)
 
     def held(self) -> Held:
         """Return the values of the planned table at its nodes."""

@@ -79,7 +79,7 @@ def judge_loading(
         )
     slope = None if declared_slope is None else math.hypot(declared_slope, LEAST_SLOPE)
     found, effect = rate(after, views, slope)
-    if not any(_stands(each) for each in found):
+    if not any(_fits_unchanged(each) for each in found):
         more = further()
         if more:
             found, effect = rate(after, [*views, *more], slope)
@@ -88,7 +88,7 @@ def judge_loading(
     return _verdict(shown, named(after, found, declared_slope), found, declared_slope)
 
 
-def _stands(each: Rated) -> bool:
+def _fits_unchanged(each: Rated) -> bool:
     """Return whether the test fits the loaded table, or the old control, as it stands."""
     return each.hypothesis.name in ("loaded", "not_active") and each.score <= REFUSED
 
@@ -164,7 +164,7 @@ def _explains(shown: Shown, best: Rated) -> bool:
 def _sentence(
     shown: Shown, names: NamedLoading, ways: Sequence[Rated], declared_slope: float | None
 ) -> Sentence:
-    """Return what is said of a name that is given."""
+    """Return the sentence about a verdict."""
     best, declared = names.best, declared_slope or 0.0
     if best.name == "thermal":
         slope = slope_text(*best.slope, declared)

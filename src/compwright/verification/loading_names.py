@@ -22,22 +22,22 @@ from compwright.verification.rating import Rated, distances
 REFUSED: Final = 3.09
 #: No two tests are closer in temperature, mm/mm: 0.03 K of steel.
 LEAST_SLOPE: Final = 0.3e-6
-#: Logarithm of odds beyond which nobody asks: a second name there is none.
+#: Largest logarithm of odds that is given; also used where there is no second name.
 _CERTAIN: Final = 1e6
 #: Distance between two names, in standard errors, from which nearly every test tells them apart.
 _TELLING: Final = 8.0
-#: From which probability on a candidate is told.
-_TOLD: Final = 0.005
+#: Least probability of a candidate that is listed.
+_LISTED: Final = 0.005
 
 
 @dataclass(frozen=True, slots=True)
 class NamedLoading:
-    """What a test says of names.
+    """What a test shows about the names of loading verdicts.
 
-    ``best``: the likeliest hypothesis of the likeliest name; ``fits``: whether the test fits it.
-    ``together``: probability of that name with all that lies within one standard error of it, whose
-    names are ``equivalent``; ``near``: names that this test says little of beside it. ``margin``:
-    logarithm of the odds over the likeliest name that is none of these. ``hidden``: loaded or not,
+    ``best``: the most probable hypothesis of the most probable name; ``fits``: whether the test
+    fits it. ``together``: probability of that name and of everything within one standard error of
+    it, whose names are ``equivalent``; ``near``: names that this test hardly distinguishes from it.
+    ``margin``: logarithm of the odds over the most probable other name. ``hidden``: loaded or not,
     the test would be the same.
     """
 
@@ -52,16 +52,17 @@ class NamedLoading:
 
 
 def named(after: AfterMeans, rated: Sequence[Rated], declared_slope: float | None) -> NamedLoading:
-    """Return the name that ``rated`` give a test, and what is to be said beside it.
+    """Return the name of the loading verdict from the ``rated`` hypotheses of a test, with its
+    equivalents and its odds.
 
-    ``declared_slope``: as `judge_loading` takes it.
+    ``declared_slope``: as in `judge_loading`.
     """
     totals: dict[LoadingName, float] = {}
     for each in rated:
         totals[each.name] = totals.get(each.name, 0.0) + each.probability
     name = max(totals, key=lambda one: totals[one])
     if name in ("loaded", "thermal"):
-        name = _acting(rated, declared_slope)
+        name = _loaded_or_thermal(rated, declared_slope)
     best = max((each for each in rated if each.name == name), key=lambda each: each.log)
     far = distances(after, best, rated)
     fits = best.score <= REFUSED
@@ -76,9 +77,9 @@ def named(after: AfterMeans, rated: Sequence[Rated], declared_slope: float | Non
     )
     equivalent = _equivalent(best, far, rated)
     hidden = {"loaded", "not_active"} <= {name, *equivalent}
-    told: set[LoadingName] = {*counted, *equivalent}
+    excluded: set[LoadingName] = {*counted, *equivalent}
     if fits and any(each.hypothesis.read in counted for each in rated):
-        told.add("measurement")
+        excluded.add("measurement")
     return NamedLoading(
         best=best,
         fits=fits,
@@ -86,23 +87,23 @@ def named(after: AfterMeans, rated: Sequence[Rated], declared_slope: float | Non
         equivalent=equivalent,
         near=tuple(one for one in _near(far, rated) if one != name),
         candidates=_candidates(rated, totals),
-        margin=0.0 if hidden else _margin(rated, counted, told),
+        margin=0.0 if hidden else _margin(rated, counted, excluded),
         hidden=hidden,
     )
 
 
 def _margin(
-    rated: Sequence[Rated], names: Collection[LoadingName], told: Collection[LoadingName]
+    rated: Sequence[Rated], names: Collection[LoadingName], excluded: Collection[LoadingName]
 ) -> float:
-    """Return the logarithm of the odds for these names over the likeliest that is not ``told`` with
-    them.
+    """Return the logarithm of the odds for ``names`` over the most probable name that is not
+    ``excluded``.
     """
 
     def together(chosen: Collection[LoadingName]) -> float:
         logs = np.array([each.log for each in rated if each.name in chosen])
         return float(logs.max() + np.log(np.sum(np.exp(logs - logs.max()))))
 
-    others = {each.name for each in rated} - set(told)
+    others = {each.name for each in rated} - set(excluded)
     return (
         min(together(names) - max(map(together, ((one,) for one in others))), _CERTAIN)
         if others
@@ -110,9 +111,9 @@ def _margin(
     )
 
 
-def _acting(rated: Sequence[Rated], declared_slope: float | None) -> LoadingName:
-    """Return ``loaded`` or ``thermal`` for a table that acts: thermal where the slope beside it is
-    beyond what is declared.
+def _loaded_or_thermal(rated: Sequence[Rated], declared_slope: float | None) -> LoadingName:
+    """Return ``loaded`` or, where the slope of the test relative to the active table exceeds the
+    declared one, ``thermal``.
     """
     plain = next(each for each in rated if each.name == "loaded")
     if declared_slope is None:
@@ -123,9 +124,11 @@ def _acting(rated: Sequence[Rated], declared_slope: float | None) -> LoadingName
 
 
 def _equivalent(best: Rated, far: FloatArray, rated: Sequence[Rated]) -> tuple[LoadingName, ...]:
-    """Return the names that no test could tell from the best. What has the loaded table, or none,
-    as its limit (a factor near one, a cut near an end, a small slope) is no other name there; nor
-    is an unknown factor beside an inverted table, whose factor is -1.
+    """Return the names that no test could distinguish from the best.
+
+    A hypothesis whose limit is the loaded table, or none, is no other name there (a factor near
+    one, a cut near an end, a small slope); nor is an unknown factor for an inverted table, whose
+    factor is -1.
     """
     limit = best.name in ("loaded", "not_active")
     found: dict[LoadingName, None] = {}
@@ -161,14 +164,14 @@ def _near(far: FloatArray, rated: Sequence[Rated]) -> tuple[LoadingName, ...]:
 
 def _candidates(rated: Sequence[Rated], totals: dict[LoadingName, float]) -> tuple[Candidate, ...]:
     ordered = sorted(totals, key=lambda one: -totals[one])
-    told = [one for one in ordered if totals[one] >= _TOLD] or ordered[:1]
+    excluded = [one for one in ordered if totals[one] >= _LISTED] or ordered[:1]
     return tuple(
         Candidate(
             verdict=one,
             probability=totals[one],
             detail=max((e for e in rated if e.name == one), key=lambda e: e.log).hypothesis.detail,
         )
-        for one in told
+        for one in excluded
     )
 
 

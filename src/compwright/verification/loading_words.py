@@ -21,10 +21,10 @@ from compwright.words.sentences import Amount, Sentence, say
 _PPM: Final = 1e6
 #: Expansion of steel, µm/(m K).
 _STEEL: Final = 11.5
-#: A slope that the job explains is told from three standard errors on, and from a tenth of a kelvin
-#: of steel.
+#: A slope that the job explains is reported from three standard errors on, and from a tenth of a
+#: kelvin of steel.
 _CLEAR_SLOPE: Final = 3.0
-_LEAST_TOLD: Final = 0.1 * _STEEL / _PPM
+_LEAST_SLOPE: Final = 0.1 * _STEEL / _PPM
 #: Effect in its own standard errors from which 95 % of the tests tell all of it from half of it at
 #: odds of 100:1: D^2 / 8 - 1.645 D / 2 = ln 100.
 VISIBLE: Final = 10.2
@@ -57,7 +57,7 @@ class Shown:
         *,
         read_back: bool = False,
     ) -> Shown:
-        """Return what ``after`` shows beside the expectations of its first hypotheses."""
+        """Return the test ``after`` minus the expected deviations of the first hypotheses."""
         expected = {
             name: next((belief.mean + h.change for h in hypotheses if h.name == name), None)
             for name in ("loaded", "not_active")
@@ -74,7 +74,7 @@ class Shown:
         )
 
     def left(self, expected: FloatArray) -> FloatArray:
-        """Return what is left (2, m) beside what is ``expected``, the datum removed."""
+        """Return the test minus the ``expected`` one, without the datum (2, m)."""
         left = self.means - expected
         removed: FloatArray = left - np.nanmean(left)
         return removed
@@ -136,8 +136,9 @@ def named_message(
     factor: float,
     equivalent: Sequence[LoadingName],
 ) -> list[Sentence]:
-    """Return what is said of a verdict: what was seen, by how much and where; ``expected`` (2, m):
-    the test that the verdict would show.
+    """Return the sentences of a verdict: what was measured, by how much and where.
+
+    ``expected`` (2, m): the test that the verdict would show.
     """
     sentences = [_sentence(shown, name, way, factor), *_evidence(shown, name, expected)]
     if equivalent:
@@ -195,10 +196,10 @@ def _evidence(shown: Shown, name: LoadingName, expected: FloatArray) -> Iterator
 def open_message(
     shown: Shown, candidates: Sequence[Candidate], unexplained: FloatArray | None
 ) -> Sentence:
-    """Return what is said where no name is clear, and which correction would be seen.
+    """Return the sentence of an undecided verdict, with the correction that a test could show.
 
-    ``unexplained`` (2, m): the test that the likeliest name would show, where what the test shows
-    in addition to it is more than noise; None where it fits.
+    ``unexplained`` (2, m): the test that the most probable name would show, where the remaining
+    difference is more than noise; None where the name fits.
     """
     error = shown.effect[1]
     needed = shown.size * VISIBLE * error if math.isfinite(error) else 0.0
@@ -260,7 +261,7 @@ def declared_slope_text(slope: float, error: float, declared: float) -> Sentence
     """Return a slope (mm/mm) of a test whose table is active, where it is clear and the job
     declares some (``declared``: standard deviation between two tests); else None.
     """
-    if declared <= 0.0 or abs(slope) < max(_CLEAR_SLOPE * error, _LEAST_TOLD):
+    if declared <= 0.0 or abs(slope) < max(_CLEAR_SLOPE * error, _LEAST_SLOPE):
         return None
     return say(
         "loading.declared_slope",
@@ -278,7 +279,7 @@ def thermal_message(shown: Shown, expected: FloatArray, slope: Sentence) -> Sent
 
 
 def straight_line_message(shown: Shown, slope: Sentence, active_part: float) -> Sentence:
-    """Return what is said where the correction is a straight line too."""
+    """Return the sentence for a correction that is a straight line itself."""
     return say(
         "loading.straight_line",
         slope=slope,

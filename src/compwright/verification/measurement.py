@@ -1,8 +1,8 @@
-"""Can the test after loading be believed? It is held against the first test of its axis before any
-verdict is formed.
+"""Is the test after loading credible? It is compared with the first test of its axis before any
+verdict.
 
-A named fault (`measurement_fault`) is certain: nothing but a fault of the measurement gives such
-readings. A doubt (`doubts_of_test`) is what lacks proof; each says what to measure. mm or deg.
+A named fault (`measurement_fault`) is certain: only a fault of the measurement gives such readings.
+A doubt (`doubts_of_test`) is a missing proof; each names the measurement that gives it. mm or deg.
 """
 
 from __future__ import annotations
@@ -165,8 +165,8 @@ def _scatter(block: FloatArray) -> FloatArray:
 
 
 def _thousand(after: PositioningTest, first: PositioningTest) -> Sentence | None:
-    """Return that the readings are 1000 times too small or too large, by their scatter beside the
-    first test's.
+    """Return the sentence that the readings are 1000 times too small or too large, from their
+    scatter relative to the first test's; None where they are not.
     """
     certain = certain_fault(after)
     if certain:
@@ -190,12 +190,12 @@ def _thousand(after: PositioningTest, first: PositioningTest) -> Sentence | None
 def noise_odds(
     s: float, dof: float, s_first: float, dof_first: float
 ) -> Literal["", "quiet", "loud"]:
-    """Return whether a scatter ``s`` is too quiet or too loud beside the first test's, each with
-    its degrees of freedom.
+    """Return whether a scatter ``s`` is too quiet or too loud relative to the first test's, each
+    with its degrees of freedom.
 
-    Too quiet: even a third of the first test's noise would show a scatter this small less than once
-    in 1000 tests (ratio of two variances, Paulson's normal score). Too loud: the same with three
-    times the noise. With few degrees of freedom nothing is.
+    Too quiet: even with a third of the first test's noise, a scatter this small would appear less
+    than once in 1000 tests (ratio of two variances, Paulson's normal score). Too loud: the same
+    with three times the noise. With few degrees of freedom neither is possible.
     """
     if min(dof, dof_first) < 1.0 or s_first <= 0.0:
         return ""
@@ -219,7 +219,7 @@ def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
 
 
 def proof_lacking(after: PositioningTest, first: PositioningTest) -> list[Finding]:
-    """Return what the test after loading lacks to prove anything beside the ``first`` test: CW-V020
+    """Return what the test after loading lacks as a proof, relative to the ``first`` test: CW-V020
     (targets), CW-V021 (noise).
     """
     return [*_coverage(after, first), *_noise(after, first)]
@@ -286,12 +286,13 @@ def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
 
 
 def files_apart(parts: Sequence[PositioningTest]) -> tuple[PositioningTest, str] | None:
-    """Return which of the files given as one test lies farthest from the first one, and by how
-    much, in words; None where all go together.
+    """Return which of the files of one test differs most from the first, and by how much, in words;
+    None where all agree.
 
-    Means at the same targets and directions lie apart by more than `_BELIEVED` times what a reading
-    scatters within the files: another datum, or another correction. Means of both would be of no
-    machine that there is. Where the readings do not repeat within a file nothing is said.
+    Two files differ where their means at the same targets and directions are more than `_BELIEVED`
+    times the scatter of a reading within the files apart: another datum, or another correction. The
+    means of both would describe no existing machine. Not judged where the readings do not repeat
+    within a file.
     """
     scatter = [pooled_scatter(part) for part in parts]
     dof = sum(each for _, each in scatter)

@@ -12,8 +12,8 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
 from compwright.records.verification import Candidate, LoadingName, LoadingVerdict
 
-#: Verdicts that say that it acted as the files say, or that nothing can be told.
-ACTED: Final[tuple[LoadingName, ...]] = ("loaded", "thermal")
+#: Verdicts for a table that was active as in the files.
+ACTIVE: Final[tuple[LoadingName, ...]] = ("loaded", "thermal")
 _DID: Final[dict[LoadingName, str]] = {
     "not_active": "was not active",
     "inverted": "was active with the opposite sign",
@@ -34,15 +34,17 @@ _AS_WELL: Final[dict[LoadingName, str]] = {
     ),
     "inverted": "or the two tests are exchanged",
 }
-#: From these odds on a fault is one, named or not; candidates from this probability on are told.
+#: Least probability of a fault, named or not; and of a candidate that is listed.
 _CLEAR: Final = 0.99
-_TOLD: Final = 0.05
+_LISTED: Final = 0.05
 
 
 @dataclass(frozen=True, slots=True)
 class OldTable:
-    """What two tests of an axis say of a table. ``on``, ``off``: names of the test with it and of
-    the one without it, ``state`` that in which it should have acted.
+    """What two tests of an axis show about a table.
+
+    ``on``, ``off``: names of the test with it and of the one without it; ``state``: the state in
+    which it should have been active.
     """
 
     on: str
@@ -52,23 +54,23 @@ class OldTable:
 
     @property
     def contradicted(self) -> bool:
-        """Whether something else acted than the files say: named, or with odds of 99 to 1 one of
-        several faults that fit.
+        """Whether the active correction differs from the files: one named fault, or one of several
+        with odds of 99 to 1.
         """
         if self.verdict.verdict != "undecided":
-            return self.verdict.verdict not in ACTED
+            return self.verdict.verdict not in ACTIVE
         fits = not any(finding.code == "CW-V001" for finding in self.verdict.findings)
-        return fits and self.acted < 1.0 - _CLEAR
+        return fits and self.probability_active < 1.0 - _CLEAR
 
     @property
-    def acted(self) -> float:
-        """Probability that it acted as the files say."""
-        return sum(each.probability for each in self.verdict.candidates if each.verdict in ACTED)
+    def probability_active(self) -> float:
+        """Probability that the table was active as in the files."""
+        return sum(each.probability for each in self.verdict.candidates if each.verdict in ACTIVE)
 
     @property
     def likely(self) -> tuple[Candidate, ...]:
         """What may have happened, the likeliest first."""
-        return tuple(each for each in self.verdict.candidates if each.probability >= _TOLD)
+        return tuple(each for each in self.verdict.candidates if each.probability >= _LISTED)
 
     def refusal(self, look_at: Sequence[str]) -> str:
         """Return why no table is written; ``look_at``: what to look at on the control."""
@@ -84,7 +86,7 @@ class OldTable:
         as_well = "".join(
             f", {_AS_WELL[name].format(off=self.off)}" for name in names if name in _AS_WELL
         )
-        percent = min(100.0 * (1.0 - self.acted), 99.9)
+        percent = min(100.0 * (1.0 - self.probability_active), 99.9)
         look = f" Look at: {' '.join(look_at)}" if look_at else ""
         return (
             f"the tests {self.off} and {self.on} contradict what the files say, {percent:.1f} %"
@@ -93,19 +95,19 @@ class OldTable:
         )
 
     def finding(self) -> Finding | None:
-        """Return that the table acted (CW-V030), or that nothing can be told (CW-V031); None where
-        it is contradicted.
+        """Return that the table was active (CW-V030), or that the tests cannot decide it (CW-V031);
+        None where it is contradicted.
         """
         if self.contradicted:
             return None
         between = f"Tests {self.off} (without it) and {self.on} (with it)"
-        if self.verdict.verdict in ACTED:
-            percent = min(100.0 * self.acted, 99.9)
+        if self.verdict.verdict in ACTIVE:
+            percent = min(100.0 * self.probability_active, 99.9)
             return Finding.of("CW-V030", "info", between=between, state=self.state, percent=percent)
         likely = _words(self.likely) or "nothing that is known fits"
         return Finding.of(
             "CW-V031",
-            "info" if self.acted >= _TOLD else "warning",
+            "info" if self.probability_active >= _LISTED else "warning",
             between=between,
             state=self.state,
             likely=likely,

@@ -21,16 +21,16 @@ _FAMILY: Final = 0.025  # prior odds of a whole family of cuts of one kind
 def one_direction(ways: Ways) -> Iterator[Hypothesis]:
     """Yield the table in one direction, in the other what may act there instead."""
     new = ways.total(ways.own)
-    beyond = [("the other as before", ways.old - ways.acted)]
+    beyond = [("the other as before", ways.old - ways.active_before)]
     if ways.has_old:
-        beyond.append(("nothing in the other", ways.stay - ways.acted))
+        beyond.append(("nothing in the other", ways.stay - ways.active_before))
     if np.any(ways.backlash != ways.old_backlash):
         beyond.append(("in the other the new backlash alone", ways.total(np.zeros_like(ways.own))))
     for side, direction in enumerate(Direction):
-        for told, other in beyond:
+        for rest_detail, other in beyond:
             change = other.copy()
             change[side] = new[side]
-            detail = f"it is active in approaches in {direction.value} only, {told}"
+            detail = f"it is active in approaches in {direction.value} only, {rest_detail}"
             yield ways.made("one_direction", change, 0.5 * COMMON, detail)
 
 
@@ -40,17 +40,17 @@ def wrong_backlash(ways: Ways) -> Iterator[Hypothesis]:
     if not np.any(step):
         step = _reversal(ways)
     weight = COMMON if np.any(ways.backlash) else RARE
-    for times, told in ((-1.0, "missing"), (1.0, "twice"), (-2.0, "with the wrong sign")):
+    for times, detail in ((-1.0, "missing"), (1.0, "twice"), (-2.0, "with the wrong sign")):
         if np.any(step):
             change = ways.total(ways.own, ways.backlash + times * step)
-            yield ways.made("backlash", change, weight, told)
+            yield ways.made("backlash", change, weight, detail)
     known = [-step, step, -2.0 * step, np.zeros_like(step)]
-    for value, told in (
+    for value, detail in (
         (ways.old_backlash, "the old value instead of the new one"),
         (ways.backlash + ways.old_backlash, "the old value on top of the new one"),
     ):
         if not any(np.allclose(value - ways.backlash, one, atol=1e-9) for one in known):
-            yield ways.made("backlash", ways.total(ways.own, value), COMMON, told)
+            yield ways.made("backlash", ways.total(ways.own, value), COMMON, detail)
 
 
 def _reversal(ways: Ways) -> Curve:
@@ -82,7 +82,7 @@ def partial(ways: Ways) -> Iterator[Hypothesis]:
         beyond.append(("the old values beyond", before, False))
         beyond.append(("the old steps beyond", before, True))
     cuts = _cuts(ways)
-    for told, rest, joined in beyond:
+    for rest_detail, rest, joined in beyond:
         for cut in cuts:
             for first in (True, False):
                 inside = (np.arange(nodes.size) < cut) == first
@@ -101,7 +101,7 @@ def partial(ways: Ways) -> Iterator[Hypothesis]:
                     "partial",
                     ways.values(curves),
                     _FAMILY / len(cuts),
-                    f"{where}, {told}",
+                    f"{where}, {rest_detail}",
                     inner=not 0.25 <= share <= 0.75,
                 )
 
@@ -112,12 +112,12 @@ def cut_off(ways: Ways) -> Iterator[Hypothesis]:
     if nodes.size < 3 or targets.size < 3:
         return
     new = ways.total(ways.own)
-    beyond = [("nothing beyond, no backlash either", ways.stay - ways.acted)]
+    beyond = [("nothing beyond, no backlash either", ways.stay - ways.active_before)]
     if ways.has_old:
-        beyond.append(("all as before beyond", ways.old - ways.acted))
+        beyond.append(("all as before beyond", ways.old - ways.active_before))
     gaps = np.arange(1, targets.size)
     gaps = gaps[np.unique(np.linspace(0, gaps.size - 1, min(gaps.size, _CUTS)).astype(int))]
-    for told, rest in beyond:
+    for rest_detail, rest in beyond:
         for gap in gaps:
             last = int(np.clip(np.searchsorted(nodes, targets[gap - 1]), 0, nodes.size - 1))
             for first in (True, False):
@@ -128,7 +128,7 @@ def cut_off(ways: Ways) -> Iterator[Hypothesis]:
                     "partial",
                     np.where(inside, new, rest),
                     _FAMILY / gaps.size,
-                    f"{number} ({nodes[last]:g}), {told}",
+                    f"{number} ({nodes[last]:g}), {rest_detail}",
                     inner=not 0.25 <= share <= 0.75,
                 )
 
@@ -139,9 +139,9 @@ def _cuts(ways: Ways) -> list[int]:
     """
     nodes = ways.table.positions
     seats = np.searchsorted(ways.targets, nodes)
-    acting = [
+    effective = [
         cut for cut in range(1, nodes.size) if seats[cut] > 0 and seats[cut - 1] < ways.targets.size
     ]
-    if len(acting) <= _CUTS:
-        return acting
-    return [acting[i] for i in np.unique(np.linspace(0, len(acting) - 1, _CUTS).astype(int))]
+    if len(effective) <= _CUTS:
+        return effective
+    return [effective[i] for i in np.unique(np.linspace(0, len(effective) - 1, _CUTS).astype(int))]

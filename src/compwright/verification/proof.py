@@ -1,10 +1,10 @@
-"""What a good verification needs beside its numbers: a plan of this very job, every planned axis,
-and tests that prove something.
+"""What a good verification needs in addition to its numbers: a plan of this very job, every planned
+axis, and tests that prove something.
 
 The rule for the findings of the evaluation (``docs/commands.md``, "What good needs"): a warning
-about the readings of the test after loading takes the verdict to undecided; a warning about how the
+about the readings of the test after loading makes the verdict undecided; a warning about how the
 test was planned does so where the first test did not have it already; warnings that can only make
-the values larger (drift, a traverse or a reading far off) leave it.
+the values larger (drift, an outlying traverse or reading) do not change it.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ from compwright.words.sentences import say
 #: Warnings that only say that values are larger than those of a quiet machine, or that an
 #: assumption was stated: they leave the verdict.
 _HARMLESS: Final = frozenset({"CW-T012", "CW-T013", "CW-T014", "CW-T022"})
-#: The size of the readings is judged beside the first test's (`verification.measurement`), which
-#: knows more than the test alone.
-_JUDGED_BESIDE: Final = frozenset({"CW-T030"})
+#: The size of the readings is compared with the first test's (`verification.measurement`), which
+#: decides better than the test alone.
+_COMPARED_WITH_FIRST: Final = frozenset({"CW-T030"})
 #: Doubts, and these warnings about the readings, count whether or not the first test had them too.
 #: All others count where it had not.
 _OF_READINGS: Final = frozenset({"CW-R006", "CW-T010", "CW-T015", "CW-T016"})
@@ -71,10 +71,10 @@ def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
 
 
 def _changed_circles(job: Job, plan: Plan) -> Iterator[Finding]:
-    asked = {request.name: request.accept for request in job.circles}
+    limits = {request.name: request.accept for request in job.circles}
     for name, circle in plan.circles.items():
-        if asked.get(name) != circle.accept:
-            was, now = _limits(circle.accept), _limits(asked.get(name))
+        if limits.get(name) != circle.accept:
+            was, now = _limits(circle.accept), _limits(limits.get(name))
             yield _changed(f"the limits of circle {name} were {was}, now they are {now}")
     budgets = {circle.budget for circle in plan.circles.values() if circle.accept is not None}
     for was_budget in budgets - {job.uncertainty_circular}:
@@ -102,16 +102,18 @@ def _budget(one: _Budget | None, other: _Budget | None) -> str:
     """Return in words what of one budget is not in the other."""
     if one is None:
         return "none"
-    beside = asdict(other or type(one)())
-    told = [f"{name} {value:g}" for name, value in asdict(one).items() if value != beside[name]]
-    return ", ".join(told) or "none"
+    other_values = asdict(other or type(one)())
+    parts = [
+        f"{name} {value:g}" for name, value in asdict(one).items() if value != other_values[name]
+    ]
+    return ", ".join(parts) or "none"
 
 
 def _limits(accept: Any) -> str:
     if accept is None:
         return "none"
-    told = ", ".join(f"{key} {value:g}" for key, value in accept.limits.items())
-    return f"{told} (test {accept.test})" if accept.test else told
+    parts = ", ".join(f"{key} {value:g}" for key, value in accept.limits.items())
+    return f"{parts} (test {accept.test})" if accept.test else parts
 
 
 def _changed(what: str) -> Finding:
@@ -201,7 +203,7 @@ def doubts_after(after: PositioningResult | CircularResult) -> tuple[Finding, ..
     return tuple(
         finding
         for finding in after.findings
-        if finding.is_doubt and finding.code not in _JUDGED_BESIDE
+        if finding.is_doubt and finding.code not in _COMPARED_WITH_FIRST
     )
 
 
@@ -221,7 +223,7 @@ def doubted(
         if (
             finding.severity == "info"
             or finding in acknowledged
-            or code in _HARMLESS | _JUDGED_BESIDE
+            or code in _HARMLESS | _COMPARED_WITH_FIRST
             or (code in _OF_UNCERTAINTY and not guarded)
         ):
             continue

@@ -68,14 +68,16 @@ def proven_axis(
 def sign_odds(
     curves: Sequence[tuple[FloatArray, FloatArray, FloatArray]], scatter: FloatArray
 ) -> float:
-    """Return the natural logarithm of the odds for the table as planned against the same with its
-    sign turned, from the means of both tests.
+    """Return the natural logarithm of the odds for the table as planned over the same table with
+    opposite sign, from the means of both tests.
 
-    ``curves``: for each direction measured, (m,) each, the means expected with
-    the table, with what acted before, and found after loading; ``scatter`` (m,): standard deviation
-    of a found mean. Turned, the test would show 2·before - expected; both less a free datum common
-    to both directions. Its own uncertainty is taken as five times as large in variance, which the
-    doubled mean of the test before makes of it at most: the odds are rather too small.
+    ``curves``: for each measured direction, (m,) each, the means expected with the table, those
+    with the correction before, and those found after loading; ``scatter`` (m,): standard deviation
+    of a found mean.
+
+    With the opposite sign, the test would show 2·before - expected; both less a free datum common
+    to both directions. The variance of that expectation is taken as five times as large, the upper
+    bound from doubling the mean of the test before: the odds are rather too small.
     """
     if not curves:
         return 0.0

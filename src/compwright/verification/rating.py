@@ -105,9 +105,11 @@ def _rated_by(after: AfterMeans, view: View, fits: Fits, index: int, way: Hypoth
 
 
 def _relevant(after: AfterMeans, rated: Sequence[Rated]) -> list[Rated]:
-    """Return the hypotheses, those that this test can hardly tell from a table that acts as
-    planned, or not at all, with less weight, by the square of the distance up to `_SEEN` standard
-    errors: they change nothing that the test could show.
+    """Return the hypotheses with less weight for those that this test hardly distinguishes from a
+    table that is active as planned, or not at all.
+
+    The weight is reduced by the square of the distance, up to `_SEEN` standard errors: such
+    hypotheses change nothing that the test could show.
     """
     ends = [
         next((each for each in rated if each.name == name), None)

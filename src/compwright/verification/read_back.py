@@ -34,10 +34,11 @@ _FACTORS = {
 def judge_read_back(
     planned: Correction, loaded: Correction, old: Correction, nodes: FloatArray, spacing: float
 ) -> ReadBack:
-    """Hold what was read back against the plan, mm or deg; ``old``: what was in the control before.
+    """Compare the values read back with the plan, mm or deg; ``old``: the values in the control
+    before.
 
-    The first explanation that is exact (within `SAME`) everywhere counts; a table that is all zero
-    explains nothing.
+    The first explanation that is exact (within `SAME`) everywhere counts; a table of zeros explains
+    nothing.
     """
     where = nodes if nodes.size > 1 else np.array([-100.0, 0.0, 100.0])
     wish = {side: planned(where, side) for side in Direction}

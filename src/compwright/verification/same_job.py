@@ -1,6 +1,4 @@
-"""Was a plan made of this very job? Axes, options, states, tests and circles are held against
-each other.
-"""
+"""Was a plan made from this very job? Compares axes, options, states, tests and circles."""
 
 from __future__ import annotations
 
@@ -27,21 +25,21 @@ def stale_plan(
     ``options``: those of the job with what it leaves to the control; ``read``: reads a test of the
     job as its files say it now, None where they are not there any more.
     """
-    told = [
+    differences = [
         *_axes_differ(job, plan, read),
         *_options_differ(job, plan, options),
         *_states_differ(job, plan),
     ]
     circles = {circle.name for circle in job.circles}
     if circles != set(plan.circles):
-        told.append(
+        differences.append(
             (
                 "circles",
                 ", ".join(sorted(circles)) or "none",
                 ", ".join(sorted(plan.circles)) or "none",
             )
         )
-    return [stale(what, mine, theirs, file) for what, mine, theirs in told]
+    return [stale(what, mine, theirs, file) for what, mine, theirs in differences]
 
 
 def stale(what: str, mine: str, theirs: str, file: str) -> Fault:

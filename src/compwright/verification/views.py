@@ -15,12 +15,12 @@ from compwright.verification.likelihood import ErrorBelief
 #: Prior odds of a fault of measurement against a loaded table well measured.
 _MEASURED_WRONG: Final = 0.02
 _OTHER_AXIS: Final = 0.01
-#: Two faults at once, of measurement and of loading, beside one.
+#: Prior odds of two faults at once, of measurement and of loading, over one.
 _BOTH: Final = 0.1
 #: Standard deviation of the logarithm of the ratio of two honest noises of one axis.
 _OTHER_NOISE: Final = 0.7
 _NEVER: Final = 1e-300
-#: Noise of the test beside that of the tests before from which units are always asked about.
+#: Ratio of the noise of the test to that before, from which the units are always in doubt.
 UNLIKE: Final = 5.0
 #: Units that are mixed up, as factors on the readings.
 _UNITS: Final = (1000.0, 0.001, 25.4, 1.0 / 25.4)
@@ -28,7 +28,7 @@ _UNITS: Final = (1000.0, 0.001, 25.4, 1.0 / 25.4)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class View:
-    """Ways of loading beside one belief of what the test would show without any change."""
+    """Ways of loading, with one expectation of what the test would show without any change."""
 
     belief: ErrorBelief
     hypotheses: tuple[Hypothesis, ...]

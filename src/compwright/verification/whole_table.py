@@ -12,7 +12,7 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.verification.hypothesis import COMMON, RARE, UNKNOWN_FACTOR, Hypothesis
 from compwright.verification.loaded_ways import Ways
 
-#: Factors with a known cause, and how likely each is beside the others.
+#: Factors with a known cause, and the relative probability of each.
 _FACTORS: Final[Mapping[float, tuple[float, str]]] = {
     2.0: (1.0, "twice: radius and diameter mixed up, or loaded on top of itself"),
     0.5: (1.0, "half: radius and diameter mixed up"),
@@ -31,15 +31,17 @@ _OTHER: Final = 0.01
 
 
 def inactive(ways: Ways) -> Iterator[Hypothesis]:
-    """Yield what acts where the table does not: what was there, nothing, the new backlash alone."""
+    """Yield the cases in which the table is not active: the old correction, none, the new backlash
+    value alone.
+    """
     left = "what was in the control before is still active" if ways.has_old else ""
-    yield ways.made("not_active", ways.old - ways.acted, COMMON, left)
+    yield ways.made("not_active", ways.old - ways.active_before, COMMON, left)
     nothing = np.zeros_like(ways.own)
     if ways.has_old:
-        change = ways.stay - ways.acted
+        change = ways.stay - ways.active_before
         yield ways.made("not_active", change, COMMON, "nothing at all is active")
     if np.any(ways.backlash != ways.old_backlash):
-        kept = ways.old - ways.old_backlash + ways.backlash - ways.acted
+        kept = ways.old - ways.old_backlash + ways.backlash - ways.active_before
         yield ways.made("not_active", kept, RARE, "the new backlash alone is active")
     if np.any(ways.backlash) and ways.has_old:
         yield ways.made("not_active", ways.total(nothing), RARE, "the new backlash alone is active")
@@ -59,7 +61,7 @@ def with_existing(ways: Ways) -> Iterator[Hypothesis]:
     for less, more, detail in backlashes:
         yield ways.made("increment", ways.total(ways.own - existing, less), COMMON, detail)
         yield ways.made("on_top", ways.total(ways.own + existing, more), COMMON, detail)
-    believed = ways.at(ways.loading.acted) - ways.stay
+    believed = ways.at(ways.loading.active_before) - ways.stay
     if np.any(np.abs(believed) > 0.0):
         # the same test as on top of it, which happens more often
         yield ways.made("state", ways.total(ways.own) + believed, RARE)
@@ -81,8 +83,8 @@ def scaled(ways: Ways) -> Iterator[Hypothesis]:
         more: dict[str, Any] = {"factor": factor, "inner": factor < 0.05}
         yield ways.made("scaled", ways.total(curve, factor * ways.backlash), weight, words, **more)
         if np.any(ways.backlash):
-            told = f"{words}, apart from the backlash"
-            yield ways.made("scaled", ways.total(curve), weight, told, **more)
+            apart = f"{words}, apart from the backlash"
+            yield ways.made("scaled", ways.total(curve), weight, apart, **more)
     free: dict[str, Any] = {"inner": True}
     along = UNKNOWN_FACTOR * (ways.own + ways.backlash)
     yield ways.made("scaled", ways.total(ways.own), RARE, free=along, **free)
@@ -107,18 +109,18 @@ def mirrored(ways: Ways) -> Iterator[Hypothesis]:
         held = ways.held()
         curves = {d: values[::-1] for d, values in held.items()}
         yield from ways.moved("mirrored", curves, COMMON)
-        # turned about a centre one node further: of a table with one node beside the travel
-        beside = [other for by in (1, -1) for other in ways.shifts(by, held)]
-        for each in beside:
+        # mirrored about a centre one node further: of a table with one node outside the travel
+        shifted = [other for by in (1, -1) for other in ways.shifts(by, held)]
+        for each in shifted:
             turned = {d: v[::-1] for d, v in each.items()}
-            yield from ways.moved("mirrored", turned, RARE / len(beside))
-        # Where a control keeps the steps from node to node, they are what is turned round; one
-        # node further where the first or the last of its rows holds a step that never acts.
+            yield from ways.moved("mirrored", turned, RARE / len(shifted))
+        # Where a control keeps the steps from node to node, these are mirrored; one node further
+        # where the first or the last of its rows holds a step that is never active.
         steps = {d: v[0] + v[-1] - v[::-1] for d, v in held.items()}
-        told: dict[str, Any] = {"detail": "step by step", "inner": True}
-        yield from ways.moved("mirrored", steps, COMMON, **told)
+        more: dict[str, Any] = {"detail": "step by step", "inner": True}
+        yield from ways.moved("mirrored", steps, COMMON, **more)
         for by in (1, -1):
-            yield from ways.moved("mirrored", next(ways.shifts(by, steps)), RARE, **told)
+            yield from ways.moved("mirrored", next(ways.shifts(by, steps)), RARE, **more)
 
 
 def wrong_axis(ways: Ways) -> Iterator[Hypothesis]:
@@ -135,11 +137,11 @@ def wrong_axis(ways: Ways) -> Iterator[Hypothesis]:
         for held in fills if nodes else ():
             values = {d: _resized(other.curve(d), nodes, held=held) for d in Direction}
             curves.append((ways.values(values), "by node number"))
-        for curve, told in curves:
-            yield from ways.both("wrong_axis", curve, _OTHER, told, of=name)
+        for curve, more in curves:
+            yield from ways.both("wrong_axis", curve, _OTHER, more, of=name)
             if np.any(backlash != ways.backlash):
                 change = ways.total(curve, backlash)
-                yield ways.made("wrong_axis", change, _OTHER, told, of=name)
+                yield ways.made("wrong_axis", change, _OTHER, more, of=name)
 
 
 def _resized(values: FloatArray, size: int, *, held: bool) -> FloatArray:

@@ -51,8 +51,8 @@ def diff_files(
         {address: _changed(one) for address, one in found.corrections.items()},
         {pair: _changed(one) for pair, one in found.cross.items()},
         (*control.findings, *found.findings),
-        told=found.told,
-        untold=found.untold,
+        known=found.told,
+        unknown=found.untold,
     )
     return DiffOutcome(0 if document["same"] else 1, document)
 
@@ -67,7 +67,7 @@ def entry_difference(placed: Placed) -> EntryDifference:
         old=change.old.text if change.old is not None else None,
         new=change.new.text if change.new is not None else None,
         meaning=entry.meaning,
-        acts=entry.acts,
+        compensates=entry.acts,
         at=placed.at,
     )
 

@@ -15,7 +15,7 @@ from compwright.documents.plan import listed_files
 from compwright.documents.record import (
     COPIES_OF_VERIFY,
     RECORD,
-    definition_told,
+    definition_entry,
     elsewhere,
     is_record,
     kept_verification,
@@ -130,7 +130,7 @@ def _earlier_record(session: Session, out: Path) -> dict[str, Any] | None:
 def _definition(control: Control) -> Any:
     definition = control.definition
     files = {PurePath(file).name for file, _ in definition.text.places.values()}
-    return definition_told(
+    return definition_entry(
         definition.id, definition.text.data, files, own=definition.judged != "independent"
     )
 

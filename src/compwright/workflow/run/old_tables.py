@@ -122,7 +122,7 @@ def judged_old_table(
     loading = Loading(
         new=table,
         old=least,
-        acted=least,
+        active_before=least,
         others=_of_others(axis, axes, states[on.measured_in]),
         reference=axis.reference,
     )

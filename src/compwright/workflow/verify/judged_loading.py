@@ -103,14 +103,14 @@ def _view(
     loading = Loading(
         new=none if fitted is None else as_applied(fitted.compensation, axis),
         old=held_by(as_found, axis),
-        acted=none if planned.active is None else planned.active,
+        active_before=none if planned.active is None else planned.active,
         others={
             name: other.fitted.compensation
             for name, other in others.items()
             if other.fitted is not None
         },
         reference=axis.reference,
-        beside=_motion(planned, place, test.targets),
+        always=_motion(planned, place, test.targets),
         read_back=read_back,
     )
     view = View(

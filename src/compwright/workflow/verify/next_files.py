@@ -112,7 +112,7 @@ def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str
             },
             # Axes that keep what is in the control, and that circles speak of.
             **{
-                name: NextAxis(before=(), settled=_settled(data["axes"][name], job, name))
+                name: NextAxis(before=(), resolved=_resolved(data["axes"][name], job, name))
                 for name in then.beside
             },
         },
@@ -180,7 +180,7 @@ def _axis(
     moved = limits is not None and "test" not in limits and names[0] != after.repeats
     return NextAxis(
         before=[first, *tests],
-        settled=_settled(section, job, after.axis),
+        resolved=_resolved(section, job, after.axis),
         limited=names[0] if moved else None,
     )
 
@@ -205,7 +205,7 @@ def _temperatures(test: PositioningTest) -> dict[str, tuple[float, float]]:
     }
 
 
-def _settled(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]:
+def _resolved(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]:
     """Return what the files of the last round answered of an axis and the job leaves open: what was
     read back may not say it again.
     """
