@@ -28,7 +28,7 @@ from compwright.foundations.session import Session
 from compwright.foundations.units import outside_factor
 from compwright.workflow.inputs.jobs import read_job_file
 from compwright.workflow.run.finished import Finished
-from compwright.workflow.run.worked_through import worked_through
+from compwright.workflow.run.pipeline import run_stages
 
 
 def prediction(
@@ -41,7 +41,7 @@ def prediction(
     (folder / "x.csv").write_text(text, encoding="utf-8")
     (folder / "job.yaml").write_text(json.dumps(job), encoding="utf-8")
     try:
-        return worked_through(
+        return run_stages(
             Session(), read_job_file(Session(), folder / "job.yaml"), folder, folder / "out"
         ), ""
     except CompwrightError as error:

@@ -40,7 +40,7 @@ from compwright.documents.prediction import compensation_outside
 from compwright.foundations.errors import CompwrightError
 from compwright.foundations.session import Session
 from compwright.workflow.inputs.jobs import read_job_file
-from compwright.workflow.run.worked_through import worked_through
+from compwright.workflow.run.pipeline import run_stages
 
 FRESH = 60
 NOTHING = {
@@ -94,7 +94,7 @@ def table_of(axis: Axis, ways: tuple[int, ...], control: str, folder: Path) -> d
     }
     (folder / "job.yaml").write_text(json.dumps(job), encoding="utf-8")
     read = read_job_file(Session(), folder / "job.yaml")
-    found = worked_through(Session(), read, folder, folder / "out")
+    found = run_stages(Session(), read, folder, folder / "out")
     table = found.predicted.axes["X"].table
     return NOTHING if table is None else compensation_outside(table)
 

@@ -41,7 +41,7 @@ from compwright.records.axis import Direction
 from compwright.records.correction import AxisCompensation
 from compwright.workflow.inputs.jobs import read_job_file
 from compwright.workflow.run.finished import Finished
-from compwright.workflow.run.worked_through import worked_through
+from compwright.workflow.run.pipeline import run_stages
 
 Values = np.ndarray[Any, np.dtype[np.float64]]
 #: How a control is named in a job; a second table of a FANUC needs a backup of its own.
@@ -134,7 +134,7 @@ def run(case: Case, folder: Path, axis: Axis, state: str) -> Finished:
         f"    table: {{mode: {case.mode}}}\n    before: x.csv\n    accept: {{A: 1000}}\n",
         encoding="utf-8",
     )
-    return worked_through(
+    return run_stages(
         Session(), read_job_file(Session(), folder / "job.yaml"), folder, folder / "job"
     )
 

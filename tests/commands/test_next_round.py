@@ -33,7 +33,7 @@ from compwright.records.correction import ControlFile
 from compwright.words.sentences import say
 from compwright.workflow.commands import verify
 from compwright.workflow.commands.compare import compare_plan
-from compwright.workflow.inputs.handed_over import files_of_job, kept
+from compwright.workflow.inputs.input_copies import files_of_job, kept
 from compwright.workflow.inputs.jobs import read_job_file
 from compwright.workflow.verify.next_round import (
     Round,

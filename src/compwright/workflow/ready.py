@@ -1,5 +1,5 @@
-"""What a process beside the first one loads before there is work for it; no more, so that it begins
-soon.
+"""Load the modules that a second process needs before it has work; no more, so that it starts
+quickly.
 """
 
 from __future__ import annotations

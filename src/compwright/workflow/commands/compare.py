@@ -95,9 +95,9 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
         for entry in planned
     }
     states = [one.state for one in found.values() if isinstance(one, DecodedState)]
-    said = (finding for state in states for finding in state.findings)
+    of_states = (finding for state in states for finding in state.findings)
     own = not_read_back(plan_file, loaded)
-    findings = tuple(dict.fromkeys((*control.findings, *own, *said, *read_back.findings)))
+    findings = tuple(dict.fromkeys((*control.findings, *own, *of_states, *read_back.findings)))
     assumed = tuple(dict.fromkeys(one for state in states for one in state.assumed))
     document = compare_document(plan.format, compared, read_back.others, assumed, findings)
     return CompareOutcome(0 if document["verdict"] == "same" else 1, document)
@@ -175,8 +175,10 @@ def _compared(
     own: Mapping[str, Sequence[Difference]],
     partly: PartialLoad | None,
 ) -> ComparedAxis:
-    """Return what differs for one axis of the plan; ``found`` an error: why nobody can tell what
-    was read back does. ``partly``: which files were loaded, where not all were.
+    """Return the differences of one axis of the plan.
+
+    ``found`` an error: why the correction of the values read back is unknown. ``partly``: which
+    files were loaded, where not all were.
     """
     axis = entry.axis
     if isinstance(found, InputError):
@@ -216,7 +218,7 @@ def _look_at(control: Control, entry: PlannedAxis, verdict: str) -> tuple[str, .
     if entry.fitted is None or verdict == "loaded":
         return ()
     sentences = control.look_at(entry.axis, entry.fitted.compensation)
-    return {str(name): said for name, said in sentences.items()}.get(verdict, ())
+    return {str(name): of_states for name, of_states in sentences.items()}.get(verdict, ())
 
 
 def _unsaid(axes: Sequence[Axis], found: DecodedState, loaded: Sequence[Path]) -> Iterator[Fault]:

@@ -63,7 +63,7 @@ _PAGES: Final = 10
 #: Tests in one picture, one below the other: more are refused.
 _PLOTTED: Final = 40
 
-#: Told how many of how many things are done: files, or circles.
+#: Called with progress: what is counted (files, or circles), how many are done, of how many.
 Watch = Callable[[str, int, int], None]
 
 
@@ -96,18 +96,19 @@ def evaluate_files(
     crew: Crew = alone,
     watch: Watch = _unwatched,
 ) -> EvaluationRun:
-    """Evaluate every file of ``paths`` (folders: every file in them, hidden ones left out), each
-    kind of test to its standard, in the order of the files, by ``crew``.
+    """Evaluate every file of ``paths`` (folders: every file in them except hidden ones), each kind
+    of test to its standard, in the order of the files, by ``crew``.
 
-    ``profile``: of tables of other programs. ``standards``: at most one for positioning and one
+    ``profile``: for tables of other programs. ``standards``: at most one for positioning and one
     for circular tests; without one the default of the kind. ``whole``: entries of many files hold
-    targets and readings too; else only what a summary and a table need (`in_short`). Two files
-    that hold one direction each of the same circular test are one test (`circular_pairs.paired`).
+    targets and readings too; else only what a summary and a table need (`in_short`). Two files that
+    hold one direction each of the same circular test are one test (`circular_pairs.paired`).
+
     A file that cannot be read, also one in a folder that is no measurement file, becomes an entry
-    in ``errors`` and the rest is evaluated; what lies beside measurements in a folder (plots,
-    JSON, jobs) is skipped and named in ``skipped``, folders in it in ``folders``. Raises
-    UsageError for unknown standards, two of one kind, a range method that the standard or the
-    only test does not have, or no path at all.
+    in ``errors`` and the rest is evaluated. Other files in a folder of measurements (plots, JSON,
+    jobs) are skipped and named in ``skipped``, folders in it in ``folders``. Raises UsageError for
+    unknown standards, two of one kind, a range method that the standard or the only test does not
+    have, or no path at all.
     """
     positioning, circular = _standards(standards, spread)
     if not paths:
@@ -121,14 +122,14 @@ def evaluate_files(
     mapping = None if profile is None else load_profile(session, profile)
     found, faults = _files(session, paths)
     files = found.files
-    asked = EvaluationRequest(
+    request = EvaluationRequest(
         positioning=positioning,
         circular=circular,
         spread=spread,
         profile=mapping,
         whole=whole or len(files) <= _PAGES,
     )
-    tests, noted = _evaluated(session, files, asked, crew, watch)
+    tests, noted = _evaluated(session, files, request, crew, watch)
     why = _by_reason(noted)
     faults += [*why["unread"], *why["refused"]]
     if why["unfit"] and not (tests or faults or why["own"]):
@@ -332,7 +333,7 @@ def _circular_standard(name: str) -> str:
 
 
 def _files(session: Session, paths: Sequence[Path]) -> tuple[FoundMeasurements, list[Fault]]:
-    """Return the files of all paths, each once, what was skipped beside them, and the faults of
+    """Return the files of all paths, each once, the files that were skipped, and the faults of
     paths without any.
     """
     found: list[FoundMeasurements] = []
@@ -351,14 +352,14 @@ def _files(session: Session, paths: Sequence[Path]) -> tuple[FoundMeasurements, 
 
 
 def _evaluated(
-    session: Session, files: Sequence[Path], asked: EvaluationRequest, crew: Crew, watch: Watch
+    session: Session, files: Sequence[Path], request: EvaluationRequest, crew: Crew, watch: Watch
 ) -> tuple[list[Evaluated], list[Noted]]:
     """Return the tests in the files, those of one circular test joined, and what is wrong."""
     found: list[Evaluated | CircularTest] = []
     noted: list[Noted] = []
     given = (_given(session, file) for file in files)
     work = in_order(
-        FilesEvaluator(asked),
+        FilesEvaluator(request),
         given,
         crew=crew,
         ready=ready,
@@ -371,7 +372,7 @@ def _evaluated(
         watch("files", done, len(files))
     if all(isinstance(test, Evaluated) for test in found):
         return [test for test in found if isinstance(test, Evaluated)], noted
-    return _with_circles(found, noted, asked, crew, watch)
+    return _with_circles(found, noted, request, crew, watch)
 
 
 def _given(session: Session, file: Path) -> FileToEvaluate:
@@ -384,7 +385,7 @@ def _given(session: Session, file: Path) -> FileToEvaluate:
 def _with_circles(
     found: Sequence[Evaluated | CircularTest],
     noted: Sequence[Noted],
-    asked: EvaluationRequest,
+    request: EvaluationRequest,
     crew: Crew,
     watch: Watch,
 ) -> tuple[list[Evaluated], list[Noted]]:
@@ -394,7 +395,7 @@ def _with_circles(
     joined = pairs_joined(found)
     circles = [test for test in joined if not isinstance(test, Evaluated)]
     work = in_order(
-        CirclesEvaluator(asked),
+        CirclesEvaluator(request),
         circles,
         crew=crew,
         ready=ready,

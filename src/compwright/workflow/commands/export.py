@@ -172,8 +172,8 @@ def _axes_here(
     for name, axis in _every(plan).items():
         if not (same or name in fitted or name in addresses or name in crossing):
             continue
-        asked = addresses.get(name, axis.address if same else name)
-        address, assumption = control.format.address(replace(axis, address=asked))
+        wanted_address = addresses.get(name, axis.address if same else name)
+        address, assumption = control.format.address(replace(axis, address=wanted_address))
         own = {key: value for key, value in axis.options.items() if same and key not in options}
         axes[name] = replace(axis, address=address, options=own)
         assumed += [assumption] if assumption is not None and name in fitted else []

@@ -63,15 +63,15 @@ def history_of(
         )
     folders, faults = result_folders(session, tops)
     with opened(session, index) as database:
-        entries, told, read = _read(session, folders, database, faults)
+        entries, folder_documents, read = _read(session, folders, database, faults)
         _forget_gone(tops, folders, database)
         kept = {index: database.content()} if index is not None and database.changed else {}
     if faults and not entries:
         raise InputError(*faults)
     series = _series(entries, tops)
-    document = history_document(series, told, _notes(series), faults)
-    asked = _asked(document, json_path, plot_path, page_path, table_path)
-    files = _written(session, asked, kept, force=force)
+    document = history_document(series, folder_documents, _notes(series), faults)
+    requested = _requested_files(document, json_path, plot_path, page_path, table_path)
+    files = _written(session, requested, kept, force=force)
     return HistoryOutcome(
         exit_code=InputError.exit_code if faults else 0,
         document=document,
@@ -83,11 +83,11 @@ def history_of(
 def _read(
     session: Session, folders: Sequence[Path], database: HistoryIndex, faults: list[Fault]
 ) -> tuple[list[HistoryEntry], list[dict[str, Any]], int]:
-    """Return the tests of all folders, and what is to be said of each; ``faults`` grows by what
-    cannot be read.
+    """Return the tests of all folders, a document with the notes of each folder, and the number of
+    folders that were read; ``faults`` grows by the folders that cannot be read.
     """
     entries: list[HistoryEntry] = []
-    told = []
+    folder_documents = []
     read = 0
     for folder in folders:
         if not database.known(folder):
@@ -100,15 +100,15 @@ def _read(
                 faults.extend(collect([error]))
                 continue
         entries += database.entries(folder)
-        notes, files = database.told(folder)
-        told.append(
+        notes, files = database.notes_of(folder)
+        folder_documents.append(
             {
                 "folder": shown_path(folder),
                 "notes": notes,
                 "files": [{"file": name, "state": state} for name, state in files],
             }
         )
-    return entries, told, read
+    return entries, folder_documents, read
 
 
 def _forget_gone(tops: Sequence[Path], folders: Sequence[Path], database: HistoryIndex) -> None:
@@ -146,8 +146,8 @@ def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[TestS
 
 
 def _machine(entry: HistoryEntry, tops: Sequence[Path]) -> str:
-    """Return what tells a machine from others: its serial number, else its name; where nobody says
-    either, results of one folder alone belong together.
+    """Return the key of a machine: its serial number, else its name; without both, the results of
+    one folder belong together.
     """
     if entry.serial:
         return f"1 {entry.serial.casefold()}"
@@ -235,7 +235,7 @@ def _names_of_one_number(entries: Iterable[HistoryEntry]) -> Iterator[str]:
             )
 
 
-def _asked(
+def _requested_files(
     document: Mapping[str, Any],
     json_path: Path | None,
     plot_path: Path | None,
@@ -259,14 +259,14 @@ def _asked(
 
 
 def _written(
-    session: Session, asked: Mapping[Path, bytes], index: Mapping[Path, bytes], *, force: bool
+    session: Session, requested: Mapping[Path, bytes], index: Mapping[Path, bytes], *, force: bool
 ) -> tuple[Path, ...]:
     """Write what was asked for and the index, all of it or none; the index is renewed without being
     asked.
     """
-    storage.refuse_overwriting(session, asked, force=force)
-    refuse_other_kinds(session, asked, force=force)
-    files = {**asked, **index}
+    storage.refuse_overwriting(session, requested, force=force)
+    refuse_other_kinds(session, requested, force=force)
+    files = {**requested, **index}
     if not files:
         return ()
     first, *_ = files

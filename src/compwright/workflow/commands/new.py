@@ -21,8 +21,8 @@ from compwright.records.facts import AxisFacts
 from compwright.records.options import LeftOpen
 from compwright.workflow.results.single_files import refuse_other_kinds
 
-#: Findings of the control's files that a new job is told of: what its contents rest on.
-_TOLD = ("CW-S072",)
+#: Findings of the control's files that are shown for a new job: the basis of its contents.
+_SHOWN = ("CW-S072",)
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,28 +45,28 @@ def new_job(
     *,
     force: bool = False,
 ) -> NewOutcome:
-    """Write a job for every axis on which the control's files say that something acts.
+    """Write a job with every axis for which the control's files hold an active compensation.
 
-    Where no axis has a table or backlash, every axis that the files name gets one. Of a folder the
-    job takes what says something of the control. Raises UsageError, InputError (files that
-    contradict themselves) and StorageError.
+    Where no axis has a table or backlash value, every axis that the files name gets one. From a
+    folder, the job takes the files that concern the control. Raises UsageError, InputError (files
+    that contradict themselves) and StorageError.
     """
     active = stated_activity(options)
     control = open_control(session, format_id, options)
-    unsaid = _unsaid(control)
-    stands_in = False
+    unknown = _unknown_option(control)
+    assumed_value = False
     files, aside = set_aside(session, control, files)
     own = read_files(session, files)
     try:
         state, left_out = _read(control, own, active=active)
     except UsageError:
-        if unsaid is None:
+        if unknown is None:
             raise
         # Which axes there are does not depend on it.
-        stands_in = True
-        whole = open_control(session, format_id, {**options, unsaid.name: unsaid.stand_in})
+        assumed_value = True
+        whole = open_control(session, format_id, {**options, unknown.name: unknown.stand_in})
         state, left_out = _read(whole, own, active=active)
-    drafts = list(_drafts(control, state, unsaid))
+    drafts = list(_drafts(control, state, unknown))
     if not drafts:
         raise InputError(
             Fault(
@@ -78,42 +78,42 @@ def new_job(
     given = {
         name: Prefilled(value, "as given on the command line") for name, value in options.items()
     }
-    if unsaid is not None:
-        if stands_in and unsaid.lengths:
-            drafts = [_without_lengths(draft, unsaid) for draft in drafts]
-        every_axis = control.definition.options[unsaid.name].asked is not None
-        if stands_in or every_axis:
-            given |= _left_open(unsaid, drafts)
+    if unknown is not None:
+        if assumed_value and unknown.lengths:
+            drafts = [_without_lengths(draft, unknown) for draft in drafts]
+        every_axis = control.definition.options[unknown.name].asked is not None
+        if assumed_value or every_axis:
+            given |= _left_open(unknown, drafts)
     named = storage.relative(Path(format_id), out.parent) if is_path(format_id) else format_id
     listed = [storage.relative(path, out.parent) for path in files]
     text = job_text(named, given, listed, drafts, active=active)
     refuse_other_kinds(session, {out: encoded(text)}, force=force)
     storage.write_file(session, out, encoded(text), force=force)
-    shown = (finding for finding in state.findings if finding.code in _TOLD)
-    said = (finding.message for finding in (*control.findings, *shown))
-    told = (*aside, *left_out, *_idle(control, state, drafts), *said)
-    return NewOutcome(out, tuple(_open(given, drafts)), told)
+    shown = (finding for finding in state.findings if finding.code in _SHOWN)
+    messages = (finding.message for finding in (*control.findings, *shown))
+    notes = (*aside, *left_out, *_idle(control, state, drafts), *messages)
+    return NewOutcome(out, tuple(_open(given, drafts)), notes)
 
 
-def _unsaid(control: Control) -> LeftOpen | None:
+def _unknown_option(control: Control) -> LeftOpen | None:
     """Return the option that is left open where the files do not say it; None where it is given."""
-    asked = control.format.left_open
-    if asked is None or asked.name not in control.definition.options:
+    open_option = control.format.left_open
+    if open_option is None or open_option.name not in control.definition.options:
         return None
-    return asked if control.options[asked.name] is None else None
+    return open_option if control.options[open_option.name] is None else None
 
 
-def _left_open(unsaid: LeftOpen, drafts: Sequence[AxisDraft]) -> dict[str, Prefilled]:
+def _left_open(unknown: LeftOpen, drafts: Sequence[AxisDraft]) -> dict[str, Prefilled]:
     """Return the option of the controller that the user fills in; none where every axis has it."""
     if all("options" in draft.values for draft in drafts):
         return {}
-    return {unsaid.name: Prefilled(None, f"{unsaid.words}; nothing in the files says it")}
+    return {unknown.name: Prefilled(None, f"{unknown.words}; nothing in the files says it")}
 
 
-def _without_lengths(draft: AxisDraft, unsaid: LeftOpen) -> AxisDraft:
+def _without_lengths(draft: AxisDraft, unknown: LeftOpen) -> AxisDraft:
     """Return a draft without the lengths that were read with a number standing in."""
     hanging = {
-        key: Prefilled(None, f"mm or deg, by {unsaid.name}; {entry.source}")
+        key: Prefilled(None, f"mm or deg, by {unknown.name}; {entry.source}")
         for key, entry in draft.values.items()
         if key in ("travel", "modulo") and entry.value is not None
     }
@@ -156,8 +156,8 @@ def _open(options: Mapping[str, Prefilled], drafts: Sequence[AxisDraft]) -> Iter
                 yield f"axes.{draft.name}.{key}: {entry.source}"
 
 
-def _drafts(control: Control, state: ControlState, unsaid: LeftOpen | None) -> Iterator[AxisDraft]:
-    acting = [
+def _drafts(control: Control, state: ControlState, unknown: LeftOpen | None) -> Iterator[AxisDraft]:
+    compensated = [
         address
         for address, axis in state.axes.items()
         if axis.positions.size
@@ -169,7 +169,7 @@ def _drafts(control: Control, state: ControlState, unsaid: LeftOpen | None) -> I
     # A control whose every table repeats says nothing of an axis without ends by it.
     turns = "repeats" in control.definition.bindings
     names: set[str] = set()
-    for address in acting or list(state.axes):
+    for address in compensated or list(state.axes):
         facts = state.facts_of(address)
         name = _name(control, address, facts)
         partners = _partners(address, name, facts)
@@ -188,9 +188,9 @@ def _drafts(control: Control, state: ControlState, unsaid: LeftOpen | None) -> I
             )
         names.add(name)
         values = dict(_values(address, state.axes[address], facts, turns=turns))
-        if unsaid is not None and unsaid.name in facts.said:
+        if unknown is not None and unknown.name in facts.said:
             values["options"] = Prefilled(
-                {unsaid.name: facts.said[unsaid.name]},
+                {unknown.name: facts.said[unknown.name]},
                 f"read from the control's files: {facts.unit_evidence}",
             )
         if partners:
@@ -198,8 +198,8 @@ def _drafts(control: Control, state: ControlState, unsaid: LeftOpen | None) -> I
                 partners[0], "the control's files drive this axis by two joints"
             )
         elif facts.synchronised:
-            said = "the control's files pair these two axes as a gantry"
-            values["gantry"] = Prefilled(facts.synchronised[0], said)
+            messages = "the control's files pair these two axes as a gantry"
+            values["gantry"] = Prefilled(facts.synchronised[0], messages)
         yield AxisDraft(name=name, values=values)
 
 
@@ -213,7 +213,7 @@ def _partners(address: str, name: str, facts: AxisFacts) -> list[str]:
 
 
 def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) -> Iterator[str]:
-    """Say which axes of the files the job does not hold: nothing acts on them."""
+    """Say which axes of the files are not in the job, because they have no compensation."""
     held = {
         str(entry.value)
         for draft in drafts
@@ -228,13 +228,13 @@ def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) ->
         address for address in state.axes if address not in held and (not named or address in named)
     ]
     if left:
-        told = ", ".join(
+        listed = ", ".join(
             address if names[address] == address else f"{address} ({names[address]})"
             for address in left
         )
         yield (
-            f"left out, because nothing in the files is active on them: {told}; add those that were"
-            " measured"
+            f"left out, because nothing in the files is active on them: {listed};"
+            " add those that were measured"
         )
 
 
@@ -248,44 +248,44 @@ def _name(control: Control, address: str, facts: AxisFacts) -> str:
     return f"axis {address}" if address.isdigit() else address
 
 
-def _returning(facts: AxisFacts, said: str) -> Prefilled:
+def _returning(facts: AxisFacts, messages: str) -> Prefilled:
     home = facts.reference_return
     return (
         Prefilled("+", "CHECK: direction in which the reference is approached")
         if home is None
-        else Prefilled(home.value, f"from {said}")
+        else Prefilled(home.value, f"from {messages}")
     )
 
 
 def _values(
     address: str, axis: AxisCompensation, facts: AxisFacts, *, turns: bool
 ) -> Iterator[tuple[str, Prefilled]]:
-    said = "the control's files"
+    messages = "the control's files"
     known = facts.kind is not None
     yield (
         "kind",
         Prefilled(
             axis.kind.value,
-            f"from {said}" if known else "CHECK: linear or rotary; the files do not say it",
+            f"from {messages}" if known else "CHECK: linear or rotary; the files do not say it",
         ),
     )
-    yield from _travel(address, axis, facts, said, turns=turns)
+    yield from _travel(address, axis, facts, messages, turns=turns)
     if facts.reference is not None:
-        yield "reference", Prefilled(facts.reference, f"from {said}")
+        yield "reference", Prefilled(facts.reference, f"from {messages}")
     else:
         yield "reference", Prefilled(0.0, "CHECK: machine coordinate of the reference position")
-    yield "reference_return", _returning(facts, said)
+    yield "reference_return", _returning(facts, messages)
     encoder: dict[str, object] = {}
     if facts.absolute_encoder is not None:
         encoder["type"] = "absolute" if facts.absolute_encoder else "incremental"
     if facts.encoder_system is not None:
         encoder["system"] = facts.encoder_system
     if encoder:
-        yield "encoder", Prefilled(encoder, f"from {said}")
+        yield "encoder", Prefilled(encoder, f"from {messages}")
     if axis.kind is AxisKind.LINEAR and facts.diameter is not None:
         yield (
             "programmed",
-            Prefilled("diameter" if facts.diameter else "radius", f"from {said}"),
+            Prefilled("diameter" if facts.diameter else "radius", f"from {messages}"),
         )
     if facts.lead is not None:
         yield "screw_pitch", Prefilled(facts.lead, f"offered: {facts.lead_evidence}")
@@ -293,7 +293,7 @@ def _values(
 
 
 def _travel(
-    address: str, axis: AxisCompensation, facts: AxisFacts, said: str, *, turns: bool
+    address: str, axis: AxisCompensation, facts: AxisFacts, messages: str, *, turns: bool
 ) -> Iterator[tuple[str, Prefilled]]:
     """Yield how far the axis goes, its address between, and the turn of one without ends.
 
@@ -303,15 +303,15 @@ def _travel(
     endless = facts.endless if facts.turn is None else facts.turn.length
     turn = endless if axis.period is None else axis.period
     if turn is not None and axis.kind is AxisKind.ROTARY:
-        yield "travel", Prefilled([0.0, float(turn)], f"one turn of an endless axis, by {said}")
+        yield "travel", Prefilled([0.0, float(turn)], f"one turn of an endless axis, by {messages}")
     elif low < high and abs(low) < 99999 and abs(high) < 99999:
         why = f"; {facts.limits_evidence}" if facts.limits_evidence else ""
-        yield "travel", Prefilled([low, high], f"software limits in {said}{why}")
+        yield "travel", Prefilled([low, high], f"software limits in {messages}{why}")
     else:
         unit = "deg" if axis.kind is AxisKind.ROTARY else "mm"
         yield "travel", Prefilled(None, f"[low, high] in machine coordinates, {unit}")
     yield "address", Prefilled(address, "the control's own name of the axis")
     if axis.period is not None and (turns or axis.kind is AxisKind.ROTARY):
-        yield "modulo", Prefilled(axis.period, f"the table in {said} repeats")
+        yield "modulo", Prefilled(axis.period, f"the table in {messages} repeats")
     elif turn is not None and axis.kind is AxisKind.ROTARY:
-        yield "modulo", Prefilled(turn, f"from {said}: the axis has no ends")
+        yield "modulo", Prefilled(turn, f"from {messages}: the axis has no ends")

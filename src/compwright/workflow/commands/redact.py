@@ -115,12 +115,12 @@ def redact_files(
     json_path: Path | None = None,
     force: bool = False,
 ) -> RedactOutcome:
-    """Write a copy of each file into ``out``, under its own name unless that holds a text that was
-    taken out, or what may be a serial number.
+    """Write a copy of each file into ``out``, under its own name unless that holds a removed text,
+    or a possible serial number.
 
-    What is not known, or cannot be proven, is not copied and stands in ``faults``; the rest is.
-    Raises UsageError for a wrong profile or control and for an answer that would lie among the
-    copies, StorageError where nothing can be written.
+    A file of unknown kind, or one that cannot be proven clean, is not copied and is listed in
+    ``faults``; the rest is copied. Raises UsageError for a wrong profile or control and for a JSON
+    file that would lie among the copies, StorageError where nothing can be written.
     """
     if json_path is not None and storage.resolved(out) in storage.resolved(json_path).parents:
         raise UsageError(
@@ -142,10 +142,10 @@ def redact_files(
     removed = [text for one in done for text in one.cuts.removed]
     files = names_of_copies([one.name for one in done], removed, names)
     outcome = RedactOutcome(
-        files=_told(done, files, out),
+        files=_redacted_files(done, files, out),
         faults=tuple(faults),
         written=(),
-        folders=_beside(paths, out),
+        folders=_inner_folders(paths, out),
     )
     contents = {
         name: content
@@ -163,7 +163,7 @@ def redact_files(
     return replace(outcome, written=tuple(written))
 
 
-def _beside(paths: Sequence[Path], out: Path) -> tuple[Path, ...]:
+def _inner_folders(paths: Sequence[Path], out: Path) -> tuple[Path, ...]:
     """Return the folders in those that were given, but for these and that of the copies."""
     known = {storage.resolved(path) for path in (*paths, out)}
     inner = dict.fromkeys(one for path in paths for one in storage.folders_in(path))
@@ -242,10 +242,10 @@ def _copy(
         why: list[Fault] = []
         if format_id is None and one.name in copies.unknown and _measurement(one, profile, why):
             continue
-        told = [fault for fault in copies.faults if fault.file == one.name]
+        refused = [fault for fault in copies.faults if fault.file == one.name]
         if why and holds_table(one.content, one.name):
-            told = why
-        faults.extend(replace(fault, file=one.shown) for fault in told)
+            refused = why
+        faults.extend(replace(fault, file=one.shown) for fault in refused)
 
 
 def _measurement(one: _FileToCopy, profile: Profile | None, faults: list[Fault]) -> bool:
@@ -268,7 +268,7 @@ def _of(one: _FileToCopy, name: str) -> list[tuple[str, bytes]]:
     return copies
 
 
-def _told(
+def _redacted_files(
     inputs: Sequence[_FileToCopy], names: Sequence[str], out: Path
 ) -> tuple[RedactedFile, ...]:
     return tuple(

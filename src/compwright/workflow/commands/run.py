@@ -20,13 +20,13 @@ from compwright.jobs.assumed_job import assumed_job, assumed_of
 from compwright.records.correction import Assumption
 from compwright.records.job import Job
 from compwright.records.prediction import AxisPrediction, CirclePrediction
-from compwright.workflow.inputs.handed_over import files_of_job, given_job
+from compwright.workflow.inputs.input_copies import files_of_job, given_job
 from compwright.workflow.results.recorded import folders_of_copies, known_results, recorded_run
 from compwright.workflow.results.report_file import answer_files
 from compwright.workflow.results.result_files import NO_STATE, PLAN, Results, result_files
 from compwright.workflow.results.single_files import refuse_other_kinds
 from compwright.workflow.run.finished import Finished
-from compwright.workflow.run.worked_through import worked_through
+from compwright.workflow.run.pipeline import run_stages
 from compwright.workflow.verify.next_files import JOB
 from compwright.workflow.verify.next_round import FOLDER as ROUND
 
@@ -95,7 +95,7 @@ def planned(
     ``out``: where its results go; ``each`` works on the axes, in turn or side by side: the bytes
     are the same. Raises UsageError (2), InputError (3) and CapacityError (4).
     """
-    finished = worked_through(session, job, folder, out, accept_worse=accept_worse, each=each)
+    finished = run_stages(session, job, folder, out, accept_worse=accept_worse, each=each)
     return PlannedJob(
         job=job,
         folder=folder,
@@ -173,8 +173,8 @@ def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> dict[str, byt
     """Return the file of the job that was assumed; none where a file has a name that no text can
     hold.
     """
-    said = json.dumps(stated, ensure_ascii=False)
-    if encoded(said).decode() != said:
+    as_text = json.dumps(stated, ensure_ascii=False)
+    if encoded(as_text).decode() != as_text:
         return {}
     options, by_files = finished.fitted.control.options, _answered_by_files(finished)
     text = assumed_job(stated, options, finished.assumed, by_files)

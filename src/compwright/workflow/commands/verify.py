@@ -40,7 +40,7 @@ from compwright.verification.proof import changed_limits, copies, not_measured, 
 from compwright.verification.same_job import stale, stale_plan
 from compwright.workflow.commands.compare import compare_plan
 from compwright.workflow.inputs.after_tests import after_tests, read_again
-from compwright.workflow.inputs.handed_over import BY_VERIFY, INPUTS, files_of_verify
+from compwright.workflow.inputs.input_copies import BY_VERIFY, INPUTS, files_of_verify
 from compwright.workflow.results.recorded import (
     RunResult,
     known_results,
@@ -136,7 +136,7 @@ def verify_job(
     evaluated = _evaluated(found.axes, found.circles)
     files, notes = _files(found.job, found.control, document, *evaluated, after)
     before, after_loading = evaluated
-    proof, told = proven_files(found, document, (out, plan_file.parent), loaded)
+    proof, notes = proven_files(found, document, (out, plan_file.parent), loaded)
     files |= proof
     files |= recorded_verification(
         session,
@@ -152,7 +152,7 @@ def verify_job(
         exit_code=0 if verdict == "good" and (then is None or then.files) else 1,
         document=document,
         files=_stored(session, out, files, then, json_path, report, force=force),
-        notes=(*notes, *told, *(then.notes if then is not None else ()), *_left_over(out, then)),
+        notes=(*notes, *notes, *(then.notes if then is not None else ()), *_left_over(out, then)),
     )
 
 

@@ -12,7 +12,7 @@ from compwright.jobs.next_job import number_of_round
 from compwright.records.history import HistoryEntry
 from compwright.workflow.history.result_folders import ResultFolder
 
-#: What a job begun by ``new`` holds where nobody filled in a name.
+#: Placeholder that ``new`` writes for a name.
 _NOT_GIVEN = "not given"
 
 
@@ -28,7 +28,7 @@ def _entries(folder: ResultFolder) -> Iterator[HistoryEntry]:
     for number, test in enumerate(sorted(record["tests"], key=_round)):
         circular = test["kind"] == "circular"
         date = _text(test["date"])
-        table, acting = _acted(record, test, _of_axes(verification, test))
+        table, files_hash = _active_compensation(record, test, _of_axes(verification, test))
         yield HistoryEntry(
             folder=shown_path(folder.path),
             number=number,
@@ -52,7 +52,7 @@ def _entries(folder: ResultFolder) -> Iterator[HistoryEntry]:
             },
             targets=tuple(float(target) for target in test.get("targets", ())),
             table=table,
-            acting=acting,
+            acting=files_hash,
             verdict=str(verification["verdict"]) if test["taken"] == "after" else "",
             sources=tuple(str(source) for source in test["sources"]),
             simulated=bool(test["simulated"]),
@@ -119,10 +119,12 @@ def _of_axes(verification: Mapping[str, Any], test: Mapping[str, Any]) -> list[M
     return [axes[test["axis"]]] if test["axis"] in axes else []
 
 
-def _acted(
+def _active_compensation(
     record: Mapping[str, Any], test: Mapping[str, Any], verified: Sequence[Mapping[str, Any]]
 ) -> tuple[str, str]:
-    """Return in a word what acted in a test, and a hash of its files, empty where nobody knows."""
+    """Return one word for the compensation that was active in a test, and a hash of its files;
+    empty where it is unknown.
+    """
     if test["taken"] == "after":
         tables = [
             str(entry["sha256"])

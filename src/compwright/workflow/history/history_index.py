@@ -103,7 +103,7 @@ class HistoryIndex:
         except (ValueError, TypeError, KeyError) as error:
             raise _refused(self._file, "is a damaged index", str(error)) from error
 
-    def told(self, folder: Path) -> tuple[list[str], list[tuple[str, str]]]:
+    def notes_of(self, folder: Path) -> tuple[list[str], list[tuple[str, str]]]:
         """Return the notes of a folder and the files that are not as they were written."""
         row = self._one("SELECT notes, files FROM folder WHERE path = ?", _key(folder))
         if row is None:

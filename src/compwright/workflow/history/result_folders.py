@@ -30,8 +30,8 @@ _NO_RESULTS = frozenset({"inputs", "tables", "rollback", "card", "proven"})
 
 @dataclass(frozen=True, slots=True)
 class ResultFolder:
-    """A result folder: its record, what has to be said of it, and the files that are not as they
-    were written (``changed`` or ``missing``). ``names``: all files that were looked at.
+    """A result folder: its record, its notes, and the files that are not as they were written
+    (``changed`` or ``missing``). ``names``: all files that were checked.
     """
 
     path: Path
@@ -132,9 +132,9 @@ def _read_older(session: Session, path: Path) -> ResultFolder:
         raise _misfit(path, error) from error
     raise_all(InputError, [fault.in_file(shown_path(path)) for fault in faults_of_record(record)])
     missing = [name for name, document in documents.items() if document is None]
-    told = "has no record (an older version): the files in it are not checked"
+    without_record = "has no record (an older version): the files in it are not checked"
     without = f", and {' and '.join(missing)} not there" if missing else ""
-    return ResultFolder(path, record, (f"{told}{without}",), (), _DOCUMENTS)
+    return ResultFolder(path, record, (f"{without_record}{without}",), (), _DOCUMENTS)
 
 
 def _document(session: Session, path: Path) -> Mapping[str, Any] | None:

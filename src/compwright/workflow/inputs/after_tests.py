@@ -65,11 +65,12 @@ def after_tests(
         entry = job.axes[axis]
         request = next(item for item in entry.before if item.name == name)
         try:
-            # a path of the command line is as it stands, that of the job's profile beside the job
+            # a path of the command line is used as given, that of the job's profile is relative to
+            # the job
             folder = Path(job.file).parent
-            beside = storage.named_from(folder, request.profile) if request.profile else None
+            of_job = storage.named_from(folder, request.profile) if request.profile else None
             later = _later(request, paths)
-            used = profile or beside
+            used = profile or of_job
             later = replace(later, profile=str(used) if used else None)
             test = read_test(session, entry, later, Path())
             _refuse_files_apart(session, entry, later)

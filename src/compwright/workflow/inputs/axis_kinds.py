@@ -31,8 +31,8 @@ _LEVELS = 3
 
 @dataclass(frozen=True, slots=True)
 class Kinds:
-    """The addresses of axes of ``unknown`` kind, and what is to be said of them and of kinds that
-    were taken from a plan.
+    """The addresses of axes of ``unknown`` kind, with notes about them and about kinds that were
+    taken from a plan.
     """
 
     unknown: tuple[str, ...] = ()

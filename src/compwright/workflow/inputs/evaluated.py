@@ -1,8 +1,7 @@
-"""Measurement files evaluated one by one: what `evaluate` does with each, in whatever process.
+"""Evaluate measurement files one by one, in any process.
 
-A file is handed over with its content, for only the first process touches the file system; what
-comes back is the entry of the JSON document and what the tests of a folder are held against each
-other by.
+A file is passed with its content, because only the first process reads files. The result is the
+entry of the JSON document and the values by which the tests of a folder are compared.
 """
 
 from __future__ import annotations
@@ -78,16 +77,16 @@ class FileTests:
 
 @dataclass(frozen=True, slots=True)
 class FilesEvaluator:
-    """Evaluates a file as it was ``asked``; a copy of it does so in any process."""
+    """Evaluates a file as it was ``request``; a copy of it does so in any process."""
 
-    asked: EvaluationRequest
+    request: EvaluationRequest
 
     def __call__(self, given: FileToEvaluate) -> FileTests:
         """Return what is in a file; whatever is wrong with it is noted as a fault of this file."""
         if given.faults:
             return FileTests(noted=tuple(Noted("unread", fault) for fault in given.faults))
         try:
-            tests = tests_in(given.content, given.file, self.asked.profile)
+            tests = tests_in(given.content, given.file, self.request.profile)
         except Exception as error:  # noqa: BLE001 - the other files are evaluated all the same
             return FileTests(noted=_noted(error, given.file, "unread"))
         parts = [self._of(test) for test in tests]
@@ -99,20 +98,20 @@ class FilesEvaluator:
     def _of(self, test: PositioningTest | CircularTest) -> FileTests:
         if not isinstance(test, PositioningTest):
             return FileTests((test,))
-        spread = cast("Literal['std', 'range']", self.asked.spread)
+        spread = cast("Literal['std', 'range']", self.request.spread)
         try:
-            entry = result_document(evaluate(test, self.asked.positioning, spread=spread))
+            entry = result_document(evaluate(test, self.request.positioning, spread=spread))
         except Exception as error:  # noqa: BLE001 - as above
             return FileTests(noted=_noted(error, test.sources[0].file, "refused"))
         bare = replace(test, header={}, findings=())
-        return FileTests((Evaluated(_kept(entry, self.asked), bare),))
+        return FileTests((Evaluated(_kept(entry, self.request), bare),))
 
 
 @dataclass(frozen=True, slots=True)
 class CirclesEvaluator:
-    """Evaluates and diagnoses a circular test as it was ``asked``."""
+    """Evaluates and diagnoses a circular test as it was ``request``."""
 
-    asked: EvaluationRequest
+    request: EvaluationRequest
 
     def __call__(self, test: CircularTest) -> FileTests:
         """Return the test evaluated; whatever is wrong with it is noted as a fault of its file."""
@@ -120,18 +119,18 @@ class CirclesEvaluator:
         from compwright.planning.diagnosed import diagnosed_circle
 
         try:
-            entry = circular_document(diagnosed_circle(test, self.asked.circular))
+            entry = circular_document(diagnosed_circle(test, self.request.circular))
         except Exception as error:  # noqa: BLE001 - the other tests are evaluated all the same
             return FileTests(noted=_noted(error, test.sources[0].file, "refused"))
-        return FileTests((Evaluated(_kept(entry, self.asked)),))
+        return FileTests((Evaluated(_kept(entry, self.request)),))
 
 
 def ready() -> None:
     """Load what the work on files needs: importing this module did."""
 
 
-def _kept(entry: dict[str, Any], asked: EvaluationRequest) -> dict[str, Any]:
-    return entry if asked.whole else in_short(entry)
+def _kept(entry: dict[str, Any], request: EvaluationRequest) -> dict[str, Any]:
+    return entry if request.whole else in_short(entry)
 
 
 def _noted(error: Exception, file: str, why: Why) -> tuple[Noted, ...]:

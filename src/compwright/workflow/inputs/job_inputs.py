@@ -44,8 +44,8 @@ _SAME_RANGE = 1.25
 
 @dataclass(frozen=True, slots=True)
 class JobInputs:
-    """What the files of a job say: tests by axis name (machine coordinates), states by name (None
-    where not said).
+    """Contents of the files of a job: tests by axis name (machine coordinates), states by name
+    (None where not given).
     """
 
     tests: Mapping[str, tuple[PlannedTest, ...]]
@@ -70,7 +70,7 @@ def read_job_inputs(session: Session, job: Job, control: Control, folder: Path) 
             except InputError as error:
                 errors.append(error)
         tests[name] = tuple(found)
-    asked: list[Fault] = []
+    unanswered: list[Fault] = []
     states: dict[str, DecodedState] = {}
     axes = [entry.axis for entry in job.axes.values()]
     for name, paths in job.states.items():
@@ -80,10 +80,10 @@ def read_job_inputs(session: Session, job: Job, control: Control, folder: Path) 
         except InputError as error:
             errors.append(error)
         except UsageError as error:
-            asked.extend(error.faults)
+            unanswered.extend(error.faults)
     raise_all(InputError, collect(errors))
     questions, contradicted = partner_questions(job, states)
-    raise_all(UsageError, [*asked, *questions])
+    raise_all(UsageError, [*unanswered, *questions])
     raise_all(
         InputError,
         [
@@ -124,8 +124,8 @@ def read_measurement(
 
 
 def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) -> PositioningTest:
-    """Return the test that is taken, with a warning about those of which nobody says the axis: a
-    sheet that was copied may be the newer measurement.
+    """Return the test that is used, with a warning about tests of the file that name no axis: a
+    copied sheet may hold the newer measurement.
     """
     unnamed = [test.name for test in tests if not test.axis]
     if not unnamed:
@@ -224,29 +224,30 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
 
 
 def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
-    """What is left beside the tables must have acted alike in every state: it is in the readings,
-    and it stays.
+    """Faults where a compensation outside the tables differs between the states: it is in the
+    readings, and it stays.
     """
     faults = []
     for name, entry in job.axes.items():
-        said = {
+        facts_of = {
             state: decoded.state.facts_of(entry.axis.address) for state, decoded in states.items()
         }
-        # In a control without files (the word none) nothing acts; it has a measuring system.
+        # A control without files (the word none) has no active compensation, but a measuring
+        # system.
         filled = {state for state, decoded in states.items() if decoded.files}
         between = {request.measured_in for request in job.circles} | {
             request.measured_in for request in job.cross
         }
         own = {request.measured_in for request in entry.before}
         concerned = {AS_FOUND} | own | between | filled
-        for quantity, what, asked in (
+        for quantity, what, compared in (
             ("beside", "what is active in addition to its table", concerned),
             ("encoder_system", "its measuring system", filled),
         ):
             found = {
                 state: str(getattr(facts, quantity) or "nothing")
-                for state, facts in said.items()
-                if state in asked
+                for state, facts in facts_of.items()
+                if state in compared
             }
             if len(set(found.values())) > 1:
                 found = _differing(found)
@@ -267,7 +268,7 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
 
 
 def _differing(found: Mapping[str, str]) -> dict[str, str]:
-    """Return of each text what does not stand in all of them, parts being set off by ``, ``."""
+    """Return of each text the parts that are not in all of them; parts are separated by ``, ``."""
     parts = {name: words.replace("; ", ", ").split(", ") for name, words in found.items()}
     alike = set.intersection(*map(set, parts.values()))
     return {
@@ -289,8 +290,8 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
             if now is None:
                 continue
             pairs = [one.state.facts_of(entry.axis.address).pairs for one in (now, states[state])]
-            said = [facts.untold or "none" for facts in pairs]
-            if said[0] != said[1]:
+            tables = [facts.untold or "none" for facts in pairs]
+            if tables[0] != tables[1]:
                 (help_, *_) = (facts.untold_help for facts in pairs if facts.untold)
                 yield Fault(
                     message=(
@@ -301,7 +302,7 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
                     file=job.file,
                     place=f"states.{state}",
                     expected=f"{help_}, or a measurement in as_found",
-                    found=f"{AS_FOUND}: {said[0]}; {state}: {said[1]}",
+                    found=f"{AS_FOUND}: {tables[0]}; {state}: {tables[1]}",
                     hint=(
                         f"take the circle or the cross measurement again in {AS_FOUND}, or {help_}"
                     ),
@@ -322,13 +323,13 @@ def _misnamed(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
 def _unsaid_units(
     job: Job, control: Control, states: Mapping[str, DecodedState]
 ) -> Iterator[Fault]:
-    """Yield where nobody says the machine's unit, and a table as read is as much too short or long
-    as inches read as mm are.
+    """Yield a fault where the machine's unit is not given and a table seems to be in the other unit
+    (inch or mm) by its length.
     """
-    asked = length_unit(control.definition)
-    if asked is None or asked[0].name in control.given:
+    unanswered = length_unit(control.definition)
+    if unanswered is None or unanswered[0].name in control.given:
         return
-    rule, whole_file = asked
+    rule, whole_file = unanswered
     for name, decoded in states.items():
         for entry in job.axes.values():
             axis, found = entry.axis, decoded.state.axes.get(entry.axis.address)

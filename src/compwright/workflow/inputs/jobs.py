@@ -78,9 +78,11 @@ def _with_drifts(session: Session, job: Job, folder: Path) -> Job:
         except InputError as error:
             errors.append(error)
             continue
-        E_VE, told = environmental_variation(drift, request.duration_min)
+        E_VE, findings = environmental_variation(drift, request.duration_min)
         job = job.with_variation(kind, E_VE)
-        job = replace(job, findings=(*job.findings, *told), sources=(*job.sources, drift.source))
+        job = replace(
+            job, findings=(*job.findings, *findings), sources=(*job.sources, drift.source)
+        )
     raise_all(InputError, collect(errors))
     return job
 
@@ -88,8 +90,10 @@ def _with_drifts(session: Session, job: Job, folder: Path) -> Job:
 def wrong_control(
     session: Session, data: Mapping[str, Any], *, folder: Path = Path(), carried: Texts = ()
 ) -> Iterator[KeyFault]:
-    """Yield what is wrong with the control's name and options in a job's data, so that it stands
-    beside the other faults. ``folder``: what the path of a definition is relative to.
+    """Yield the faults of the control's name and options in a job's data, to be listed with the
+    other faults of the job.
+
+    ``folder``: what the path of a definition is relative to.
     """
     controller = data.get("controller")
     format_id = controller.get("format") if isinstance(controller, dict) else None
@@ -125,11 +129,11 @@ def wrong_control(
 
 
 def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterator[KeyFault]:
-    """Diameter programming is refused where nobody knows whether the control's tables then count in
+    """Refuse diameter programming where it is unknown whether the control's tables then count in
     radius or in diameter.
 
-    Everything in a job counts in radius, as the machine moves. A control whose files say how the
-    axis is programmed checks the job against them, without ``files`` there is nothing to check.
+    Everything in a job counts in radius, as the machine moves. Where the control's files state how
+    the axis is programmed, the job is checked against them; without ``files`` it cannot be checked.
     """
     definition = control.definition
     if definition.diameter.tables == "radius" or (files and "diameter" in definition.bindings):
@@ -151,8 +155,10 @@ def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterato
 
 
 def _questions(axes: object, control: Control, *, files: bool, stated: bool) -> Iterator[KeyFault]:
-    """Yield what the control needs of each axis and nobody says: all before anything is read.
-    ``stated``: the job says what is in the control, so that tables are made.
+    """Yield a fault for each value that the control needs for an axis and the job does not give,
+    all before anything is read.
+
+    ``stated``: the job states the contents of the control, so that tables are made.
     """
     sections = axes if isinstance(axes, dict) else {}
     given = {
@@ -201,9 +207,10 @@ def _wrong_axis_options(axes: object, control: Control, *, unit_needed: bool) ->
 
 
 def default_folder(session: Session, job_file: Path) -> Path:
-    """Return the folder of a job's results: the job file's name without its ending, beside it. A
-    job that lies among the results of its own run, as that of a next round does, has them there; so
-    does the copy of a job in the folder of its results.
+    """Return the folder of a job's results: next to the job file, with its name without ending.
+
+    A job within the results of its own run, as that of a next round is, uses that folder; so does
+    the copy of a job in the folder of its results.
     """
     own = (
         job_file.with_suffix("")

@@ -14,17 +14,16 @@ from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.profile import Profile
 
-#: Endings of what lies beside measurements in a folder and is none: plots, answers, jobs, reports,
-#: pictures.
-BESIDE_MEASUREMENTS = frozenset(
+#: Endings of other files in a folder of measurements: plots, JSON, jobs, reports, pictures.
+OTHER_ENDINGS = frozenset(
     {".svg", ".png", ".pdf", ".jpg", ".jpeg", ".json", ".yaml", ".yml", ".html", ".htm", ".md"}
 )
 
 
 @dataclass(frozen=True, slots=True)
 class FoundMeasurements:
-    """The measurement files of a path in the order of their names, what a folder holds beside them,
-    and the ``folders`` in it, which are not looked into.
+    """The measurement files of a path in the order of their names, the other files of a folder
+    (``skipped``), and the ``folders`` in it, which are not searched.
     """
 
     files: tuple[Path, ...]
@@ -56,8 +55,8 @@ def measurement_files(session: Session, path: Path) -> FoundMeasurements:
     files: list[Path] = []
     skipped: list[Path] = []
     for entry in entries:
-        beside = entry.suffix.lower() in BESIDE_MEASUREMENTS
-        (skipped if beside else files).append(entry)
+        other = entry.suffix.lower() in OTHER_ENDINGS
+        (skipped if other else files).append(entry)
     if not files:
         named = ", ".join(shown_path(Path(entry.name)) for entry in skipped)
         names = ", ".join(shown_path(Path(folder.name)) for folder in folders)

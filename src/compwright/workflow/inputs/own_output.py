@@ -1,9 +1,9 @@
-"""A job must not count its own table twice: a test that was taken before a table was loaded says
-nothing of the machine with it.
+"""Refuse a job that would count its own table twice.
 
-A fit adds the error that a test shows to what acted while it was taken. Where the state of that
-test is the table that an earlier run made *from this very test*, that table would be added once
-more, and again in every further run.
+A fit adds the error that a test shows to the correction that was active in that test. A test that
+was taken before a table was loaded does not show the machine with it. If the state of that test is
+the table that an earlier run made *from this very test*, that table would be added once more, and
+again in every further run.
 """
 
 from __future__ import annotations
@@ -107,8 +107,8 @@ def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
 
 
 def _near(session: Session, job: Job, folder: Path, out: Path) -> Iterator[Path]:
-    """Yield where plans of earlier runs may stand: where this run writes, above the files of a
-    state, beside job, measurements and results.
+    """Yield the folders that may contain plans of earlier runs: the output folder, those above the
+    files of a state, and those of job, measurements and results.
     """
     yield out / PLAN
     yield storage.resolved(out).parent / PLAN  # that of the round before
@@ -191,7 +191,7 @@ def _counted_twice(
             if state is None or not pairs:
                 continue
             made = any(fingerprint(file.raw) in earlier.made for file in state.files)
-            if any(_acts_again(*each, state, job.axes[name].axis, made=made) for each in pairs):
+            if any(_is_own_table(*each, state, job.axes[name].axis, made=made) for each in pairs):
                 yield _fault(
                     job, f"axes.{name}.before", planned.test.name, planned.measured_in, earlier
                 )
@@ -235,7 +235,7 @@ def _readings(test: PositioningTest) -> dict[tuple[Direction, float, int], float
     return found
 
 
-def _acts_again(
+def _is_own_table(
     planned: PlannedAxis,
     test: PlannedTest,
     digit: float,
@@ -244,8 +244,8 @@ def _acts_again(
     *,
     made: bool,
 ) -> bool:
-    """Whether a state does something else to an axis than what acted while the plan's ``test`` was
-    taken, and what the plan asked for.
+    """Whether a state gives an axis another correction than was active during the plan's ``test``,
+    and that is what the plan wanted.
 
     ``digit``: step of the readings, mm or deg, where the test of the job is a rounded copy and the
     runs scatter by less: two tests may agree so far, with tables that differ by less. ``made``: the
@@ -267,9 +267,9 @@ def _acts_again(
     change = _change(planned, test, state, axis)
     bent = _bent(change, max(digit, _CONTROL_DIGIT))
     changed = bent if digit else max(float(np.max(np.abs(gap))) for gap in change) > SAME
-    asked = max(float(np.max(np.abs(gap))) for gap in gaps) <= SAME
+    as_planned = max(float(np.max(np.abs(gap))) for gap in gaps) <= SAME
     alike = bent and max(float(np.ptp(gap)) for gap in gaps) <= 2.0 * _CONTROL_DIGIT
-    return changed and (made or asked or alike)
+    return changed and (made or as_planned or alike)
 
 
 def _bent(curves: Sequence[FloatArray], step: float) -> bool:
@@ -283,17 +283,17 @@ def _bent(curves: Sequence[FloatArray], step: float) -> bool:
 def _change(
     planned: PlannedAxis, test: PlannedTest, state: DecodedState, axis: Axis
 ) -> list[FloatArray]:
-    """Return what a state does beyond what acted during the ``test`` of a plan, mm or deg, at the
-    targets of the test in + and in -; nothing where the plan does not know what acted.
+    """Return the correction of a state minus that during the ``test`` of a plan, mm or deg, at the
+    targets of the test in + and in -; zero where the latter is unknown.
     """
-    targets, acted, active = test.test.targets, test.acted, planned.active
-    if acted is None and active is not None and test.measured_in == planned.tests[0].measured_in:
-        acted = active.at(targets, Direction.POSITIVE), active.at(targets, Direction.NEGATIVE)
-    if acted is None:
+    targets, before, active = test.test.targets, test.acted, planned.active
+    if before is None and active is not None and test.measured_in == planned.tests[0].measured_in:
+        before = active.at(targets, Direction.POSITIVE), active.at(targets, Direction.NEGATIVE)
+    if before is None:
         return [np.zeros_like(targets)]
     return [
         judged(state, axis.address, targets, direction) - then
-        for direction, then in zip(Direction, acted, strict=True)
+        for direction, then in zip(Direction, before, strict=True)
     ]
 
 

@@ -1,7 +1,7 @@
-"""Measurements that cannot be what a job takes them for: refused before a table is made of them.
+"""Refuse measurements that cannot belong to their axis, before a table is made from them.
 
-What a single test gives away is judged by ``evaluation.plausibility``; here stands what takes the
-job: the travel of the axis, and other tests beside it.
+``evaluation.plausibility`` judges a single test; this module needs the job: the travel of the axis,
+and its other tests.
 """
 
 from __future__ import annotations

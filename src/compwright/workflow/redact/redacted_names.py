@@ -21,19 +21,19 @@ _SERIAL: Final = re.compile(r"[0-9]{5,}")
 _BETWEEN_DIGITS: Final = re.compile(r"(?<=[0-9])[ ._-]+(?=[0-9])")
 _PIECE: Final = re.compile(r"[^\W_]+")
 _WORD: Final = re.compile(r"[^\W\d_]+")
-#: Shorter words stand within others by chance, shorter numbers in any name; a year and a round
-#: number name nobody.
+#: Shorter words are within others by chance, shorter numbers in any name; a year and a round
+#: number identify no person.
 _LONG_WORD: Final = 5
 _NUMBER: Final = re.compile(
     r"(?<![0-9])(?!(?:(?:19|20)[0-9]{2}|[0-9]{2}00|[0-9]+000)(?![0-9]))[0-9]{4,}"
 )
-#: What a control calls its data, in a line of a program or of data that nobody reads.
+#: Data identifiers of a control, in a line of a program or of data that is not interpreted.
 _ADDRESS: Final = re.compile(r"\$?[A-Za-z0-9]*_[A-Za-z0-9_]*")
 #: A length or an angle in the name of a file.
 _SIZE: Final = re.compile(r"[0-9]+(?:mm|um|deg|grad|min)")
 #: Umlauts as people write them in names of files.
 _SPELLED: Final = str.maketrans({"ä": "ae", "ö": "oe", "ü": "ue", "å": "aa", "æ": "ae", "ø": "oe"})
-#: Words in names of files that name nobody.
+#: Words in names of files that identify no person.
 _COMMON: Final = frozenset(
     {
         *("axis", "before", "after", "test", "measurement", "measured", "linear"),
@@ -58,7 +58,7 @@ class _Somebody:
     numbers: frozenset[str]
 
     def is_in(self, text: str) -> bool:
-        """Whether it stands in a part of a name."""
+        """Whether the text is in a part of a name."""
         for spelled in _spellings(text):
             joined = "".join(_PIECE.findall(spelled))
             if (
@@ -94,8 +94,8 @@ def names_of_copies(
 def _somebody(removed: Iterable[tuple[str, str]]) -> _Somebody:
     pieces, words, numbers = set[str](), set[str](), set[str]()
     for kind, text in removed:
-        told = _ADDRESS.sub(" ", text) if kind == LINE else text
-        for piece in telling(told, _HARMLESS):
+        relevant = _ADDRESS.sub(" ", text) if kind == LINE else text
+        for piece in telling(relevant, _HARMLESS):
             if _SIZE.fullmatch(piece) is None:
                 pieces.update(_spellings(piece))
         if kind != LINE:  # lines of programs hold words and numbers of every kind
@@ -110,8 +110,8 @@ def _somebody(removed: Iterable[tuple[str, str]]) -> _Somebody:
 
 
 def _shown(name: str, somebody: _Somebody, names: Names) -> str:
-    """Return a part of the name of a copy; one that stands in a file as a name is what stands there
-    now.
+    """Return a part of the name of a copy; a name that was replaced in a file is replaced in the
+    same way.
     """
     stem, ending = PurePath(name).stem, PurePath(name).suffix
     if somebody.is_in(ending):

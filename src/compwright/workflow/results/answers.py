@@ -45,7 +45,7 @@ def run_summary(outcome: Any) -> list[Any]:
         *outcome.prediction["acknowledged"],
         *(finding for axis in outcome.prediction["axes"].values() for finding in axis["findings"]),
     ]
-    told = {(finding["code"], finding["message"]) for finding in listed}
+    listed_before = {(finding["code"], finding["message"]) for finding in listed}
     tests = [
         {**finding, "message": f"{_words(result)}: {finding['message']}"}
         for result in outcome.evaluation["results"]
@@ -54,7 +54,7 @@ def run_summary(outcome: Any) -> list[Any]:
     rest = [
         finding
         for finding in (*outcome.findings, *tests)
-        if (finding["code"], finding["message"]) not in told
+        if (finding["code"], finding["message"]) not in listed_before
     ]
     return [
         *summaries.doubt_lines(doubts),

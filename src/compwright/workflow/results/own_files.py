@@ -1,5 +1,7 @@
-"""Files of a command in a folder that has no record: by a hidden list of them an earlier run's are
-told from the user's, which are never replaced and never removed.
+"""Files of a command in a folder without a record.
+
+A hidden list distinguishes the files of an earlier run from the user's, which are never replaced
+and never removed.
 """
 
 from __future__ import annotations
@@ -27,10 +29,10 @@ def write_listed(
     """Write ``files`` (relative name -> bytes) and their list into ``out``, and those of
     ``elsewhere``, all or nothing; return the paths of ``files`` in the order given.
 
-    With ``force`` what an earlier command wrote there and nobody changed is replaced. ``as_set``:
-    what an earlier run of this ``command`` wrote and this one does not is removed then. Raises
-    StorageError as `storage.write_files` does, for a file that is not in the list or was changed
-    too.
+    With ``force``, unchanged files of an earlier command there are replaced. ``as_set``: files that
+    an earlier run of this ``command`` wrote and this one does not are then removed. Raises
+    StorageError as `storage.write_files` does, also for a file that is not in the list or was
+    changed.
     """
     earlier = listed_before(storage.earlier_bytes(session, out / LIST))
     still = {

@@ -17,8 +17,11 @@ _BETWEEN: Final = 0.1
 
 @contextmanager
 def progress(*, shown: bool) -> Iterator[Callable[[str, int, int], None]]:
-    """Provide what is told of which things (a word) how many of how many are done, and draws a bar
-    on standard error until the work is done, where it is to be ``shown`` and not done at once.
+    """Provide a function to report progress: what is counted (a word), how many are done, of how
+    many.
+
+    It draws a bar on standard error until the work is done, where it is to be ``shown`` and the
+    work takes longer than a moment.
     """
     if not shown:
         yield lambda what, done, count: None  # noqa: ARG005

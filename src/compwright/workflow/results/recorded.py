@@ -32,7 +32,7 @@ from compwright.foundations.provenance import fingerprint
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import encoded
 from compwright.records.plan import Plan
-from compwright.workflow.inputs.handed_over import (
+from compwright.workflow.inputs.input_copies import (
     BY_VERIFY,
     INPUTS,
     GivenFile,
@@ -106,8 +106,8 @@ def recorded_run(
 def _own_job(
     given: Sequence[GivenFile], out: Path, earlier: Mapping[str, Any] | None
 ) -> dict[str, bytes]:
-    """Return the job file that an earlier run left among its results, where this one was made from
-    it as it stands there; one that was edited since is the user's.
+    """Return the job file that an earlier run left among its results, where this run used it
+    unchanged; an edited one belongs to the user.
     """
     listed = {} if earlier is None else {each["file"]: each["sha256"] for each in earlier["files"]}
     return {
@@ -209,7 +209,7 @@ class RunResult:
 def _still_there(
     session: Session, record: Mapping[str, Any], out: Path, written: Mapping[str, bytes]
 ) -> dict[str, bytes]:
-    """Return the files of the run that stand in its folder as they were written, and stay."""
+    """Return the files of the run that are unchanged in its folder, and stay."""
     found = {
         str(entry["file"]): (
             str(entry["sha256"]),

@@ -99,19 +99,19 @@ def kind_of(content: bytes) -> str:
     """Return what a file certainly is, in words; empty where nothing tells."""
     if len(content) > _LOOKED_AT:
         content = content[:_LOOKED_AT].rpartition(b"\n")[0]
-    told = next((kind for mark, kind in _SIGNATURES if mark.match(content)), "")
+    kind = next((kind for mark, kind in _SIGNATURES if mark.match(content)), "")
     schema = _SCHEMA.match(content)
     if schema is not None:
-        told = f"a JSON document ({schema[1].decode()})"
-    return told or _of_text(content)
+        kind = f"a JSON document ({schema[1].decode()})"
+    return kind or _of_text(content)
 
 
 def _of_text(content: bytes) -> str:
     """Return what a text is: the reader of each kind is asked by its content."""
-    told = next((kind for mark, kind in _YAML if mark.search(content)), "")
+    kind = next((kind for mark, kind in _YAML if mark.search(content)), "")
     try:
-        if told or is_circular(content, ""):
-            return told or "a measurement"
+        if kind or is_circular(content, ""):
+            return kind or "a measurement"
         lines, _ = read_any_lines(content, "")
         if form_of(lines, "") is not PLAIN_CSV or is_plain_csv(lines):
             return "a measurement"

@@ -1,4 +1,4 @@
-"""A job worked through: what its stages handed on, and what is to be said of all of it."""
+"""The results of all stages of a job, with their findings."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Finished:
 
     @property
     def stated(self) -> bool:
-        """Whether somebody said what is in the control now."""
+        """Whether the present contents of the control are known."""
         return self.measured.as_found is not None
 
     @property
@@ -56,7 +56,7 @@ class Finished:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What was noticed, beside the findings of each test."""
+        """All findings except those of each test."""
         return (
             *(one.finding for one in self._noticed()),
             *unused_acknowledgements(self.doubts.unused),
@@ -97,7 +97,7 @@ class Finished:
         return replace(self, predicted=replace(self.predicted, axes=axes, circles=circles))
 
     def _noticed(self) -> list[Noticed]:
-        """Return what was noticed beside the findings of tests and circles."""
+        """Return the findings that do not belong to a test or circle."""
         states = self.measured.states.values()
         return [
             *map(Noticed, self.measured.job.findings),
@@ -123,10 +123,10 @@ class Finished:
         ]
 
     def _of_control(self, finding: Finding) -> Noticed:
-        """Return a finding of the control's files with the axes of the job that it is about.
+        """Return a finding of the control's files with the axes of the job that it concerns.
 
-        That no file holds an axis's own table puts nothing in doubt where none is made: what acts
-        stays.
+        That no file holds an axis's own table is no doubt where no table is made: the existing
+        compensation stays.
         """
         own = frozenset(
             name

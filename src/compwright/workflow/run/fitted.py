@@ -32,7 +32,7 @@ class Fitted:
 
 
 def fitted(measured: Measured, wanted: Wanted, each: Each = in_turn) -> Fitted:
-    """Return the tables that the control can hold; none where nobody said what is in it.
+    """Return the tables that the control can hold; none where its present contents are unknown.
 
     Raises UsageError where an option contradicts the control's files, CapacityError with the faults
     of all axes.

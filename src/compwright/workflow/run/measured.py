@@ -35,17 +35,18 @@ from compwright.workflow.inputs.plausible import given_twice, impossible_tests, 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Measured:
-    """What a job starts from: its files, with the axes as the control names them.
+    """The inputs of a job, with the axes as the control names them.
 
-    ``acting``: what acts in each state, by its name. ``named``: what had to be assumed of names;
-    ``findings``: who read the control's files, keys of the job on which nothing acts.
+    ``active``: the active corrections of each state, by its name. ``named``: assumptions about
+    names; ``findings``: by which reader the control's files were read, and keys of the job without
+    effect.
     """
 
     job: Job
     control: Control
     inputs: JobInputs
     circles: tuple[CircularTest, ...]
-    acting: Mapping[str, ActiveCorrections]
+    active: Mapping[str, ActiveCorrections]
     named: tuple[Assumption, ...]
     findings: tuple[Finding, ...]
 
@@ -56,7 +57,7 @@ class Measured:
 
     @property
     def as_found(self) -> DecodedState | None:
-        """What is in the control now; None where nobody said."""
+        """The present contents of the control; None where they are unknown."""
         return self.inputs.states.get(AS_FOUND)
 
     @property
@@ -92,7 +93,7 @@ def measured(session: Session, job: Job, folder: Path, out: Path) -> Measured:
         control=control,
         inputs=inputs,
         circles=circles,
-        acting={name: acting(decoded, axes) for name, decoded in inputs.states.items()},
+        active={name: acting(decoded, axes) for name, decoded in inputs.states.items()},
         named=(*named, *turns),
         findings=(*control.findings, *idle),
     )

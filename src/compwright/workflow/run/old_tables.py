@@ -40,8 +40,10 @@ _Task = tuple[Axis, PlannedTest, PlannedTest, Mapping[str, ControlState], tuple[
 def with_old_tables(
     measured: Measured, works: Mapping[str, AxisWork], each: Each
 ) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
-    """Return the axes, those without a table whose tests say that something else acted than the
-    files say: the total of old and new would be wrong; and what was found of the others.
+    """Return the axes and the findings about their old tables.
+
+    An axis gets no table where its tests show that the active correction differs from the files:
+    the total of old and new would be wrong.
     """
     tasks = [
         (name, task)
@@ -69,8 +71,8 @@ def with_old_tables(
 def _tasks(
     work: AxisWork, states: Mapping[str, ControlState], axes: tuple[Axis, ...]
 ) -> list[_Task]:
-    """Return the pairs of tests of an axis, of each known state the first one: that in which least
-    acted before each other one in which something else did.
+    """Return pairs of tests of an axis, one test per known state: the one with the least active
+    correction, with each other one.
     """
     axis = work.planned.axis
     first: dict[str, PlannedTest] = {}
@@ -110,9 +112,10 @@ def judged_old_table(
     states: Mapping[str, ControlState],
     axes: Sequence[Axis],
 ) -> OldTable:
-    """Return what the test ``on`` says beside the one ``off``: what the table of its state did.
+    """Return what the test ``on``, compared with the test ``off``, shows about the table of its
+    state.
 
-    ``states`` by name; ``axes``: all of the job, whose tables may act in the place of this one.
+    ``states`` by name; ``axes``: all of the job, whose tables may be active in place of this one.
     """
     least, table = (held_by(states[one.measured_in], axis) for one in (off, on))
     tests = with_backlash((replace(off, acted=None),), axis, states)

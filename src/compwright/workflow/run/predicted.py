@@ -49,7 +49,7 @@ def predicted(
         table = loaded.state.axes[planned.axis.address] if has and loaded is not None else None
         tasks.append((work, after_loading(work, loaded), table, job))
     axes = dict(zip(written.works, each(axis_tasks.predicted, tasks), strict=True))
-    then = _acting_then(measured, fitted, written) if wanted.circles else IDLE
+    then = _active_after(measured, fitted, written) if wanted.circles else IDLE
     skews: tuple[Finding, ...] = ()
     if measured.as_found is not None:
         tabled = [axis for axis, _ in tables_of(written.works, fitted.scales)]
@@ -72,21 +72,23 @@ def _gain(test: TestPrediction) -> float:
 
 
 def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
-    """Return what acts on an axis after loading: its table as read back, or what acts now."""
+    """Return the correction of an axis after loading: its table as read back, or the present
+    correction.
+    """
     return work.as_found if work.planned.fitted is None else applied_of(loaded, work.planned.axis)
 
 
 def _circle(work: CircleWork, measured: Measured, then: ActiveCorrections) -> CirclePrediction:
-    """Predict a circle from the state it was measured in to what acts after loading."""
-    during = measured.acting.get(work.planned.measured_in, IDLE)
+    """Predict a circle after loading, from the state in which it was measured."""
+    during = measured.active.get(work.planned.measured_in, IDLE)
     prediction = predicted_circle(work.result, work.planned, during, then)
     rule = measured.job.decision_rule
     return replace(prediction, accept=circle_decisions(work.planned.accept, prediction, rule))
 
 
-def _acting_then(measured: Measured, fitted: Fitted, written: Written) -> ActiveCorrections:
-    """Return what acts after loading, on the axes and between them."""
-    now, after = measured.acting.get(AS_FOUND, IDLE), written.cross.after
+def _active_after(measured: Measured, fitted: Fitted, written: Written) -> ActiveCorrections:
+    """Return the active corrections after loading, on the axes and between them."""
+    now, after = measured.active.get(AS_FOUND, IDLE), written.cross.after
     along = {
         axis.name: applied_of(written.loaded, axis)
         for axis, _ in tables_of(written.works, fitted.scales)

@@ -1,5 +1,5 @@
-"""Second stage of a job: tests evaluated, errors estimated, and laser and circles held against each
-other.
+"""Second stage of a job: evaluate tests, estimate errors, compare positioning tests with
+circles.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
     works, old_tables = with_old_tables(measured, works, each)
     works = {name: _not_twice(job, work) for name, work in works.items()}
     circles = with_statements(start_circles(job, measured.circles, axes), axes, measured.states)
-    checks = Checks(job, works, measured.acting)
+    checks = Checks(job, works, measured.active)
     with_circles, taken = checks.with_circle_backlash(circles)
     places = (
         finding for work in circles for finding in (*work.findings, *checked_axes(work, axes))

@@ -74,7 +74,7 @@ def written(
     if works is not fitted.works:
         tables, loaded = write_fitted(control, tables_of(works, fitted.scales), as_found)
     kept = tables_of(works, fitted.scales)
-    plan = plan_cross(measured.job, wanted.circles, measured.acting, measured.acting[AS_FOUND])
+    plan = plan_cross(measured.job, wanted.circles, measured.active, measured.active[AS_FOUND])
     tabled = [axis.name for axis, table in kept if table.compensation.positions.size]
     cross = write_planned(control, plan.planned, tables, as_found, measured.axes, tabled)
     axes = [axis for axis, _ in kept]

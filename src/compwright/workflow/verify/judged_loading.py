@@ -121,7 +121,9 @@ def _view(
 
 
 def _motion(planned: PlannedAxis, place: int, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return what acts at the targets at the motion of the test that is repeated."""
+    """Return the difference of the correction at the targets that comes from the motion of the
+    repeated test.
+    """
     more = with_motion(nothing, planned.axis, planned.tests[place].backlash_more)
     return more(targets, Direction.POSITIVE), more(targets, Direction.NEGATIVE)
 
@@ -137,10 +139,10 @@ def _judged_against(
     """Return the error without the uncertain slope of the first test: between the tests that slope
     is one number together with that of the test after loading.
     """
-    beside = relative_to_first(planned.tests)
-    if all(one.slope_std == each.slope_std for one, each in zip(beside, observed, strict=True)):
+    relative = relative_to_first(planned.tests)
+    if all(one.slope_std == each.slope_std for one, each in zip(relative, observed, strict=True)):
         return posterior
     sloped = [
-        replace(each, slope_std=one.slope_std) for one, each in zip(beside, observed, strict=True)
+        replace(each, slope_std=one.slope_std) for one, each in zip(relative, observed, strict=True)
     ]
-    return measured_error(beside, sloped, planned.axis, planned.active)
+    return measured_error(relative, sloped, planned.axis, planned.active)

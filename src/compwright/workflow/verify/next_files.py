@@ -48,18 +48,18 @@ _HEADING = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Looped:
-    """What a round has shown, for the next one.
+    """Result of a round, as input of the next one.
 
-    ``axes``: the tests after loading of those that may be corrected further; ``beside``: axes that
-    circles speak of; ``files``: what is in the control, ``active``: its tables acted, as measured;
-    ``circles``: the files of circles after loading by name; ``squareness``: planes that may be
-    corrected further.
+    ``axes``: the tests after loading of the axes that may be corrected further; ``other_axes``:
+    further axes of circles; ``files``: the present files of the control, ``active``: whether their
+    tables were active, as measured; ``circles``: the files of circles after loading by name;
+    ``squareness``: planes that may be corrected further.
     """
 
     axes: Mapping[str, AfterTest]
     files: Sequence[ControlFile]
     active: bool | None = None
-    beside: Sequence[str] = ()
+    other_axes: Sequence[str] = ()
     circles: Mapping[str, Sequence[Path]] = field(default_factory=dict)
     squareness: Sequence[str] = ()
 
@@ -101,7 +101,7 @@ def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str
     data = read_yaml(storage.read_bytes(session, file, JOB_FILE), job.file).data
     copies = _Copies()
     was = name_of_round([*job.states, *plan.states])
-    paths = _beside_tests(session, data, file.parent, copies)
+    paths = _files_with_tests(session, data, file.parent, copies)
     round_ = NextRound(
         format=_definition(data["controller"]["format"], plan, copies),
         states=_states(job, plan, then, was, copies),
@@ -113,7 +113,7 @@ def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str
             # Axes that keep what is in the control, and that circles speak of.
             **{
                 name: NextAxis(before=(), resolved=_resolved(data["axes"][name], job, name))
-                for name in then.beside
+                for name in then.other_axes
             },
         },
         circles=_circles(session, job, plan, then, was, copies),
@@ -226,18 +226,18 @@ def _resolved(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]
 def _circles(
     session: Session, job: Job, plan: Plan, then: Looped, was: str, copies: _Copies
 ) -> list[dict[str, Any]]:
-    """Return the circles: after loading, and those before that were not measured again, in their
-    states.
+    """Return the circles: those after loading, and older ones that were not measured again, in
+    their states.
 
-    A correction between axes that is in no file of the control acts on none of the older ones: they
-    are left out.
+    A correction between axes that is in no file of the control was active in none of the older
+    circles: these are left out.
     """
     unseen = [entry.pair for entry in plan.cross if not entry.written]
     found = []
     for request in job.circles:
         axes = frozenset(plan.circles[request.name].test.axes)
         again = then.circles.get(request.name)
-        if not axes <= {*then.axes, *then.beside} or (again is None and axes in unseen):
+        if not axes <= {*then.axes, *then.other_axes} or (again is None and axes in unseen):
             continue
         state = was if request.measured_in == AS_FOUND else request.measured_in
         files = (
@@ -283,7 +283,7 @@ def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies)
     return {next(iter(sense)): name for sense, name in zip(senses, names, strict=True)}
 
 
-def _beside_tests(
+def _files_with_tests(
     session: Session, data: Mapping[str, Any], folder: Path, copies: _Copies
 ) -> dict[str, str]:
     """Return where profiles, stand-still tests and the logo are copied to, by their paths in the

@@ -1,9 +1,9 @@
 """The next round after loading: which axes may be corrected further, and the result folder of the
 job that does it.
 
-A table is added to what is in the control only where a measurement has shown that what is there
-acts as it should, and where what was read back is what was to be loaded. Everything else keeps what
-is in the control: a fault of loading would be added to, a flipped sign made larger.
+A change is added to the existing table only where a measurement has shown that this table is active
+as planned, and where the values read back are those that were to be loaded. Everything else keeps
+the existing table: otherwise a loading fault would be added to, or a wrong sign made larger.
 """
 
 from __future__ import annotations
@@ -38,17 +38,17 @@ from compwright.records.job import AS_FOUND, Job, other_axis
 from compwright.records.limits import Limiting
 from compwright.records.plan import Plan
 from compwright.verification.proof import AfterTest
-from compwright.workflow.inputs.handed_over import files_of_job
+from compwright.workflow.inputs.input_copies import files_of_job
 from compwright.workflow.inputs.jobs import read_job_file
 from compwright.workflow.results.recorded import known_results, recorded_run
 from compwright.workflow.results.result_files import result_files
 from compwright.workflow.run.finished import Finished
-from compwright.workflow.run.worked_through import worked_through
+from compwright.workflow.run.pipeline import run_stages
 from compwright.workflow.verify.next_files import JOB, Looped, next_files
 
 #: The folder of the next round, in that of the results.
 FOLDER: Final = "next"
-#: Findings of an axis that say what its test does not prove, beside doubts.
+#: Findings, in addition to doubts, that name a proof that the test of an axis lacks.
 LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024"})
 _KEEPS: Final = "it keeps what is in the control"
 
@@ -76,9 +76,11 @@ class Verified:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Round:
-    """The next round: its files below the results (none where it is not written), and what is said
-    of it. ``whole``: folders that hold exactly these files afterwards; ``renewed``: those in which
-    the user may keep files of his own.
+    """The next round: its files below the results (none where it is not written), and the messages
+    about it.
+
+    ``whole``: folders that hold exactly these files afterwards; ``renewed``: those in which the
+    user may keep files of his own.
     """
 
     document: Mapping[str, Any]
@@ -100,27 +102,29 @@ def next_round(
 
     ``compared``: the document of ``compare``, or why there is none.
     """
-    told = {name: UpdatedAxis(reason=why) for name, why in _refused(found, compared)}
+    outcomes = {name: UpdatedAxis(reason=why) for name, why in _refused(found, compared)}
     general = _general(found, compared)
-    well = [test for test in found.tests if test.axis not in told]
+    well = [test for test in found.tests if test.axis not in outcomes]
     if general or not well:
-        return Round(document=next_document(general or _nobody(found), told))
+        return Round(document=next_document(general or _no_axis(found), outcomes))
     try:
         looped = _looped(found, well)
         inputs = next_files(session, found.job, found.plan, looped)
         finished, results, notes = _worked(session, inputs, out / FOLDER, each)
     except (InputError, UsageError, CapacityError) as error:
         reason = "; ".join(str(fault) for fault in error.faults)
-        return Round(document=next_document(f"the next round cannot be made: {reason}", told))
-    told |= {test.axis: _told(finished, test.axis) for test in well}
-    if not any(axis.updated for axis in told.values()):
-        return Round(document=next_document(_nobody(found), told))
-    told = {name: told[name] for name in found.plan.axes if name in told}
+        return Round(document=next_document(f"the next round cannot be made: {reason}", outcomes))
+    outcomes |= {test.axis: _updated_axis(finished, test.axis) for test in well}
+    if not any(axis.updated for axis in outcomes.values()):
+        return Round(document=next_document(_no_axis(found), outcomes))
+    outcomes = {name: outcomes[name] for name in found.plan.axes if name in outcomes}
     files = {**inputs, **results}
     return Round(
         document=next_document(
-            _result(told, between=any(entry.written for entry in finished.written.cross.planned)),
-            told,
+            _result(
+                outcomes, between=any(entry.written for entry in finished.written.cross.planned)
+            ),
+            outcomes,
             list(_between(found, looped)),
             written=True,
         ),
@@ -141,38 +145,39 @@ def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
         return changed[0]
     if isinstance(compared, str):
         return f"what was read back cannot be compared with the plan: {compared}"
-    beside = [one for one in compared["differences"] if one["axis"] not in compared["axes"]]
+    elsewhere = [one for one in compared["differences"] if one["axis"] not in compared["axes"]]
     off = {name: one for name, one in compared["axes"].items() if one["verdict"] != "loaded"}
-    if off and beside and not any(one["axis"] for one in beside):
+    more = f" and {len(elsewhere) - 1} more" if len(elsewhere) > 1 else ""
+    if off and elsewhere and not any(one["axis"] for one in elsewhere):
         # values that name no axis: those of a table that is not the plan's, as far as anyone knows
-        told = "; ".join(f"axis {name}: {one['message']}" for name, one in off.items())
+        differing = "; ".join(f"axis {name}: {one['message']}" for name, one in off.items())
         return (
-            f"what was read back differs from the plan: {told} ({beside[0]['quantity']}"
-            f"{f' and {len(beside) - 1} more' if len(beside) > 1 else ''}; compwright compare lists"
-            " all). Read back what is in the control now, load what is missing, and verify again"
+            f"what was read back differs from the plan: {differing}"
+            f" ({elsewhere[0]['quantity']}{more}; compwright compare lists all)."
+            " Read back what is in the control now, load what is missing, and verify again"
         )
-    if beside:
-        of = f" of axis {beside[0]['axis']}" if beside[0]["axis"] else ""
+    if elsewhere:
+        of = f" of axis {elsewhere[0]['axis']}" if elsewhere[0]["axis"] else ""
         return (
-            f"something else was changed in the control since the run: {beside[0]['quantity']}{of}"
-            f"{f' and {len(beside) - 1} more' if len(beside) > 1 else ''} (compwright compare lists"
-            " all); settle that first, then run a new job"
+            "something else was changed in the control since the run:"
+            f" {elsewhere[0]['quantity']}{of}{more} (compwright compare lists all);"
+            " check that first, then run a new job"
         )
     return ""
 
 
-def _nobody(found: Verified) -> str:
+def _no_axis(found: Verified) -> str:
     """Return that there is nothing to go on from, and what becomes of squareness then."""
-    told = "no axis may be corrected further"
+    text = "no axis may be corrected further"
     if not (found.circles and found.job.apply.squareness):
-        return told
+        return text
     if any(entry.fitted is not None and entry.tests for entry in found.plan.axes.values()):
         return (
-            f"{told}, and squareness alone gets no next round: measure an axis that has a table"
+            f"{text}, and squareness alone gets no next round: measure an axis that has a table"
             " after loading too, and give it with --after in addition to the circles"
         )
     return (
-        f"{told}, and squareness alone gets no next round: for what is left of it run a new job,"
+        f"{text}, and squareness alone gets no next round: for what is left of it run a new job,"
         " with what was read back as as_found and with the circles after loading"
     )
 
@@ -196,7 +201,9 @@ def _refused(found: Verified, compared: Mapping[str, Any] | str) -> Iterator[tup
 
 
 def _doubted(axis: VerifiedAxis) -> str:
-    """Return why the test after loading does not show that the table acts as it should."""
+    """Return why the test after loading does not show that the table is active as planned; empty
+    where it does.
+    """
     verdict = axis.loading["verdict"]
     if verdict != "loaded":
         of = f" ({axis.loading['of']})" if axis.loading.get("of") else ""
@@ -232,7 +239,7 @@ def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
             found.plan.circles[name].test.sources, found.circles[name].after.test.sources
         )
     }
-    beside = {
+    by_circles = {
         axis
         for circle in found.plan.circles.values()
         if axes.keys() & set(circle.test.axes)
@@ -244,19 +251,19 @@ def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
         axes=axes,
         files=files,
         active=_active(found, files, list(axes)),
-        beside=[name for name in found.job.axes if name in beside - axes.keys()],
+        other_axes=[name for name in found.job.axes if name in by_circles - axes.keys()],
         circles=measured,
         squareness=list(_squareness(found, measured, axes)),
     )
 
 
 def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) -> bool | None:
-    """Return that the tables acted, where the files that were read back leave it open: the test
-    after loading has shown it.
+    """Return True, by the test after loading, where the files that were read back do not state
+    whether their tables are active; else None.
     """
-    asked = [found.job.axes[name].axis for name in axes]
+    working = [found.job.axes[name].axis for name in axes]
     try:
-        decode(found.control, files, asked, asking=True)
+        decode(found.control, files, working, asking=True)
     except UsageError:
         return True
     return None
@@ -293,14 +300,14 @@ def _worked(
     """Return the next job worked through as if its folder stood there already, and its files."""
     next_session = session.with_pending(folder, inputs)
     job = read_job_file(next_session, folder / JOB)
-    finished = worked_through(next_session, job, folder, folder, each=each)
+    finished = run_stages(next_session, job, folder, folder, each=each)
     results = result_files(finished, each)
     given = files_of_job(next_session, job, folder, finished.measured.control.definition.own)
     record, _ = recorded_run(session, finished, results, given, folder)
     return finished, {**results.files, **record}, results.notes
 
 
-def _told(finished: Finished, name: str) -> UpdatedAxis:
+def _updated_axis(finished: Finished, name: str) -> UpdatedAxis:
     """Return what became of an axis in the next round."""
     work, prediction = finished.works[name], finished.predicted.axes[name]
     if work.planned.fitted is not None:
@@ -325,16 +332,16 @@ def _gained(limits: Limiting | None, axis: Axis) -> str:
     )
 
 
-def _result(told: Mapping[str, UpdatedAxis], *, between: bool) -> str:
+def _result(outcomes: Mapping[str, UpdatedAxis], *, between: bool) -> str:
     """Return what to do with the next round; ``between``: it corrects something between axes."""
-    tabled = [name for name, axis in told.items() if axis.table]
+    tabled = [name for name, axis in outcomes.items() if axis.table]
     tabled += ["squareness"] if between else []
     if tabled:
         return (
             f"a further table for {', '.join(tabled)}: load all of {FOLDER}/tables, measure again,"
             " and verify that round"
         )
-    stopped = [name for name, axis in told.items() if axis.updated]
+    stopped = [name for name, axis in outcomes.items() if axis.updated]
     return f"stop here: no further table for {', '.join(stopped)} would gain what a test can show"
 
 
@@ -358,8 +365,8 @@ def _between(found: Verified, looped: Looped) -> Iterator[str]:
 
 
 def refuse_later_rounds(session: Session, out: Path) -> None:
-    """Raise StorageError where the next round in ``out`` has been verified: what came of it would
-    lie beside another one.
+    """Raise StorageError where the next round in ``out`` has been verified: its results would be
+    overwritten by another round.
     """
     gone_on = out / FOLDER / "verification.json"
     if storage.is_there(session, gone_on):

@@ -25,9 +25,10 @@ _FILL_IN: Final = "fill in"
 def proven_files(
     found: Verified, document: Mapping[str, Any], results: Sequence[Path], loaded: Sequence[Path]
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
-    """Return the pieces by their relative names, and what has to be said of them; without files
-    where a good verification proves nothing of a machine, with the reason. ``results``: the folders
-    of the run and of its verification; ``loaded``: files that were read back.
+    """Return the files of a proof by their relative names, and the messages about it.
+
+    No files where a good verification proves nothing about a machine, with the reason. ``results``:
+    the folders of the run and of its verification; ``loaded``: files that were read back.
     """
     if document["verdict"] != "good" or not found.axes or not loaded:
         return {}, ()
@@ -45,7 +46,7 @@ def proven_files(
         "how": _how(found, axes),
     }
     heading = [
-        *_told(axes),
+        *_summary(axes),
         f'Put what no file says in the place of "{_FILL_IN}".',
     ]
     own = {**entry, "machine": f"{entry['machine']}, {serial}" if serial else entry["machine"]}
@@ -153,11 +154,11 @@ def _how(found: Verified, axes: Sequence[ProvenAxis]) -> str:
         if "unconfirmed" in entry.evidence
     ]
     by = f"; under {', '.join(dict.fromkeys(assumed))}" if assumed else ""
-    told = "; ".join([", ".join(values), *_told(axes)])
-    return f"compwright verify: good, read back as written; {told}{by}"
+    text = "; ".join([", ".join(values), *_summary(axes)])
+    return f"compwright verify: good, read back as written; {text}{by}"
 
 
-def _told(axes: Sequence[ProvenAxis]) -> list[str]:
+def _summary(axes: Sequence[ProvenAxis]) -> list[str]:
     """Return in words what is proven, by at least one axis, and what by none."""
     proven = dict.fromkeys(fact for one in axes for fact in one.proven)
     left = dict.fromkeys(fact for one in axes for fact in one.left_open if fact not in proven)

@@ -1,4 +1,4 @@
-"""One axis after loading: what its test shows beside what the plan expects of it."""
+"""One axis after loading: its test compared with the expectation of the plan."""
 
 from __future__ import annotations
 
@@ -53,11 +53,11 @@ def verified_axis(
     *,
     ours: bool,
 ) -> VerifiedAxis:
-    """Return what the test after loading shows of an axis, beside what was expected.
+    """Compare the test after loading of an axis with the expectation.
 
-    ``as_found``: what was in the control before; ``read_back``: what was read back from it since,
-    if anything; ``twice``: that the test is a copy of another one; ``others``: the other axes of
-    the plan; ``ours``: ``read_back`` is what `run` wrote, and says nothing of the control.
+    ``as_found``: contents of the control before; ``read_back``: contents read back since, if any;
+    ``twice``: that the test is a copy of another one; ``others``: the other axes of the plan;
+    ``ours``: ``read_back`` is what `run` wrote, and no evidence about the control.
     """
     axis = planned.axis
     names = [entry.test.name for entry in planned.tests]
@@ -97,7 +97,7 @@ def verified_axis(
         predicted=predict_same_targets(result, posterior, change, axis, like),
         expected=_expected(result, posterior, change),
         after=result,
-        loading=_told(loading, _sentences(control, planned), read_back=as_planned),
+        loading=_loading_document(loading, _sentences(control, planned), read_back=as_planned),
         accept=accept,
         acknowledged=acknowledged,
         guard=guard_bands(job, planned, place, before, posterior, change) if guarded else None,
@@ -106,8 +106,8 @@ def verified_axis(
 
 
 def _change(planned: PlannedAxis, as_found: DecodedState, repeated: PlannedTest) -> Correction:
-    """Return by what the correction differs, where all went well, from what acted in the test that
-    the one after loading repeats, at whose motion it was taken.
+    """Return the expected correction after loading minus the one in the test that is repeated, at
+    the motion of that test.
     """
     active = nothing if planned.active is None else planned.active.at
     table = (
@@ -167,20 +167,22 @@ def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, t
 def _looks(
     loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
 ) -> list[str]:
-    """Return what to look at for a verdict: for one that is open, of every candidate, the likeliest
-    first; for a loaded table, only what tells it from its equivalents, and nothing where the values
-    that were ``read_back`` (the plan's) have told it.
+    """Return what to check for a verdict: for an undecided one, the checks of every candidate, the
+    most probable first.
+
+    For a loaded table, only the checks that distinguish it from its equivalents; none where the
+    values that were ``read_back`` (the plan's) have decided it.
     """
     names: list[LoadingName] = [loading.verdict]
     if loading.verdict == "undecided":
         names = [each.verdict for each in loading.candidates if each.verdict != "loaded"]
     elif loading.verdict == "loaded":
-        told = OF_VALUES if read_back else frozenset[LoadingName]()
-        names = names if set(loading.equivalent) - told else []
+        decided = OF_VALUES if read_back else frozenset[LoadingName]()
+        names = names if set(loading.equivalent) - decided else []
     return list(dict.fromkeys(text for name in names for text in sentences.get(name, ())))
 
 
-def _told(
+def _loading_document(
     loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
 ) -> dict[str, Any]:
     """Return the verdict about the loading as the document holds it."""
@@ -201,13 +203,13 @@ def _told(
             }
             for each in loading.candidates
         ],
-        **({"slope": _slope_told(*loading.slope)} if loading.slope is not None else {}),
+        **({"slope": _slope_document(*loading.slope)} if loading.slope is not None else {}),
         "message": loading.message,
         "look_at": _looks(loading, sentences, read_back=read_back),
     }
 
 
-def _slope_told(slope: float, error: float) -> dict[str, Any]:
+def _slope_document(slope: float, error: float) -> dict[str, Any]:
     value, std_error = (settled_number(one * 1e6, LOGARITHM) for one in (slope, error))
     return {"value": value, "std_error": std_error, "unit": "um/m"}
 

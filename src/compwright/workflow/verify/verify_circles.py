@@ -131,8 +131,8 @@ def verify_circles(
     as_found: DecodedState,
     states: Mapping[str, DecodedState],
 ) -> dict[str, VerifiedCircle]:
-    """Evaluate the circular tests after loading beside what the plan expects. Raises InputError
-    with the faults of all files.
+    """Evaluate the circular tests after loading and compare them with the expectation of the plan.
+    Raises InputError with the faults of all files.
     """
     axes = {name: entry.axis for name, entry in plan.axes.items()}
     then = _planned(plan, as_found, axes)

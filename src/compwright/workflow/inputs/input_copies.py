@@ -205,8 +205,8 @@ def _inside(path: Path | None, out: Path, written: Collection[str]) -> str | Non
 
 
 def _place(name: str, by: str) -> str:
-    """Return where the copy of a file lies: as it lies beside the job, so that the copy of a job
-    finds its measurements.
+    """Return where the copy of a file lies: at the same relative path as the original, so that the
+    copy of a job finds its measurements.
     """
     parts = PurePosixPath(name).parts
     if by == BY_VERIFY:

@@ -15,7 +15,7 @@ from compwright.workflow.run.wanted import wanted
 from compwright.workflow.run.written import written
 
 
-def worked_through(
+def run_stages(
     session: Session,
     job: Job,
     folder: Path,
