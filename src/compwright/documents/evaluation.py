@@ -48,9 +48,10 @@ def result_document(result: PositioningResult) -> dict[str, Any]:
     Beyond the contract: ``name``, ``coverage`` (k), ``spread`` (std or range), ``header`` (what the
     file says about the test) and in each target the readings ``deviations_positive`` and
     ``deviations_negative`` in the order of the runs, null where missing; where they were reduced to
-    20 °C, ``expansion_removed``: what was taken from each, and ``thermal``: by which coefficients
-    (µm/(m K)), temperatures (°C) and fixed point (mm). ``extremes``: of A, E and M the highest and
-    the lowest value. ``budget``: the contributors behind ``uncertainty``.
+    20 °C, ``expansion_removed``: what was taken from each (``removed_positive`` and
+    ``removed_negative`` where a record of the environment gives each its own), and ``thermal``: by
+    which coefficients (µm/(m K)), temperatures (°C) and fixed point (mm). ``extremes``: of A,
+    E and M the highest and the lowest value. ``budget``: the contributors behind ``uncertainty``.
     """
     test = result.test
     factor = outside_factor(test.kind.unit)
@@ -182,8 +183,15 @@ def _targets(result: PositioningResult, factor: float) -> list[dict[str, Any]]:
     ]
 
 
-def _expansion(test: PositioningTest, i: int, factor: float) -> dict[str, float | None]:
-    """Return by how much the readings at a target were more before they were reduced to 20 °C."""
+def _expansion(test: PositioningTest, i: int, factor: float) -> dict[str, Any]:
+    """Return by how much the readings at a target were more before they were reduced: one value for
+    all, or one for each.
+    """
+    if test.removed is not None:
+        return {
+            f"removed_{name}": [_outside(value, factor) for value in block[i]]
+            for name, block in zip(("positive", "negative"), test.removed, strict=True)
+        }
     if test.thermal is None:
         return {}
     removed = (float(test.targets[i]) - test.thermal.x_fix) * test.thermal.slope

@@ -206,6 +206,11 @@ def _test_out(test: PositioningTest) -> dict[str, Any]:
         "header": dict(test.header),
         "findings": [planned_finding(finding) for finding in test.findings],
         **({} if test.thermal is None else {"thermal": asdict(test.thermal)}),
+        **(
+            {}
+            if test.removed is None
+            else {"removed": [_readings_out(removed) for removed in test.removed]}
+        ),
     }
 
 

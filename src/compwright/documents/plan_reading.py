@@ -140,9 +140,13 @@ FORMS: Final[Mapping[type, RecordForm]] = {
         build=_finding,
     ),
     PositioningTest: RecordForm(
-        constant={"frame": "machine"},
-        absent=frozenset({"thermal"}),
-        types={"positive": _READINGS, "negative": _READINGS},
+        constant={"frame": "machine", "times": None},
+        absent=frozenset({"thermal", "removed"}),
+        types={
+            "positive": _READINGS,
+            "negative": _READINGS,
+            "removed": cs.nullable_schema(cs.tuple_schema([_READINGS, _READINGS])),
+        },
     ),
     ControlFile: RecordForm(
         keys={"content": "base64"}, constant={"folder": "", "leader": b"", "trailer": b""}

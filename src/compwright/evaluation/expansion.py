@@ -36,16 +36,14 @@ def instrument_compensated_expansion(compensated_for: str) -> bool:
     return any(part not in _NOTHING and not _AIR_ONLY.match(part) for part in parts)
 
 
-def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> PositioningTest:
-    """Return ``test`` with e20 = e - (x - x_fix)[alpha_m (T_m - 20) - alpha_d (T_d - 20)] and a
-    finding that says so (CW-T024); another one (CW-T025) where the temperature rose during the
-    test: the mean of start and end is what counts, because no reading has a time.
+def instrument_compensated_air(compensated_for: str) -> bool:
+    """Whether the header text says that the instrument already compensated for the air."""
+    parts = [part.strip().lower() for part in re.split(r"[,;+/]", compensated_for)]
+    return any(part not in _NOTHING and _AIR_ONLY.match(part) for part in parts)
 
-    x in mm, alpha in µm/(m K), T in °C, deviations in mm. ``thermal.x_fix`` is the fixed point of
-    the measurement and ``thermal.refer_to`` says whose expansion alpha_m and T_m are: the machine's
-    scale or the workpiece. Raises UsageError for a rotary axis, InputError when the instrument did
-    it already (header ``compensated_for``) or it was done before.
-    """
+
+def refuse_rotary(test: PositioningTest) -> None:
+    """Raise UsageError for a test of a rotary axis: angles do not expand."""
     if test.kind is not AxisKind.LINEAR:
         raise UsageError(
             Fault(
@@ -55,6 +53,12 @@ def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> Po
                 hint="remove `thermal` from this axis of the job",
             )
         )
+
+
+def refuse_reduced(test: PositioningTest) -> None:
+    """Raise InputError where the expansion was removed already, by the instrument (header
+    ``compensated_for``) or by an earlier call.
+    """
     stated = test.header.get("compensated_for", "")
     if instrument_compensated_expansion(stated):
         raise InputError(
@@ -78,24 +82,41 @@ def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> Po
                 hint="remove `thermal` from this test",
             )
         )
-    per_mm = thermal.slope
-    expansion = ((test.targets - thermal.x_fix) * per_mm)[:, np.newaxis]
-    finding = Finding.of(
+
+
+def expansion_finding(thermal: Thermal) -> Finding:
+    """Return what was removed to refer the readings to 20 °C (CW-T024)."""
+    return Finding.of(
         "CW-T024",
         "info",
         refer_to=thermal.refer_to,
-        slope=1000000.0 * per_mm,
+        slope=1000000.0 * thermal.slope,
         x_fix=thermal.x_fix,
         alpha_m=thermal.alpha_m,
         T_m=thermal.T_m,
         alpha_d=thermal.alpha_d,
         T_d=thermal.T_d,
     )
+
+
+def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> PositioningTest:
+    """Return ``test`` with e20 = e - (x - x_fix)[alpha_m (T_m - 20) - alpha_d (T_d - 20)] and a
+    finding that says so (CW-T024); another one (CW-T025) where the temperature rose during the
+    test: the mean of start and end is what counts, because no reading has a time.
+
+    x in mm, alpha in µm/(m K), T in °C, deviations in mm. ``thermal.x_fix`` is the fixed point of
+    the measurement and ``thermal.refer_to`` says whose expansion alpha_m and T_m are: the machine's
+    scale or the workpiece. Raises UsageError for a rotary axis, InputError when the instrument did
+    it already (header ``compensated_for``) or it was done before.
+    """
+    refuse_rotary(test)
+    refuse_reduced(test)
+    expansion = ((test.targets - thermal.x_fix) * thermal.slope)[:, np.newaxis]
     return replace(
         test,
         positive=test.positive - expansion,
         negative=test.negative - expansion,
-        findings=(*test.findings, finding, *_risen(test, thermal)),
+        findings=(*test.findings, expansion_finding(thermal), *_risen(test, thermal)),
         thermal=thermal,
     )
 

@@ -16,6 +16,7 @@ from compwright.foundations.input_sizes import MOST_CELLS, MOST_READINGS, MOST_T
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.readings import Readings
 from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.environment import ReadingTimes
 
 #: Share of the targets that may have been approached in one direction only.
 _MOST_ONE_SIDED = 0.25
@@ -26,13 +27,14 @@ class ReadingGrid:
     """The readings as arrays: ``targets`` (m,) ascending; per direction ``deviations`` (m, n), NaN
     for none, and ``runs`` (n,).
 
-    ``one_sided``: targets that were left out, because a test in two directions approached them in
-    one only, in words.
+    ``times``: when they were taken, None where the file does not say it. ``one_sided``: targets
+    that were left out, because a test in two directions approached them in one only, in words.
     """
 
     targets: FloatArray
     deviations: Mapping[Direction, FloatArray]
     runs: Mapping[Direction, tuple[int, ...]]
+    times: ReadingTimes | None
     one_sided: tuple[str, ...] = ()
 
 
@@ -62,14 +64,26 @@ def grid_of(readings: Readings, kind: AxisKind, faults: FaultList) -> ReadingGri
     if one_sided:
         readings = readings.only(~np.isin(readings.targets, list(one_sided)))
     targets, rows = np.unique(readings.targets, return_inverse=True)
-    deviations, runs = {}, {}
+    deviations, runs, times = {}, {}, {}
     for direction in Direction:
         ours = readings.positive == (direction is Direction.POSITIVE)
         numbers, columns = np.unique(readings.runs[ours], return_inverse=True)
         block = np.full((targets.size, numbers.size), np.nan)
         block[rows[ours], columns] = readings.deviations[ours]
         deviations[direction], runs[direction] = block, tuple(numbers.tolist())
-    return ReadingGrid(targets, deviations, runs, tuple(one_sided.values()))
+        if readings.times is not None:
+            times[direction] = np.full_like(block, np.nan)
+            times[direction][rows[ours], columns] = readings.times[ours]
+    taken = (
+        ReadingTimes(
+            clock=readings.clock,
+            positive=times[Direction.POSITIVE],
+            negative=times[Direction.NEGATIVE],
+        )
+        if times
+        else None
+    )
+    return ReadingGrid(targets, deviations, runs, taken, tuple(one_sided.values()))
 
 
 def _check_unique(readings: Readings, kind: AxisKind, faults: FaultList) -> None:

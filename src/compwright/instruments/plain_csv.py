@@ -2,15 +2,16 @@
 
 Long: columns ``target_mm`` or ``target_deg``, ``direction`` (``+``, ``-``), ``run`` and one of
 ``deviation_um``, ``deviation_mm``, ``deviation_arcsec``, ``deviation_deg``, ``measured_mm``,
-``measured_deg``; one row per reading. Wide: ``target_mm`` or ``target_deg`` and one column of
-deviations per traverse (``+1``, ``-1``, ``+2``, ...) in the unit of the required key ``unit``; an
-empty cell is a reading that was not made. Measured positions have the long form only.
+``measured_deg``; one row per reading; ``time`` may say when it was taken. Wide: ``target_mm`` or
+``target_deg`` and one column of deviations per traverse (``+1``, ``-1``, ``+2``, ...) in the unit
+of the required key ``unit``; an empty cell is a reading that was not made. Measured positions have
+the long form only.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -31,6 +32,7 @@ from compwright.instruments.numbers import DecimalMarks, counts_of
 from compwright.instruments.parts import AXIS_COLUMN
 from compwright.instruments.reading_findings import unread_finding
 from compwright.instruments.readings import Readings, readings_at
+from compwright.instruments.times import TIME, times_of
 from compwright.records.axis import AxisKind, FloatArray
 
 _KIND_OF_TARGET = {"target_mm": AxisKind.LINEAR, "target_deg": AxisKind.ROTARY}
@@ -87,7 +89,9 @@ def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadi
         )
     marks = DecimalMarks(faults)
     value = "" if traverses else _value_column(table, target, faults)
-    used = (target, *traverses) if traverses else (target, "direction", "run", value)
+    used: tuple[str, ...] = (
+        (target, *traverses) if traverses else (target, "direction", "run", value)
+    )
     if not traverses:
         _note_missing(table, faults)
     if not set(used) <= set(table.columns):
@@ -99,6 +103,7 @@ def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadi
     else:
         unread = None  # an empty value of a row is a fault there
         readings = _long(table, (target, value), sign or 1.0, marks, faults)
+        used += (TIME,) if readings.times is not None else ()
     marks.check(comma_is_delimiter=table.delimiter == ",")
     return CsvReadings(
         kind=_KIND_OF_TARGET[target],
@@ -292,9 +297,18 @@ def _long(
         deviations = numbers * factor - positions
     else:
         deviations = sign * (numbers * factor)
-    readings = readings_at(table.lines, positions, ways == 0, runs, deviations)
+    readings = _timed(table, readings_at(table.lines, positions, ways == 0, runs, deviations))
     whole = np.isfinite(deviations) & np.isfinite(positions) & (runs > 0) & (ways >= 0)
     return readings if whole.all() else readings.only(whole)
+
+
+def _timed(table: CsvTable, readings: Readings) -> Readings:
+    """Return the readings with the times of a column ``time``, as far as each row says one."""
+    if TIME not in table.columns:
+        return readings
+    unread = FaultList("")
+    clock, times = times_of(table.of(TIME), table.place(TIME), unread)
+    return readings if unread else replace(readings, clock=clock, times=times)
 
 
 def _wide(

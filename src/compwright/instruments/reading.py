@@ -230,6 +230,7 @@ def _test_of(read: _Read, source: Source, name: str) -> PositioningTest:
         negative=grid.deviations[Direction.NEGATIVE],
         runs_positive=grid.runs[Direction.POSITIVE],
         runs_negative=grid.runs[Direction.NEGATIVE],
+        times=grid.times,
         cycle=parsed.cycle or "standard",
         frame="instrument",
         sources=(source,),

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.records.axis import Direction, FloatArray
+from compwright.records.environment import Clock
 
 IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
@@ -32,7 +33,8 @@ class Readings:
     """The approaches of one test in the order of the file: ``targets`` and ``deviations`` (n,) in
     mm or deg, ``positive`` (n,) whether approached in direction +, ``runs`` (n,) from 1.
 
-    ``place`` tells where in the file a reading stands, by its index.
+    ``place`` tells where in the file a reading stands, by its index. ``times`` (n,): when each was
+    taken, as ``clock`` says; None where the file does not say it.
     """
 
     targets: FloatArray
@@ -40,6 +42,8 @@ class Readings:
     runs: IntArray
     deviations: FloatArray
     place: Callable[[int], str]
+    clock: Clock = "number"
+    times: FloatArray | None = None
 
     def __len__(self) -> int:
         """Return how many there are."""
@@ -65,6 +69,8 @@ class Readings:
             self.runs[indices],
             self.deviations[indices],
             lambda index: place(int(indices[index])),
+            self.clock,
+            None if self.times is None else self.times[indices],
         )
 
 

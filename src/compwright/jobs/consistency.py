@@ -28,6 +28,11 @@ def contradictions(data: Mapping[str, Any]) -> list[KeyFault]:
     names = [AS_FOUND, *mapping_of(data.get("states"))]
     standard = data.get("standard", "iso230-2:2014")
     found = [*_states(data.get("states")), *_addresses(data.get("axes"))]
+    thermal = mapping_of(data.get("thermal"))
+    if "environment" in data:
+        thermal = {"T_m": None, **thermal}  # may come from its column material_c
+    elif thermal and "T_m" not in thermal:
+        found.append(KeyFault(("thermal", "T_m"), "is missing", "a temperature in °C"))
     for name, axis in mapping_of(data.get("axes")).items():
         path = ("axes", name)
         if not _AXIS_NAME.fullmatch(name):
@@ -40,7 +45,7 @@ def contradictions(data: Mapping[str, Any]) -> list[KeyFault]:
                 )
             )
         section = mapping_of(axis)
-        found += axis_contradictions(section, path, names, standard, data.get("thermal"))
+        found += axis_contradictions(section, path, names, standard, thermal)
     found += [
         *implausible(data.get("thermal"), ("thermal",)),
         *_untested(data),

@@ -136,6 +136,10 @@ def next_job(data: Mapping[str, Any], then: NextRound) -> dict[str, Any]:
     }
     if "acknowledged" in job:
         job["acknowledged"] = dict(_acknowledged(job["acknowledged"], job["axes"]))
+    if "environment" in job:
+        copied = [then.paths.get(file, file) for file in environment_files(job["environment"])]
+        of_record = job["environment"] if isinstance(job["environment"], dict) else {}
+        job["environment"] = {**of_record, "files": copied}
     if "uncertainty" in job:
         job["uncertainty"] = _uncertainty(job["uncertainty"], then.paths)
     if "logo" in job.get("report", {}):
@@ -174,6 +178,12 @@ def _acknowledged(section: Mapping[str, Any], axes: Mapping[str, Any]) -> Iterat
         ]
         if kept:
             yield code, kept
+
+
+def environment_files(section: Any) -> list[str]:
+    """Return the files of a record of the environment, however the job writes them."""
+    files = section.get("files", []) if isinstance(section, dict) else section or []
+    return files if isinstance(files, list) else [files]
 
 
 def _uncertainty(section: Mapping[str, Any], paths: Mapping[str, str]) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -24,6 +25,8 @@ from compwright.jobs.schema import (
     CircleSection,
     CrossSection,
     DriftSection,
+    EnvironmentSection,
+    InstrumentAirSection,
     JobSection,
     OwnThermalSection,
     PositionMapSection,
@@ -33,6 +36,7 @@ from compwright.jobs.schema import (
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, PositionMap
 from compwright.records.conditions import CircularBudget, Thermal, UncertaintyBudget
 from compwright.records.drift import DriftRequest
+from compwright.records.environment import EnvironmentRequest, InstrumentAir
 from compwright.records.fitted import TableRequest
 from compwright.records.job import (
     AS_FOUND,
@@ -173,6 +177,7 @@ def job_of(section: JobSection, file: str) -> Job:
         uncertainty_rotary=_rotary_budget(section),
         uncertainty_circular=_circular_budget(section),
         drifts=_drifts(section),
+        environment=_environment(section.environment),
         thermal=_thermal(section.thermal),
         decision_rule=section.decision_rule,
         proven=tuple(proof.model_dump() for proof in section.proven),
@@ -275,7 +280,20 @@ def _thermal(*sections: OwnThermalSection | None) -> Thermal | None:
         if name in keys:
             start, end = keys[name][0], keys[name][-1]
             keys |= {name: 0.5 * (start + end), rise: end - start}
-    return Thermal(**keys) if keys else None
+    # the temperature that no key states comes from the record of the environment
+    return Thermal(**{"T_m": math.nan, **keys}) if keys else None
+
+
+def _environment(section: EnvironmentSection | None) -> EnvironmentRequest | None:
+    if section is None:
+        return None
+    air = section.instrument_air
+    counted = None if air == "vacuum" else InstrumentAir()
+    if isinstance(air, InstrumentAirSection):
+        counted = InstrumentAir(**air.model_dump(), stated=True)
+    return EnvironmentRequest(
+        files=tuple(section.files), equation=section.equation, instrument_air=counted
+    )
 
 
 def _circle(section: CircleSection) -> CircleRequest:
@@ -363,8 +381,6 @@ def _pending_findings(section: JobSection) -> list[Finding]:
     keys: dict[str, object] = {}
     if section.report.language != "en":
         keys["report.language"] = f"{section.report.language}: reports are in English"
-    if section.environment is not None:
-        keys["environment"] = section.environment
     return [Finding.of("CW-J001", "warning", key=key, value=value) for key, value in keys.items()]
 
 

@@ -25,11 +25,11 @@ from compwright.jobs.value_types import (
     acknowledgements,
     drift_file,
     drift_or_number,
+    files_or_mapping,
     listed,
     named_axis,
     named_file,
     no_truth_value,
-    state,
     yes_or_no,
 )
 
@@ -120,10 +120,38 @@ class OwnThermalSection(JobMapping):
 
 
 class ThermalSection(OwnThermalSection):
-    """Nominal differential expansion: µm/(m K), °C, µm/(m K), °C, mm."""
+    """Nominal differential expansion: µm/(m K), °C, µm/(m K), °C, mm. ``T_m`` may come from the
+    record of the environment.
+    """
 
     alpha_m: float
-    T_m: Temperature
+
+
+class InstrumentAirSection(JobMapping):
+    """The air for which the display of a laser counts."""
+
+    air_c: float = Field(20.0, ge=-20.0, le=60.0)
+    """Temperature of the air. Unit: °C. Default: `20`."""
+    pressure_hpa: float = Field(1013.25, ge=500.0, le=1100.0)
+    """Pressure of the air. Unit: hPa. Default: `1013.25`."""
+    humidity_percent: float = Field(50.0, ge=0.0, le=100.0)
+    """Relative humidity. Unit: %. Default: `50`."""
+
+
+class EnvironmentSection(JobMapping):
+    """Records of the environment and what the display of the laser counts for."""
+
+    files: Annotated[list[Text], BeforeValidator(listed), Field(min_length=1)]
+    """Path, or list of paths, of CSV files with the columns `time` and `air_c`, `pressure_hpa`,
+    `humidity_percent`, or `material_c`, or both. Required.
+    """
+    equation: Literal["ciddor", "edlen"] = "ciddor"
+    """Of the refractive index of air: `ciddor` or `edlen` (modified). Default: `ciddor`."""
+    instrument_air: InstrumentAirSection | Literal["vacuum"] | None = None
+    """The air for which the display counts: `air_c`, `pressure_hpa`, `humidity_percent`, or
+    `vacuum` where it counts in wavelengths of vacuum. Default: 20 °C, 1013.25 hPa, 50 %, named as
+    an assumption (CW-T028).
+    """
 
 
 class TestSection(JobMapping):
@@ -449,7 +477,7 @@ class JobSection(JobMapping):
     """One entry per axis, under its name (letters, digits, `_`, `+`, `-`). Required."""
     machine: MachineSection = MachineSection()
     """`name`, `serial`, `type`: text for reports. Default: none."""
-    states: dict[str, Annotated[StateSection, BeforeValidator(state)]] = {}
+    states: dict[str, Annotated[StateSection, BeforeValidator(files_or_mapping)]] = {}
     """What was active in the control (`files`, `active`), see below. Default: unknown: no table
     is written.
     """
@@ -465,9 +493,9 @@ class JobSection(JobMapping):
     """
     uncertainty: UncertaintySection | None = None
     """Contributors to the uncertainty, see below. Default: none: no U is stated."""
-    environment: Text | None = None
-    """File with a series of temperature, pressure and humidity during the tests; not used yet.
-    Default: none.
+    environment: Annotated[EnvironmentSection, BeforeValidator(files_or_mapping)] | None = None
+    """Record of air and material during the tests of a laser, by which each reading is reduced: a
+    file, a list of files, or a mapping, see below. Default: none.
     """
     thermal: ThermalSection | None = None
     """Expansion to be removed from the readings, see below. Default: nothing is removed."""

@@ -61,8 +61,8 @@ def yes_or_no(value: Any) -> Any:
     return {"yes": True, "no": False}.get(value, value) if isinstance(value, str) else value
 
 
-def state(value: Any) -> Any:
-    """Accept files, or the word none, in place of a mapping with ``files``."""
+def files_or_mapping(value: Any) -> Any:
+    """Accept one file or several, or the word none, in place of a mapping with ``files``."""
     return value if isinstance(value, dict) else {"files": value}
 
 

@@ -4,6 +4,7 @@ the job's folder.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal
@@ -13,6 +14,7 @@ from compwright.foundations.provenance import Source
 from compwright.records.axis import Axis, AxisKind, Motion, PositionMap
 from compwright.records.conditions import CircularBudget, Thermal, UncertaintyBudget
 from compwright.records.drift import DriftRequest
+from compwright.records.environment import Environment, EnvironmentRequest
 from compwright.records.fitted import TableRequest
 
 #: The value of a state that says "nothing is active in the control".
@@ -28,7 +30,7 @@ class TestRequest:
 
     ``thermal``: its differential expansion, by its own keys over those of the axis over those of
     the job; ``own_temperatures``: those of ``T_m`` and ``T_d`` that its own keys state, so that its
-    files' do not count.
+    files' do not count. ``environment``: the record by which each reading is reduced.
     """
 
     files: tuple[str, ...]
@@ -38,6 +40,7 @@ class TestRequest:
     motion: Motion = "feed"
     thermal: Thermal | None = None
     own_temperatures: tuple[str, ...] = ()
+    environment: Environment | None = None
     profile: str | None = None
 
     __test__ = False  # not a test class, whatever the name suggests to a collector
@@ -164,8 +167,9 @@ class Job:
     ``active``: by state, whether compensation acted in it where its files switch it off or do not
     say; absent: nobody answered. ``options`` are the controller's; an axis' own stand in
     ``axis.options`` and go over them. ``drifts``: stand-still tests by the kind of axis, from which
-    E_VE comes; ``sources``: files of which the job's own values are. ``findings`` holds what was
-    noticed in the job itself, such as keys on which nothing acts.
+    E_VE comes; ``environment``: a record of air and material; ``sources``: files of which the job's
+    own values are. ``findings`` holds what was noticed in the job itself, such as keys on which
+    nothing acts.
     """
 
     file: str
@@ -180,6 +184,7 @@ class Job:
     uncertainty_rotary: UncertaintyBudget | None = None
     uncertainty_circular: CircularBudget | None = None
     drifts: Mapping[AxisKind, DriftRequest] = field(default_factory=dict)
+    environment: EnvironmentRequest | None = None
     sources: tuple[Source, ...] = ()
     thermal: Thermal | None = None
     decision_rule: Literal["simple", "guarded"] = "simple"
@@ -208,6 +213,31 @@ class Job:
         """Return by what the job acknowledges a doubt about an axis; None where it does not."""
         given = (each for each in self.acknowledged if each.code == code)
         return next((each for each in given if each.axis in (None, axis)), None)
+
+    def with_environment(self, record: Environment, T_m: float | None) -> Job:
+        """Return the job whose linear tests are reduced by ``record``; ``T_m``: the mean of its
+        material (°C), which counts where no key states one.
+        """
+
+        def known(thermal: Thermal | None) -> Thermal | None:
+            if thermal is None or T_m is None or not math.isnan(thermal.T_m):
+                return thermal
+            return replace(thermal, T_m=T_m)
+
+        axes = {
+            name: entry
+            if entry.axis.kind is AxisKind.ROTARY
+            else replace(
+                entry,
+                thermal=known(entry.thermal),
+                before=tuple(
+                    replace(test, thermal=known(test.thermal), environment=record)
+                    for test in entry.before
+                ),
+            )
+            for name, entry in self.axes.items()
+        }
+        return replace(self, axes=axes, thermal=known(self.thermal))
 
     def with_variation(self, kind: AxisKind, E_VE: float) -> Job:
         """Return the job with a range (µm or arcsec) of the environmental variation for axes of a

@@ -13,6 +13,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
 from compwright.records.axis import AxisKind, Direction, FloatArray, PositionMap
 from compwright.records.conditions import Thermal
+from compwright.records.environment import ReadingTimes
 
 Cycle = Literal["standard", "step"]
 
@@ -29,8 +30,10 @@ class PositioningTest:
     column per traverse in the order of the run numbers; a reading that was not made is NaN (a
     traverse or a direction may be missing altogether: a width of 0). ``frame`` says whether
     positions and signs are the instrument's or already the machine's. ``header`` keeps what the
-    file said about the test, as text. ``thermal``: the differential expansion that was taken out of
-    the deviations, None where they are as measured.
+    file said about the test, as text. ``times``: when the readings were taken, None where the file
+    does not say it. ``thermal``: the differential expansion that was taken out of the deviations,
+    None where they are as measured; ``removed``: what was taken out of each reading, (m, n+) and
+    (m, n-), where that differs from reading to reading.
     """
 
     name: str
@@ -46,7 +49,9 @@ class PositioningTest:
     sources: tuple[Source, ...] = ()
     header: Mapping[str, str] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
+    times: ReadingTimes | None = None
     thermal: Thermal | None = None
+    removed: tuple[FloatArray, FloatArray] | None = None
 
     def deviations(self, direction: Direction) -> FloatArray:
         """Return the deviations (m, n) of one approach direction."""
@@ -82,6 +87,7 @@ def to_machine(test: PositioningTest, position_map: PositionMap) -> PositioningT
     targets = position_map.sense * test.targets + position_map.offset
     if position_map.sense == 1:
         return replace(test, targets=targets, frame="machine")
+    times = test.times
     return replace(
         test,
         targets=targets[::-1].copy(),
@@ -89,6 +95,9 @@ def to_machine(test: PositioningTest, position_map: PositionMap) -> PositioningT
         negative=-test.positive[::-1],
         runs_positive=test.runs_negative,
         runs_negative=test.runs_positive,
+        times=None
+        if times is None
+        else replace(times, positive=times.negative[::-1], negative=times.positive[::-1]),
         frame="machine",
     )
 
@@ -125,8 +134,9 @@ def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
         first,
         name=name,
         targets=targets,
-        positive=_side_by_side(targets, tests, Direction.POSITIVE),
-        negative=_side_by_side(targets, tests, Direction.NEGATIVE),
+        positive=_side_by_side(targets, tests, [test.positive for test in tests]),
+        negative=_side_by_side(targets, tests, [test.negative for test in tests]),
+        times=_times(targets, tests),
         runs_positive=tuple(range(1, 1 + sum(test.positive.shape[1] for test in tests))),
         runs_negative=tuple(range(1, 1 + sum(test.negative.shape[1] for test in tests))),
         sources=tuple(source for test in tests for source in test.sources),
@@ -138,12 +148,26 @@ def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
     )
 
 
+def _times(targets: FloatArray, tests: Sequence[PositioningTest]) -> ReadingTimes | None:
+    """Return when the readings of several files were taken; None where one of them does not say
+    it, or says it otherwise than the first.
+    """
+    given = [test.times for test in tests if test.times is not None]
+    if len(given) < len(tests) or len({each.clock for each in given}) > 1:
+        return None
+    return ReadingTimes(
+        clock=given[0].clock,
+        positive=_side_by_side(targets, tests, [each.positive for each in given]),
+        negative=_side_by_side(targets, tests, [each.negative for each in given]),
+    )
+
+
 def _side_by_side(
-    targets: FloatArray, tests: Sequence[PositioningTest], direction: Direction
+    targets: FloatArray, tests: Sequence[PositioningTest], blocks: Sequence[FloatArray]
 ) -> FloatArray:
     columns = []
-    for test in tests:
-        block = np.full((targets.size, test.deviations(direction).shape[1]), np.nan)
-        block[np.searchsorted(targets, test.targets)] = test.deviations(direction)
+    for test, given in zip(tests, blocks, strict=True):
+        block = np.full((targets.size, given.shape[1]), np.nan)
+        block[np.searchsorted(targets, test.targets)] = given
         columns.append(block)
     return np.hstack(columns)

@@ -6,7 +6,17 @@ from dataclasses import dataclass
 from typing import Literal
 
 InputRole = Literal[
-    "job", "definition", "test", "profile", "circle", "drift", "logo", "state", "after", "loaded"
+    "job",
+    "definition",
+    "test",
+    "profile",
+    "circle",
+    "drift",
+    "environment",
+    "logo",
+    "state",
+    "after",
+    "loaded",
 ]
 
 

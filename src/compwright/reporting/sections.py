@@ -384,7 +384,9 @@ def _readings(result: Document, unit: str, where: str, *, reduced: bool = False)
     tables of at most `_COLUMNS` traverses; empty without any.
     """
     targets = result.get("targets", [])
-    if reduced and not any("expansion_removed" in target for target in targets):
+    if reduced and not any(
+        {"expansion_removed", "removed_positive"} & set(target) for target in targets
+    ):
         return []
     columns: list[tuple[str, list[float | None]]] = []
     for key, sign in (("positive", "+"), ("negative", "−")):
@@ -421,7 +423,9 @@ def _reading(target: Document, key: str, run: int, *, reduced: bool) -> float | 
     value = readings[run] if run < len(readings) else None
     if value is None or reduced:
         return value
-    return round(float(value) + float(target.get("expansion_removed") or 0.0), 9)
+    each = target.get(f"removed_{key}")
+    removed = each[run] if each else target.get("expansion_removed")
+    return round(float(value) + float(removed or 0.0), 9)
 
 
 def sources(*evaluations: Document | None) -> list[dict[str, str]]:

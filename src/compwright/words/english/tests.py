@@ -219,7 +219,32 @@ SENTENCES: Final[dict[str, str]] = {
         "it lasts {minutes:g} min, and {test:if|a positioning test of the job takes {test:g}"
         " min|no positioning test is so short}: the drift of a test is larger"
     ),
+    "CW-T028": (
+        "The air changed the light: {least:+.3f} to {most:+.3f} µm/m were removed"
+        " ({equation:choose|ciddor=Ciddor|edlen=Edlén}; air at {air_c:.4g} °C,"
+        " {pressure_hpa:.6g} hPa, {humidity_percent:.3g} % on average). The display of the"
+        " instrument {assumed:if|is assumed to count|counts} for a refractive index of"
+        " {counted:.9f}"
+        "{assumed:if|, air at 20 °C, 1013.25 hPa and 50 %: give `instrument_air` under"
+        " `environment` where it counts for another|}."
+    ),
+    "CW-T029": (
+        "From the first to the last reading the light changed by {light:+.2f} µm and the expansion"
+        " by {expansion:+.2f} µm, at the target where they changed most: both were removed. What"
+        " is left in the readings changed by {rest:+.2f}"
+        "{std_error:if| ± {std_error:.2f}|} µm, mean over the targets: drift of the machine"
+        " itself, or of the set-up."
+    ),
     "CW-T030.certain": "This cannot be right: {why}.",
+    "CW-T038": (
+        "The record of the environment {file} has a gap during the test, {gap:2sig} times as long"
+        " as its rows usually lie apart: in between, the values were taken on a straight line."
+    ),
+    "CW-T039": (
+        "The readings do not say when they were taken: the mean of the record of the environment"
+        " was used. Within the record it varies by {range:.2f} µm over {length:.5g} mm. Add a"
+        " column `time` to the measurement file."
+    ),
     "CW-T030.small": (
         "All readings lie within {spread}: few machines are that good. Is the unit right?"
     ),

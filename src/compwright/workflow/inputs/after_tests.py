@@ -93,9 +93,16 @@ def after_tests(
 
 def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
     """Return ``request`` for the test after loading: with its own files, which state its
-    temperatures; those that the job states are of the test before.
+    temperatures; those that the job states are of the test before. Of a record of the environment
+    only the times after loading count.
     """
-    return replace(request, files=tuple(paths), own_temperatures=())
+    environment = request.environment
+    return replace(
+        request,
+        files=tuple(paths),
+        own_temperatures=(),
+        environment=None if environment is None else replace(environment, needs_time=True),
+    )
 
 
 def _refuse_files_apart(session: Session, entry: AxisJob, request: TestRequest) -> None:

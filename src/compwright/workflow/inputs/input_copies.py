@@ -65,6 +65,8 @@ def files_of_job(session: Session, job: Job, folder: Path, definition: Texts) ->
         found.append(
             _given(session, "drift", "", drift.file, storage.named_from(folder, drift.file))
         )
+    for text in job.environment.files if job.environment is not None else ():
+        found.append(_given(session, "environment", "", text, storage.named_from(folder, text)))
     if job.report.logo is not None:
         found.append(
             _given(

@@ -11,6 +11,7 @@ from compwright.controls.decoded import DecodedState
 from compwright.controls.gantries import partner_questions
 from compwright.controls.settled import length_unit, other_joints
 from compwright.evaluation.expansion import remove_differential_expansion
+from compwright.evaluation.recorded_environment import reduce_by_record
 from compwright.evaluation.temperatures import at_temperatures, temperatures_of
 from compwright.foundations import storage
 from compwright.foundations.errors import (
@@ -138,7 +139,8 @@ def read_test(
     session: Session, entry: AxisJob, request: TestRequest, folder: Path
 ) -> PositioningTest:
     """Read the files of one test into one record in machine coordinates, expansion removed where
-    the job says so: at the temperature of the test's own keys, else of its files, else of the axis.
+    the job says so: at the temperature of the record of the environment, else of the test's own
+    keys, else of its files, else of the axis.
     """
     errors: list[CompwrightError] = []
     parts = []
@@ -165,10 +167,17 @@ def read_test(
         _check_axis(entry.axis, part)
     _check_one_map(entry, request, parts)
     test = to_machine(merge(parts, request.name), request.position_map)
-    if request.thermal is not None:
+    thermal = request.thermal
+    if thermal is not None:
         of_files = temperatures_of(parts).items()
         stated = {name: T for name, T in of_files if name not in request.own_temperatures}
-        test = remove_differential_expansion(test, at_temperatures(request.thermal, stated))
+        thermal = at_temperatures(thermal, stated)
+    if request.environment is not None:
+        mapped = profile.position_map if profile is not None else None
+        zero = (mapped or request.position_map).offset
+        test = reduce_by_record(test, request.environment, thermal, zero)
+    elif thermal is not None:
+        test = remove_differential_expansion(test, thermal)
     finding = skipped_finding([shown_path(path) for path in skipped])
     return replace(
         test,

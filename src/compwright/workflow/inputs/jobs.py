@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -26,10 +27,12 @@ from compwright.foundations.input_sizes import JOB, MEASUREMENT
 from compwright.foundations.key_faults import KeyFault
 from compwright.foundations.session import Session
 from compwright.instruments.drift_csv import read_drift
+from compwright.instruments.environment_csv import joined, read_environment
 from compwright.jobs.command_line import job_from_options
 from compwright.jobs.consistency import NONE_WORD
 from compwright.jobs.reading import read_job
 from compwright.records.axis import Axis, AxisKind
+from compwright.records.environment import MATERIAL, Environment
 from compwright.records.job import Job
 from compwright.records.options import KIND, REFERENCE, REFERENCE_RETURN
 from compwright.records.plan import Texts
@@ -42,7 +45,8 @@ _ANY_TRAVEL = "0:1"
 
 
 def read_job_file(session: Session, path: Path, plan: Path | None = None) -> Job:
-    """Read a job file, with the stand-still tests and the logo that it names. ``plan``: that of an
+    """Read a job file, with the stand-still tests, the record of the environment and the
+    logo that it names. ``plan``: that of an
     earlier run, whose definition of one's own counts.
 
     Raises InputError when one of them cannot be read, UsageError with every fault of the job.
@@ -51,7 +55,7 @@ def read_job_file(session: Session, path: Path, plan: Path | None = None) -> Job
     further = partial(wrong_control, session, folder=path.parent, carried=carried)
     job = read_job(storage.read_bytes(session, path, JOB), str(path), further)
     errors: list[CompwrightError] = []
-    for read in (_with_drifts, _with_logo):
+    for read in (_with_drifts, _with_environment, _with_logo):
         try:
             job = read(session, job, path.parent)
         except InputError as error:
@@ -85,6 +89,42 @@ def _with_drifts(session: Session, job: Job, folder: Path) -> Job:
         )
     raise_all(InputError, collect(errors))
     return job
+
+
+def _with_environment(session: Session, job: Job, folder: Path) -> Job:
+    """Return the job whose tests are reduced by the record of the environment that it names."""
+    request = job.environment
+    if request is None:
+        return job
+    errors: list[CompwrightError] = []
+    records = []
+    for text in request.files:
+        file = storage.named_from(folder, text)
+        try:
+            records.append(read_environment(storage.read_bytes(session, file, MEASUREMENT), text))
+        except InputError as error:
+            errors.append(error)
+    raise_all(InputError, collect(errors))
+    record = joined(records)
+    material = record.values.get(MATERIAL)
+    job = job.with_environment(
+        Environment(
+            record=record, equation=request.equation, instrument_air=request.instrument_air
+        ),
+        None if material is None else float(material.mean()),
+    )
+    every = [job.thermal, *(entry.thermal for entry in job.axes.values())]
+    every += [test.thermal for entry in job.axes.values() for test in entry.before]
+    if any(thermal is not None and math.isnan(thermal.T_m) for thermal in every):
+        fault = Fault(
+            message="has no column material_c, and no key states the temperature T_m",
+            file=", ".join(request.files),
+            place="environment",
+            expected="a column material_c, or T_m under thermal",
+            hint="add `T_m` under `thermal` of the job, or a column `material_c` to the record",
+        )
+        raise InputError(fault)
+    return replace(job, sources=(*job.sources, *record.sources))
 
 
 def wrong_control(

@@ -22,6 +22,7 @@ from compwright.jobs.next_job import (
     NextAxis,
     NextRound,
     earlier_test,
+    environment_files,
     name_of_round,
     next_job,
     test_after,
@@ -286,13 +287,14 @@ def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies)
 def _files_with_tests(
     session: Session, data: Mapping[str, Any], folder: Path, copies: _Copies
 ) -> dict[str, str]:
-    """Return where profiles, stand-still tests and the logo are copied to, by their paths in the
-    job.
+    """Return where profiles, stand-still tests, records of the environment and the logo are copied
+    to, by their paths in the job.
     """
     tests = [test for axis in data["axes"].values() for test in test_sections(axis)]
     named = [test["profile"] for test in tests if "profile" in test]
     logo = data.get("report", {}).get("logo")
     named += [logo] if isinstance(logo, str) else []
+    named += environment_files(data.get("environment"))
     of_job = data.get("uncertainty", {})
     for section in (of_job, of_job.get("rotary", {})):
         variation = section.get("E_VE")

@@ -1,0 +1,288 @@
+"""Readings of a laser reduced by a record of air and material: each at the moment it was taken.
+
+Light: a display that counts for a refractive index n0 shows p where the length is p n0 / n, n being
+that of the air (`compwright.evaluation.air`); p counts from where the display was zeroed.
+Expansion: ISO 230-2:1997 and 2006, 3.1, as `compwright.evaluation.expansion`, with the temperature
+of the moment.
+
+All arrays of readings here are (m, n+ and n- side by side).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.evaluation.air import ciddor, edlen
+from compwright.evaluation.expansion import (
+    expansion_finding,
+    instrument_compensated_air,
+    refuse_reduced,
+    refuse_rotary,
+)
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
+from compwright.records.axis import FloatArray
+from compwright.records.conditions import Thermal
+from compwright.records.environment import AIR, MATERIAL, Environment, EnvironmentRecord
+from compwright.records.positioning import PositioningTest
+
+_EQUATIONS: Final = {"ciddor": ciddor, "edlen": edlen}
+#: A gap in the record is named where it is this many times the usual distance of its rows.
+_GAP: Final = 5.0
+_PER_MILLION: Final = 1e6
+
+
+def reduce_by_record(
+    test: PositioningTest, environment: Environment, thermal: Thermal | None, zero: float
+) -> PositioningTest:
+    """Return ``test`` (machine coordinates) without what the air did to the light and, where
+    ``thermal`` is given, without the differential expansion, both at the moment of each reading.
+    ``zero``: where the display was zeroed, mm.
+
+    Findings: CW-T024 and CW-T028 what was removed, CW-T029 how light, expansion and the rest
+    changed over the test, CW-T038 a gap in the record, CW-T039 readings without times: for them the
+    mean of the record counts. Without columns of the air only the expansion is removed.
+
+    Raises UsageError for a rotary axis, InputError where the instrument did it already, where times
+    are missing that are needed or are given otherwise than in the record, and where the record does
+    not reach over the test.
+    """
+    refuse_rotary(test)
+    if environment.record.has_air:
+        _refuse_compensated_air(test)
+    if thermal is not None:
+        refuse_reduced(test)
+    split = test.positive.shape[1]
+    readings = np.hstack([test.positive, test.negative])
+    times = _times(test, environment)
+    at = _at(environment.record, times, readings)
+    findings = [] if times is None else list(_gap(environment.record, times))
+    light, expansion = np.zeros_like(readings), np.zeros_like(readings)
+    if environment.record.has_air:
+        index, counted = _index(environment, at), _counted(environment)
+        light = (test.targets[:, np.newaxis] + readings - zero) * (1.0 - counted / index)
+        findings.append(_light_finding(environment, at, 1.0 - counted / index))
+    if thermal is not None:
+        T_m = at.get(MATERIAL, np.full_like(readings, thermal.T_m))
+        thermal = replace(thermal, T_m=float(np.nanmean(T_m)), rise_m=0.0, rise_d=0.0)
+        slope = thermal.slope + 1e-6 * thermal.alpha_m * (T_m - thermal.T_m)
+        expansion = (test.targets[:, np.newaxis] - thermal.x_fix) * slope
+        findings.append(expansion_finding(thermal))
+    removed = light + expansion
+    if times is None:
+        findings.append(_untimed_finding(environment, test, thermal))
+    else:
+        findings += _changes(times, split, light, expansion, readings - removed)
+    return replace(
+        test,
+        positive=test.positive - removed[:, :split],
+        negative=test.negative - removed[:, split:],
+        findings=(*test.findings, *findings),
+        times=None,
+        thermal=thermal,
+        removed=(removed[:, :split], removed[:, split:]),
+    )
+
+
+def _refuse_compensated_air(test: PositioningTest) -> None:
+    stated = test.header.get("compensated_for", "")
+    if instrument_compensated_air(stated):
+        raise InputError(
+            Fault(
+                message=(
+                    "the instrument already compensated for the air; removing its effect again"
+                    " would count it twice"
+                ),
+                file=_file(test),
+                place="compensated_for",
+                expected="nothing, or the material only",
+                found=stated,
+                hint=(
+                    f"take the columns {', '.join(AIR)} out of the record of `environment`, or"
+                    " correct `compensated_for` in the file"
+                ),
+            )
+        )
+
+
+def _file(test: PositioningTest) -> str:
+    return test.sources[0].file if test.sources else test.name
+
+
+def _times(test: PositioningTest, environment: Environment) -> FloatArray | None:
+    """Return when the readings were taken; None where nothing says it and nothing needs it."""
+    record = environment.record
+    if test.times is None:
+        if not environment.needs_time:
+            return None
+        raise InputError(
+            Fault(
+                message="does not say when its readings were taken, and the record of the"
+                " environment holds other tests too",
+                file=_file(test),
+                expected="a column time",
+                hint="add a column `time` to the file, with times as in the record",
+            )
+        )
+    times = np.hstack([test.times.positive, test.times.negative])
+    if test.times.clock != record.clock:
+        raise InputError(
+            Fault(
+                message="gives its times otherwise than the record of the environment",
+                file=_file(test),
+                place="column time",
+                expected=f"a {record.clock}, as {record.sources[0].file}",
+                found=f"a {test.times.clock}",
+                hint="write the times of both files in the same way",
+            )
+        )
+    first, last = float(np.nanmin(times)), float(np.nanmax(times))
+    margin = _usual_distance(record)
+    if first < record.times[0] - margin or last > record.times[-1] + margin:
+        raise InputError(
+            Fault(
+                message="the record of the environment does not reach over the test",
+                file=", ".join(source.file for source in record.sources),
+                expected=f"rows from {first:.10g} to {last:.10g} ({_unit_of(record)})",
+                found=f"rows from {record.times[0]:.10g} to {record.times[-1]:.10g}",
+                hint=(
+                    f"name the record of the time of {_file(test)} too: `environment: [FILE,"
+                    " FILE]`, or correct the clock of one of them"
+                ),
+            )
+        )
+    return times
+
+
+def _unit_of(record: EnvironmentRecord) -> str:
+    return {
+        "number": "as the files count",
+        "time of day": "s since midnight",
+    }.get(record.clock, "s since 1970")
+
+
+def _usual_distance(record: EnvironmentRecord) -> float:
+    """Return the median distance of the rows; 0 with one row."""
+    return float(np.median(np.diff(record.times))) if record.times.size > 1 else 0.0
+
+
+def _at(
+    record: EnvironmentRecord, times: FloatArray | None, readings: FloatArray
+) -> Mapping[str, FloatArray]:
+    """Return the values of the record at each reading: linear in time between two rows, the mean of
+    all rows where the readings have no times.
+    """
+    if times is None:
+        return {name: np.full_like(readings, value.mean()) for name, value in record.values.items()}
+    return {name: np.interp(times, record.times, value) for name, value in record.values.items()}
+
+
+def _index(environment: Environment, at: Mapping[str, FloatArray]) -> FloatArray:
+    temperature, pressure, humidity = (at[name] for name in AIR)
+    return _EQUATIONS[environment.equation](temperature, pressure, humidity)
+
+
+def _counted(environment: Environment) -> float:
+    """Return the refractive index for which the display counts."""
+    air = environment.instrument_air
+    if air is None:
+        return 1.0
+    values = (air.air_c, air.pressure_hpa, air.humidity_percent)
+    return float(
+        _index(environment, {name: np.array(v) for name, v in zip(AIR, values, strict=True)})
+    )
+
+
+def _gap(record: EnvironmentRecord, times: FloatArray) -> Iterator[Finding]:
+    """Yield the widest gap of the record within the test, where it is out of the ordinary."""
+    usual = _usual_distance(record)
+    within = (record.times[1:] > np.nanmin(times)) & (record.times[:-1] < np.nanmax(times))
+    widest = float(np.max(np.diff(record.times)[within], initial=0.0))
+    if widest > _GAP * usual:
+        yield Finding.of("CW-T038", "warning", gap=widest / usual, file=record.sources[0].file)
+
+
+def _light_finding(
+    environment: Environment, at: Mapping[str, FloatArray], rate: FloatArray
+) -> Finding:
+    air = environment.instrument_air
+    least, most = (_PER_MILLION * float(pick(rate)) for pick in (np.nanmin, np.nanmax))
+    return Finding.of(
+        "CW-T028",
+        "info" if air is None or air.stated else "warning",
+        least=least,
+        most=most,
+        equation=environment.equation,
+        air_c=float(np.nanmean(at["air_c"])),
+        pressure_hpa=float(np.nanmean(at["pressure_hpa"])),
+        humidity_percent=float(np.nanmean(at["humidity_percent"])),
+        counted=_counted(environment),
+        assumed=air is not None and not air.stated,
+    )
+
+
+def _untimed_finding(
+    environment: Environment, test: PositioningTest, thermal: Thermal | None
+) -> Finding:
+    """Return what the record varies by while nothing says when the readings were taken, in µm over
+    the targets.
+    """
+    record = environment.record
+    varied = np.zeros_like(record.times)
+    if record.has_air:
+        varied = varied + _index(environment, record.values)
+    if thermal is not None and MATERIAL in record.values:
+        varied = varied + 1e-6 * thermal.alpha_m * record.values[MATERIAL]
+    length = float(test.targets[-1] - test.targets[0])
+    return Finding.of(
+        "CW-T039",
+        "warning",
+        range=float(np.ptp(varied)) * length * MICROMETRES_PER_MILLIMETRE,
+        length=length,
+    )
+
+
+def _changes(
+    times: FloatArray, split: int, light: FloatArray, expansion: FloatArray, rest: FloatArray
+) -> Iterator[Finding]:
+    """Yield by how much light, expansion and the rest of the readings changed over the test, µm:
+    the straight line over time through the readings of each target and direction, times the
+    duration. Light and expansion at the target where they changed most; of the rest the mean over
+    the targets with its standard error. Nothing where a target was approached once.
+    """
+    duration = float(np.nanmax(times) - np.nanmin(times))
+    centred = _centred(times, split)
+    spread = np.sum(centred**2, axis=1)
+    if np.any(spread == 0.0):
+        return
+    way = duration * MICROMETRES_PER_MILLIMETRE
+    of_light, of_expansion, of_rest = (
+        way * np.sum(centred * _centred(values, split), axis=1) / spread
+        for values in (light, expansion, rest)
+    )
+    at = int(np.argmax(np.abs(of_light + of_expansion)))
+    count = of_rest.size
+    yield Finding.of(
+        "CW-T029",
+        "info",
+        light=float(of_light[at]),
+        expansion=float(of_expansion[at]),
+        rest=float(np.mean(of_rest)),
+        std_error=float(np.std(of_rest, ddof=1) / np.sqrt(count)) if count > 1 else None,
+    )
+
+
+def _centred(values: FloatArray, split: int) -> FloatArray:
+    """Return values (m, n) less their mean at each target and direction, 0 where there is none."""
+    blocks = []
+    for block in (values[:, :split], values[:, split:]):
+        there = np.isfinite(block)
+        count = np.maximum(there.sum(axis=1, keepdims=True), 1)
+        filled = np.where(there, block, 0.0)
+        blocks.append(np.where(there, filled - filled.sum(axis=1, keepdims=True) / count, 0.0))
+    return np.hstack(blocks)

@@ -1,0 +1,140 @@
+"""The plain CSV form of a record of the environment: a column ``time`` and ``air_c``,
+``pressure_hpa`` and ``humidity_percent`` (the air in the beam), or ``material_c`` (scale or
+workpiece), or both; one row per moment, in any order; other columns are left alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.provenance import source_of
+from compwright.instruments.csv_table import CsvTable, read_table, split_lines
+from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.numbers import DecimalMarks
+from compwright.instruments.text_input import read_lines
+from compwright.instruments.times import TIME, times_of
+from compwright.records.axis import FloatArray
+from compwright.records.conditions import PLAUSIBLE_TEMPERATURES
+from compwright.records.environment import AIR, MATERIAL, EnvironmentRecord
+
+#: What a hall has: a pressure in kPa, Pa or reduced to another unit, or a temperature in °F or K,
+#: lies outside.
+_PLAUSIBLE: Final = {
+    "air_c": PLAUSIBLE_TEMPERATURES,
+    "pressure_hpa": (500.0, 1100.0),
+    "humidity_percent": (0.0, 100.0),
+    MATERIAL: PLAUSIBLE_TEMPERATURES,
+}
+
+
+def read_environment(content: bytes, file: str) -> EnvironmentRecord:
+    """Return the record in a file. Raises InputError with every fault at once: no column of times,
+    no column of values, cells that are no numbers or cannot be in that unit, a time given twice.
+    """
+    faults = FaultList(file)
+    _, lines = split_lines(read_lines(content, file))
+    if not lines:
+        raise InputError(
+            Fault(
+                message="contains no rows",
+                file=file,
+                expected=f"{TIME}, {', '.join([*AIR, MATERIAL])}",
+                hint="add a header row and a row for each moment",
+            )
+        )
+    table = read_table(lines, faults)
+    columns = [name for name in (*AIR, MATERIAL) if name in table.columns]
+    whole = not set(AIR) & set(columns) or set(AIR) <= set(columns)
+    if TIME not in table.columns or not columns or not whole:
+        faults.add(
+            "is no record of the environment",
+            place=f"line {table.line}",
+            expected=f"a column {TIME}, and all of {', '.join(AIR)}, or {MATERIAL}, or both",
+            found=shown(", ".join(table.columns)),
+            hint="name the columns so in the header row, or take a part of the air out",
+        )
+        faults.raise_if_any()
+    clock, times = times_of(table.of(TIME), table.place(TIME), faults)
+    marks = DecimalMarks(faults)
+    values = {name: _column(table, name, marks, faults) for name in columns}
+    marks.check(comma_is_delimiter=table.delimiter == ",")
+    order = np.argsort(times, kind="stable")
+    twice = np.flatnonzero(np.diff(times[order]) == 0.0)
+    for index in order[twice + 1]:
+        faults.add(
+            "a time is given twice",
+            place=table.place(TIME)(int(index)),
+            expected="each time once",
+            found=shown(table.of(TIME)[int(index)]),
+        )
+    faults.raise_if_any()
+    return EnvironmentRecord(
+        clock=clock,
+        times=times[order],
+        values={name: value[order] for name, value in values.items()},
+        sources=(source_of(file, content),),
+    )
+
+
+def joined(records: Sequence[EnvironmentRecord]) -> EnvironmentRecord:
+    """Return several files as one record. Raises InputError where they do not give the same columns
+    and the same kind of time, or the same moment twice.
+    """
+    first, *others = records
+    found = first
+    for other in others:
+        file = other.sources[0].file
+        for what, ours, theirs in (
+            ("columns", ", ".join(first.values), ", ".join(other.values)),
+            ("times", first.clock, other.clock),
+        ):
+            if ours != theirs:
+                raise InputError(
+                    Fault(
+                        message=f"gives other {what} than {first.sources[0].file}",
+                        file=file,
+                        expected=ours,
+                        found=theirs,
+                        hint=f"give the same {what} in every file of `environment`",
+                    )
+                )
+        found = replace(
+            found,
+            times=np.append(found.times, other.times),
+            values={
+                name: np.append(value, other.values[name]) for name, value in found.values.items()
+            },
+            sources=(*found.sources, *other.sources),
+        )
+    order = np.argsort(found.times)
+    times = found.times[order]
+    if np.any(np.diff(times) == 0.0):
+        raise InputError(
+            Fault(
+                message="two files of `environment` give the same moment",
+                file=", ".join(source.file for source in found.sources),
+                expected="each moment once",
+                hint="name each file once, and take out rows that are in two of them",
+            )
+        )
+    return replace(
+        found, times=times, values={name: value[order] for name, value in found.values.items()}
+    )
+
+
+def _column(table: CsvTable, name: str, marks: DecimalMarks, faults: FaultList) -> FloatArray:
+    numbers = marks.parse_all(table.of(name), table.lines, table.place(name), name)
+    low, high = _PLAUSIBLE[name]
+    for index in np.flatnonzero((numbers < low) | (numbers > high)):
+        faults.add(
+            f"cannot be a value of {name}: is it in another unit?",
+            place=table.place(name)(int(index)),
+            expected=f"{low:g} to {high:g}",
+            found=shown(table.of(name)[int(index)]),
+        )
+    return numbers
