@@ -67,6 +67,8 @@ JOB_SECTIONS = (
     ("`uncertainty.circular`", "CircularUncertaintySection"),
     ("`uncertainty.E_VE`", "DriftSection"),
     ("`thermal`", "ThermalSection"),
+    ("`environment`", "EnvironmentSection"),
+    ("`environment.instrument_air`", "InstrumentAirSection"),
     ("`acknowledged`", "AcknowledgementSection"),
     ("`proven`", "ProvenSection"),
     ("`report`", "ReportSection"),

@@ -272,7 +272,7 @@ def test_compensated_for_and_extra_columns() -> None:
     )
     assert test.header["compensated_for"] == "air temperature"
     assert "air temperature" in message(test, "CW-R004")
-    assert message(test, "CW-R005") == "Columns that were left out: time, note."
+    assert message(test, "CW-R005") == "Columns that were left out: note."
     assert "CW-R004" not in codes(read("# compensated_for: none\n" + COMPLETE))
 
 

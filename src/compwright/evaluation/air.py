@@ -1,6 +1,6 @@
 """The refractive index of air, by Ciddor and by the modified Edlén equation.
 
-Sources: P. E. Ciddor, Appl. Opt. 35 (1996) 1566; B. Edlén, Metrologia 2 (1966) 71; K. P. Birch and
+Sources: P. E. Ciddor, Appl. Opt. 35 (1996), no. 9; B. Edlén, Metrologia 2 (1966) 71; K. P. Birch and
 M. J. Downs, Metrologia 30 (1993) 155 and 31 (1994) 315; saturation vapour pressure over water by
 IAPWS (2007), over ice by Wexler (1977); all as set out by J. A. Stone and J. H. Zimmerman,
 Engineering Metrology Toolbox (NIST), appendix A, whose check values both equations meet to 1e-9
@@ -30,11 +30,11 @@ def ciddor(
 ) -> FloatArray:
     """Return n by Ciddor (1996) for air at ``air_c`` (°C), ``pressure_hpa`` (hPa) and relative
     humidity (%), each (k,); ``wavelength`` in vacuum, µm (0.3 to 1.7). Valid from -40 to 100 °C and
-    from 800 to 1200 hPa. 450 µmol/mol of carbon dioxide.
+    from 80 to 120 kPa. 450 µmol/mol of carbon dioxide.
     """
     S = wavelength**-2
     t, T, p = air_c, air_c + _KELVIN, 100.0 * pressure_hpa
-    # refractivity of dry air at 15 °C, 101 325 Pa, and of water vapour at 20 °C, 1333 Pa
+    # refractivity of dry air at 15 °C, 101 325 Pa, and of water vapour at 20 °C, 13.33 hPa
     r_air = 1e-8 * (5792105.0 / (238.0185 - S) + 167917.0 / (57.362 - S))
     r_vapour = 1.022e-8 * (295.235 + 2.6422 * S - 0.03238 * S**2 + 0.004028 * S**3)
     R, M_vapour = 8.314472, 0.018015
