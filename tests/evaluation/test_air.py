@@ -60,8 +60,9 @@ def test_tables_of_the_paper(t: float, kpa: float, humidity: float, refractivity
 
 
 def test_saturation_pressure() -> None:
-    """611.213 Pa at 0.01 °C and 7 384.9 Pa at 40 °C over water (IAPWS tables); 103.26 Pa at -20 °C
-    over ice (Wexler).
+    """Over water 2339 Pa at 20 °C and 7384.9 Pa at 40 °C (steam tables), over ice 1.032 hPa at
+    -20 °C (Smithsonian meteorological tables).
     """
     found = saturation_pressure(np.array([20.0, 40.0, -20.0]))
-    assert found == pytest.approx([2339.2, 7384.9, 103.26], rel=2e-4)
+    assert found == pytest.approx([2339.0, 7384.9, 103.2], abs=0.5)
+    assert found[2] == pytest.approx(103.2, abs=0.1)
