@@ -1,8 +1,8 @@
 """The refractive index of air, by Ciddor and by the modified Edlén equation.
 
 Sources: P. E. Ciddor, Appl. Opt. 35 (1996), no. 9; B. Edlén, Metrologia 2 (1966) 71; K. P. Birch
-and M. J. Downs, Metrologia 30 (1993) 155 and 31 (1994) 315; saturation vapour pressure over water by
-IAPWS (2007), over ice by Wexler (1977); all as set out by J. A. Stone and J. H. Zimmerman,
+and M. J. Downs, Metrologia 30 (1993) 155 and 31 (1994) 315; saturation vapour pressure over water
+by IAPWS (2007), over ice by Wexler (1977); all as set out by J. A. Stone and J. H. Zimmerman,
 Engineering Metrology Toolbox (NIST), appendix A, whose check values both equations meet to 1e-9
 (Ciddor) and 1e-9 (Edlén).
 """
