@@ -111,7 +111,7 @@ def open_facts_page() -> str:
             parts.append(f"## {last}")
         places = [place for place in sources if _covers(entry["places"], place)]
         if not places or not left.issuperset(places):
-            raise ValueError(f"{entry['title']}: no place, or one of another entry")
+            raise ValueError(f"{entry['title']}: mend its places in {EXPERIMENTS.name}")
         left.difference_update(places)
         known = dict.fromkeys(text for place in places for text in sources[place])
         parts.append(
@@ -122,7 +122,7 @@ def open_facts_page() -> str:
             f"- In: {', '.join(f'`{one}`' for place in places for one in _each(place, sources))}"
         )
     if left:
-        raise ValueError(f"no experiment for {sorted(left)}")
+        raise ValueError(f"{sorted(left)}: add an experiment to {EXPERIMENTS.name}")
     return "\n\n".join(parts) + "\n"
 
 
