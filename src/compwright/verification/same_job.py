@@ -43,18 +43,14 @@ def stale_plan(
 
 
 def stale(what: str, mine: str, theirs: str, file: str) -> Fault:
-    """Return the fault of a job that says ``mine`` where its plan says ``theirs``."""
-    message = (
-        "the plan was made for another job, or before the job was edited; run the job again, or"
-        " name its own plan with --plan"
-    )
+    """Return the fault of a job with the value ``mine`` whose plan has the value ``theirs``."""
     return Fault(
-        message=message,
+        message="the plan was made for another job, or before the job was edited",
         file=file,
         place=what,
         expected=mine,
         found=theirs,
-        hint="give the job and the plan of the same run, or run the job again",
+        hint="run the job again (`compwright run`), or give its own plan with `--plan`",
     )
 
 

@@ -52,10 +52,9 @@ def size(
             )
         )
     if most is not None and count > most:
-        message = f"{label}: too many points; a wider spacing would help"
         faults.append(
             Fault(
-                message=message,
+                message=f"{label}: too many points",
                 expected=f"at most {most}",
                 found=str(count),
                 hint="give a larger `table: {spacing: ...}`",
@@ -68,13 +67,9 @@ def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> li
     """Return a fault for two curves, or a backlash, that the control has no place for."""
     faults = []
     if capacity.curves == 1 and not np.array_equal(compensation.positive, compensation.negative):
-        message = (
-            f"{label}: the control holds one curve for both directions; put the reversal into the"
-            " backlash"
-        )
         faults.append(
             Fault(
-                message=message,
+                message=f"{label}: the control holds one curve for both directions",
                 expected="one curve",
                 found="two different curves",
                 hint="set `table: {mode: single}` for this axis",

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from compwright.formats.text.gathering import Gathered
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import CORRECT_TRAVEL, Notes
 from compwright.records.axis import Axis
 from compwright.records.facts import AxisFacts
 
@@ -69,6 +69,13 @@ def check_limits(
     label = f"axis {address}"
 
     def refuse(message: str, expected: str, found: str) -> None:
-        notes.refuse(label, message, places[-1] if places else None, expected=expected, found=found)
+        notes.refuse(
+            label,
+            message,
+            places[-1] if places else None,
+            expected=expected,
+            found=found,
+            hint=CORRECT_TRAVEL,
+        )
 
     check_travel(axis, facts.limits, label, names, notes, refuse)

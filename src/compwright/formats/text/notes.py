@@ -5,12 +5,35 @@ code is made in one place.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Final
 
 from compwright.formats.text.gathering import FoundValue
 from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding, Severity
 from compwright.records.correction import Assumption
 from compwright.words.sentences import Sentence
+
+# Next steps of `Notes.refuse`, by the cause.
+CORRECT_VALUE: Final = (
+    "correct this value in the control, measure the axis again and export its files again; or"
+    " leave the axis out of the job"
+)
+NOT_COUNTED: Final = (
+    "compwright cannot include this in its calculation: switch it off in the control, measure the"
+    " axis again and export its files again; or leave the axis out of the job"
+)
+EXPORT_AGAIN: Final = (
+    "export this file from the control again and give it unchanged; or leave the axis out of the"
+    " job"
+)
+ADD_FILE: Final = "add the file of the control that contains it to the files of the state"
+KEEP_ONE: Final = (
+    "give only the file that is in the control now: take the other one out of the files of the"
+    " state; within one file, export it from the control again"
+)
+CORRECT_TRAVEL: Final = (
+    "correct `travel` of the axis in the job: machine coordinates, within the limits of the axis"
+)
 
 
 @dataclass(slots=True)
@@ -84,19 +107,21 @@ class Notes:
         place: FoundValue | None,
         *,
         expected: str,
+        hint: str,
         found: str | None = None,
     ) -> None:
-        """Note, once, what keeps files from being worked with, at the line of ``place``."""
+        """Note, once, a fault at the line of ``place`` because of which the files cannot be used.
+
+        ``expected``, ``found``: values; ``found`` defaults to the text of the place. ``hint``: the
+        next step.
+        """
         fault = Fault(
             message=f"{label}: {message}",
             file=place.occurrence.file if place is not None else "",
             place=place.occurrence.place if place is not None else "",
             expected=expected,
             found=place.text if found is None and place is not None else found or "",
-            hint=(
-                "add what is missing to the files of the state; or correct it in the control,"
-                " measure again and export its files again; or leave this axis out of the job"
-            ),
+            hint=hint,
         )
         self.once(fault)
 

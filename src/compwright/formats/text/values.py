@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.definition.statements import name_in_form
 from compwright.formats.text.gathering import FoundValue, same_value
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import CORRECT_VALUE, KEEP_ONE, Notes
 from compwright.foundations.findings import Finding
 
 #: A fraction that a user wrote with a few digits (0.03937 for 1 / 25.4) differs by less than this.
@@ -55,7 +55,7 @@ class Values:
         for rival in places if rule == "same" else chosen:
             if not same_value(rival.text, first.text):
                 message = f"{self.name(quantity)} contradicts {first.where}"
-                self.notes.refuse(self.label, message, rival, expected=first.text)
+                self.notes.refuse(self.label, message, rival, expected=first.text, hint=KEEP_ONE)
                 return None
         if not quiet and any(not same_value(place.text, first.text) for place in places):
             self.notes.findings.append(
@@ -83,7 +83,14 @@ class Values:
         if word is None:
             message = f"{self.name(quantity)} has a value that is not known"
             expected = f"one of {', '.join(binding.values)}"
-            self.notes.refuse(self.label, message, found, expected=expected, found=found.text[:40])
+            self.notes.refuse(
+                self.label,
+                message,
+                found,
+                expected=expected,
+                found=found.text[:40],
+                hint=CORRECT_VALUE,
+            )
         return word
 
     def known_word(self, binding: Choice, text: str) -> str | None:

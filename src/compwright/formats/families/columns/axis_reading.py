@@ -11,6 +11,7 @@ from compwright.formats.families.activity import Activity
 from compwright.formats.families.columns.table import SECOND, is_number
 from compwright.formats.families.columns.values import TableValues
 from compwright.formats.text.gathering import FoundValue
+from compwright.formats.text.notes import ADD_FILE, CORRECT_VALUE
 from compwright.formats.text.scale import NumberScale, in_range
 from compwright.formats.text.values import Values
 from compwright.foundations.errors import Fault
@@ -235,7 +236,9 @@ class ColumnAxisReader:
             and not self.notes.faults
         ):
             message = f"{self._switch} selects a table, but it is in no file"
-            self.notes.refuse(self.label, message, found, expected="the table too", found="none")
+            self.notes.refuse(
+                self.label, message, found, expected="the table too", found="none", hint=ADD_FILE
+            )
         if found is not None and found.text == "0" and self.activity.said is not True:
             if self.curves is not None:
                 self.notes.switched_off(self.label, f"{self._switch} switches the table off")
@@ -357,7 +360,14 @@ class ColumnAxisReader:
             low, high = self.definition.measure(quantity).range
             message = f"{self.parameters.name(quantity)} is outside what the control takes"
             expected = f"{low:g} .. {high:g} {scale.unit(quantity)}"
-            self.notes.refuse(self.label, message, found, expected=expected, found=found.text[:60])
+            self.notes.refuse(
+                self.label,
+                message,
+                found,
+                expected=expected,
+                found=found.text[:60],
+                hint=CORRECT_VALUE,
+            )
         return float(value) + 0.0
 
     def _slope(self, scale: NumberScale, kind: AxisKind, *, enabled: bool) -> float:

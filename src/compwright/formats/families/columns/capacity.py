@@ -205,10 +205,7 @@ def _steep_faults(
     step = float(abs(values[worst + 1] - values[worst]))
     if step > float(steps[worst]) / rule * (1 + 1e-9):
         yield Fault(
-            message=(
-                f"{label}: neighbouring values at {nodes[worst]:g} {unit} differ too much; a"
-                " wider spacing would help"
-            ),
+            message=f"{label}: neighbouring values at {nodes[worst]:g} {unit} differ too much",
             expected=f"at most the spacing / {rule}, {float(steps[worst]) / rule:.6g} {unit}",
             found=f"{step:.6g} {unit}",
             hint="give a wider `table: {spacing: ...}` for this axis",

@@ -11,7 +11,7 @@ from decimal import Decimal
 
 from compwright.formats.definition.schema import Choice
 from compwright.formats.text.gathering import FoundValue, Gathered
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import CORRECT_VALUE, KEEP_ONE, NOT_COUNTED, Notes
 from compwright.formats.text.values import Values, bit_mask
 
 #: What says it: by number, by word.
@@ -32,6 +32,7 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
             f"one place says inch, {by_word['mm'].where} says metric (MD10240, METRIC, INCH)",
             by_word["inch"],
             expected="one basic system",
+            hint=KEEP_ONE,
         )
     lengths = gathered.singles.get((None, None), {}).get("inch_length", [])
     if "inch" in by_word and lengths and Decimal(lengths[-1].text) != _INCH:
@@ -41,6 +42,7 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
             " $MN_SCALING_VALUE_INCH)",
             lengths[-1],
             expected=f"{_INCH} mm",
+            hint=CORRECT_VALUE,
         )
     masks = gathered.singles.get((None, None), {}).get("unit_mask", [])
     if masks and ((bits := bit_mask(masks[-1].text)) is None or bits & _USERS_LENGTHS):
@@ -50,6 +52,7 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
             " $MN_SCALING_USER_DEF_MASK)",
             masks[-1],
             expected="a mask without the bits 0, 1, 11 and 12",
+            hint=NOT_COUNTED,
         )
     return next(iter(by_word), None)
 

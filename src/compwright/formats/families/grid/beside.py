@@ -12,7 +12,7 @@ from dataclasses import replace
 from decimal import Decimal
 
 from compwright.formats.text.gathering import FoundValue, Gathered
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import CORRECT_VALUE, Notes
 from compwright.formats.text.values import bit_mask
 from compwright.records.axis import Axis
 from compwright.records.facts import AxisFacts, Turn
@@ -117,6 +117,7 @@ class Beside:
                 "it is the synchronised axis of a gantry (MD37100), not the leading one",
                 place,
                 expected=f"the job's axis at {', '.join(map(str, others)) or 'the leading axis'}",
+                hint=f"set `address: {', '.join(map(str, others)) or '...'}` in the job",
             )
         elif not named or wrong:
             self.notes.refuse(
@@ -128,6 +129,7 @@ class Beside:
                     f"gantry: {', '.join(map(str, wrong or others)) or 'the other axis'} in the job"
                 ),
                 found=f"gantry: {', '.join(map(str, named))}" if named else "no gantry in the job",
+                hint=f"set `gantry: {', '.join(map(str, wrong or others)) or '...'}` in the job",
             )
 
     def _kind(self, address: str) -> int | None:
@@ -170,6 +172,7 @@ class Beside:
                 "its temperature compensation (MD32750) cannot be read",
                 kind,
                 expected="a bit mask, such as 'H1'",
+                hint=CORRECT_VALUE,
             )
         if not (bits and bits & 2 and slope):
             return []

@@ -230,6 +230,10 @@ class GridReader:
                 f"{' or '.join(others)} in the job where that is the axis"
             ),
             found=names,
+            hint=(
+                "add the file with MD10000 to the files of the state; or set"
+                f" `address: {others[0]}` in the job, if that is the axis"
+            ),
         )
 
     def _same_systems(self, readings: Mapping[str, AxisReading]) -> None:
@@ -247,6 +251,10 @@ class GridReader:
                     None,
                     expected="the same one, or encoder.system in the job",
                     found=f"{used[0]} and {used[1]}",
+                    hint=(
+                        "select one measuring system for both in the control; or set"
+                        " `encoder: {system: 1}`, or 2, for both axes in the job"
+                    ),
                 )
 
     def _texts(self, files: Sequence[ControlFile]) -> list[ReadText]:

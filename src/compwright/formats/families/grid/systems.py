@@ -10,7 +10,7 @@ from decimal import Decimal
 from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.schema import Choice
 from compwright.formats.text.gathering import Gathered
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import CORRECT_VALUE, Notes
 from compwright.foundations.errors import Fault
 
 
@@ -39,6 +39,9 @@ class SystemChoice:
                     if count
                     else "MD30200 at least 1"
                 ),
+                hint=f"set `encoder: {{system: {count}}}` for the axis, or delete `encoder`"
+                if count
+                else CORRECT_VALUE,
             )
             return chosen
         self._check_tables(chosen, by_job=by_job)

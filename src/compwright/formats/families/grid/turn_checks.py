@@ -8,7 +8,7 @@ from compwright.formats.families.grid.axis_values import GridAxisValues
 from compwright.formats.families.grid.tables import GridTable
 from compwright.formats.families.limits import SAME_TURN
 from compwright.formats.text.gathering import FoundValue
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import ADD_FILE, CORRECT_VALUE, Notes
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation
@@ -57,11 +57,19 @@ def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
             found,
             expected=f"modulo: {turn or 360.0:g} in the job",
             found="no modulo",
+            hint=f"set `modulo: {turn or 360.0:g}` for the axis in the job",
         )
     elif turn is not None and abs(turn - axis.modulo) > SAME_TURN:
         message = "the modulo of the job is not the modulo range of the control (MD30330)"
         expected, said = f"modulo: {turn:g}", f"{axis.modulo:g}"
-        values.notes.refuse(values.label, message, length, expected=expected, found=said)
+        values.notes.refuse(
+            values.label,
+            message,
+            length,
+            expected=expected,
+            found=said,
+            hint=f"set `modulo: {turn:g}` for the axis in the job",
+        )
 
 
 def period_of(
@@ -110,6 +118,7 @@ def _check_beginning(values: GridAxisValues, table: GridTable) -> None:
                 if found is not None
                 else "MIN = 0, or the file that holds MD30340"
             ),
+            hint=CORRECT_VALUE if found is not None else ADD_FILE,
         )
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.axis_values import IncrementAxisValues
 from compwright.formats.families.travel_limits import check_travel
+from compwright.formats.text.notes import CORRECT_TRAVEL
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis, AxisKind
 
@@ -51,7 +52,7 @@ def check_travel_limits(values: IncrementAxisValues, kind: AxisKind) -> None:
         values.label,
         "1320, 1321",
         values.notes,
-        lambda *words: values.wrong("limit_high", *words),
+        lambda *words: values.wrong("limit_high", *words, hint=CORRECT_TRAVEL),
     )
 
 
@@ -68,7 +69,13 @@ def check_reference(
     differs = where is not None and abs(float(where) - reference) > SAME_PLACE
     if values.axis is not None and told is not None and differs:
         message = "the job and the control's files disagree about the reference position (1240)"
-        values.wrong("reference_coordinate", message, f"{reference:g}, as the job says", told.text)
+        values.wrong(
+            "reference_coordinate",
+            message,
+            f"{reference:g}, as the job says",
+            told.text,
+            hint=f"set `reference: {where:g}` in the job, if the control is right",
+        )
     if unanswered and (reference != 0 or where):
         values.notes.find(
             "CW-S018", "warning", values.label, label=values.label, reference=reference
@@ -141,6 +148,7 @@ def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
             "1006#3 says diameter programming, the job does not",
             "programmed: diameter in the job",
             "radius",
+            hint="set `programmed: diameter` for the axis in the job",
         )
     if said is False and job == "diameter":
         values.wrong(
@@ -148,6 +156,7 @@ def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
             "1006#3 says radius programming, the job diameter",
             "programmed: radius in the job",
             "diameter",
+            hint="set `programmed: radius` for the axis in the job",
         )
     if not said and job != "diameter":
         return

@@ -30,6 +30,7 @@ from compwright.formats.families.increments.sections import (
 )
 from compwright.formats.families.increments.smooth import smooth_backlash
 from compwright.formats.text.gathering import FoundValue
+from compwright.formats.text.notes import ADD_FILE, CORRECT_VALUE, NOT_COUNTED
 from compwright.formats.text.scale import NumberScale
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
@@ -104,6 +105,7 @@ class IncrementReader:
                     "last_number",
                     "inclination that does not close round the turn cannot be counted",
                     "5871 to 5874 alike at both ends of the turn",
+                    hint=NOT_COUNTED,
                 )
             others.append(
                 replace(
@@ -180,7 +182,9 @@ class IncrementReader:
         value = int(Decimal(found.text))
         if not low <= value <= high:
             message = "a backlash that the control cannot hold"
-            values.notes.refuse(values.label, message, found, expected=f"{low:g} .. {high:g}")
+            values.notes.refuse(
+                values.label, message, found, expected=f"{low:g} .. {high:g}", hint=CORRECT_VALUE
+            )
         return float(acting_backlash(values, value) * self._unit(kind))
 
     def rapid_more(self) -> float | None:
@@ -207,7 +211,7 @@ class IncrementReader:
             )
             where = self.values.found("last_number")
             expected = f"the pitch data N{POINTS_FROM + missing[0]} and so on"
-            notes.refuse(label, message, where, expected=expected, found=what)
+            notes.refuse(label, message, where, expected=expected, found=what, hint=ADD_FILE)
             return None
         limit = increment_limit(self.options)
         rows = [self.points[number] for number in numbers]
@@ -216,7 +220,17 @@ class IncrementReader:
             if abs(count) > limit:
                 message = "an increment that the control cannot hold (option increment_limit)"
                 held = f"-{limit} .. {limit}"
-                notes.refuse(label, message, row, expected=held, found=str(count))
+                notes.refuse(
+                    label,
+                    message,
+                    row,
+                    expected=held,
+                    found=str(count),
+                    hint=(
+                        "if the control accepts it, set the option `increment_limit` to `127`;"
+                        f" else {CORRECT_VALUE}"
+                    ),
+                )
                 return None
         return np.array(counts, dtype=np.float64)
 
@@ -229,7 +243,12 @@ class IncrementReader:
         if count is None:
             message = "bidirectional compensation is on (3605#0), but 3627 is missing"
             values.notes.refuse(
-                values.label, message, values.found("bidirectional"), expected="3627", found=""
+                values.label,
+                message,
+                values.found("bidirectional"),
+                expected="3627",
+                found="",
+                hint=ADD_FILE,
             )
         values.notes.assume(
             f"{values.label}: bidirectional compensation",
@@ -255,7 +274,9 @@ class IncrementReader:
             )
             expected = f"{turn:g} deg in whole sections"
             found = f"{spans} sections of {sections.interval:g} deg"
-            values.notes.refuse(values.label, message, where, expected=expected, found=found)
+            values.notes.refuse(
+                values.label, message, where, expected=expected, found=found, hint=CORRECT_VALUE
+            )
             return None
         creep = float(np.sum(counts[skipped:]))
         unit = float(self._unit(kind)) * sections.magnification
@@ -264,7 +285,14 @@ class IncrementReader:
                 "the increments of one turn do not add up to zero: the axis creeps by"
                 f" {creep * unit:g} deg each turn"
             )
-            values.notes.refuse(values.label, message, where, expected="sum 0", found=f"{creep:g}")
+            values.notes.refuse(
+                values.label,
+                message,
+                where,
+                expected="sum 0",
+                found=f"{creep:g}",
+                hint=CORRECT_VALUE,
+            )
             return None
         if skipped and counts[0] != counts[-1]:
             values.notes.find(

@@ -9,6 +9,7 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.parameters import AxisParameters
 from compwright.formats.text.gathering import FoundValue, Gathered
+from compwright.formats.text.notes import CORRECT_VALUE, EXPORT_AGAIN
 from compwright.formats.text.values import Values
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -64,7 +65,9 @@ class IncrementAxisValues(Values):
             return number
         if not thousandths(self.definition):
             message = f"parameter {self.name(quantity)} is a length and needs a decimal point"
-            self.notes.refuse(self.label, message, found, expected="a number such as 50.0")
+            self.notes.refuse(
+                self.label, message, found, expected="a number such as 50.0", hint=EXPORT_AGAIN
+            )
             return None
         system = self.own.system
         if system is not None and (system.bit(0) or system.bit(1)):
@@ -72,7 +75,13 @@ class IncrementAxisValues(Values):
                 f"parameter {self.name(quantity)} has no decimal point, and the increment system is"
                 f" not IS-B ({system.label}): no page says what such a number counts then"
             )
-            self.notes.refuse(self.label, message, found, expected="IS-B, or a number such as 50.0")
+            self.notes.refuse(
+                self.label,
+                message,
+                found,
+                expected="IS-B, or a number such as 50.0",
+                hint=EXPORT_AGAIN,
+            )
             return None
         return number * (Decimal("0.0001") if inch else Decimal("0.001"))
 
@@ -100,7 +109,14 @@ class IncrementAxisValues(Values):
             if word is not None and word != self.axis.kind and not quiet:
                 message = "the job and the control's files disagree about its kind (1006#0)"
                 expected = self.axis.kind.value
-                self.notes.refuse(self.label, message, place, expected=expected, found=word)
+                self.notes.refuse(
+                    self.label,
+                    message,
+                    place,
+                    expected=expected,
+                    found=word,
+                    hint=f"set `kind: {word}` for the axis in the job, if the control is right",
+                )
             return self.axis.kind
         if word is None and self.known_kind is not None:
             return self.known_kind
@@ -144,9 +160,17 @@ class IncrementAxisValues(Values):
             return None
         return Direction.NEGATIVE if negative else Direction.POSITIVE
 
-    def wrong(self, quantity: str, message: str, expected: str, found: str = "") -> None:
-        """Note a fault at the line of a quantity, which it names."""
+    def wrong(
+        self,
+        quantity: str,
+        message: str,
+        expected: str,
+        found: str = "",
+        *,
+        hint: str = CORRECT_VALUE,
+    ) -> None:
+        """Note a fault at the line of a quantity, with its name; ``hint``: the next step."""
         name = self.name(quantity)
         named = message if name in f"{message} {expected}" else f"{message} (parameter {name})"
         place = self.found(quantity)
-        self.notes.refuse(self.label, named, place, expected=expected, found=found)
+        self.notes.refuse(self.label, named, place, expected=expected, found=found, hint=hint)

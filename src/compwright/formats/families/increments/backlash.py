@@ -9,6 +9,7 @@ from __future__ import annotations
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.axis_values import IncrementAxisValues
 from compwright.formats.families.increments.increment_facts import IncrementFacts
+from compwright.formats.text.notes import ADD_FILE
 from compwright.records.axis import Axis
 
 
@@ -37,7 +38,14 @@ def acting_backlash(values: IncrementAxisValues, feed: int) -> int:
         )
         help_ = "the line of 1800 (bit 4) among the files"
         alone = "a test at cutting feed: which bit says it on this series is not known"
-        values.wrong("backlash_rapid", message, help_ if told else alone)
+        values.wrong(
+            "backlash_rapid",
+            message,
+            help_ if told else alone,
+            hint=ADD_FILE
+            if told
+            else "repeat the test at cutting feed, or leave the axis out of the job",
+        )
     silent = "1800#4 is not in the files" if told else "the bit that makes 1852 active is unknown"
     why = "1800#4 = 1" if separate else silent
     values.notes.find(

@@ -8,7 +8,7 @@ import numpy as np
 
 from compwright.formats.families.increments.against_job import SAME_PLACE
 from compwright.formats.families.increments.axis_values import IncrementAxisValues
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import ADD_FILE, Notes
 from compwright.records.axis import AxisKind, FloatArray
 
 _DISORDER = "the numbers are not in order"
@@ -81,6 +81,7 @@ def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSecti
             "parameters of the table are missing",
             ", ".join(missing),
             "no such line in the files",
+            hint=ADD_FILE,
         )
         return None
     return _checked(values, kind)
@@ -97,6 +98,10 @@ def _tell_off(values: IncrementAxisValues) -> None:
             " not act",
             f"{number}#0 = 0 (it needs the option), then a power cycle and a new measurement",
             f"{number}#0 = 1",
+            hint=(
+                f"set {number}#0 to 0 in the control, switch the control off and on, measure the"
+                " axis again and export its files again"
+            ),
         )
 
 
@@ -202,7 +207,7 @@ def _negative_first(values: IncrementAxisValues, own: range, highest: int) -> in
     negative = values.integer("negative_first")
     if negative is None:
         message = "bidirectional compensation is on (3605#0), but 3626 is missing"
-        values.wrong("bidirectional", message, "3626")
+        values.wrong("bidirectional", message, "3626", hint=ADD_FILE)
         return None
     end = negative + own[-1] - own[0]
     found = f"{negative} .. {end}"

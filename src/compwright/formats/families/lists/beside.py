@@ -8,6 +8,7 @@ from decimal import Decimal, InvalidOperation
 from compwright.formats.families.lists.said import AxisSaid
 from compwright.formats.families.lists.table import TENTH
 from compwright.formats.text.gathering import FoundValue, same_value
+from compwright.formats.text.notes import ADD_FILE, CORRECT_VALUE, NOT_COUNTED
 from compwright.records.axis import Direction
 
 #: A backlash holds numbers up to this one.
@@ -22,12 +23,12 @@ def backlash_of(of: AxisSaid, *, two: bool) -> float:
     on = switch is not None and not same_value(switch.text, "0")
     if switch is not None and switch.text.strip("0") not in ("", "1", "2"):
         message = "the switch of the backlash has a value that is not known"
-        of.notes.refuse(of.label, message, switch, expected="0, 1 or 2")
+        of.notes.refuse(of.label, message, switch, expected="0, 1 or 2", hint=CORRECT_VALUE)
     if lose is None:
         if switch is not None and on:
             message = f"the backlash is switched on, but {_name(of)} is missing"
             expected = "the axis parameter list with it too"
-            of.notes.refuse(of.label, message, switch, expected=expected)
+            of.notes.refuse(of.label, message, switch, expected=expected, hint=ADD_FILE)
         else:
             value = of.values.absent("backlash", tell=False)
             evidence = "unconfirmed: in no list that was given"
@@ -38,7 +39,7 @@ def backlash_of(of: AxisSaid, *, two: bool) -> float:
     if switch is None:
         message = f"{_name(of)} is not 0, but no list shows whether it is active"
         expected = f"{of.lists.name('backlash_switch')} in the lists too"
-        of.notes.refuse(of.label, message, lose, expected=expected)
+        of.notes.refuse(of.label, message, lose, expected=expected, hint=ADD_FILE)
     return _acting(of, Decimal(lose.text), lose, two=two) if on else 0.0
 
 
@@ -49,16 +50,20 @@ def _name(of: AxisSaid) -> str:
 def _acting(of: AxisSaid, number: Decimal, place: FoundValue, *, two: bool) -> float:
     if number != int(number) or abs(number) > _MOST:
         expected = f"a whole number, {-_MOST} to {_MOST}"
-        of.notes.refuse(of.label, "a backlash must be whole", place, expected=expected)
+        of.notes.refuse(
+            of.label, "a backlash must be whole", place, expected=expected, hint=CORRECT_VALUE
+        )
     elif number < 0:
         message = "a backlash less than 0 (play before the measuring system) is not understood"
-        of.notes.refuse(of.label, message, place, expected="0 or more, or switched off")
+        of.notes.refuse(
+            of.label, message, place, expected="0 or more, or switched off", hint=NOT_COUNTED
+        )
     elif two:
         message = (
             "a backlash is active in addition to a table with two columns, which contains the"
             " reversal"
         )
-        of.notes.refuse(of.label, message, place, expected="0, or switched off")
+        of.notes.refuse(of.label, message, place, expected="0, or switched off", hint=NOT_COUNTED)
     other = "-" if of.returns is Direction.POSITIVE else "+"
     of.notes.assume(
         f"{of.label}: direction in which {_name(of)} acts",
@@ -75,7 +80,7 @@ def _check_gears(of: AxisSaid, gears: Mapping[int, FoundValue]) -> None:
         same = first is not None and same_value(found.text, first.text)
         if Decimal(found.text) and not same:
             message = f"gear {gear} has another backlash than gear 0"
-            of.notes.refuse(of.label, message, found, expected="the same, or 0")
+            of.notes.refuse(of.label, message, found, expected="the same, or 0", hint=NOT_COUNTED)
 
 
 def check_others(of: AxisSaid) -> None:
@@ -86,7 +91,9 @@ def check_others(of: AxisSaid) -> None:
         if not _is_zero(found.text):
             name = found.occurrence.tokens["name"].text
             message = f"kw.{name} is unknown, and so is whether it is active"
-            of.notes.refuse(of.label, message, found, expected="0, or a list without it")
+            of.notes.refuse(
+                of.label, message, found, expected="0, or a list without it", hint=NOT_COUNTED
+            )
     switch = of.one("plane_switch")
     if switch is not None and same_value(switch.text, "0"):
         return
@@ -97,7 +104,7 @@ def check_others(of: AxisSaid) -> None:
                 " does not read"
             )
             expected = f"{of.lists.name('plane_switch')} 0, or values of 0"
-            of.notes.refuse(of.label, message, found, expected=expected)
+            of.notes.refuse(of.label, message, found, expected=expected, hint=NOT_COUNTED)
 
 
 def _is_zero(text: str) -> bool:

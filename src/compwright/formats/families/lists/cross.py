@@ -10,7 +10,7 @@ import numpy as np
 from compwright.formats.families.lists.said import AxisSaid
 from compwright.formats.families.lists.table import TENTH
 from compwright.formats.text.gathering import same_value
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import CORRECT_VALUE, NOT_COUNTED, Notes
 from compwright.records.axis import AxisKind
 from compwright.records.correction import CrossCompensation
 
@@ -53,10 +53,14 @@ def read_cross(lists: AxisSaid, kind_of: Callable[[str], AxisKind]) -> CrossComp
     unit = lists.one("cross_unit")
     if unit is not None and not same_value(unit.text, "1"):
         message = "a table between axes that counts in increments is not understood"
-        lists.notes.refuse(lists.label, message, unit, expected="1 (0.1 µm, 0.0001 deg)")
+        lists.notes.refuse(
+            lists.label, message, unit, expected="1 (0.1 µm, 0.0001 deg)", hint=NOT_COUNTED
+        )
     if str(int(master.text)) == lists.address:
         message = "the axis is its own master"
-        lists.notes.refuse(lists.label, message, master, expected="another axis")
+        lists.notes.refuse(
+            lists.label, message, master, expected="another axis", hint=CORRECT_VALUE
+        )
     tenth = Decimal(str(TENTH))
     curve = np.array([float(sign * value * tenth) for _, value in entries])
     return CrossCompensation(
@@ -90,7 +94,9 @@ def _entries(lists: AxisSaid) -> list[tuple[Decimal, Decimal]]:
     room = lists.room("cross_max_points", CROSS_ROOM)
     if count > room:
         message = f"{lists.lists.name('cross_last')} must be less than the room for entries"
-        lists.notes.refuse(lists.label, message, last, expected=f"less than {room}")
+        lists.notes.refuse(
+            lists.label, message, last, expected=f"less than {room}", hint=CORRECT_VALUE
+        )
         return []
     for column, rows in (("cross_setpoint", setpoints), ("cross_correction", values)):
         lists.complete(rows, count, column, last)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence, name_in_form
 from compwright.formats.text.gathering import FoundValue, same_value
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import CORRECT_VALUE, EXPORT_AGAIN, KEEP_ONE, Notes
 from compwright.formats.text.texts import ReadText, text_reader
 from compwright.records.correction import ControlFile
 from compwright.words.sentences import say
@@ -111,7 +111,9 @@ class _Sorter:
             lists.listed.setdefault(str(int(found.text)), []).append(found)
             if index not in self.names:
                 message = "names an axis without a list"
-                notes.refuse("start-up list", message, found, expected=f"achs_kw[{index}]")
+                notes.refuse(
+                    "start-up list", message, found, expected=f"achs_kw[{index}]", hint=EXPORT_AGAIN
+                )
 
         self._check_count()
 
@@ -122,14 +124,18 @@ class _Sorter:
         for other in counts[1:]:
             if int(other.text) != int(counts[0].text):
                 message = f"{name} contradicts {counts[0].where}"
-                self.notes.refuse("start-up list", message, other, expected=counts[0].text)
+                self.notes.refuse(
+                    "start-up list", message, other, expected=counts[0].text, hint=KEEP_ONE
+                )
         for index, found in {**self.axes, **self.names}.items():
             if counts and index >= int(counts[0].text):
                 message = (
                     f"an entry beyond {name} {counts[0].text}: whether it is loaded is not clear"
                 )
                 expected = f"{name} {index + 1}, or no such entry"
-                self.notes.refuse("start-up list", message, found, expected=expected)
+                self.notes.refuse(
+                    "start-up list", message, found, expected=expected, hint=CORRECT_VALUE
+                )
 
     def _by_index(self, statement: str) -> Mapping[int, FoundValue]:
         """Return the entries of the start-up list; two that differ are a fault."""
@@ -140,7 +146,9 @@ class _Sorter:
             if not same_value(first.text.casefold(), found.text.casefold()):
                 name = self.lists.name(statement)
                 message = f"{name} contradicts {first.where}"
-                self.notes.refuse("start-up list", message, found, expected=first.text)
+                self.notes.refuse(
+                    "start-up list", message, found, expected=first.text, hint=KEEP_ONE
+                )
         return entries
 
     def sort(self, text: ReadText) -> None:
@@ -180,13 +188,27 @@ class _Sorter:
             message = "header and start-up list name different axes"
             first = (*headers, *listed)[0]
             self.notes.refuse(
-                "this list", message, second, expected=f"{first.text} ({first.where})"
+                "this list",
+                message,
+                second,
+                expected=f"{first.text} ({first.where})",
+                hint=CORRECT_VALUE,
             )
         elif not numbers and own:
             message = "nothing says to which axis it belongs"
             place = FoundValue(own[0].statement, own[0], text.number)
             expected = f"a line {self.lists.name(AXIS_NUMBER)} <number>"
-            self.notes.refuse("this list", message, place, expected=expected, found="none")
+            self.notes.refuse(
+                "this list",
+                message,
+                place,
+                expected=expected,
+                found="none",
+                hint=(
+                    f"add the line `{self.lists.name(AXIS_NUMBER)} <number>` to the list; or add"
+                    " the start-up list that names it to the files of the state"
+                ),
+            )
         return str(numbers.pop()) if len(numbers) == 1 else None
 
     def find_missing(self) -> None:

@@ -23,7 +23,7 @@ from compwright.formats.families.lists.cross import left_out, read_cross
 from compwright.formats.families.lists.files import ListsByAxis, read_lists
 from compwright.formats.families.lists.said import AxisSaid
 from compwright.formats.text.addresses import normal_address, normal_text
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import ADD_FILE, Notes
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, partner_of
 from compwright.records.correction import (
@@ -152,7 +152,9 @@ class _ListStateReader:
     def _missing(self, lists: ListsByAxis, address: str) -> None:
         place = lists.missing[address]
         message = "the list that the start-up list names was not given"
-        self.notes.refuse(f"axis {address}", message, place, expected="this file too")
+        self.notes.refuse(
+            f"axis {address}", message, place, expected="this file too", hint=ADD_FILE
+        )
 
     def _axis(self, lists: ListsByAxis, address: str, axis: Axis | None) -> None:
         """Read an axis that is asked for."""

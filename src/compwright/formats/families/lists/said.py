@@ -9,7 +9,7 @@ from compwright.formats.definition.options import known_kind
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.lists.files import ListsByAxis, entries
 from compwright.formats.text.gathering import FoundValue, same_value
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import CORRECT_VALUE, EXPORT_AGAIN, KEEP_ONE, Notes
 from compwright.formats.text.values import Values
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.facts import Fact
@@ -55,7 +55,9 @@ class AxisSaid:
         for place in places[1:]:
             if not same_value(place.text, places[0].text):
                 message = f"{self.lists.name(what)} contradicts {places[0].where}"
-                self.notes.refuse(self.label, message, place, expected=places[0].text)
+                self.notes.refuse(
+                    self.label, message, place, expected=places[0].text, hint=KEEP_ONE
+                )
                 return None
         return places[0] if places else None
 
@@ -65,7 +67,9 @@ class AxisSaid:
         if found is None and not self.lists.places(self.address, statement):
             name = self.lists.name(statement)
             message = f"{name} is missing; missing is not zero"
-            self.notes.refuse(self.label, message, beside, expected=name, found="none")
+            self.notes.refuse(
+                self.label, message, beside, expected=name, found="none", hint=EXPORT_AGAIN
+            )
         return found
 
     def word(self, quantity: str) -> str | None:
@@ -88,7 +92,9 @@ class AxisSaid:
         for said_at in (on, by_hand):
             if said_at is not None and said_at.text.strip("0") not in ("", "1"):
                 message = "a switch has a value that is not known"
-                self.notes.refuse(self.label, message, said_at, expected="0 or 1")
+                self.notes.refuse(
+                    self.label, message, said_at, expected="0 or 1", hint=CORRECT_VALUE
+                )
         if off and zero:
             return False
         word = "no" if off else "yes" if on is not None else None
@@ -143,12 +149,16 @@ class AxisSaid:
             first = next(index for index in range(count) if index not in rows)
             message = f"{name.replace('..', str(first))} is missing ({missing} of {count})"
             message += "; missing is not zero"
-            self.notes.refuse(self.label, message, place, expected=f"indices 0 to {count - 1}")
+            self.notes.refuse(
+                self.label, message, place, expected=f"indices 0 to {count - 1}", hint=EXPORT_AGAIN
+            )
         beyond = [index for index in sorted(rows) if index >= count]
         if beyond and count:
             message = f"{name.replace('..', str(beyond[0]))} lies beyond the last entry"
             expected = f"indices 0 to {count - 1}, or {self.lists.name('count')} as it should be"
-            self.notes.refuse(self.label, message, rows[beyond[0]], expected=expected)
+            self.notes.refuse(
+                self.label, message, rows[beyond[0]], expected=expected, hint=CORRECT_VALUE
+            )
 
     def check_ascending(
         self, places: Sequence[Decimal], setpoints: Mapping[int, FoundValue], otherwise: FoundValue
@@ -159,5 +169,7 @@ class AxisSaid:
                 message = f"the positions do not ascend at entry {index}"
                 at, found = setpoints.get(index, otherwise), str(places[index])
                 expected = f"more than {places[index - 1]}"
-                self.notes.refuse(self.label, message, at, expected=expected, found=found)
+                self.notes.refuse(
+                    self.label, message, at, expected=expected, found=found, hint=CORRECT_VALUE
+                )
                 return

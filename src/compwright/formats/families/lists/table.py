@@ -10,6 +10,7 @@ import numpy as np
 
 from compwright.formats.families.lists.said import AxisSaid
 from compwright.formats.text.gathering import FoundValue, same_value
+from compwright.formats.text.notes import CORRECT_VALUE
 from compwright.formats.text.scale import NumberScale, in_range
 from compwright.foundations.errors import Fault
 from compwright.records.axis import FloatArray
@@ -167,10 +168,14 @@ class TableReader:
         if count >= room:
             name = self.of.lists.name("count")
             message = f"{name} must be less than {self.of.lists.name('max_points')}"
-            self.of.notes.refuse(self.of.label, message, place, expected=f"at most {room - 1}")
+            self.of.notes.refuse(
+                self.of.label, message, place, expected=f"at most {room - 1}", hint=CORRECT_VALUE
+            )
         elif count == 0:
             message = f"{self.of.lists.name('count')} is 0, but the list holds entries"
-            self.of.notes.refuse(self.of.label, message, place, expected="their number")
+            self.of.notes.refuse(
+                self.of.label, message, place, expected="their number", hint=CORRECT_VALUE
+            )
 
     def _places(
         self,
@@ -194,7 +199,12 @@ class TableReader:
             if not low <= value <= high:
                 message = "a position is beyond the range of the control"
                 self.of.notes.refuse(
-                    self.of.label, message, place, expected="32 bits", found=str(value)
+                    self.of.label,
+                    message,
+                    place,
+                    expected="32 bits",
+                    found=str(value),
+                    hint=CORRECT_VALUE,
                 )
         return result
 
@@ -207,7 +217,9 @@ class TableReader:
         start = self.of.one("start")
         if start is not None and result and Decimal(start.text) != result[0]:
             message = f"{self.of.lists.name('start')} is not the first setpoint"
-            self.of.notes.refuse(self.of.label, message, start, expected=str(result[0]))
+            self.of.notes.refuse(
+                self.of.label, message, start, expected=str(result[0]), hint=CORRECT_VALUE
+            )
         return result
 
     def _even(
@@ -222,7 +234,9 @@ class TableReader:
         for index, found in setpoints.items():
             if index < count and Decimal(found.text) != result[index]:
                 message = "a setpoint does not lie where start and interval put it"
-                self.of.notes.refuse(self.of.label, message, found, expected=str(result[index]))
+                self.of.notes.refuse(
+                    self.of.label, message, found, expected=str(result[index]), hint=CORRECT_VALUE
+                )
         return result
 
     def _one_column(self, rows: Mapping[str, Mapping[int, FoundValue]]) -> None:
@@ -233,14 +247,18 @@ class TableReader:
             first = rows["positive"].get(index)
             if first is not None and not same_value(first.text, found.text):
                 message = "bilateral is 0, but the column for - holds another value"
-                self.of.notes.refuse(self.of.label, message, found, expected=first.text)
+                self.of.notes.refuse(
+                    self.of.label, message, found, expected=first.text, hint=CORRECT_VALUE
+                )
 
     def _value(self, scale: NumberScale, quantity: str, found: FoundValue) -> Decimal:
         self._check_type(found)
         value = scale.read(quantity, found.text)
         if not in_range(self.of.definition.measure(quantity), scale, value):
             message = "a value is beyond the range of the control"
-            self.of.notes.refuse(self.of.label, message, found, expected="32 bits")
+            self.of.notes.refuse(
+                self.of.label, message, found, expected="32 bits", hint=CORRECT_VALUE
+            )
         return value
 
     def _check_type(self, found: FoundValue) -> None:
@@ -251,7 +269,13 @@ class TableReader:
         if most is not None and (abs(number) > most or number != int(number)):
             message = f"a value does not fit the type {kind} (option value_type)"
             expected = f"a whole number, {-most} to {most}"
-            self.of.notes.refuse(self.of.label, message, found, expected=expected)
+            self.of.notes.refuse(
+                self.of.label,
+                message,
+                found,
+                expected=expected,
+                hint="set the option `value_type` to the type of the values in the control",
+            )
 
     def _period(
         self, positions: Sequence[Decimal], curves: Sequence[Sequence[Decimal]], count: float
@@ -264,11 +288,18 @@ class TableReader:
         if any(curve[0] != curve[-1] for curve in curves) or not span:
             message = "the table repeats, so first and last entry must be equal"
             expected = "two entries or more, the same values at both ends"
-            self.of.notes.refuse(self.of.label, message, place, expected=expected)
+            self.of.notes.refuse(
+                self.of.label, message, place, expected=expected, hint=CORRECT_VALUE
+            )
         turn = self.of.axis.modulo if self.of.axis is not None else None
         if turn is not None and abs(turn - span) > 1.01 * count:
             message = "the table repeats, but not after the modulo of the job"
             self.of.notes.refuse(
-                self.of.label, message, place, expected=f"{turn:g}", found=f"{span:g}"
+                self.of.label,
+                message,
+                place,
+                expected=f"{turn:g}",
+                found=f"{span:g}",
+                hint=f"set `modulo: {span:g}` for the axis in the job, if the control is right",
             )
         return span

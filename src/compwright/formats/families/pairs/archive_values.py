@@ -45,7 +45,7 @@ def contradictions(file: ControlFile) -> tuple[Fault, ...]:
                         ),
                         file=member.name,
                         place=f"line {line}",
-                        expected=f"{first}; export the archive again",
+                        expected=first,
                         found=value,
                         hint="export the archive from the control again",
                     )

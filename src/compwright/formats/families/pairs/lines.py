@@ -11,7 +11,7 @@ from compwright.formats.families.activity import Activity
 from compwright.formats.families.grid.tables import value_fields
 from compwright.formats.families.pairs.places import Pair, Places, is_zero, last, of_axis
 from compwright.formats.text.gathering import FoundValue, Gathered
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import ADD_FILE, CORRECT_VALUE, Notes
 from compwright.formats.text.values import Values
 from compwright.foundations.errors import Fault
 from compwright.foundations.units import MILLIMETRES_PER_INCH
@@ -71,7 +71,9 @@ class SingleValues:
         word = self.values(label).known_word(binding, found.text)
         if word is None:
             message = f"{self.values(label).name(quantity)} has a value that is not known"
-            self.notes.refuse(label, message, found, expected=" or ".join(binding.values))
+            self.notes.refuse(
+                label, message, found, expected=" or ".join(binding.values), hint=CORRECT_VALUE
+            )
         return word
 
 
@@ -199,6 +201,7 @@ class TableLines(SingleValues):
                 f"{self.label}: {MAYBE_INCH}",
                 last("cross_input", self.places),
                 expected=SAYING_METRIC,
+                hint=ADD_FILE,
             )
 
     def _switch(self, quantity: str, places: Places, owner: str) -> _Switch:

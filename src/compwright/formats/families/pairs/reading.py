@@ -31,7 +31,7 @@ from compwright.formats.families.pairs.places import (
 )
 from compwright.formats.families.pairs.tables import Cec, CecTable, OddTable
 from compwright.formats.text.gathering import FoundValue, Gathered, same_value
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import CORRECT_VALUE, EXPORT_AGAIN, NOT_COUNTED, Notes
 from compwright.formats.text.scale import NumberScale
 from compwright.records.axis import Axis, Direction
 
@@ -222,7 +222,9 @@ class CecReader(SingleValues):
             if address is not None and found is not None:
                 sums[address] = float(found.text) * self.units.basic(address)
                 if not sums[address] >= 0:
-                    self.notes.refuse(label, "a limit below 0", found, expected="0 or more")
+                    self.notes.refuse(
+                        label, "a limit below 0", found, expected="0 or more", hint=CORRECT_VALUE
+                    )
         return sums
 
     def _metric(self) -> dict[str, bool]:
@@ -265,7 +267,9 @@ class _CrossTableReader(TableLines):
         unclear = bool(missing) or self.damaged
         first = next(iter(self.places.values()))[0]
         for name in missing:
-            self._wrong(f"{self.values(self.label).name(name)} is missing", first)
+            self._wrong(
+                f"{self.values(self.label).name(name)} is missing", first, hint=EXPORT_AGAIN
+            )
         said = {name: found for name, found in singles.items() if found is not None}
         if unclear:
             return None
@@ -307,9 +311,15 @@ class _CrossTableReader(TableLines):
         return float(table.positions[-1] - table.positions[0])
 
     def _wrong(
-        self, message: str, place: FoundValue, *, expected: str = "", found: str | None = None
+        self,
+        message: str,
+        place: FoundValue,
+        *,
+        expected: str = "",
+        found: str | None = None,
+        hint: str = CORRECT_VALUE,
     ) -> None:
-        self.notes.refuse(self.label, message, place, expected=expected, found=found)
+        self.notes.refuse(self.label, message, place, expected=expected, found=found, hint=hint)
 
     def _check_axes(self, said: Mapping[str, FoundValue]) -> None:
         for name in ("cross_input", "cross_output"):
@@ -331,7 +341,7 @@ class _CrossTableReader(TableLines):
             found = self._one(quantity)
             if found is not None and Decimal(found.text) not in expected:
                 name = self.values(self.label).name(quantity)
-                self._wrong(f"{name} {what}", found, expected=str(expected[0]))
+                self._wrong(f"{name} {what}", found, expected=str(expected[0]), hint=NOT_COUNTED)
 
     def _directions(self, found: FoundValue) -> tuple[Direction, ...] | None:
         for text, directions in _DIRECTIONS.items():
@@ -348,7 +358,7 @@ class _CrossTableReader(TableLines):
             f"it is multiplied by table {int(multiplier.text) - 1} (MULT_BY_TABLE), which is not a"
             " curve over one axis"
         )
-        self._wrong(message, multiplier, expected="0: not multiplied")
+        self._wrong(message, multiplier, expected="0: not multiplied", hint=NOT_COUNTED)
         return False
 
     def _check_reserved(self, table: GridTable) -> None:
