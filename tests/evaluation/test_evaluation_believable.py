@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
-from compwright.evaluation.valid_readings import believable, not_made
+from compwright.evaluation.valid_readings import believable, chance_of_zero, not_made
 from compwright.planning.wanted import observed_tests
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.plan import PlannedTest
@@ -38,6 +39,22 @@ def test_a_display_too_coarse_to_show_the_scatter_shows_zeros_by_itself() -> Non
     test = measured(step=5.0, error=0.0)
     assert not np.any(test.positive[:, 0])
     assert not_made(test) == []
+
+
+@pytest.mark.parametrize(
+    ("width", "table"),
+    [(10.0, 2 * (0.51994 - 0.5)), (5.0, 2 * (0.53983 - 0.5)), (2.5, 2 * (0.57926 - 0.5))],
+)
+def test_chance_of_a_zero_is_that_of_the_table_of_the_normal_distribution(
+    width: float, table: float
+) -> None:
+    """Readings that scatter by s round to zero within half a step either way: 2 (Φ(0.5/s) - 0.5),
+    Φ as printed in tables; three readings -s, 0, s have the standard deviation s. The density at
+    zero is larger by (0.5/s)²/6: less than 0.7 %.
+    """
+    rows = np.array([[-width, 0.0, width], [1.0 - width, 1.0, 1.0 + width]])
+    test = axis_test([100.0, 500.0], rows * UM, rows * UM)
+    assert chance_of_zero(test) == pytest.approx(table, rel=0.008)
 
 
 def test_readings_far_off_and_runs_not_made_are_left_out_of_what_is_believed() -> None:

@@ -14,10 +14,12 @@ import pytest
 import yaml
 
 from compwright.cli import run as compwright
+from compwright.documents.evaluation import in_short
 from compwright.reporting.causes import _WORDS, named_in_words, ranked_causes
 from compwright.reporting.circle_report import _causes, _words
 from compwright.reporting.circle_steps import job_lines, next_step
-from compwright.reporting.circular_parameters import parameter_words
+from compwright.reporting.circular_parameters import parameter_words, printed_parameters
+from compwright.reporting.circular_tables import circular_tables
 from places import REAL, needs_shared
 
 BALLBARS = REAL / "ballbar"
@@ -133,6 +135,29 @@ def test_pages_of_real_files(path: Path, tmp_path: Path) -> None:
     block = next(b for title, b in result["vendor"].items() if title.startswith("RENISHAW_DIAG"))
     theirs = block["AF_SQUARENESS"]["value"]
     assert row[5].strip("()") == f"{theirs:.1f}".replace("-", "−")
+
+
+@needs_shared
+def test_values_of_the_instrument_s_software_are_those_of_the_file(tmp_path: Path) -> None:
+    """Each edition has its own block in the file; an entry in short has none of them."""
+    path, answer = BALLBARS / "ballbar_qc20w_150mm_XY.b5r", tmp_path / "out.json"
+    file = ET.parse(path).getroot()  # noqa: S314  a file of the project
+    for year in ("1996", "2005"):
+        (block,) = (
+            entry
+            for entry in file.iter("ANALYSIS")
+            if (entry.get("NAME"), entry.get("version")) == ("ISO230_4", year)
+        )
+        in_file = {entry.get("NAME"): float(entry.text or "") for entry in block}
+        words = ["evaluate", str(path), "--standard", f"iso230-4:{year}", "--json", str(answer)]
+        assert compwright([*words, "--force"]) == 0
+        (result,) = json.loads(answer.read_text(encoding="utf-8"))["results"]
+        printed = printed_parameters(result)
+        for letter, name in (("G", "CIRCULAR"), ("F max", "MAX_RADIAL"), ("F min", "MIN_RADIAL")):
+            shown = [float(v.replace("\N{MINUS SIGN}", "-")) for v in printed[letter].split(" / ")]
+            assert shown[:2] == [in_file[f"AF_{name}_DEVIATION_{way}"] for way in ("CCW", "CW")]
+    assert printed_parameters(in_short(result)) == {}
+    assert circular_tables([in_short(result)])
 
 
 @needs_shared
