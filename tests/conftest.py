@@ -1,13 +1,13 @@
-"""For all tests: pages hold empty frames for figures of circles unless a module says
-`pytest.mark.painted`; modules about the control's files say `pytest.mark.brief`; random cases have
+"""For all tests: pages hold empty frames for figures of circles unless a module or a test says
+`pytest.mark.painted`; those about the control's files say `pytest.mark.brief`; random cases have
 fixed seeds.
 
 Circles are looked at in the tests of the reporting room, of the examples and of the plots that
 `evaluate` writes. Most of the time of a run is sampling. Where a measured axis or circle is only the
 way to a control's files, the same stages run with fewer sweeps and fewer fresh tests; what the
-estimate and the prediction say is tested where nothing is brief. There, and in modules that say
-`pytest.mark.remembered`, the same readings are estimated once, but in tests that ask for it afresh.
-Fixed seeds: a test fails every time or never; new cases are tried in ``benchmarks/``.
+estimate and the prediction say is tested where nothing is brief. Commands estimate the same readings
+once, but in tests that ask for it afresh. Fixed seeds: a test fails every time or never; new cases
+are tried in ``benchmarks/``.
 
 No power fails while tests run: nothing waits until it is on the disk. Processes that tests start
 share what one of them has compiled, also where nothing is to be written beside the modules.
@@ -18,6 +18,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from inspect import unwrap
+from typing import Any, Final
 
 import pytest
 from hypothesis import settings
@@ -26,12 +27,36 @@ from compwright.estimation import axis, circle, likelihood, model, noise, peaks,
 from compwright.foundations.processors import look_for_garbage_seldom
 from compwright.planning import circles, diagnosed, fresh, misread, wanted, worth
 from compwright.verification import likelihood as after_tests
-from frames import unpaint
+from frames import paint, unpaint
 from remembered import remembered
 from skips import skipped_line
 
+
+def _first_start(cells: Any, prior: Any, starts: Any = model._starts) -> Any:
+    return starts(cells, prior)[:1]
+
+
+#: Room, name, and what it is where a test is brief; elsewhere it is as it stands.
+_SAMPLING: Final = (
+    (noise, "_SETTLING", 8),
+    (noise, "_DRAWS", 12),
+    (axis, "_DRAWS", 12),
+    (fresh, "_DRAWS", 240),
+    (fresh, "_FEWEST_DRAWS", 240),
+    (fresh, "_SETS", 6),
+    (circles, "DRAWS", 20),
+    (worth, "_SIZES", 2),
+    (likelihood, "_DRAWS", 4),
+    # One climb to the posterior's peak, and a coarser search for jumps.
+    (peaks, "_ITERATIONS", 8),
+    (model, "_starts", _first_start),
+    (step_evidence, "_LENGTHS", step_evidence._LENGTHS[::3]),
+    (step_evidence, "_SIZES", 3),
+    (step_evidence, "_LOCAL", 3),
+)
+_WHOLE: Final = tuple(getattr(room, name) for room, name, _ in _SAMPLING)
 #: Where estimates are asked for, and the function that remembers them: brief ones, others.
-_BRIEF, _WHOLE = (
+_BRIEF_ESTIMATES, _WHOLE_ESTIMATES = (
     (
         (wanted, "noise_of", noise_of),
         (after_tests, "noise_of", noise_of),
@@ -41,7 +66,6 @@ _BRIEF, _WHOLE = (
     )
     for noise_of in (remembered(noise.noise_of), remembered(noise.noise_of))
 )
-_starts = model._starts
 
 look_for_garbage_seldom()  # as every command does
 settings.register_profile("suite", derandomize=True, deadline=None)
@@ -75,45 +99,41 @@ def compiled(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 
 
 @pytest.fixture(autouse=True, scope="module")
-def unpainted(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Let the figures of circles that stand in pages be empty frames."""
+def of_module(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Let tests of a module sample and paint as its marks say."""
     with pytest.MonkeyPatch.context() as patch:
         if not request.node.get_closest_marker("painted"):
             unpaint(patch)
+        _sample(patch, brief=request.node.get_closest_marker("brief") is not None)
         yield
 
 
-@pytest.fixture(autouse=True, scope="module")
-def sampled(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Sample less where the estimate is only the way to something else."""
-    brief = request.node.get_closest_marker("brief")
+@pytest.fixture(autouse=True)
+def of_test(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Let one test sample and paint as its own marks say: a fixture of the module does not see
+    them.
+    """
+    marks = {mark.name for mark in request.node.own_markers}
     with pytest.MonkeyPatch.context() as patch:
-        if brief:
-            patch.setattr(noise, "_SETTLING", 8)
-            for module in (noise, axis):
-                patch.setattr(module, "_DRAWS", 12)
-            for name in ("_DRAWS", "_FEWEST_DRAWS"):
-                patch.setattr(fresh, name, 240)
-            patch.setattr(fresh, "_SETS", 6)
-            patch.setattr(circles, "DRAWS", 20)
-            patch.setattr(worth, "_SIZES", 2)
-            patch.setattr(likelihood, "_DRAWS", 4)
-            # One climb to the posterior's peak, and a coarser search for jumps.
-            patch.setattr(peaks, "_ITERATIONS", 8)
-            patch.setattr(model, "_starts", lambda cells, prior: _starts(cells, prior)[:1])
-            patch.setattr(step_evidence, "_LENGTHS", step_evidence._LENGTHS[::3])
-            for name in ("_SIZES", "_LOCAL"):
-                patch.setattr(step_evidence, name, 3)
-        if brief or request.node.get_closest_marker("remembered"):
-            for room, name, function in _BRIEF if brief else _WHOLE:
-                patch.setattr(room, name, function)
+        if "painted" in marks:
+            paint(patch)
+        if marks & {"brief", "whole"}:
+            _sample(patch, brief="brief" in marks)
         yield
+
+
+def _sample(patch: pytest.MonkeyPatch, *, brief: bool) -> None:
+    """Estimate the same readings once; where ``brief``, sample less."""
+    for (room, name, less), whole in zip(_SAMPLING, _WHOLE, strict=True):
+        patch.setattr(room, name, less if brief else whole)
+    for room, name, function in _BRIEF_ESTIMATES if brief else _WHOLE_ESTIMATES:
+        patch.setattr(room, name, function)
 
 
 @pytest.fixture
 def afresh() -> Iterator[None]:
     """Let estimates be worked out although the same readings were estimated before."""
     with pytest.MonkeyPatch.context() as patch:
-        for room, name, function in _WHOLE:
+        for room, name, function in _WHOLE_ESTIMATES:
             patch.setattr(room, name, unwrap(function))
         yield

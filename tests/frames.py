@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from compwright.reporting import circles
+from compwright.reporting import circles, polar
 
 FRAME = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"></svg>'
 
@@ -16,3 +16,8 @@ def _frame(*_: object, **__: object) -> bytes:
 def unpaint(patch: pytest.MonkeyPatch) -> None:
     """Let the figures of circles that stand in pages be empty frames."""
     patch.setattr(circles, "polar_figure", _frame)
+
+
+def paint(patch: pytest.MonkeyPatch) -> None:
+    """Let them be painted."""
+    patch.setattr(circles, "polar_figure", polar.polar_figure)

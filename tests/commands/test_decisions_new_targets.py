@@ -23,8 +23,6 @@ from compwright.records.prediction import Quantiles
 from loop import Floats, Machine, accuracy, csv_of
 from planning_samples import UM
 
-pytestmark = pytest.mark.remembered
-
 #: Eleven targets that leave 19.96 and 39.92 mm open.
 BUMPS = Machine().targets(11, seed=18)
 

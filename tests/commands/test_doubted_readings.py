@@ -25,8 +25,6 @@ from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
 from loop import Floats, Machine, csv_of
 
-pytestmark = pytest.mark.remembered
-
 MACHINE = Machine(low=-400.0, high=400.0)
 TARGETS = MACHINE.targets(count=25)
 Readings = dict[int, Floats]

@@ -16,8 +16,6 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Floats, Machine, csv_of
 
-pytestmark = pytest.mark.remembered
-
 MACHINE = Machine(high=1200.0)
 
 

@@ -18,8 +18,6 @@ from compwright.cli import run as compwright
 from compwright.planning.mirrored import is_mirror_image
 from loop import Floats, Machine, csv_of
 
-pytestmark = pytest.mark.remembered
-
 MACHINE = Machine()
 TARGETS = MACHINE.targets(count=25)
 Readings = dict[int, Floats]

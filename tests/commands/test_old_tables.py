@@ -20,8 +20,6 @@ from compwright.verification.old_table import OldTable
 from compwright.workflow.run.old_tables import judged_old_table
 from loop import Floats, Machine, csv_of
 
-pytestmark = pytest.mark.remembered
-
 MACHINE = Machine(bow=0.012)
 TARGETS = MACHINE.targets(count=17)
 AXIS = Axis(name="X", kind=AxisKind.LINEAR, travel=(0.0, 800.0), address="0")

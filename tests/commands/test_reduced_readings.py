@@ -11,8 +11,6 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Machine, csv_of
 
-pytestmark = pytest.mark.remembered
-
 TARGETS = Machine().targets(9)
 
 

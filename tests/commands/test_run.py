@@ -26,8 +26,6 @@ from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from loop import Floats, Machine, csv_of
 
-pytestmark = pytest.mark.remembered
-
 MACHINE = Machine()
 UM = 1e-3
 

@@ -28,8 +28,6 @@ from compwright.workflow.inputs.after_tests import read_again
 from compwright.workflow.inputs.jobs import read_job_file
 from loop import Floats, Machine, csv_of
 
-pytestmark = pytest.mark.remembered
-
 MACHINE = Machine()
 TARGETS = MACHINE.targets(count=25)
 Readings = dict[int, Floats]

@@ -13,7 +13,7 @@ import pytest
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.remembered
+pytestmark = pytest.mark.brief
 
 
 @pytest.fixture(scope="module")
