@@ -482,6 +482,12 @@ def test_angles_in_degrees_are_taken_in_any_form(unit: str, known: bool) -> None
         ("a.hal", "setp [HAL]PLAY 0.02\n", True),
         ("a.tcl", "setp $pin 0.02\n", True),
         ("a.hal", "net play mux.out => [HAL](PLAY)\n", True),
+        ("a.tcl", 'set p "ini.0"\nhal setp "${p}.backlash" 0.02\n', True),
+        ("a.tcl", "hal setp $pin.backlash 0.02\n", True),
+        ("a.hal", "setp [HAL]PLAY_OF.backlash 0.02\n", True),
+        ("a.tcl", 'hal setp "$a$b" 0.02\n', True),
+        ("a.tcl", "foreach p $pins { hal setp $p 0.02 }\n", True),
+        ("a.tcl", "hal setp $card.0.stepgen.00.dirsetup $ns\n", False),
         ("a.hal", "# setp ini.0.backlash 0.02\n", False),
         # as in configurations of Mesa cards, which come with LinuxCNC
         ("a.hal", "setp hm2_[HOSTMOT2](BOARD).0.stepgen.00.dirsetup [JOINT_0]DIRSETUP\n", False),
@@ -509,7 +515,10 @@ def test_what_may_change_backlash_at_run_time_is_refused_by_file_and_line(
     with pytest.raises(InputError) as stopped:
         decode(open_control(Session(), "linuxcnc", {}), files)
     fault = stopped.value.faults[0]
-    line = next(at for at, one in enumerate(text.splitlines()) if "p" in one and "if" not in one)
+    commands = ("setp ", "net ")
+    line = next(
+        at for at, one in enumerate(text.splitlines()) if any(word in one for word in commands)
+    )
     assert (fault.file, fault.place) == (name, f"line {line + 2}")
 
 

@@ -306,6 +306,11 @@ COMPUTED = {
     "parameter": "$AA_ENC_COMP[0,5,AX1]=R50",
     "index of an axis variable": "DEF AXIS _ACHSE=AX1\n$AA_ENC_COMP[0,5,_ACHSE]=0.001",
     "index of an assigned variable": "_ACHSE=AX1\n$AA_ENC_COMP[0,5,_ACHSE]=0.001",
+    "parameter of the subprogram": "PROC P(AXIS AX)\n$AA_ENC_COMP[0,5,AX]=0.001",
+    "parameter of the subprogram, later": (
+        "PROC P(REAL V, VAR AXIS ACHSE, INT N=1) SAVE\n$MA_BACKLASH[0,ACHSE]=0.01"
+    ),
+    "variable of the whole control": "$MA_BACKLASH[0,_AX]=0.01",
     "index": "$AA_ENC_COMP[0,R1,AX1]=0.001",
     "calculated index": "$AA_ENC_COMP[0,R1+1,AX1]=0.001",
     "axis of a table": "$AN_CEC_INPUT_AXIS[0]=(R1)",

@@ -153,6 +153,8 @@ class ProgramBlock:
                 assigned=_assigned_by(words),
             )
         )
+        if words[0] == "PROC":
+            self.variables |= {word for word, after in pairwise(words) if after in {*",)[="}}
         if words[0] == "PROC" and not self.branches:
             self.caller = self.caller or Doubt(line, code.strip()[:60])
             return

@@ -262,7 +262,7 @@ def read_file(file: ControlFile) -> ProgramContent:
         _computed(file.name, entry.line, entry.variable)
         for entry in found.assignments
         for name in (entry.axis, entry.names)
-        if name.upper() in variables or re.fullmatch(r"R\d+", name, re.IGNORECASE)
+        if name.upper() in variables or re.fullmatch(r"R\d+|_\w*", name, re.IGNORECASE)
     ]
     return found
 

@@ -22,7 +22,12 @@ from compwright.words.sentences import say
 #: A line of a HAL file (or of HALCMD in an INI) with the pin that takes the place of a joint's
 #: BACKLASH (milltask(1): these pins change at run time what is typically said in the INI), its
 #: number perhaps a variable; behind # stands a remark.
-_PIN = re.compile(rb"^(?P<line>[^#;\n]*\bini\.[^\s.]+\.backlash\b[^\n]*)", re.MULTILINE)
+#: ``[SECTION]KEY``, ``$name``, ``${name}``: a text that another file or a variable says.
+_SUBSTITUTED = rb"(?:\[\w+\](?:\(\w+\)|\w+)|\$(?:\w+|\{\w+\}))"
+_PIN = re.compile(
+    rb"^(?P<line>[^#;\n]*(?:\bini\.[^\s.]+|" + _SUBSTITUTED + rb")\.backlash\b[^\n]*)",
+    re.MULTILINE,
+)
 #: A line with a pin of the external offset of an axis, which adds to its position while it is
 #: enabled (motion(9)); one that keeps it off is none.
 _OFFSET = re.compile(
@@ -30,16 +35,17 @@ _OFFSET = re.compile(
     rb"\baxis\.(?P<axis>[a-z])\.eoffset-(?:enable|counts)\b[^\n]*)",
     re.MULTILINE | re.IGNORECASE,
 )
-#: A line that sets or links a pin whose name another file or a variable says: ``[SECTION]KEY``,
-#: ``$name``. Where more of the name follows, it is no pin of the motion controller's own.
-_SUBSTITUTED = rb"(?:\[\w+\](?:\(\w+\)|\w+)|\$(?:\w+|\{\w+\}))"
+#: A line that sets or links a pin whose name another file or a variable says. Where more of the
+#: name follows, it is no pin of the motion controller's own. In Tcl, ``hal`` precedes the command,
+#: and quotation marks may stand around the name.
+_HIDDEN = rb"(?:\"?" + _SUBSTITUTED + rb"+\"?)"
 _HIDDEN_PIN = re.compile(
-    rb"^(?P<line>[ \t]*(?:setp[ \t]+(?:ini\.)?"
-    + _SUBSTITUTED
+    rb"^(?P<line>(?:[^#;\n]*\bhal[ \t]+|[ \t]*)(?:setp[ \t]+(?:\"?ini\.)?"
+    + _HIDDEN
     + rb"(?=[ \t])|link[ps][ps][ \t]+(?:\S+[ \t]+)?"
-    + _SUBSTITUTED
+    + _HIDDEN
     + rb"(?=[ \t]|$)|net[ \t]+\S+[ \t]+(?:\S+[ \t]+)*?"
-    + _SUBSTITUTED
+    + _HIDDEN
     + rb"(?=[ \t]|$))[^\n]*)",
     re.MULTILINE,
 )

@@ -86,7 +86,11 @@ _LITERAL = re.compile(
     re.VERBOSE | re.IGNORECASE,
 )
 _LITERAL_INDEX = re.compile(r"\[\s*(?:\w+\s*(?:,\s*\w+\s*)*)?\]")
-_R_PARAMETER = re.compile(r"R\d+", re.IGNORECASE)
+#: An R parameter, or a name that begins as only variables of the user do.
+_OWN_VARIABLE = re.compile(r"R\d+|_\w*", re.IGNORECASE)
+#: The parameters of a subprogram: the last word of each.
+_PARAMETERS = re.compile(r"PROC\s+\w+\s*\((?P<names>.*)\)", re.IGNORECASE)
+_PARAMETER = re.compile(r"([A-Z_]\w*)\s*(?:\[[^\]]*\]|=[^,]*)?\s*(?:,|$)", re.IGNORECASE)
 #: Functions that give a value and do nothing else.
 _FUNCTIONS = re.compile(
     r"SIN|COS|TAN|ASIN|ACOS|ATAN2|SQRT|ABS|POT|TRUNC|ROUND|ROUNDUP|LN|EXP|MINVAL|MAXVAL|"
@@ -456,13 +460,15 @@ def _computed(
         if match is None:
             known_line = _HARMLESS.fullmatch(bare)
             variables.update(filter(None, _defined(known_line) if known_line else ()))
+            if (parameters := _PARAMETERS.match(bare)) is not None:
+                variables.update(map(str.upper, _PARAMETER.findall(parameters["names"])))
         elif not match["left"].startswith("$"):
             variables.add(match["left"].upper())
         elif match["left"].upper() in known and _is_computed(match):
             faults.append(_fault(text.file, number, code))
     for one in text.occurrences:
         tokens = (one.tokens[name].text.upper() for name in ("axis", "value") if name in one.tokens)
-        if any(word in variables or _R_PARAMETER.fullmatch(word) for word in tokens):
+        if any(word in variables or _OWN_VARIABLE.fullmatch(word) for word in tokens):
             faults.append(_fault(text.file, one.line, codes[one.line]))
     return tuple(faults)
 
