@@ -190,3 +190,40 @@ def test_the_run_says_which_range_it_took_and_carries_the_file(
     # the mean reversal is linear in the readings: U = E_VE/√3 · √(2/(n m))
     stated = evaluation["results"][0]["uncertainty"]["B_mean"]["U"]
     assert stated == pytest.approx(1.2 / 3**0.5 * (2 / (3 * 9)) ** 0.5, rel=0.05)
+
+
+def test_evaluated_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A ramp of 0.05 µm/min over an hour has a range of 3 µm; a rotary axis counts in arcsec."""
+    for name, column, axis in (("x", "deviation_um", "X"), ("b", "deviation_arcsec", "B")):
+        rows = "".join(f"{minute},{0.05 * minute}\n" for minute in range(61))
+        (tmp_path / f"{name}.csv").write_text(f"# axis: {axis}\ntime_min,{column}\n{rows}")
+    files = [str(tmp_path / "x.csv"), str(tmp_path / "b.csv")]
+    table = tmp_path / "t.csv"
+    assert compwright(["evaluate", *files, "--json", "-", "--table", str(table)]) == 0
+    results = json.loads(capsys.readouterr().out)["results"]
+    assert [(one["kind"], one["axis"], one["unit"]) for one in results] == [
+        ("environment", "X", "um"),
+        ("environment", "B", "arcsec"),
+    ]
+    for one in results:
+        assert one["parameters"] == {"E_VE": pytest.approx(3.0)}
+        assert one["duration_min"] == 60.0
+        assert one["readings"][-1] == {"time_min": 60.0, "deviation": pytest.approx(3.0)}
+    assert "E_VE" in table.read_text(encoding="utf-8").splitlines()[0]
+    assert compwright(["evaluate", *files]) == 0
+    assert "3.00 arcsec" in capsys.readouterr().out
+    for option in ("--plot", "--report"):
+        made = tmp_path / ("p.svg" if option == "--plot" else "r.html")
+        assert compwright(["evaluate", *files, option, str(made)]) == 2
+        assert not made.exists()
+
+
+def test_a_broken_stand_still_file_is_named_as_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "x.csv"
+    file.write_text("time_min,deviation_um\n0,1\n0,2\n1,a\n")
+    assert compwright(["evaluate", str(file)]) == 3
+    shown = capsys.readouterr().err
+    assert "is not a number" in shown
+    assert "direction" not in shown

@@ -88,7 +88,7 @@ def result_document(result: PositioningResult) -> dict[str, Any]:
 #: What an entry holds of single readings, and what was derived from them for pictures.
 _AT_LENGTH = frozenset(
     {
-        *("targets", "header", "runs", "fitted", "minimum_zone"),
+        *("targets", "header", "runs", "fitted", "minimum_zone", "readings"),
         *("correlation", "correlation_names", "vendor"),
     }
 )

@@ -33,9 +33,10 @@ def is_drift(text: Sequence[str]) -> bool:
     return any(line.lower().lstrip('"').startswith(TIME) for line in text)
 
 
-def read_drift(content: bytes, file: str, kind: AxisKind) -> DriftTest:
-    """Return the stand-still test of axes of a kind. Raises InputError with every fault at once: no
-    such columns, cells that are no numbers, a time given twice, fewer than three readings.
+def read_drift(content: bytes, file: str, kind: AxisKind | None = None) -> DriftTest:
+    """Return the stand-still test of axes of a kind; None: of the kind that its columns say. Raises
+    InputError with every fault at once: no such columns, cells that are no numbers, a time given
+    twice, fewer than three readings.
     """
     faults = FaultList(file)
     comment_lines, lines = split_lines(read_lines(content, file))
@@ -45,11 +46,14 @@ def read_drift(content: bytes, file: str, kind: AxisKind) -> DriftTest:
             Fault(
                 message="contains no readings",
                 file=file,
-                expected=f"{TIME}, {_VALUE[kind]}",
+                expected=f"{TIME}, {_VALUE[kind or AxisKind.LINEAR]}",
                 hint="add the readings below the header row",
             )
         )
     table = read_table(lines, faults)
+    if kind is None:
+        angles = _VALUE[AxisKind.ROTARY] in table.columns
+        kind = AxisKind.ROTARY if angles else AxisKind.LINEAR
     lacking = [name for name in (TIME, _VALUE[kind]) if name not in table.columns]
     if lacking:
         faults.add(
@@ -76,6 +80,7 @@ def read_drift(content: bytes, file: str, kind: AxisKind) -> DriftTest:
         minutes=series[:, 0],
         deviations=sign * series[:, 1] * TO_INSIDE[unit][1],
         source=source_of(file, content),
+        header=comments.header,
     )
 
 

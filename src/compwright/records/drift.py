@@ -4,7 +4,8 @@ temperature variation error, ISO 230-3).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 from compwright.foundations.provenance import Source
 from compwright.records.axis import AxisKind, FloatArray
@@ -13,13 +14,14 @@ from compwright.records.axis import AxisKind, FloatArray
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriftTest:
     """Readings over time: ``minutes`` (k,) strictly ascending, ``deviations`` (k,) mm or deg by
-    ``kind``.
+    ``kind``; ``header``: what the file says about the test, as text.
     """
 
     kind: AxisKind
     minutes: FloatArray
     deviations: FloatArray
     source: Source
+    header: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

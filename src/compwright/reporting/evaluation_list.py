@@ -26,6 +26,7 @@ _Result = Mapping[str, Any]
 #: Parameters with a column of their own, by kind of test and edition.
 _ISO: Final = ("A", "E", "M", "R", "B")
 _VDI: Final = ("P", "Pa", "Ps_max", "Ps_mean", "U_max")
+_STAND_STILL: Final = ("E_VE",)
 _CIRCLE: Final = ("G_ccw", "G_cw", "G_bidirectional")
 _CIRCLE_1996: Final = ("G_ccw", "G_cw", "H")
 _SYMBOLS: Final = {"G_ccw": "G ccw", "G_cw": "G cw", "G_bidirectional": "G both", "H": "H"}
@@ -125,7 +126,9 @@ def _fitted(text: str, width: int, *, right: bool) -> str:
 
 
 def _axes(results: Sequence[_Result], folder: str) -> _ListColumns:
-    names = _VDI if "P" in results[0]["parameters"] else _ISO
+    names = next(
+        (names for names in (_VDI, _STAND_STILL) if names[0] in results[0]["parameters"]), _ISO
+    )
     return _ListColumns(
         [
             _files(results, folder),
@@ -258,7 +261,7 @@ def _findings(findings: Sequence[Mapping[str, Any]], folder: str) -> _ListColumn
 
 
 def _tests(count: int, kind: str) -> str:
-    word = "circular" if kind == "circular" else "positioning"
+    word = "stand-still" if kind == "environment" else kind
     return f"{count} {word} test{'s' * (count != 1)}"
 
 

@@ -84,11 +84,33 @@ def _as_text(cell: Cell) -> str:
 def _tables(document: Mapping[str, Any]) -> list[tuple[str, Table]]:
     """Return a table for each kind of test that there is."""
     found = []
-    for kind, columns in (("positioning", _positioning), ("circular", _circular)):
+    for kind, columns in (
+        ("positioning", _positioning),
+        ("circular", _circular),
+        ("environment", _stand_still),
+    ):
         results = [result for result in document["results"] if result["kind"] == kind]
         if results:
             found.append((kind, columns(results)))
     return found
+
+
+def _stand_still(results: Sequence[_Result]) -> Table:
+    columns = ("axis", "axis_kind", "standard", "n_readings", "duration_min", "unit")
+    heads = [*_FIRST, *columns, "E_VE [um|arcsec]", *_LAST]
+    rows = [
+        [
+            *_first(result),
+            *(_text(result[key]) for key in ("axis", "axis_kind", "standard")),
+            result["n_readings"],
+            result["duration_min"],
+            result["unit"],
+            result["parameters"]["E_VE"],
+            *_last(result),
+        ]
+        for result in results
+    ]
+    return heads, rows
 
 
 def _positioning(results: Sequence[_Result]) -> Table:

@@ -60,6 +60,7 @@ PARAMETERS: Final[dict[str, tuple[str, str]]] = {
 
 _STANDARDS: Final = {
     "iso230-2": "ISO 230-2",
+    "iso230-3": "ISO 230-3",
     "gost27843": "GOST 27843",
     "vdi3441": "VDI/DGQ 3441",
     "iso230-4": "ISO 230-4",

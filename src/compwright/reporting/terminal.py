@@ -62,13 +62,11 @@ def evaluation_tables(
     told: dict[str, set[str]] = {}
     for result in document["results"]:
         seen = told.setdefault(str([source["sha256"] for source in result["sources"]]), set())
-        shown.append(
-            _result(
-                result,
-                [entry for entry in result["findings"] if entry["message"] not in seen],
-                targets=targets,
-            )
-        )
+        new = [entry for entry in result["findings"] if entry["message"] not in seen]
+        if result["kind"] == "environment":
+            shown.append(_stand_still(result, new))
+        else:
+            shown.append(_result(result, new, targets=targets))
         seen.update(entry["message"] for entry in result["findings"])
     if document["errors"]:
         shown.append(_errors(document["errors"]))
@@ -103,6 +101,23 @@ def _result(
     parts += _findings([finding for finding in findings if finding not in doubts])
     parts.append(Text())
     return Group(*parts)
+
+
+def _stand_still(
+    result: Mapping[str, Any], findings: Sequence[Mapping[str, str]]
+) -> RenderableType:
+    value = number(result["parameters"]["E_VE"], _digits(result))
+    return Group(
+        Rule(Text(_title(result), style="bold"), align="left", characters="─"),
+        Text(
+            f"Stand-still test, {result['n_readings']} readings over"
+            f" {result['duration_min']:.10g} min"
+        ),
+        Text(),
+        Text(f"Environmental variation   E_VE   {value} {_UNITS[result['unit']]}"),
+        *_findings(findings),
+        Text(),
+    )
 
 
 def _title(result: Mapping[str, Any]) -> str:

@@ -227,9 +227,13 @@ def write_evaluation(
     require_report_form(report_path, ".html", ".pdf")
     files: dict[Path, bytes] = {}
     makers: tuple[tuple[str, Path | None, Callable[[Path], bytes]], ...] = (
-        ("--plot", plot_path, lambda path: _plot(document, path)),
+        ("--plot", plot_path, lambda path: _plot(_without_stand_still(document), path)),
         ("--table", table_path, lambda path: _table(document, path)),
-        ("--report", report_path, lambda path: _report(document, path, command)),
+        (
+            "--report",
+            report_path,
+            lambda path: _report(_without_stand_still(document), path, command),
+        ),
         ("--json", json_path, lambda path: encoded(to_json(document))),  # noqa: ARG005
     )
     named: dict[Path, str] = {}
@@ -258,6 +262,14 @@ def write_evaluation(
 
         refuse_other_kinds(session, files, force=force)
     return storage.write_files(session, Path(), {}, elsewhere=files, force=force)
+
+
+def _without_stand_still(document: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return the document with the tests that have targets or a plane: a stand-still test is one
+    number, and has neither page nor picture.
+    """
+    tests = [result for result in document["results"] if result["kind"] != "environment"]
+    return {**document, "results": tests}
 
 
 def _plot(document: Mapping[str, Any], path: Path) -> bytes:

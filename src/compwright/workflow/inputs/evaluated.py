@@ -16,6 +16,7 @@ from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.own_faults import own_fault
 from compwright.instruments.profile import Profile
 from compwright.instruments.reading import read_tests
+from compwright.instruments.text_input import read_lines
 from compwright.records.positioning import PositioningTest
 
 if TYPE_CHECKING:  # positioning tests, the common case, start without the circular records
@@ -88,12 +89,37 @@ class FilesEvaluator:
         try:
             tests = tests_in(given.content, given.file, self.request.profile)
         except Exception as error:  # noqa: BLE001 - the other files are evaluated all the same
+            if isinstance(error, InputError) and self._is_stand_still(given):
+                return self._stand_still(given)
             return FileTests(noted=_noted(error, given.file, "unread"))
         parts = [self._of(test) for test in tests]
         return FileTests(
             tuple(test for part in parts for test in part.tests),
             tuple(noted for part in parts for noted in part.noted),
         )
+
+    def _is_stand_still(self, given: FileToEvaluate) -> bool:
+        from compwright.instruments.drift_csv import is_drift
+
+        if self.request.profile is not None:
+            return False
+        try:
+            return is_drift(read_lines(given.content, given.file))
+        except InputError:
+            return False
+
+    def _stand_still(self, given: FileToEvaluate) -> FileTests:
+        """Return a stand-still test evaluated."""
+        from compwright.documents.stand_still import stand_still_document
+        from compwright.evaluation.drift import environmental_variation
+        from compwright.instruments.drift_csv import read_drift
+
+        try:
+            drift = read_drift(given.content, given.file)
+            entry = stand_still_document(drift, *environmental_variation(drift, None))
+        except Exception as error:  # noqa: BLE001 - the other files are evaluated all the same
+            return FileTests(noted=_noted(error, given.file, "unread"))
+        return FileTests((Evaluated(_kept(entry, self.request)),))
 
     def _of(self, test: PositioningTest | CircularTest) -> FileTests:
         if not isinstance(test, PositioningTest):

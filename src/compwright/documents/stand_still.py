@@ -1,0 +1,41 @@
+"""A stand-still test in the answer of ``evaluate``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import PurePath
+from typing import Any
+
+from compwright.documents.findings import finding_documents
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, outside_unit
+from compwright.records.drift import DriftTest
+
+
+def stand_still_document(
+    drift: DriftTest, E_VE: float, findings: Iterable[Finding]
+) -> dict[str, Any]:
+    """Return the entry of a stand-still test: the range ``E_VE`` (µm or arcsec) over the whole of
+    its ``duration_min``, and the readings over time.
+    """
+    unit = drift.kind.unit
+    factor = outside_factor(unit)
+    return {
+        "kind": "environment",
+        "name": PurePath(drift.source.file).stem,
+        "sources": [{"file": drift.source.file, "sha256": drift.source.sha256}],
+        "axis": drift.header.get("axis", ""),
+        "axis_kind": str(drift.kind),
+        "standard": "iso230-3",
+        "unit": outside_unit(unit),
+        "n_readings": int(drift.minutes.size),
+        "duration_min": float(drift.minutes[-1] - drift.minutes[0]),
+        "parameters": {"E_VE": round(E_VE, 9)},
+        "not_applicable": {},
+        "readings": [
+            {"time_min": float(minute), "deviation": round(float(value) * factor, 9)}
+            for minute, value in zip(drift.minutes, drift.deviations, strict=True)
+        ],
+        "header": dict(drift.header),
+        "findings": finding_documents(findings),
+    }
