@@ -117,4 +117,4 @@ def test_known_periods_that_the_data_do_not_tell_are_counted() -> None:
     ],
 )
 def test_the_meaning_of_a_period(period: float, kind: AxisKind, word: str) -> None:
-    assert word in meaning(period, kind)
+    assert word in str(meaning(period, kind))

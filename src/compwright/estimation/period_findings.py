@@ -141,32 +141,22 @@ def _odds(probability: float) -> Sentence:
     return say("odds.1_to", odds=(1.0 - probability) / probability)
 
 
-def meaning(period: float, kind: AxisKind) -> str:
-    """Return what makes an error of this ``period`` (mm or deg), in words: what to look for."""
+def meaning(period: float, kind: AxisKind) -> Sentence:
+    """Return the possible causes of an error of this ``period`` (mm or deg): what to look for."""
     unit = kind.unit
     once, twice = (
-        ", or ".join(
-            each.reason
+        [
+            say("period.cause", cause=each.cause, number=each.number)
             for each in USUAL_PERIODS[kind]
             if abs(each.size - times * period) <= _NEAR * times * period
-            and not each.reason.startswith("half ")
-        )
+            and each.cause != "half_lead"
+        ]
         for times in (1, 2)
     )
-    words = []
-    if once:
-        words.append(f"look for what turns or repeats once in {period:.5g} {unit}: {once}")
-    if twice:
-        begin = "or for" if once else "look for"
-        words.append(f"{begin} what does so twice in {2.0 * period:.5g} {unit}: {twice}")
-    if words:
-        return "; ".join(words)
-    if kind is AxisKind.ROTARY:
-        return (
-            f"no usual division ({360.0 / period:.4g} in a turn): look for the turn of the worm or"
-            " of the motor through its gear, and the pitch of the scale"
+    if once or twice:
+        return say(
+            "period.usual", period=period, double=2.0 * period, unit=unit, once=once, twice=twice
         )
-    return (
-        "no usual lead: look for the turn of the motor through a belt or gear, half of it, the"
-        " pitch of the scale or rack, a pair of magnets"
-    )
+    if kind is AxisKind.ROTARY:
+        return say("period.unusual_division", parts=360.0 / period)
+    return say("period.unusual_lead")

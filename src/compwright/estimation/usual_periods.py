@@ -13,9 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, Literal
 
 from compwright.records.axis import AxisKind
+
+Cause = Literal["lead", "inch_lead", "half_lead", "magnets", "rack", "worm", "files"]
 
 _INCH: Final = 25.4
 #: Weight of rarer periods, relative to a common lead.
@@ -24,12 +26,13 @@ _SELDOM: Final = 0.25
 
 @dataclass(frozen=True, slots=True)
 class UsualPeriod:
-    """``size`` in mm or deg, its ``reason`` in words, and ``weight``: how frequent it is relative
-    to a common screw lead.
+    """``size`` in mm or deg, its ``cause`` with a ``number`` (the screw lead in mm or inch, the ratio
+    of a gear), and ``weight``: how frequent it is relative to a common screw lead.
     """
 
     size: float
-    reason: str
+    cause: Cause
+    number: float
     weight: float = 1.0
 
 
@@ -38,22 +41,22 @@ def _leads() -> list[UsualPeriod]:
     seldom = (2.0, 2.5, 3.0, 15.0, 30.0, 50.0)
     inch = (0.2, 0.25, 0.5, 1.0)
     return [
-        *(UsualPeriod(lead, f"a screw lead of {lead:g} mm") for lead in common),
-        *(UsualPeriod(lead, f"a screw lead of {lead:g} mm", _SELDOM) for lead in seldom),
-        *(UsualPeriod(part * _INCH, f"a screw lead of {part:g} inch", _SELDOM) for part in inch),
+        *(UsualPeriod(lead, "lead", lead) for lead in common),
+        *(UsualPeriod(lead, "lead", lead, _SELDOM) for lead in seldom),
+        *(UsualPeriod(part * _INCH, "inch_lead", part, _SELDOM) for part in inch),
     ]
 
 
 def _other_causes() -> list[UsualPeriod]:
     """Scales and drives other than screws; half leads that are no lead themselves."""
     return [
-        UsualPeriod(7.5, "half a screw lead of 15 mm", _SELDOM),
-        UsualPeriod(12.5, "half a screw lead of 25 mm", _SELDOM),
-        UsualPeriod(24.0, "a pair of magnets of a linear motor", _SELDOM),
-        UsualPeriod(36.0, "a pair of magnets of a linear motor", _SELDOM),
-        UsualPeriod(60.0, "a pair of magnets of a linear motor", _SELDOM),
-        UsualPeriod(6.6667, "a tooth of a helical rack", _SELDOM),
-        UsualPeriod(13.3333, "a tooth of a helical rack", _SELDOM),
+        UsualPeriod(7.5, "half_lead", 15.0, _SELDOM),
+        UsualPeriod(12.5, "half_lead", 25.0, _SELDOM),
+        UsualPeriod(24.0, "magnets", 24.0, _SELDOM),
+        UsualPeriod(36.0, "magnets", 36.0, _SELDOM),
+        UsualPeriod(60.0, "magnets", 60.0, _SELDOM),
+        UsualPeriod(6.6667, "rack", 6.6667, _SELDOM),
+        UsualPeriod(13.3333, "rack", 13.3333, _SELDOM),
     ]
 
 
@@ -62,12 +65,9 @@ _DIVISIONS: Final = (36, 40, 45, 48, 60, 72, 80, 90, 96, 100, 108, 120, 144, 150
 
 USUAL_PERIODS: Final = {
     AxisKind.LINEAR: tuple(
-        sorted((*_leads(), *_other_causes()), key=lambda usual: (usual.size, usual.reason))
+        sorted((*_leads(), *_other_causes()), key=lambda usual: (usual.size, usual.cause))
     ),
-    AxisKind.ROTARY: tuple(
-        UsualPeriod(360.0 / parts, f"a turn of a worm or motor, 1/{parts} of the table's")
-        for parts in _DIVISIONS
-    ),
+    AxisKind.ROTARY: tuple(UsualPeriod(360.0 / parts, "worm", parts) for parts in _DIVISIONS),
 }
 
 
@@ -79,5 +79,5 @@ def usual_periods(kind: AxisKind, suggested: Sequence[float] = ()) -> tuple[Usua
     total = sum(each.weight for each in usual)
     return (
         *usual,
-        *(UsualPeriod(size, "what the control's own files suggest", total) for size in suggested),
+        *(UsualPeriod(size, "files", size, total) for size in suggested),
     )

@@ -80,7 +80,7 @@ def fit_table(
             line,
             findings=(
                 *line.findings,
-                *goal_finding(request.goal, "this control holds one slope and no table"),
+                *goal_finding(request.goal, "slope"),
             ),
         )
     if capacity.zero is not None:
@@ -216,7 +216,7 @@ def _whole_goal(
             usual,
             findings=(
                 *usual.findings,
-                *goal_finding(goal, "this control holds whole increments only"),
+                *goal_finding(goal, "increments"),
             ),
         )
     free = replace(capacity, lattice=None)
@@ -230,9 +230,7 @@ def _whole_goal(
     )
     if with_it < without:
         return replace(usual, compensation=whole.compensation, certificate=whole.certificate)
-    finding = goal_finding(
-        goal, "rounded to whole increments, what gains it shows no gain in tests"
-    )
+    finding = goal_finding(goal, "no_gain")
     return replace(usual, findings=(*usual.findings, *finding))
 
 

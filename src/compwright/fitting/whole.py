@@ -5,7 +5,7 @@ Bellman, Dynamic Programming, 1957), what that costs, and why this magnification
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Final, Literal
 
 import numpy as np
 
@@ -299,9 +299,9 @@ def _magnification_finding(
     )
 
 
-def goal_finding(goal: Goal, why: str) -> tuple[Finding, ...]:
-    """Return what to say where a goal other than the expected square is asked of a control with few
-    numbers, and ``why`` it is not followed.
+def goal_finding(goal: Goal, why: Literal["slope", "increments", "no_gain"]) -> tuple[Finding, ...]:
+    """Return the finding that a goal other than the expected square is not followed: the control
+    has one ``slope``, whole ``increments``, or rounding leaves ``no_gain``.
     """
     if goal == "expected":
         return ()

@@ -11,44 +11,14 @@ from compwright.planning.limiting import DRIFT, NOISE, OUTLIERS, TRAVERSES, UNKN
 from compwright.planning.shortfalls import PERIOD, REVERSAL
 from compwright.records.axis import Axis
 from compwright.records.limits import Cause, Limiting
-from compwright.words.sentences import Amount
+from compwright.words.sentences import Amount, say
 
 #: From this share of the parameter on a cause is the reason.
 _DOMINATES: Final = 0.5
-#: What to do about a cause, by its name.
-_ADVICE: Final = {
-    NOISE: (
-        "the same position does not come back the same, which no table takes out: where that is too"
-        " much, look first how the instrument stands (vibration, air, fixing), then call a mechanic"
-        " (play, guides, bearings, coupling, scale)"
-    ),
-    OUTLIERS: (
-        "a few readings are outliers, which no table takes out, and hide what it does:"
-        " look for what disturbs the measurement (a beam that is cut, settling time, dirt), and"
-        " measure again"
-    ),
-    TRAVERSES: (
-        "whole traverses are shifted, which no table takes out: look whether instrument,"
-        " spindle and clamping hold still, and for play that settles anew in every run"
-    ),
-    DRIFT: (
-        "the axis changes during the test, which no table takes out: warm it up as in work, until"
-        " it stands, and measure again"
-    ),
-    REVERSAL: (
-        "the reversal changes along the travel, and one table with one reversal value cannot hold"
-        " that: a mechanic (nut, screw, guides), or a control with a table for each direction"
-    ),
-    PERIOD: (
-        "points so far apart follow no period so short; CW-F002 names the points that it takes."
-        " Where the control does not have them: a mechanic (screw, its bearings and coupling, gear,"
-        " encoder)"
-    ),
-    UNKNOWN: (
-        "the test leaves the error itself open: more targets or more runs tell more of it than a"
-        " table can use now"
-    ),
-}
+#: Causes for which there is advice (sentence ``table_advice``).
+_CURED_ELSEWHERE: Final = frozenset({NOISE, OUTLIERS, TRAVERSES, DRIFT, REVERSAL, PERIOD, UNKNOWN})
+#: What is left to other causes, of which no single one is the largest.
+_REMAINING: Final = "what no table of this control takes away"
 
 
 def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> Iterator[Finding]:
@@ -83,7 +53,7 @@ def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> I
         value=main.value * factor,
         unit=unit,
         share=share,
-        advice=_ADVICE[main.cause],
+        advice=say("table_advice", cause=main.cause),
     )
 
 
@@ -99,7 +69,7 @@ def stopped(axis: Axis, limiting: Limiting) -> Finding:
     elif limiting.least >= _DOMINATES * left:
         cause, value = NOISE, limiting.least
     else:
-        cause, value = "what no table of this control takes away", left - limiting.least
+        cause, value = _REMAINING, left - limiting.least
     return Finding.of(
         "CW-P155",
         "info",
@@ -127,7 +97,7 @@ def _what_remains(axis: Axis, limiting: Limiting, scatter: float) -> Iterator[Fi
             cause=main.cause,
             value=main.value * factor,
             left=Amount(limiting.then * factor, unit),
-            advice=_ADVICE[main.cause],
+            advice=say("table_advice", cause=main.cause),
         )
     elif scatter >= _DOMINATES:
         yield Finding.of(
@@ -142,10 +112,10 @@ def _what_remains(axis: Axis, limiting: Limiting, scatter: float) -> Iterator[Fi
 
 
 def _main_cause(limiting: Limiting, scatter: float) -> Cause | None:
-    """Return the cause that explains why a table does not help; None where it is none of those
-    that somebody else could cure.
+    """Return the cause that explains why a table does not help; None where there is no advice about
+    it.
     """
-    known = [cause for cause in limiting.causes if cause.cause in _ADVICE]
+    known = [cause for cause in limiting.causes if cause.cause in _CURED_ELSEWHERE]
     largest = max(known, key=lambda cause: cause.value, default=None)
     if largest is None or not limiting.then > 0.0:
         return None

@@ -11,6 +11,7 @@ from typing import Final
 from compwright.foundations.findings import Finding
 from compwright.foundations.numerals import significant
 from compwright.records.verification import Candidate, LoadingName, LoadingVerdict
+from compwright.words.sentences import say
 
 #: Verdicts for a table that was active as in the files.
 ACTIVE: Final[tuple[LoadingName, ...]] = ("loaded", "thermal")
@@ -100,17 +101,25 @@ class OldTable:
         """
         if self.contradicted:
             return None
-        between = f"Tests {self.off} (without it) and {self.on} (with it)"
         if self.verdict.verdict in ACTIVE:
             percent = min(100.0 * self.probability_active, 99.9)
-            return Finding.of("CW-V030", "info", between=between, state=self.state, percent=percent)
-        likely = _words(self.likely) or "nothing that is known fits"
+            return Finding.of(
+                "CW-V030", "info", off=self.off, on=self.on, state=self.state, percent=percent
+            )
         return Finding.of(
             "CW-V031",
             "info" if self.probability_active >= _LISTED else "warning",
-            between=between,
+            off=self.off,
+            on=self.on,
             state=self.state,
-            likely=likely,
+            likely=[
+                say(
+                    "loading.likely",
+                    verdict=each.verdict.replace("_", " "),
+                    percent=100.0 * each.probability,
+                )
+                for each in self.likely
+            ],
         )
 
 

@@ -58,15 +58,14 @@ def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
     those of the run (CW-V022): what is declared after the measurement explains any slope away.
     """
     if job.standard != plan.standard:
-        yield _changed(f"the standard was {plan.standard}, now it is {job.standard}")
+        yield _changed("standard", plan.standard, job.standard)
     if plan.decision_rule and job.decision_rule != plan.decision_rule:
-        yield _changed(f"the decision rule was {plan.decision_rule}, now it is {job.decision_rule}")
+        yield _changed("rule", plan.decision_rule, job.decision_rule)
     yield from _changed_budgets(job, plan)
     for name, entry in plan.axes.items():
         mine = job.axes[name].accept if name in job.axes else None
         if mine != entry.accept:
-            was, now = (_limits(accept) for accept in (entry.accept, mine))
-            yield _changed(f"the limits of axis {name} were {was}, now they are {now}")
+            yield _changed("axis_limits", _limits(entry.accept), _limits(mine), name)
     yield from _changed_circles(job, plan)
 
 
@@ -74,15 +73,14 @@ def _changed_circles(job: Job, plan: Plan) -> Iterator[Finding]:
     limits = {request.name: request.accept for request in job.circles}
     for name, circle in plan.circles.items():
         if limits.get(name) != circle.accept:
-            was, now = _limits(circle.accept), _limits(limits.get(name))
-            yield _changed(f"the limits of circle {name} were {was}, now they are {now}")
+            yield _changed("circle_limits", _limits(circle.accept), _limits(limits.get(name)), name)
     budgets = {circle.budget for circle in plan.circles.values() if circle.accept is not None}
     for was_budget in budgets - {job.uncertainty_circular}:
         was, now = (
             _budget(was_budget, job.uncertainty_circular),
             _budget(job.uncertainty_circular, was_budget),
         )
-        yield _changed(f"the declared uncertainty of circular tests was {was}, now it is {now}")
+        yield _changed("circle_uncertainty", was, now)
 
 
 def _changed_budgets(job: Job, plan: Plan) -> Iterator[Finding]:
@@ -91,33 +89,33 @@ def _changed_budgets(job: Job, plan: Plan) -> Iterator[Finding]:
             return
         was, now = plan.budgets.get(kind), job.budget(kind)
         if was != now:
-            of = f"the declared uncertainty of {kind} axes"
-            yield _changed(f"{of} was {_budget(was, now)}, now it is {_budget(now, was)}")
+            yield _changed("uncertainty", _budget(was, now), _budget(now, was), kind.value)
 
 
 _Budget = TypeVar("_Budget", UncertaintyBudget, CircularBudget)
 
 
 def _budget(one: _Budget | None, other: _Budget | None) -> str:
-    """Return in words what of one budget is not in the other."""
+    """Return the values of one budget that the other does not have; empty for none."""
     if one is None:
-        return "none"
+        return ""
     other_values = asdict(other or type(one)())
     parts = [
         f"{name} {value:g}" for name, value in asdict(one).items() if value != other_values[name]
     ]
-    return ", ".join(parts) or "none"
+    return ", ".join(parts)
 
 
 def _limits(accept: Any) -> str:
     if accept is None:
-        return "none"
+        return ""
     parts = ", ".join(f"{key} {value:g}" for key, value in accept.limits.items())
     return f"{parts} (test {accept.test})" if accept.test else parts
 
 
-def _changed(what: str) -> Finding:
-    return Finding.of("CW-V022", "warning", what=what)
+def _changed(what: str, was: str, now: str, of: str = "") -> Finding:
+    several = what in ("axis_limits", "circle_limits")
+    return Finding.of("CW-V022", "warning", what=what, of=of, was=was, now=now, several=several)
 
 
 # ---------------------------------------------------------------- what has to be there
@@ -136,24 +134,14 @@ def not_measured(
         limited = name in job.axes and job.axes[name].accept is not None
         if entry.tests and name not in axes and (entry.fitted is not None or limited):
             test = _limited_test(job, name) or entry.tests[0].test.name
-            yield _missing(
-                f"axis {name} was not measured after loading", f"Measure it as for the test {test}."
-            )
+            yield Finding.of("CW-V023.axis", "warning", axis=name, test=test)
         elif name in axes and limited:
             meant, was = _limited_test(job, name), axes[name]
             if meant != was:
-                about = (
-                    f"the limits of axis {name} are for the test {meant}, and {was} was measured"
-                )
-                yield _missing(
-                    about, f"Measure as for {meant} and give it as --after {meant}=FILE."
-                )
+                yield Finding.of("CW-V023.test", "warning", axis=name, meant=meant, measured=was)
     for name, circle in plan.circles.items():
         if circle.accept is not None and name not in circles:
-            yield _missing(
-                f"circle {name} has limits and was not measured after loading",
-                f"Measure it again and give it as --after {name}=FILE.",
-            )
+            yield Finding.of("CW-V023.circle", "warning", circle=name)
     yield from _circles_missing(plan, circles)
 
 
@@ -167,18 +155,16 @@ def _circles_missing(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterato
             and entry.fitted is not None
             and not any(name in test.axes for test in circles.values())
         ):
-            what = (
-                f"the scale of axis {name} came from circles, and none was measured after loading"
-            )
-            yield _missing(what, _circles(plan, {name}))
+            yield Finding.of("CW-V023.scale", "warning", axis=name, circles=_circles(plan, {name}))
     for cross in plan.cross:
         measured = any(cross.pair == frozenset(plan.circles[name].test.axes) for name in circles)
         if cross.written and cross.source == "circle" and not measured:
-            what = (
-                f"the squareness of {''.join(sorted(cross.pair))} was corrected and not measured"
-                " after loading"
+            yield Finding.of(
+                "CW-V023.squareness",
+                "warning",
+                plane="".join(sorted(cross.pair)),
+                circles=_circles(plan, set(cross.pair)),
             )
-            yield _missing(what, _circles(plan, set(cross.pair)))
 
 
 def _limited_test(job: Job, axis: str) -> str | None:
@@ -189,13 +175,8 @@ def _limited_test(job: Job, axis: str) -> str | None:
     return entry.accept.test or entry.before[0].name
 
 
-def _circles(plan: Plan, axes: set[str]) -> str:
-    names = [name for name, circle in plan.circles.items() if axes <= set(circle.test.axes)]
-    return f"Measure the circle {' or '.join(names) or 'of this plane'} again."
-
-
-def _missing(what: str, measure: str) -> Finding:
-    return Finding.of("CW-V023", "warning", what=what, measure=measure)
+def _circles(plan: Plan, axes: set[str]) -> list[str]:
+    return [name for name, circle in plan.circles.items() if axes <= set(circle.test.axes)]
 
 
 def doubts_after(after: PositioningResult | CircularResult) -> tuple[Finding, ...]:

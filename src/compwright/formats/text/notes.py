@@ -5,7 +5,7 @@ code is made in one place.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Final
+from typing import Final, Literal
 
 from compwright.formats.text.gathering import FoundValue
 from compwright.foundations.errors import Fault
@@ -130,8 +130,8 @@ class Notes:
         if fault not in self.faults:
             self.faults.append(fault)
 
-    def ignored(self, label: str, what: str, why: str) -> None:
-        """Note a value that the control ignores."""
+    def ignored(self, label: str, what: str, why: Literal["table", "rotary"]) -> None:
+        """Note a value that the control ignores, because the axis has a table or is rotary."""
         self.find("CW-S009", "warning", label=label, what=what, why=why)
 
     def idle_file(self, sentence: Sentence) -> None:

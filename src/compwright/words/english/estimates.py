@@ -225,4 +225,23 @@ SENTENCES: Final[dict[str, str]] = {
         "The noise is estimated from {used} of {runs} runs, evenly spaced over the test; the"
         " means use all runs"
     ),
+    "period.cause": (
+        "{cause:choose|lead=a screw lead of {number:g} mm|inch_lead=a screw lead of {number:g}"
+        " inch|half_lead=half a screw lead of {number:g} mm|magnets=a pair of magnets of a linear"
+        " motor|rack=a tooth of a helical rack|worm=a turn of a worm or motor, 1/{number:g} of the"
+        " table's|files=what the control's own files suggest}"
+    ),
+    "period.unusual_division": (
+        "no usual division ({parts:.4g} in a turn): look for the turn of the worm or of the motor"
+        " through its gear, and the pitch of the scale"
+    ),
+    "period.unusual_lead": (
+        "no usual lead: look for the turn of the motor through a belt or gear, half of it, the"
+        " pitch of the scale or rack, a pair of magnets"
+    ),
+    "period.usual": (
+        "{once:if|look for what turns or repeats once in {period:.5g} {unit}: {once:join|, or"
+        " }|}{twice:if|{once:if|; or for|look for} what does so twice in {double:.5g} {unit}:"
+        " {twice:join|, or }|}"
+    ),
 }

@@ -32,10 +32,34 @@ SENTENCES: Final[dict[str, str]] = {
         " with the instrument set as for the first test."
     ),
     "CW-V022": (
-        "The job was edited after the run: {what}. Run the job again, so that prediction and"
-        " verdict speak of the same."
+        "The job was edited after the run: {what:choose|standard=the standard|rule=the decision"
+        " rule|axis_limits=the limits of axis {of}|circle_limits=the limits of circle"
+        " {of}|uncertainty=the declared uncertainty of {of} axes|circle_uncertainty=the declared"
+        " uncertainty of circular tests} {several:if|were|was} {was:if|{was}|none}, now"
+        " {several:if|they are|it is} {now:if|{now}|none}. Run the job again, so that prediction"
+        " and verdict use the same values."
     ),
-    "CW-V023": "Nothing is proven where nothing was measured: {what}. {measure}",
+    "CW-V023.axis": (
+        "Axis {axis} was not measured after loading, so nothing is proven for it. Measure it as"
+        " for the test {test}."
+    ),
+    "CW-V023.circle": (
+        "Circle {circle} has limits and was not measured after loading, so nothing is proven for"
+        " it. Measure it again and give it as --after {circle}=FILE."
+    ),
+    "CW-V023.scale": (
+        "The scale of axis {axis} came from circles, and none was measured after loading, so"
+        " nothing is proven for it. Measure the circle {circles:if|{circles:join| or }|of this"
+        " plane} again."
+    ),
+    "CW-V023.squareness": (
+        "The squareness of {plane} was corrected and not measured after loading, so nothing is"
+        " proven for it. Measure the circle {circles:if|{circles:join| or }|of this plane} again."
+    ),
+    "CW-V023.test": (
+        "The limits of axis {axis} are for the test {meant}, and {measured} was measured, so"
+        " nothing is proven for them. Measure as for {meant} and give it as --after {meant}=FILE."
+    ),
     "CW-V024": "The test after loading, {code}: {finding} Clear this up, or measure again.",
     "CW-V025": (
         "The circle {circle} given as measured after loading is the one from before. Measure"
@@ -74,12 +98,15 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V027": "{verdict}",
     "CW-V028": "{verdict}",
     "CW-V030": (
-        "{between}: the table of state {state} was active as its files say, {percent:.1f} % sure."
+        "Tests {off} (without it) and {on} (with it): the table of state {state} was active as its"
+        " files say, {percent:.1f} % sure."
     ),
     "CW-V031": (
-        "{between} do not show whether the table of state {state} was active as its files"
-        " say: {likely}. They count as far as they agree."
+        "Tests {off} (without it) and {on} (with it) do not show whether the table of state {state}"
+        " was active as its files say: {likely:if|{likely}|no known cause fits}. They count"
+        " as far as they agree."
     ),
+    "loading.likely": "{verdict} {percent:.0f} %",
     "loading.as_before": "It lies within {left} of what the control did before.",
     "loading.as_predicted": "It lies within {left} of the prediction.",
     "loading.candidate": "{name} ({sure:if|more than 99|{percent:2sig}} %)",

@@ -24,7 +24,10 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-S006": "axis {axis}: several measuring systems hold a table; system {system} is shown",
     "CW-S007": "{label}: {switch}; it corrects nothing",
     "CW-S008": "{label}: no file holds a table; counted as none",
-    "CW-S009": "{label}: {what} is ignored by the control: {why}",
+    "CW-S009": (
+        "{label}: {what} is ignored by the control: it {why:choose|table=has a table|rotary=is a"
+        " rotary axis}"
+    ),
     "CW-S010": "axis {axis} is taken as {address} of the control: check it, or give its address",
     "CW-S011": (
         "{label} ({input} on {output}) is left alone: {why}; {active:if|it is active on"

@@ -51,8 +51,10 @@ SENTENCES: Final[dict[str, str]] = {
         " leave {left:if|{left} rms|nothing}"
     ),
     "CW-F010": (
-        "The job asks for the least {goal}. The table of least expected square is taken"
-        " instead: {why}"
+        "The job asks for the least {goal}. The table of least expected square is used"
+        " instead: {why:choose|slope=this control holds one slope and no"
+        " table|increments=this control holds whole increments only|no_gain=rounded to whole"
+        " increments, the table for {goal} shows no gain in tests}"
     ),
     "CW-F011": (
         "The existing grid stays although its points are {spacing:g} {unit} apart: {reason};"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from decimal import Decimal
+from typing import Literal
 
 import numpy as np
 
@@ -374,12 +375,8 @@ class ColumnAxisReader:
         slope = self._parameter(
             "slope", NumberScale(self.definition, AxisKind.LINEAR, scale.options, scale.choices)
         )
-        why = (
-            "it has a table"
-            if enabled
-            else "it is a rotary axis"
-            if kind is AxisKind.ROTARY
-            else ""
+        why: Literal["table", "rotary", ""] = (
+            "table" if enabled else "rotary" if kind is AxisKind.ROTARY else ""
         )
         if not why and self._found("slope") is None:
             self.notes.counted_as(self.label, self.parameters.name("slope"), "0")

@@ -379,7 +379,7 @@ class GridAxisReader:
             return float(value * self._backlash_factor()) + 0.0, 0.0
         if has_table and value != 0:
             what = f"{self.values.name('backlash')} = {text}"
-            self.notes.ignored(self.label, what, "it has a table")
+            self.notes.ignored(self.label, what, "table")
         return 0.0, 0.0 if has_table else float(value) / 2.0
 
     def _backlash_factor(self) -> Decimal:
