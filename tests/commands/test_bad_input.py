@@ -165,7 +165,7 @@ def test_an_empty_a_binary_and_a_missing_file(
     assert outcome.code == 3
     assert outcome.says("empty.csv", "is empty")
     assert outcome.says("binary.csv", "binary")
-    assert outcome.says("missing.csv", "cannot be read")
+    assert outcome.says("missing.csv", "does not exist")
 
 
 def test_the_rest_of_several_files_is_evaluated(

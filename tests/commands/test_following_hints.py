@@ -77,7 +77,7 @@ KINDS = {
     "one address twice": job("the same address", "correct `axes.Y.address`", JOB + JOB.partition("axes:\n")[2].replace("X:", "Y:"), JOB + JOB.partition("axes:\n")[2].replace("X:", "Y:").replace("address: 0", "address: 1")),
     "a key twice": job("twice", "correct this line", JOB + "    address: 0\n"),
     "a number as text": job("not a number", "correct `axes.X.reference`", JOB + "    reference: home\n"),
-    "a test without a file": Kind("cannot be read", "check the path", "run job.yaml --out r --force", files=({"job.yaml": JOB.replace("x.csv", "y.csv")}, {"job.yaml": JOB})),
+    "a test without a file": Kind("does not exist", "check the path", "run job.yaml --out r --force", files=({"job.yaml": JOB.replace("x.csv", "y.csv")}, {"job.yaml": JOB})),
     "one number as travel": Kind("--travel: must look like", "`--travel 0:800`", SHORT.replace("0:400", "400"), SHORT),
     "an option without a value": Kind("--option: must look like", "one key and its value", SHORT + " --option units", SHORT + " --option units=mm"),
     "an option twice": Kind("is given twice", "remove one", SHORT + " --option units=mm --option units=mm", SHORT + " --option units=mm"),

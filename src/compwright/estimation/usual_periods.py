@@ -26,8 +26,8 @@ _SELDOM: Final = 0.25
 
 @dataclass(frozen=True, slots=True)
 class UsualPeriod:
-    """``size`` in mm or deg, its ``cause`` with a ``number`` (the screw lead in mm or inch, the ratio
-    of a gear), and ``weight``: how frequent it is relative to a common screw lead.
+    """``size`` in mm or deg, its ``cause`` with a ``number`` (a lead in mm or inch, the ratio of a
+    gear), and ``weight``: how frequent it is relative to a common screw lead.
     """
 
     size: float

@@ -43,6 +43,8 @@ def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
                 refused = _not_to_be_read(seen, kind)
                 content = b"" if refused else _at_most(stream, kind.most_bytes + 1)
             session.inputs.add((seen.st_dev, seen.st_ino))
+    except FileNotFoundError as error:
+        raise InputError(_absent(path).in_file(str(path))) from error
     except (OSError, ValueError) as error:  # ValueError: a name that no file can have (a null byte)
         refused = Fault(
             message="cannot be read",
@@ -56,6 +58,22 @@ def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
         raise InputError(refused.in_file(str(path)))
     refuse_other_kind(content, kind, str(path))
     return content
+
+
+def _absent(path: Path) -> Fault:
+    """Return the fault of a missing file; of a result, with the command that writes it."""
+    folder = next((one for one in path.parents if one.is_dir()), path.parent)
+    part = path.relative_to(folder).parts[0]
+    place = "the current folder" if folder == Path() else str(folder)
+    hint = "check the path"
+    if part == "tables" and (folder / "plan.json").is_file():
+        hint = (
+            "this run wrote no table: `compwright run` says why; give the control's files as"
+            " `states` in the job and run it again"
+        )
+    elif path.name == "plan.json":
+        hint = "write it with `compwright run JOB.yaml`, or check the path"
+    return Fault(message="does not exist", found=f"no {part} in {place}", hint=hint)
 
 
 def _at_most(stream: BinaryIO, count: int) -> bytes:
