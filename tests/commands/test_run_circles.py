@@ -598,6 +598,62 @@ def test_verify_of_the_circle_alone_sees_that_the_cross_table_does_not_act(folde
     )
 
 
+@pytest.mark.parametrize("which", ["y", "xy"])
+def test_a_file_after_loading_that_says_compensation_off_is_a_doubt(
+    folder: Path, which: str
+) -> None:
+    """The values are those of a good verification: the header alone contradicts them."""
+    path = job(folder)
+    assert compwright(["run", str(path)]) == 0
+    files = after_files(folder, Bent(), folder / "job" / "tables" / SIEMENS)
+    after = folder / f"{which}_after.csv"
+    after.write_bytes(b"# compensation: off\n" + after.read_bytes())
+    assert verify(path, *files) == 1
+    answer = document(folder / "job" / "verification.json")
+    assert answer["verdict"] == "undecided"
+    assert "states compensation off" in " ".join(one["message"] for one in answer["doubts"])
+    after.write_bytes(after.read_bytes().replace(b"compensation: off", b"compensation: on"))
+    assert verify(path, *files) == 0
+    after.write_bytes(after.read_bytes().replace(b"compensation: on", b"compensation: off"))
+    path.write_text(path.read_text() + "acknowledged: {CW-P162: the operator forgot to edit it}\n")
+    assert compwright(["run", str(path), "--force"]) == 0
+    assert verify(path, *files) == 0
+
+
+@pytest.mark.parametrize(("header", "state"), [("on", "none"), ("off", "none")])
+def test_a_circle_whose_file_contradicts_its_state_is_a_doubt(
+    folder: Path, header: str, state: str
+) -> None:
+    file = folder / "xy.csv"
+    file.write_bytes(f"# compensation: {header}\n".encode() + file.read_bytes())
+    path = job(folder, states=state, circle="centre: [400, -250], accept: {G_bidirectional: 500}")
+    code = compwright(["run", str(path)])
+    prediction = document(folder / "job" / "prediction.json")
+    found = [one["code"] for one in prediction["doubts"]]
+    accept = prediction["circles"]["xy-150"]["accept"]["G_bidirectional"]["decision"]
+    expected = (1, ["CW-P162"], "undecided") if header == "on" else (0, [], "accept")
+    assert (code, found, accept) == expected
+
+
+def test_circles_that_contradict_each_other_are_a_doubt(folder: Path) -> None:
+    """Lost motion of X 5 µm in one circle and 9 µm in the next: nothing is decided on X."""
+    lost = replace(Bent(), x=replace(AXIS_X, lost=0.009))
+    write_circle(folder / "other.csv", lost.circle(8))
+    path = job(folder, x=", accept: {A: 500}", y=", accept: {A: 500}")
+    same = path.read_text()
+    path.write_text(
+        same.replace("circles: [", "circles: [{file: other.csv, centre: [400, -250]}, ")
+    )
+    assert compwright(["run", str(path)]) == 1
+    prediction = document(folder / "job" / "prediction.json")
+    (doubt,) = [one for one in prediction["doubts"] if one["code"] == "CW-P136"]
+    assert "Lost motion: the circles contradict each other" in doubt["message"]
+    assert prediction["axes"]["X"]["accept"]["A"]["decision"] == "undecided"
+    write_circle(folder / "other.csv", Bent().circle(8))
+    assert compwright(["run", str(path), "--force"]) == 0
+    assert document(folder / "job" / "prediction.json")["doubts"] == []
+
+
 def test_a_circle_does_not_count_in_the_verdict_when_nothing_of_it_was_applied(
     folder: Path,
 ) -> None:

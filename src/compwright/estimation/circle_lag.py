@@ -35,8 +35,8 @@ _FLOOR: Final = 2e-5
 
 @dataclass(frozen=True, slots=True)
 class Lag:
-    """``angle`` rad by which both directions reverse late, and ``doubt``, half the width of what is
-    equally good, rad.
+    """``angle`` rad by which both directions reverse late, and ``doubt``, its standard uncertainty,
+    rad: of a uniform range of what is equally good.
     """
 
     angle: float
@@ -61,7 +61,8 @@ def common_lag(samples: Samples) -> Lag | None:
     equal = near[found <= np.min(found) + _EQUAL * unit]
     # Samples fall at steps: between two of them every angle is as good.
     low, high = float(equal[0]), float(equal[-1])
-    return Lag(0.5 * (low + high), max(0.5 * (high - low), 0.5 * spacing / _STEPS_PER_SAMPLE))
+    half = max(0.5 * (high - low), 0.5 * spacing / _STEPS_PER_SAMPLE)
+    return Lag(0.5 * (low + high), half / np.sqrt(3.0))  # JCGM 100:2008, eq. 7
 
 
 def corrected(samples: Samples, lag: Lag) -> Samples:

@@ -309,7 +309,8 @@ def lag_column(samples: Samples, known: Mapping[str, float]) -> CauseColumn:
     """Return what one ``lag_doubt`` of angle does, mm: the slope of the smooth causes as they are
     ``known``, against the motion (the derivatives by θ of the module's table; ISO 230-4:1996, annex
     B) and of the centre. A sagging axis counts by its third harmonic: k cos²θ sinθ = k/4 (sinθ +
-    sin3θ), and the first belongs to the centre.
+    sin3θ), and the first belongs to the centre. A servo mismatch, at a high feed the largest,
+    turns into scale mismatch: 4 v τ for each radian.
     """
     double, triple = 2.0 * samples.theta, 3.0 * samples.theta
     slope = (
@@ -319,6 +320,7 @@ def lag_column(samples: Samples, known: Mapping[str, float]) -> CauseColumn:
         + 0.75 * UM * known.get("straightness_second", 0.0) * np.sin(triple)
         - known.get("_centre_x", 0.0) * np.sin(samples.theta)
         + known.get("_centre_y", 0.0) * np.cos(samples.theta)
+        + samples.sense * (UM * samples.speed * known.get("servo_mismatch", 0.0)) * np.cos(double)
     )
     moved = -samples.lag_doubt * samples.sense * slope
     return CauseColumn("_lag", moved * np.cos(samples.theta), moved * np.sin(samples.theta), 1.0)

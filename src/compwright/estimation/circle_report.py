@@ -162,9 +162,10 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
         return _linear(solution, name, parts, detail=detail)
 
     yield linear("squareness", {"squareness": 1.0})
-    yield _scale_mismatch(solution)
+    mismatch = _scale_mismatch(solution)
+    yield mismatch
     if test.calibrated:
-        yield from _scale_errors(solution)
+        yield from _scale_errors(solution, mismatch)
     lost = {axis: _lost_motion_parts(solution, axis) for axis in AXES}
     for axis in AXES:
         cause = linear(f"backlash_{axis}", lost[axis])
@@ -229,45 +230,52 @@ def _lost_motion_parts(solution: Solution, axis: str) -> dict[str, float]:
 def _scale_mismatch(solution: Solution) -> _ReportedCause:
     """Return the scale mismatch without what unequal lags do to it: a first-order lag T shrinks its
     axis by (ωT)² / 2, so that a mean lag of angle a and a servo mismatch τ leave -2 a v τ over the
-    diameter; a dead time leaves nothing. Half of it is taken off, uniform between both.
+    diameter; a dead time leaves nothing. A loop is one or the other, so that half of it is taken
+    off and the other half is a standard uncertainty: two values of equal probability (JCGM
+    100:2008, 4.3.1), whose ends a uniform range of the same width would hold at 1.7 of its own.
+
+    ``lag_taken_off`` and ``lag_error``, um: both, for circles at several feeds, which tell more.
     """
     samples = solution.problem.samples
     cause = _linear(solution, "scale_mismatch", {"scale_mismatch": 1.0})
     if not samples.both_senses:
-        return cause
+        return replace(cause, more={"lag_taken_off": 0.0, "lag_error": 0.0})
     names = solution.problem.names
     drawn = solution.draws.values[:, names.index("servo_mismatch")]
-    mismatch = float(np.mean(drawn))
-    most = 2.0 * samples.speed * (samples.lag + samples.lag_doubt) * mismatch
     off = samples.speed * samples.lag * drawn
+    error = samples.speed * (samples.lag + samples.lag_doubt) * abs(float(np.mean(drawn)))
+    either = np.where(np.arange(off.size) % 2, error, -error)
     return replace(
         cause,
         value=cause.value + float(np.mean(off)),
-        drawn=cause.drawn + off,
-        variance=cause.variance + most**2 / 12.0,
+        drawn=cause.drawn + off + either,
+        more={"lag_taken_off": float(np.mean(off)), "lag_error": error},
     )
 
 
-def _scale_errors(solution: Solution) -> Iterator[_ReportedCause]:
+def _scale_errors(solution: Solution, mismatch: _ReportedCause) -> Iterator[_ReportedCause]:
     """Yield e_x and e_y, um/m: the mean radius deviation over R plus and minus a quarter of the
     mismatch over R.
     """
     samples = solution.problem.samples
+    radius = _linear(solution, "_radius", {"_radius": 1e6 / samples.radius})
     for axis, sign, shape in (
         ("first", 1.0, np.cos(samples.theta) ** 2),
         ("second", -1.0, np.sin(samples.theta) ** 2),
     ):
-        parts = {
-            "_radius": 1e6 / samples.radius,
-            "scale_mismatch": sign * 0.25 * UM * 1e6 / samples.radius,
-        }
-        cause = _linear(solution, f"scale_error_{axis}", parts, detail=True)
+        share = sign * 0.25 * UM * 1e6 / samples.radius
+        value = radius.value + share * mismatch.value
         yield _ReportedCause(
-            name=cause.name,
-            value=cause.value,
-            drawn=cause.drawn,
-            curve=1e-6 * cause.value * samples.radius * shape,
+            name=f"scale_error_{axis}",
+            value=value,
+            drawn=radius.drawn + share * mismatch.drawn,
+            curve=1e-6 * value * samples.radius * shape,
             detail=True,
+            variance=share**2 * mismatch.variance,
+            more={
+                "lag_taken_off": share * (mismatch.more["lag_taken_off"] or 0.0),
+                "lag_error": abs(share) * (mismatch.more["lag_error"] or 0.0),
+            },
         )
 
 

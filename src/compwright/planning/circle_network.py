@@ -18,7 +18,7 @@ import numpy as np
 
 from compwright.estimation.circle_model import PRIOR_SCALE, PRIORS, SOFTEST_LOOP
 from compwright.foundations.findings import Finding
-from compwright.planning.circles import CircleWork, effect_of
+from compwright.planning.circles import CircleWork, effect_of, with_its_lag
 from compwright.planning.stated import SIGNIFICANT, Stated
 from compwright.words.sentences import Sentence, say
 
@@ -38,6 +38,9 @@ _PRIOR: Final[Mapping[str, tuple[float, float]]] = {
 }
 #: A standard error above this share of the prior's: the circles do not tell the value.
 _TELLS: Final = 0.5
+#: Standard deviations of the scatter, as of a normal distribution, beyond which circles contradict
+#: each other: one consistent machine in a thousand, because nothing is decided then.
+_CONTRADICT: Final = 3.09
 #: Kinds of observations, in the order of the message, with the unit of their values.
 _UNITS: Final = {"scale": "µm/m", "lost motion": "µm", "servo mismatch": "ms"}
 
@@ -95,17 +98,28 @@ def solved(circles: Sequence[CircleWork]) -> CircleNetwork:
         mine = np.array([each.kind == kind for each in seen])
         free = float(np.sum(1.0 - leverage[mine]))
         scatter = float(np.sum(rest[mine] ** 2))
-        if free < 0.5 or scatter <= free + SIGNIFICANT * np.sqrt(2.0 * free):
+        if free < 0.5 or scatter <= free:
             continue
-        contradictions[kind] = tuple(each for each in seen if each.kind == kind)
+        # The errors of values that scatter more grow with it (Birge, Physical Review 40, 1932).
         touched = np.any(matrix[mine] != 0.0, axis=0)
-        worse[touched] = np.sqrt(scatter / free)
+        worse[touched] = np.maximum(worse[touched], np.sqrt(scatter / free))
+        if _normal(scatter, free) > _CONTRADICT:
+            contradictions[kind] = tuple(each for each in seen if each.kind == kind)
     errors = worse * np.sqrt(np.diag(covariance))
     values = {
         name: Stated(float(value), float(each))
         for name, value, each in zip(unknowns, solution, errors, strict=True)
     }
     return CircleNetwork(values, contradictions)
+
+
+def _normal(scatter: float, free: float) -> float:
+    """Return how many standard deviations a sum of squares of ``free`` degrees of freedom is too
+    large: the cube root of chi-square is nearly normal (Wilson and Hilferty, Proceedings of the
+    National Academy of Sciences 17, 1931).
+    """
+    share = 2.0 / (9.0 * free)
+    return float((np.cbrt(scatter / free) - (1.0 - share)) / np.sqrt(share))
 
 
 def _observations(work: CircleWork) -> Iterator[Observation]:
@@ -117,9 +131,11 @@ def _observations(work: CircleWork) -> Iterator[Observation]:
         pair = "".join(sorted(test.axes))
         found = Stated(angle.value, angle.std_error)
         yield Observation("squareness", {("squareness", pair): 1.0}, found, name)
-    difference = effect_of(work.result, "scale_mismatch")
+    mismatch = effect_of(work.result, "scale_mismatch")
     across = 2e-3 * test.nominal_radius  # um of the mismatch for 1 um/m
-    if difference is not None:
+    if mismatch is not None:
+        # The shrinking is an unknown here: nothing of it may be taken off before.
+        difference = with_its_lag(mismatch)
         parts = {
             ("scale", first): 1.0,
             ("scale", second): -1.0,
@@ -144,8 +160,10 @@ def _mean_scale(work: CircleWork, of_mismatch: float, turning: float) -> Iterato
     """Yield the mean scale of both axes, with the error of the fit alone: the shrinking is an
     unknown of its own here.
     """
-    both = [effect_of(work.result, f"scale_error_{side}") for side in ("first", "second")]
-    if both[0] is None or both[1] is None:
+    found = [effect_of(work.result, f"scale_error_{side}") for side in ("first", "second")]
+    # What is taken off for unequal lags has opposite signs and is not in the mean.
+    both = [with_its_lag(each) for each in found if each is not None]
+    if len(both) < 2:
         return
     doubt = turning * _MOST_SHRINKING / np.sqrt(3.0)
     variance = both[0].std_error ** 2 - doubt**2 - (0.5 * of_mismatch) ** 2
@@ -155,8 +173,8 @@ def _mean_scale(work: CircleWork, of_mismatch: float, turning: float) -> Iterato
         for unknown, share in ((("scale", axis), 1.0), (("shrinking", axis), -turning))
     }
     value = 0.5 * (both[0].value + both[1].value)
-    found = Stated(value, float(np.sqrt(max(variance, _LEAST**2))))
-    yield Observation("scale", parts, found, work.name)
+    stated = Stated(value, float(np.sqrt(max(variance, _LEAST**2))))
+    yield Observation("scale", parts, stated, work.name)
 
 
 def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
@@ -184,6 +202,11 @@ def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
             yield Finding.of(
                 "CW-P136",
                 "warning",
+                axes=tuple(
+                    dict.fromkeys(
+                        axis for one in seen for of, axis in one.parts if of != "shrinking"
+                    )
+                ),
                 kind=kind,
                 values=[
                     say(

@@ -63,6 +63,15 @@ def effect_of(result: CircularResult, name: str) -> CircularEffect | None:
     return result.diagnosis.effects.get(name)
 
 
+def with_its_lag(effect: CircularEffect) -> CircularEffect:
+    """Return a scale or mismatch as the circle shows it at its feed, with the error of the fit
+    alone: nothing of what a lag may do to it taken off.
+    """
+    off, error = (effect.more.get(name) or 0.0 for name in ("lag_taken_off", "lag_error"))
+    variance = max(effect.std_error**2 - error**2, 0.0)
+    return replace(effect, value=effect.value - off, std_error=float(np.sqrt(variance)))
+
+
 def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[str]:
     """Yield why each of these circles has no value of a cause, with the name of the circle."""
     for work in works:

@@ -7,7 +7,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Final
+from typing import Final, TypeVar
 
 import numpy as np
 
@@ -15,10 +15,14 @@ from compwright.foundations.findings import Finding
 from compwright.planning.circles import CircleWork
 from compwright.planning.wanted import held_by
 from compwright.records.axis import Axis
+from compwright.records.circular import CircularResult
 from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
+from compwright.records.result import PositioningResult
 from compwright.words.sentences import Sentence, say
+
+_Result = TypeVar("_Result", PositioningResult, CircularResult)
 
 _KEY: Final = "compensation"
 _ON: Final = re.compile(r"(on|yes|active|ein|an|ja|oui|вкл\w*|да)\b", re.IGNORECASE)
@@ -56,6 +60,19 @@ def with_statements(
         else:
             checked.append(work)
     return tuple(checked)
+
+
+def stated_after(result: _Result, axes: Sequence[str]) -> _Result:
+    """Return the result of a test after loading, with a doubt where its header says that
+    compensation was off. ``axes``: those of which the plan loads a table; none: nothing to compare.
+    """
+    stated = _stated(result.test.header)
+    if not axes or False not in stated:
+        return result
+    doubt = Finding.of(
+        "CW-P162.after", "warning", axes=tuple(axes), both=True in stated, names=axes
+    )
+    return replace(result, findings=(*result.findings, doubt))
 
 
 def _contradiction(

@@ -16,8 +16,8 @@ from compwright.estimation.circle_model import SOFTEST_LOOP
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
 from compwright.planning.axes import CapacityOf
-from compwright.planning.checks import Checks, mismatch, scale_error
-from compwright.planning.circles import CircleWork, why_undetermined
+from compwright.planning.checks import ENDS, Checks, mismatch, scale_error
+from compwright.planning.circles import CircleWork, effect_of, why_undetermined, with_its_lag
 from compwright.planning.stated import Stated
 from compwright.planning.tables import NEW_GRID, fit_remaining, fit_staying
 from compwright.planning.wanted import dense_positions, held_by, wanted_correction
@@ -37,6 +37,8 @@ LOW = 2e-6
 #: Two feeds tell the shrinking when their squares differ by this factor or more.
 APART = 2.0
 _PPM = 1e6
+#: Least error of a scale by the fit, um/m.
+_LEAST = 0.05
 #: What gives a scale for certain.
 MEASURE = "Measure the axis with a laser, or repeat the circle at a low feed."
 
@@ -223,11 +225,13 @@ def _seen(work: CircleWork, name: str) -> Stated | None:
     """Return the scale as the circle shows it, with the error of its fit alone: the lag is what two
     feeds tell.
     """
-    stated = scale_error(work, _index(work, name))
-    if stated is None:
+    effect = effect_of(work.result, f"scale_error_{ENDS[_index(work, name)]}")
+    if effect is None:
         return None
-    doubt = shrinking(work) / np.sqrt(3.0)
-    return Stated(stated.value, float(np.sqrt(max(stated.std_error**2 - doubt**2, (0.05e-6) ** 2))))
+    seen = with_its_lag(effect)
+    doubt = shrinking(work) * _PPM / np.sqrt(3.0)
+    error = float(np.sqrt(max(seen.std_error**2 - doubt**2, _LEAST**2)))
+    return Stated(seen.value / _PPM, error / _PPM)
 
 
 def _index(work: CircleWork, name: str) -> int:

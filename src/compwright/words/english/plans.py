@@ -251,6 +251,11 @@ SENTENCES: Final[dict[str, str]] = {
         " table would correct the same error twice. Measure again with the table active, or"
         " name under measured_in the state in which the test was taken."
     ),
+    "CW-P162.after": (
+        "the file of the test after loading states compensation {both:if|both on and off|off}, but"
+        " the plan loads tables for {names:and}. Check at the control that they are active,"
+        " measure again, or correct the key compensation of the file."
+    ),
     "CW-P162.both": (
         "the files state compensation both on and off. The new total is wrong if the job is"
         " wrong. Check at the control what was active, then correct the key compensation of"

@@ -18,6 +18,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import evaluated
 from compwright.planning.declared import fresh_slope
+from compwright.planning.file_statements import stated_after
 from compwright.planning.fresh import Like
 from compwright.planning.guard import guard_bands
 from compwright.planning.limits import lacking_guard, measured_decisions, unguarded
@@ -64,6 +65,7 @@ def verified_axis(
     place = names.index(after.repeats) if after.repeats in names else 0
     repeated = planned.tests[place]
     before, result = (evaluated(job, axis, test) for test in (repeated.test, after.test))
+    result = stated_after(result, () if planned.fitted is None else (axis.name,))
     observed = observed_tests(planned.tests, planned.active)
     posterior = measured_error(planned.tests, observed, axis, planned.active)
     change = _change(planned, as_found, repeated)

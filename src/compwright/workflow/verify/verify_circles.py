@@ -37,6 +37,7 @@ from compwright.planning.circles import (
     with_uncertainty,
 )
 from compwright.planning.diagnosed import diagnosed_circle
+from compwright.planning.file_statements import stated_after
 from compwright.planning.limits import lacking_circle_guard, measured_circle_decisions
 from compwright.planning.stated import SIGNIFICANT
 from compwright.prediction.active_corrections import ActiveCorrections, added
@@ -165,6 +166,7 @@ def _verified(
         )
         for test in (circle.test, replace(after, name=circle.test.name))
     )
+    result = stated_after(result, _loaded(plan, circle.test.axes))
     prediction = predicted_circle(before, circle, during, then)
     corrected = (entry for entry in plan.cross if entry.written and entry.source == "circle")
     bent = next((entry for entry in corrected if entry.pair == frozenset(circle.test.axes)), None)
@@ -179,7 +181,7 @@ def _verified(
                 U=SIGNIFICANT * error,
                 corrected=1e6 * bent.squareness,
             )
-    accept, lacking, acknowledged = _judged(job, before, result)
+    accept, lacking, acknowledged = _judged(job, before, result, corrected=check is not None)
     return VerifiedCircle(
         prediction=prediction,
         after=result,
@@ -190,15 +192,26 @@ def _verified(
     )
 
 
+def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
+    """Return those of the axes of a circle that a table of the plan moves."""
+    bent = {cross.output for cross in plan.cross if cross.written and cross.input in axes}
+    return [
+        name
+        for name in axes
+        if name in bent or (name in plan.axes and plan.axes[name].fitted is not None)
+    ]
+
+
 def _judged(
-    job: Job, before: CircularResult, result: CircularResult
+    job: Job, before: CircularResult, result: CircularResult, *, corrected: bool
 ) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
     """Return the decisions about a circle after loading, by parameter, what speaks against its
-    test, and the doubts that the job acknowledges; nothing of a circle without limits.
+    test, and the doubts that the job acknowledges; nothing of a circle without limits whose
+    squareness was not ``corrected``.
     """
     name, rule = result.test.name, job.decision_rule
     limits = next((one.accept for one in job.circles if one.name == name), None)
-    if limits is None:
+    if limits is None and not corrected:
         return {}, (), ()
     readings = doubts_after(result)
     by = {
@@ -208,13 +221,17 @@ def _judged(
         if (given := job.acknowledgement(each.code, axis)) is not None
     }
     lacking = tuple(doubted(result, before, by, guarded=rule == "guarded"))
-    accept = measured_circle_decisions(
-        limits,
-        result,
-        rule,
-        believed=all(each in by for each in readings)
-        and not share_a_file(before.test.sources, result.test.sources),
-        proven=not lacking,
+    accept = (
+        measured_circle_decisions(
+            limits,
+            result,
+            rule,
+            believed=all(each in by for each in readings)
+            and not share_a_file(before.test.sources, result.test.sources),
+            proven=not lacking,
+        )
+        if limits is not None
+        else {}
     )
     return (
         accept,
