@@ -1,6 +1,6 @@
-"""Write the reference pages that are made from the code: commands, keys of a job, controls, the
-library. `make site` makes them anew; those of `kept_pages` are in the repository, and a test
-compares them with the code (`make pages` renews them).
+"""Write the reference pages that are made from the code: options, keys, controls, the library.
+`make site` makes them anew; those of `kept_pages` are in the repository, and a test compares them
+with the code (`make pages` renews them).
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from typing import Literal, get_args, get_origin
 
 import click
 from control_facts import facts_page, open_facts_page
+from key_tables import definition_page, json_page
 from pydantic import BaseModel
 
 import compwright
@@ -26,7 +27,7 @@ from compwright.jobs import schema
 
 def command_page() -> str:
     """Return the help of every command, in the order of work."""
-    about = "What `--help` prints. What the commands do: [commands](../commands.md)."
+    about = "Made from the code by `make pages`. What the commands do: [commands](commands.md)."
     parts = ["# Commands: options", about]
     for heading, names in ORDER.items():
         parts.append(f"## {heading}")
@@ -191,7 +192,6 @@ def pages() -> dict[str, str]:
     """Return every generated page by its name below `reference/`."""
     controls = control_pages()
     return {
-        "commands.md": command_page(),
         "library.md": library_page(),
         **{f"controls/{name}.md": text for name, text in controls.items()},
     }
@@ -200,7 +200,10 @@ def pages() -> dict[str, str]:
 def kept_pages() -> dict[str, str]:
     """Return the generated pages that are in the repository, by their names in `docs/`."""
     return {
+        "options.md": command_page(),
         "job-keys.md": job_page(),
+        "json-keys.md": json_page(),
+        "definition-keys.md": definition_page(),
         "control-facts.md": facts_page(),
         "open-facts.md": open_facts_page(),
     }
