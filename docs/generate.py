@@ -33,7 +33,9 @@ def command_page() -> str:
         parts.append(f"## {heading}")
         for name in names:
             for words, command in _commands(name, group.commands[name]):
-                context = click.Context(command, info_name=words, terminal_width=96)
+                context = click.Context(
+                    command, info_name=words, terminal_width=96, **group.context_settings
+                )
                 title = words.removeprefix("compwright ")
                 parts.append(f"### {title}\n\n```text\n{command.get_help(context)}\n```")
     return "\n\n".join(parts) + "\n"
