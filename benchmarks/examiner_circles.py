@@ -23,7 +23,6 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import lfilter
 
 Array = NDArray[np.float64]
 
@@ -108,6 +107,8 @@ class Circle:
         length = _bar(self, ticks * step, sense) - self.radius
         if self.bandwidth is not None:
             kept = float(np.exp(-2.0 * np.pi * self.bandwidth * step / fine))
+            from scipy.signal import lfilter  # takes a second to load
+
             length = lfilter([1.0 - kept], [1.0, -kept], length, zi=[kept * length[0]])[0]
         taken: Array = length[before * fine + fine - 1 :: fine]
         return taken
@@ -138,6 +139,8 @@ class Circle:
     def _noise(self, rng: np.random.Generator) -> Array:
         drive = self.noise * rng.standard_normal(self.samples)
         drive[1:] *= np.sqrt(1.0 - self.rho**2)
+        from scipy.signal import lfilter
+
         found: Array = lfilter([1.0], [1.0, -self.rho], drive)
         return found
 

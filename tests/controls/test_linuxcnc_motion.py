@@ -112,6 +112,36 @@ def test_a_reversal_within_the_zone_stays(reversal: float, left: float) -> None:
     assert gap * 1000.0 == pytest.approx(np.full(3, left))
 
 
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_behind_the_zone_the_table_is_applied_at_once(mirrored: bool) -> None:
+    """By hand: reversal 4 µm up to the middle, then to 10 µm at the end; steps of 2 to 6 µm are left
+    out. From the turn at 0 nothing is applied until the table is 6 µm away, at 66.67 mm; there the
+    control takes the table's value. Back from 10 µm the table is applied from the turn on.
+    """
+    axis = Axis(
+        name="X",
+        kind=AxisKind.LINEAR,
+        travel=(0.0, 100.0),
+        address="0",
+        unapplied_steps=(0.002, 0.006),
+    )
+    rising, flat = np.array([0.004, 0.004, 0.010]), np.zeros(3)
+    table = AxisCompensation(
+        address="0",
+        kind=AxisKind.LINEAR,
+        positions=np.array([0.0, 50.0, 100.0]),
+        positive=flat if mirrored else rising,
+        negative=rising[::-1] if mirrored else flat,
+    )
+    applied = as_applied(table, axis)
+    where = np.array([10.0, 60.0, 66.0, 67.0, 80.0, 95.0])
+    stuck = np.array([0.0, 0.0, 0.0, 6.04, 7.6, 9.4])
+    there, back = (DOWN, UP) if mirrored else (UP, DOWN)
+    along = 100.0 - where if mirrored else where
+    assert 1000.0 * applied.at(along, there) == pytest.approx(stuck, abs=1e-9)
+    assert 1000.0 * applied.at(along, back) == pytest.approx(np.zeros(6), abs=1e-9)
+
+
 def run(folder: Path, keys: str, axis: str = "", more: str = "", state: str = "machine.ini") -> int:
     machine = Machine(low=0.0, high=200.0)
     targets = machine.targets()

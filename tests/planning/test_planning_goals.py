@@ -9,6 +9,7 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 
+from compwright.evaluation.standards import evaluate
 from compwright.planning.axes import AxisWork, start_axis
 from compwright.planning.axis_fits import fit_all
 from compwright.planning.fresh import Like, fresh_tests
@@ -83,6 +84,24 @@ def test_one_direction_has_tests_of_one_direction() -> None:
     found = scenarios_of(work.results[0], work.posterior, dense, work.planned.axis)
     assert found.positive.size == found.positions.size
     assert found.negative.size == found.half_negative.size == 0
+
+
+def test_one_reading_at_each_target_has_no_spread() -> None:
+    """ISO 230-2, clause 5.2: from one approach per direction no repeatability follows."""
+    work = work_of(BENT)
+    test = work.results[0].test
+    once = replace(
+        test,
+        positive=test.positive[:, :1],
+        negative=test.negative[:, :1],
+        runs_positive=(1,),
+        runs_negative=(1,),
+    )
+    dense = BENT.summary(np.linspace(0.0, 1000.0, 401))
+    found = scenarios_of(evaluate(once, "iso230-2:2014"), work.posterior, dense, work.planned.axis)
+    assert found.half_positive.size == found.half_negative.size == found.positions.size
+    assert not np.any(found.half_positive)
+    assert not np.any(found.half_negative)
 
 
 def test_a_goal_that_gains_is_told_with_both_numbers() -> None:
