@@ -190,6 +190,22 @@ TABLE = "#1 DEFINE COMP 2,60000000\n16 0\n"
         (f"{TABLE}I51=1\nOPEN PLC 3 CLEAR\nIF (I51=0)\nP1=1\nENDIF\nCLOSE\nENABLE PLC 3\n", 0),
         (f"{TABLE}I51=1\nIF (P1=1)\n", 3),
         (f"{TABLE}I51=1\n#else\n", 3),
+        # which number was sent is as open as the block
+        (
+            f"#ifdef A\n#define PLAY 64\n#else\n#define PLAY 16\n#endif\n{TABLE}I185=32\nI186=PLAY\nI51=1\n",
+            3,
+        ),
+        (
+            f"#define PLAY 16\n#ifdef A\n#undef PLAY\n#define PLAY 64\n#endif\n{TABLE}I185=32\nI186=4*PLAY\nI51=1\n",
+            3,
+        ),
+        (f"#ifdef A\n#define ONE 1\n#endif\n#define SWITCH ONE\n{TABLE}I51=SWITCH\n", 3),
+        (f"{TABLE}I51=1\n#ifdef A\n#define DO I51=0\n#else\n#define DO P1=1\n#endif\nDO\n", 3),
+        (
+            f"#ifdef A\n#define PLAY 64\n#endif\n#define PLAY 16\n{TABLE}I185=32\nI186=PLAY\nI51=1\n",
+            0,
+        ),
+        (f"#ifdef A\n#define PLAY 64\n#endif\n{TABLE}P1=PLAY\nI51=1\n", 0),
     ],
 )
 def test_what_may_not_have_been_sent_is_asked_for_or_refused(text: str, code: int) -> None:

@@ -22,7 +22,8 @@ from compwright.controllers.virtual import virtual_control
 from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
-from compwright.formats.families.card_words import UNKNOWN
+from compwright.formats.definition.schema import Definition
+from compwright.formats.families.card_words import UNKNOWN, CardRequest
 from compwright.formats.gate.gate import check_definition
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.foundations.session import Session
@@ -586,6 +587,38 @@ def test_a_line_is_two_numbers_and_a_bit() -> None:
         control_format(ITNC, {}).write([line], [axis])
 
 
+@pytest.mark.parametrize("definition", [ITNC, NCK])
+def test_the_card_has_the_sheet_typed_into_no_table_of_another_motion(
+    definition: Definition,
+) -> None:
+    """X.COM in the column of Y is X = F(Y): typed over it, the pitch error of X would follow Y."""
+    wanted = table("X", [0, 50, 100], [0, 0.001, 0.002])
+    control = control_format(definition, {})
+    sheet = control.write([wanted], [axis_of("X")])
+    own = ControlFile("X.COM", b"BEGIN X .COM MM DATUM:0 DIST:50\n")
+    play = sheet[0].content.replace(b"points: 3", b"points: 0")
+    for files, says in (
+        (
+            (own, *sheet),
+            "names for the motion of axis X; where it names none, into a new one. Never",
+        ),
+        (sheet, "Type the sheet entry_X.csv into"),
+        ((own,), "Load your own .COM file of tables/: it holds the table. Typed"),
+        ((own, replace(sheet[0], content=play)), "entry_X.csv holds the parameters"),
+    ):
+        asked = CardRequest(
+            axis=axis_of("X"),
+            table=wanted,
+            facts=AxisFacts(),
+            check_at=wanted.positions,
+            files=files,
+        )
+        values = control.card(asked).values
+        steps = {s.title: s.text for s in card_steps(definition, axis_of("X"), values)}
+        assert says in steps["Enter the table"]
+        assert ("Load your own" in steps["Enter the table"]) == ("Load" in says or "holds" in says)
+
+
 def test_the_card_names_the_own_bit_and_column() -> None:
     wanted = table("Y", [0, 50, 100, 150, 200], [0, 0.001, 0.002, 0.003, 0.004], backlash=0.0025)
     values = card_values(
@@ -944,6 +977,7 @@ def test_a_run_removes_a_known_error(format_id: str, tmp_path: Path) -> None:
     assert accuracy(machine.measure(fresh, 2, acting)) <= limit
     card = (out / "card" / "card.md").read_text(encoding="utf-8")
     assert UNKNOWN not in card
+    assert "entry_X.csv into the .COM file that the active line" in card.replace("\\", "")
 
 
 def test_a_run_fills_the_table_that_is_in_the_control(tmp_path: Path) -> None:

@@ -12,7 +12,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
+from compwright.formats.families.card_words import CardRequest
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.cross_writing import write_cross
 from compwright.foundations.errors import CapacityError, InputError, UsageError
@@ -196,6 +198,36 @@ def test_md32711_says_their_unit_whatever_the_basic_system_is() -> None:
     control = control_format(SIEMENS, {**CEC, "cec_tables": [3, 20, 21]}, state)
     assert control.capacity(X).curves == 2
     assert control.capacity(X).quantum == pytest.approx(1e-6, rel=1e-12)
+
+
+def test_the_card_of_a_pair_in_mm_on_a_control_in_inch_says_mm() -> None:
+    """What is typed into `$AN_CEC` counts in mm where MD32711 is 1: 0.1 inch would be 2.54 mm."""
+    values = [0, 0.001, 0.003]
+    pair = [
+        cec_lines(t, "AX1", "AX1", 0, 254, values, direction=way) for t, way in ((3, 1), (4, -1))
+    ]
+    on = ON + ON.replace("[3]", "[4]") + METRIC_CEC
+    md = inch(MD).replace("M17", "".join(pair) + on + "M17")
+    md = md.replace("ENC_COMP_ENABLE[0,AX1]=1", "ENC_COMP_ENABLE[0,AX1]=0")
+    options = {**CEC, "cec_tables": [3, 4]}
+    before = given(md, inch(EEC))
+    state = control_format(SIEMENS, options).read(before, [X])
+    control = control_format(SIEMENS, options, state)
+    two = replace(
+        table("AX1", [0, 254, 508], [0, 0.002, 0.004]), negative=np.array([0.0, 0.001, 0.002])
+    )
+    written = control.write([two], [X], before)
+    text = "".join(file.content.decode() for file in written)
+    assert "$AN_CEC_MAX[3]=508" in text
+    facts = control.read(written, [X]).facts["AX1"]
+    asked = CardRequest(axis=X, table=two, facts=facts, check_at=two.positions, files=written)
+    steps = {step.title: step.text for step in card_steps(SIEMENS, X, control.card(asked).values)}
+    assert "write 0.1 mm into every point of tables 3 and 4" in steps["Check the sign"]
+    assert "inch" not in steps["Check the sign"]
+    assert "3 points from 0 to 508 mm every 254 mm" in steps["Load the table"]
+    assert (
+        "MD32450 $MA_BACKLASH[0,AX1] = 0 inch" in steps["Set the backlash and switch the table on"]
+    )
 
 
 @pytest.mark.parametrize("basic", ["inch", "metric"])

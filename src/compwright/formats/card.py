@@ -110,6 +110,7 @@ def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
         "gantry": gantry_words(axis),
         "archive": "",
         "emptied": "",
+        "load": "",
         "others": "",
         "others_back": "",
         "woken": "",

@@ -221,7 +221,8 @@ class _Script:
     def _unknown(self, rest: str, place: ScriptPlace) -> int | None:
         """Refuse an unknown command; skip one that its macros make harmless."""
         expanded = self.sending.put_in(rest)
-        if expanded != rest and _HARMLESS.fullmatch(expanded.strip()):
+        certain = expanded != rest and not self.sending.may_differ(rest)
+        if certain and _HARMLESS.fullmatch(expanded.strip()):
             return len(rest)
         message = "not a command that is known here: it may act"
         if _NUMBER.match(rest):
@@ -372,7 +373,12 @@ class _Script:
         value = calculated(self.sending.put_in(text))
         end = int(last or first) if count is None else int(first) + (int(count) - 1) * int(step)
         for number in range(int(first), end + 1, max(1, int(step or 1))):
-            if concerns_compensation(number) and self._sent(f"I{number}", number // 100, place):
+            if not concerns_compensation(number):
+                continue
+            if self.sending.may_differ(text):
+                message = f"I{number}: its value depends on a macro of a conditional block"
+                self.card.faults.append(place.fault(message, expected="a number", found=text))
+            elif self._sent(f"I{number}", number // 100, place):
                 self.card.variables[number] = VariableSetting(value, text, place)
 
     def _open(self, match: re.Match[str], place: ScriptPlace) -> None:

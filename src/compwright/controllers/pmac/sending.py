@@ -46,7 +46,8 @@ def apart(here: Sequence[Block], there: Sequence[Block]) -> bool:
 
 @dataclass(slots=True)
 class Sending:
-    """``macros``: name -> text; ``blocks``: the line and the branch of every block that is open,
+    """``macros``: name -> text; ``uncertain``: those that a block has defined or removed;
+    ``blocks``: the line and the branch of every block that is open,
     with its question and the answer for which the branch is sent; ``counts``: how often a macro was
     defined or removed, and (empty name) all of them.
     """
@@ -54,6 +55,7 @@ class Sending:
     macros: dict[str, str] = field(default_factory=dict)
     blocks: list[Block] = field(default_factory=list)
     counts: dict[str, int] = field(default_factory=dict)
+    uncertain: set[str] = field(default_factory=set)
 
     def takes(self, line: str, number: int) -> str | None:
         """Process a line (without remarks) for the sending program; return its fault, or an empty
@@ -86,8 +88,17 @@ class Sending:
         return ""
 
     def _changed(self, macro: str) -> None:
+        self.uncertain = self.uncertain | {macro} if self.blocks else self.uncertain - {macro}
         for name in (macro, ""):
             self.counts[name] = self.counts.get(name, 0) + 1
+
+    def may_differ(self, text: str) -> bool:
+        """Return whether the text depends on a macro that a block has defined or removed."""
+        words = set(_WORD.findall(text))
+        for _ in range(_ROUNDS):
+            inner = (self.macros.get(word, "") for word in words)
+            words |= {word for value in inner for word in _WORD.findall(value)}
+        return not words.isdisjoint(self.uncertain)
 
     def put_in(self, text: str) -> str:
         """Return a text with its macros expanded."""

@@ -76,12 +76,16 @@ def typed(value: float) -> str:
 
 
 def table_values(
-    definition: Definition, scale: NumberScale, compensation: AxisCompensation
+    definition: Definition,
+    scale: NumberScale,
+    compensation: AxisCompensation,
+    node: str | None = None,
 ) -> dict[str, str]:
     """Return points, unit, backlash, start, end and spacing of a table, in the control's units:
-    lengths in that of the positions, the backlash in its own.
+    lengths in that of the positions (``node``: the quantity, where it is not the axis' own table),
+    the backlash in its own.
     """
-    node = "table_start" if "table_start" in definition.bindings else "node_position"
+    node = node or ("table_start" if "table_start" in definition.bindings else "node_position")
     lost = "backlash" if "backlash" in definition.bindings else node
     factor = float(scale.factor(node))
     positions = compensation.positions

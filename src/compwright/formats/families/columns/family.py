@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
@@ -11,6 +11,7 @@ from compwright.formats.families.card_words import (
     AxisCard,
     CardRequest,
     named_files,
+    numbered_files,
     table_values,
 )
 from compwright.formats.families.columns.between import columns_between
@@ -24,6 +25,7 @@ from compwright.formats.families.columns.kept_lines import KEPT
 from compwright.formats.families.columns.reading import read_columns
 from compwright.formats.families.columns.writing import write_columns
 from compwright.formats.families.family import Family, Listing, checked, in_patched_files
+from compwright.formats.text.entry_sheet import is_entry_sheet, read_sheet
 from compwright.foundations.errors import CapacityError, raise_all
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
@@ -81,7 +83,28 @@ class ColumnsFamily(Family):
         axis, table = asked.axis, asked.table
         values = table_values(self.definition, self.scale_of(axis), table)
         files = named_files(self, axis, asked.files)
-        return AxisCard(values | card_values(self, axis, table) | files)
+        load = {"load": self._loading(asked, files)}
+        return AxisCard(values | card_values(self, axis, table) | files | load)
+
+    def _loading(self, asked: CardRequest, names: Mapping[str, str]) -> str:
+        """Return where the table goes: it is in the user's own file, or is typed from the sheet.
+
+        A control has one .COM file by motion, so one that it names for another axis is not free.
+        """
+        if not asked.table.positions.size:
+            return ""
+        address, _ = self.address(asked.axis)
+        name = names.get("file_1") or numbered_files(self.definition, asked.axis)["file_1"]
+        read = (read_sheet(file, []) for file in asked.files if is_entry_sheet(file))
+        mine = [sheet.comments for sheet in read if sheet is not None and sheet.axis == address]
+        if asked.files and all(comments.get("points") == "0" for comments in mine):
+            rest = f" {name} holds the parameters that are in no file of yours." if mine else ""
+            return f"Load your own .COM file of tables/: it holds the table.{rest}"
+        return (
+            f"Type the sheet {name} into the .COM file that the active line of the .CMA names for"
+            f" the motion of axis {address}; where it names none, into a new one. Never into one"
+            " that it names for another axis."
+        )
 
     def between(self, asked: BetweenRequest) -> Between:
         """See `Family.between`: columns to type in."""

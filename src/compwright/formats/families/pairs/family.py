@@ -20,6 +20,7 @@ from compwright.formats.families.card_words import (
     CardRequest,
     named_files,
     numbered_files,
+    table_values,
 )
 from compwright.formats.families.control_texts import is_listing, texts_of
 from compwright.formats.families.family import Family, Listing
@@ -294,6 +295,9 @@ class PairsFamily(GridFamily):
             )
         own = asked.facts.pairs.own
         if own is not None:
+            if CURVES in values:  # a CEC table counts in its own unit, whatever the control's is
+                scale = self.scale_of(axis)
+                values |= table_values(self.definition, scale, compensation, "cross_start")
             which = f"the tables {' and '.join(map(str, own))}"
             points = int(compensation.positions.size)
             values["room"] = reserving(self.definition, points, which)

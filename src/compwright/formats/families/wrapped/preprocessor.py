@@ -50,22 +50,23 @@ class ConditionalBlock:
 @dataclass(slots=True)
 class Conditions:
     """The macros that are defined, how often each was defined or removed, and the conditional
-    blocks that are open.
+    blocks that are open. ``chosen``: the macros that were last defined or removed in one.
     """
 
     macros: dict[str, str] = field(default_factory=dict)
     changes: Counter[str] = field(default_factory=Counter)
     open: list[ConditionalBlock] = field(default_factory=list)
+    chosen: set[str] = field(default_factory=set)
 
     def apply(self, match: re.Match[str], line: int) -> str:
         """Take a directive in; return what is wrong with it, or an empty text."""
         name, rest = match["name"].upper(), match["rest"]
         if name == "DEFINE" and (macro := _MACRO.fullmatch(rest)) is not None:
             self.macros[macro["name"]] = macro["value"].strip()
-            self.changes[macro["name"]] += 1
+            self._changed(macro["name"])
         elif name == "UNDEF":
             self.macros.pop(rest.strip(), None)
-            self.changes[rest.strip()] += 1
+            self._changed(rest.strip())
         elif name.startswith("IF"):
             about = "".join(rest.split())
             version = self.changes.total() if name == "IF" else self.changes[about]
@@ -77,6 +78,24 @@ class Conditions:
             self.open.pop()
         else:
             self.open[-1].branch += 1
+        return ""
+
+    def _changed(self, name: str) -> None:
+        self.changes[name] += 1
+        if self.open:
+            self.chosen.add(name)
+        else:
+            self.chosen.discard(name)
+
+    def undecided(self, text: str) -> str:
+        """Return a macro of ``text``, or in its macros, that a conditional block may have changed;
+        an empty text where there is none.
+        """
+        for _ in range(_DEPTH):
+            names = _NAME.findall(text)
+            if chosen := [name for name in names if name in self.chosen]:
+                return chosen[0]
+            text = " ".join(self.macros.get(name, "") for name in names)[:_LONGEST]
         return ""
 
     @property

@@ -220,7 +220,8 @@ class _ScriptReader:
     def _idle_by_macro(self, word: Word) -> bool:
         """Whether a line becomes a command of no concern here when its macros are in place."""
         said = expanded(word.text, self.conditions.macros).rstrip()
-        match = _COMMAND.match(said) if said != word.text.rstrip() else None
+        known = said != word.text.rstrip() and not self.conditions.undecided(word.text)
+        match = _COMMAND.match(said) if known else None
         if match is None or (self.open is not None and len(self.open.values) < self.open.needed):
             return False
         end = expression_end(said, match.end()) if match["other"] else match.end()
@@ -343,7 +344,13 @@ class _ScriptReader:
         if match["last"] or match["count"]:
             self.script.shared.add(value)
         command = self._word(match.start(), end)
+        macro = self.conditions.undecided(value.text)
         for quantity, motor in self._meant(match):
+            if macro:
+                name = match["setting"].split("=")[0].strip()
+                message = f"{name}: a conditional block decides what the macro {macro} is"
+                self._fault(value, message, "its number in its place, as it was sent to the card")
+                continue
             if number is None or abs(number) >= _MOST:
                 name = match["setting"].split("=")[0].strip()
                 message = f"{name} is set to something that is no whole number of the control"
