@@ -407,6 +407,30 @@ def test_the_card_says_between_which_places_the_gap_lies() -> None:
     assert "repeats after 180 mm" in words["gap"]
 
 
+def test_a_backlash_without_a_table_is_replaced_by_a_table_and_its_constant(
+    tmp_path: Path,
+) -> None:
+    """Lost motion of 5 um, of which Ixx86 = 16/16 count takes out 1 um (1000 counts per mm)."""
+    (tmp_path / "a.pmc").write_text("I185=32\nI186=16\nI51=1\n")
+    rows = [
+        f"{x},{way},{run},{0.02 * x + noise - (4 if way == '+' else 0)}"
+        for run, noise in enumerate((0.1, -0.2, 0.3, -0.1, 0.0), start=1)
+        for way in "+-"
+        for x in (13, 118, 204, 322, 411, 497, 588)
+    ]
+    head = "# axis: X\ntarget_mm,direction,run,deviation_um\n"
+    (tmp_path / "x.csv").write_text(head + "\n".join(rows) + "\n")
+    words = ["run", str(tmp_path / "x.csv"), "--format", "pmac", "--axis", "X", "--travel", "0:600"]
+    words += ["--option", "address=1", "--option", "counts_per_unit=1000"]
+    words += ["--state", str(tmp_path / "a.pmc"), "--out", str(tmp_path / "out")]
+    assert compwright(words) == 0
+    script = (tmp_path / "out" / "tables" / "pmac" / "a.pmc").read_text()
+    (constant,) = (line for line in script.splitlines() if line.startswith("I186="))
+    assert 72 <= int(constant.removeprefix("I186=")) <= 88  # 5 um and its noise, in 1/16 count
+    card = (tmp_path / "out" / "card" / "card.md").read_text(encoding="utf-8")
+    assert f"{constant.replace('=', ' = ')} (1/16 count" in card.replace("\\", "")
+
+
 # --- patching
 
 OTHERS = """\

@@ -189,7 +189,7 @@ def _not_held(error: CapacityError, name: str, work: AxisWork, file: str) -> Cap
         Fault(
             message=doubt.message,
             place=f"axis {name}, test {result.test.name}",
-            hint="measure again with more runs, or leave this axis out of the job",
+            hint="correct the measurement file or the job, or measure again",
         ).in_file(result.test.sources[0].file if result.test.sources else file)
         for result in work.results
         for doubt in doubts_of(result.findings)

@@ -5,6 +5,7 @@ it. A script defines them.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 
 from compwright.formats.definition.kept_lines import NUMBER, KeptLines
 from compwright.formats.definition.shape_rules import ShapeRules
@@ -26,7 +27,7 @@ from compwright.formats.families.wrapped.reading import read_wrapped
 from compwright.formats.families.wrapped.tables import MotorTable, motor_table, over_travel
 from compwright.formats.families.wrapped.writing import TAKE_UP, fresh_script, patched_scripts
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import (
     Assumption,
@@ -184,6 +185,9 @@ class WrappedFamily(Family):
     def card(self, asked: CardRequest) -> AxisCard:
         """See `Family.card`."""
         axis, table = asked.axis, asked.table
+        if table.backlash:  # a backlash alone, without a table: Ixx86 holds it in one direction
+            ahead, against = (table.at(table.positions, direction) for direction in Direction)
+            table = replace(table, positive=ahead, negative=against, backlash=0.0)
         rate = str(asked.facts.said.get(TAKE_UP, self.options_of(axis)[TAKE_UP]))
         words = table_words(axis, self._motor_table(axis, table), self._counts(axis), rate)
         files = named_files(self, axis, asked.files)
