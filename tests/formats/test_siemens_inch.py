@@ -200,6 +200,17 @@ def test_md32711_says_their_unit_whatever_the_basic_system_is() -> None:
     assert control.capacity(X).quantum == pytest.approx(1e-6, rel=1e-12)
 
 
+def test_too_few_free_tables_suggest_no_index() -> None:
+    """A suggested index may be one of the machine's builder, here 0."""
+    md = MD.replace("M17", cec_lines(0, "AX2", "AX3", 0, 10, [0, 0.001, 0.0]) + "M17")
+    state = read(md, EEC, cec_sign="error")
+    with pytest.raises(CapacityError, match="CEC tables that are free") as refused:
+        control_format(SIEMENS, {**CEC, "cec_tables": [0, 1]}, state).capacity(X)
+    (fault,) = refused.value.faults
+    assert "as `cec_tables` in the options" in fault.hint
+    assert "[" not in fault.hint
+
+
 def test_the_card_of_a_pair_in_mm_on_a_control_in_inch_says_mm() -> None:
     """What is typed into `$AN_CEC` counts in mm where MD32711 is 1: 0.1 inch would be 2.54 mm."""
     values = [0, 0.001, 0.003]

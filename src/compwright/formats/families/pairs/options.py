@@ -125,8 +125,8 @@ def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[i
             else "none: the option is not given"
         ),
         hint=(
-            "look for free tables in the control, then give their indices: "
-            "`cec_tables: [0, 1]` in the options"
+            f"look in the control for {needed} tables that nobody uses, the machine's builder"
+            " included, then give their indices as `cec_tables` in the options"
         ),
     )
 
