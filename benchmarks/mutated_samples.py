@@ -377,9 +377,20 @@ def _command(
         obeyed = {c for c in "".join(lines) if not c.isprintable()} - {"\n"}
         if obeyed - {"\u00a0", "\u202f", "\u2009"}:
             raise AssertionError(f"a terminal would obey {sorted(obeyed)}")
-        raise_all(_ERRORS.get(code, InputError), [Fault(message="")] if code > 1 else [])
+        raise_all(_ERRORS.get(code, InputError), _printed_faults(lines[0]) if code > 1 else [])
 
     return Sample(f"{name} {sample.name}", sample.sound, sample.change, read_it)
+
+
+def _printed_faults(text: str) -> list[Fault]:
+    """Return the errors that a command printed. Raises AssertionError where there is none, or one
+    without its next step.
+    """
+    errors = [line for line in text.splitlines() if line.startswith("error: ")]
+    stuck = [line for line in errors if "Next: " not in line and "... and " not in line]
+    if not errors or stuck:
+        raise AssertionError(stuck[0] if stuck else "no error is printed")
+    return [Fault(message=line.removeprefix("error: ")) for line in errors]
 
 
 def _commands(found: Sequence[Sample], plans: Mapping[str, bytes]) -> Iterator[Sample]:

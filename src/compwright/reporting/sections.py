@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Final
 
 from compwright.foundations.findings import ACKNOWLEDGED, DOUBTS_FIRST, next_step
+from compwright.reporting.edition_terms import edition_symbol, parameter_term
 from compwright.reporting.numbers import (
     GUARDED,
     GUARDED_AFTER,
@@ -235,7 +236,7 @@ def parameter_block(
     ]
     reasons: dict[str, list[str]] = {}
     for key, reason in (not_applicable or {}).items():
-        reasons.setdefault(str(reason).rstrip("."), []).append(symbol(key))
+        reasons.setdefault(str(reason).rstrip("."), []).append(edition_symbol(key, standard))
     return {
         "standard": standard_text(standard),
         "columns": [
@@ -248,8 +249,8 @@ def parameter_block(
         ],
         "rows": [
             {
-                "symbol": symbol(key),
-                "words": PARAMETERS.get(key, ("", ""))[1],
+                "symbol": edition_symbol(key, standard),
+                "words": parameter_term(key, standard),
                 "cells": [
                     {"value": _value(column, key), "spread": _spread(column, key)}
                     for column in columns

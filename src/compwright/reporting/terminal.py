@@ -17,6 +17,7 @@ from rich.rule import Rule
 from rich.table import Table
 
 from compwright.foundations.findings import DOUBTS
+from compwright.reporting.edition_terms import has_arrows, parameter_term
 from compwright.reporting.shown import Text
 
 _UNITS: Final = {"um": "µm", "arcsec": "arcsec"}
@@ -179,18 +180,20 @@ def _parameters(result: Mapping[str, Any]) -> Table:
     rows = _VDI_ROWS if "P" in values else _ISO_ROWS
     one_way = any(key for _, _, keys in rows for key in keys[1:])
     unit, digits = _UNITS.get(result["unit"], result["unit"]), _digits(result)
+    arrows = has_arrows(result["standard"])
     table = Table(box=None, pad_edge=False, padding=(0, 3, 0, 0), header_style="bold")
-    table.add_column("Parameter", no_wrap=True)
+    table.add_column("Parameter")
     table.add_column("", no_wrap=True)
     table.add_column(unit, justify="right", no_wrap=True)
     if stated:
         table.add_column("U (k = 2)", justify="right", no_wrap=True)
     if one_way:
-        table.add_column("+", justify="right", no_wrap=True)
-        table.add_column("−", justify="right", no_wrap=True)
+        for head in ("↑", "↓") if arrows else ("+", "−"):
+            table.add_column(head, justify="right", no_wrap=True)
     table.add_column(f"at {result['position_unit']}", justify="right", no_wrap=True)
     for words, letter, keys in rows:
-        cells = [words, letter, number(values[keys[0]], digits, signed=keys[0] == "B_mean")]
+        term = parameter_term(keys[0], result["standard"]) if arrows else words
+        cells = [term, letter, number(values[keys[0]], digits, signed=keys[0] == "B_mean")]
         if stated:
             cells.append(f"± {number(stated[keys[0]]['U'], digits)}" if keys[0] in stated else "")
         if one_way:

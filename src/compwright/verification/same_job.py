@@ -50,7 +50,7 @@ def stale(what: str, mine: str, theirs: str, file: str) -> Fault:
         place=what,
         expected=mine,
         found=theirs,
-        hint="run the job again (`compwright run`), or give its own plan with `--plan`",
+        hint="run the job again with `compwright run`, or give its own plan with `--plan`",
     )
 
 
