@@ -114,7 +114,7 @@ def tell(line: str) -> None:
 
 
 def ask_for_report() -> None:
-    """Say, behind a fault of compwright's own, what to do with it."""
+    """Print what to do after a fault of compwright itself."""
     tell(
         f"Please report this line with the command, the input files and the version {__version__}."
     )

@@ -67,7 +67,7 @@ def averaged(
 def _with_and_without(
     cells: Cells, travel: Travel, known: Periods, model: PeriodModel, draws: int
 ) -> tuple[dict[bool, FittedModel], float]:
-    """Return a model with the reversal varying and constant, and the log odds for the first."""
+    """Return the model with varying and with constant reversal, and the log odds for the first."""
     periods = known.with_periods(model.periods, model.harmonics)
     both = {
         varying: fitted(cells, travel, periods, varying=varying, draws=draws)

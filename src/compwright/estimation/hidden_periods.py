@@ -131,8 +131,8 @@ class WaveHypotheses:
     curve: CurveColumns
 
     def drawn(self, targets: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return draws (count, m) of what they add at ``targets`` (m,) or (count, m), zero where
-        none is.
+        """Return draws (count, m) of the hidden waves at ``targets`` (m,) or (count, m); zero in
+        draws without a wave.
         """
         unique, back = np.unique(targets, return_inverse=True)
         places = np.broadcast_to(back.reshape(targets.shape), (count, targets.shape[-1]))

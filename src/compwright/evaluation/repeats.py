@@ -156,8 +156,10 @@ def _spread(values: FloatArray, where: NDArray[np.bool_]) -> FloatArray:
 
 
 def _gaps(mine: FloatArray, theirs: FloatArray) -> Iterator[FloatArray]:
-    """Yield by how much the runs (columns) of two blocks differ, pair by pair, where both have a
-    reading; not those with too few, nor runs of zeros that were not made.
+    """Yield the differences between the runs (columns) of two blocks, pair by pair, at targets
+    where both have a reading.
+
+    Pairs with too few common readings are left out, and so are runs of zeros that were not made.
     """
     for left in mine.T:
         for gap, both in zip(

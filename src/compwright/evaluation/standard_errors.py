@@ -123,8 +123,8 @@ def _between_runs(blocks: list[FloatArray]) -> list[float]:
 
 
 def _relative_variance(parts: Iterable[FloatArray]) -> float | None:
-    """Return the relative variance of the mean of the parts' mean squares; None of fewer than
-    three.
+    """Return the relative variance of the mean of the mean squares of the parts; None for fewer
+    than three parts.
     """
     found = (part[np.isfinite(part)] for part in parts)
     squares = [float(part @ part) / part.size for part in found if part.size]

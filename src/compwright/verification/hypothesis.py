@@ -1,10 +1,10 @@
-"""A way in which a table may have been loaded, and what was to be loaded.
+"""The ways in which a table may have been loaded.
 
-A correction is what the control adds to the command, table and backlash together. A constant common
-to both directions is the instrument's datum and of no account; a difference between the directions
-is not. Weights are prior odds against the loaded table (weight 1); several variants may stand under
-one name, and a family that runs through many (a cut at any node) shares its weight among them.
-mm or deg.
+A correction is what the control adds to the command, table and backlash compensation together. A
+constant common to both directions is the instrument's datum and does not count; a difference
+between the directions does. Weights are prior odds against the loaded table (weight 1). Several
+variants may share one name; a family with many variants (a cut at any node) shares its weight among
+them. mm or deg.
 """
 
 from __future__ import annotations

@@ -43,9 +43,8 @@ _MANY_CELLS: Final = 800
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ErrorBelief:
-    """What is known of the deviation at m targets: normal with ``mean`` (2, m) in + and -, and
-    covariance ``root`` root' (root (2, m, r)) and ``blocks`` (m, 2, 2), of both directions at one
-    target.
+    """The expected deviation at m targets: normal with ``mean`` (2, m) in + and -, and covariance
+    ``root`` root' (root (2, m, r)) and ``blocks`` (m, 2, 2), of both directions at one target.
     """
 
     mean: FloatArray
@@ -66,12 +65,12 @@ class ErrorBelief:
 
 
 def draws_for(targets: int) -> int:
-    """Return how many draws tell a belief at so many ``targets``."""
+    """Return the number of draws that are needed for so many ``targets``."""
     return int(np.clip(_NUMBERS // max(2 * targets, 1), 400, _MOST_DRAWS))
 
 
 def belief_of(positive: FloatArray, negative: FloatArray) -> ErrorBelief:
-    """Return the belief that joint draws of the deviation tell, (n, m) in + and in -."""
+    """Return the expected deviation from joint draws of it, (n, m) in + and in -."""
     both = np.hstack([positive, negative])
     mean = both.mean(axis=0)
     left = (both - mean) / math.sqrt(max(both.shape[0] - 1, 1))
@@ -129,8 +128,8 @@ class AfterMeans:
 
 
 def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
-    """Return the means of a ``test`` with the noise that its readings tell, or, where they are too
-    few, with ``fallback``: that of a test of the same axis.
+    """Return the means of a ``test`` with the noise from its readings, or, where they are too few,
+    with ``fallback``: that of another test of the axis.
     """
     blocks = (test.positive, test.negative)
     plain = np.stack([_means(block) for block in blocks])
@@ -310,8 +309,8 @@ def _products(
     free: FloatArray | None,
     numbers: Sequence[int],
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the products (H, 3) of what is left with the whitened change, free direction and
-    slope, and (H, 3, 3) of these among themselves; ``free`` (n, f): of the curves ``numbers``.
+    """Return the products (H, 3) of the residuals ``left`` with the whitened change, free direction
+    and slope, and (H, 3, 3) of these with each other; ``free`` (n, f): of the curves ``numbers``.
     """
     count = change.shape[1]
     score, inner = np.zeros((count, 3)), np.zeros((count, 3, 3))

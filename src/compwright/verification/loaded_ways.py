@@ -1,5 +1,5 @@
-"""What a control does with a table whose values are others than planned: the changes at the targets
-of a test, and the hypotheses that stand for them.
+"""The correction of a control whose table has other values than planned: changes at the targets of
+a test, as hypotheses.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ Held = dict[Direction, FloatArray]  # values at the nodes (k,)
 class Ways:
     """One loading at one set of targets.
 
-    ``table``: the planned table alone, ``own`` (2, m) what it does; ``stay``: what other tables do
-    in any case; ``old`` and ``old_backlash``: what was there before.
+    ``table``: the planned table alone, ``own`` (2, m): its correction; ``stay``: the correction of
+    other tables, which stay in any case; ``old`` and ``old_backlash``: the correction before.
     """
 
     def __init__(self, loading: Loading, targets: FloatArray) -> None:
@@ -87,7 +87,9 @@ class Ways:
         return {d: self.table.curve(d) for d in Direction}
 
     def old_values(self) -> Held:
-        """Return what was there at the nodes, without what stays and the backlash."""
+        """Return the old values of the table at its nodes, without the tables that stay and without
+        the backlash.
+        """
         nodes, old, stay = self.table.positions, self.loading.old, _only_others(self.loading.new)
         line = self.table.slope * (nodes - self.table.origin)
         return {
@@ -105,8 +107,8 @@ class Ways:
         )
 
     def _from_zero(self, curve: Curve, curves: Mapping[Direction, FloatArray]) -> Curve | None:
-        """Return ``curve`` where each direction counts from a zero of its own: at the reference as
-        the planned table; None where that is the same.
+        """Return ``curve`` with each direction zero at the reference, as in the planned table; None
+        where that is the same.
         """
         nodes, at = self.table.positions, self.loading.reference
         off = [
@@ -122,7 +124,9 @@ class Ways:
         weight: float,
         **more: Any,
     ) -> Iterator[Hypothesis]:
-        """Yield a table with other values, counting as it stands and from its own zero."""
+        """Yield a table with other values: with its zero unchanged, and with its zero moved to the
+        reference.
+        """
         curve = self.values(curves)
         yield from self.both(name, curve, weight, **more)
         counted = self._from_zero(curve, curves)

@@ -1,12 +1,11 @@
-"""What did the control do after loading? The test after it against every way in which a table may
-be loaded (`verification.hypotheses`), by joint likelihood of the tests before and after.
+"""Was the table loaded? The test after loading is compared with every way of loading
+(`verification.hypotheses`), by joint likelihood of the tests before and after.
 
-The deviation before stands as a belief that the tests before left, with its uncertainty; so the
-noise of both sides counts (a plain regression of after minus before on the correction is biased,
-because the noise of the before test is in both). The instrument's datum is free, once per test: an
-offset of its own for each direction would hide a fault in the backlash. Whatever is not known is
-integrated, never chosen to fit (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995): a name wins by
-probability, not by having more to adjust.
+The deviation before is an expectation with uncertainty, from the tests before. So the noise of both
+sides counts; a plain regression of after minus before on the correction is biased, because the
+noise of the test before is in both. The instrument's datum is free, once per test: one per
+direction would hide a fault of the backlash. All unknowns are integrated, none is fitted (Kass and
+Raftery, J. Am. Stat. Assoc. 90, 1995): a name wins by probability, not by more adjustable values.
 """
 
 from __future__ import annotations
@@ -56,15 +55,14 @@ def judge_loading(
     further: Callable[[], Sequence[View]] = tuple,
     read_back: bool = False,
 ) -> LoadingVerdict:
-    """Return what the test ``after`` shows of the loading, by the hypotheses of all ``views``, and
-    of those that ``further`` makes where the test fits neither the loaded table nor the control as
-    it was before.
+    """Return the loading verdict from the test ``after``, by the hypotheses of all ``views``.
 
-    The first view is the test as it stands; its first hypothesis of the name ``loaded`` and of the
-    name ``not_active`` are what the message measures by. ``declared_slope``: standard deviation,
-    mm/mm, of a slope between the tests by what is declared of temperature; None where no
-    temperature makes a slope (angles). ``read_back``: the values that were read back from the
-    control are the plan's.
+    ``further`` makes more hypotheses where the test fits neither the loaded table nor the control
+    as before. The first view is the test as given; its first hypotheses of the names ``loaded`` and
+    ``not_active`` give the numbers of the message. ``declared_slope``: standard deviation, mm/mm,
+    of a slope between the tests from the declared temperature uncertainty; None where no
+    temperature makes a slope (angles). ``read_back``: the values read back from the control are
+    those of the plan.
 
     A name is given where its variants, with those within one standard error of it (norm of the
     difference of the noise-free tests, each less its mean, over s √(2/n)), have `CLEAR` of the
@@ -89,7 +87,9 @@ def judge_loading(
 
 
 def _fits_unchanged(each: Rated) -> bool:
-    """Return whether the test fits the loaded table, or the old control, as it stands."""
+    """Return whether the test fits the loaded table, or the control as before, without any further
+    change.
+    """
     return each.hypothesis.name in ("loaded", "not_active") and each.score <= REFUSED
 
 

@@ -1,5 +1,5 @@
-"""From hypotheses that a test has rated to names: the likeliest, those that no test could tell from
-it, and those that this one leaves open.
+"""From rated hypotheses to names: the most probable one, those that no test can distinguish from
+it, and those that this test leaves open.
 """
 
 from __future__ import annotations
@@ -146,9 +146,10 @@ def _equivalent(best: Rated, far: FloatArray, rated: Sequence[Rated]) -> tuple[L
 
 
 def _near(far: FloatArray, rated: Sequence[Rated]) -> tuple[LoadingName, ...]:
-    """Return the names whose test lies so close to the best that this one says little of them.
-    Variants that can come as close as they like (a cut near an end, an unknown factor or slope)
-    are no question of it, nor is how the test was measured.
+    """Return the names whose test is so close to the best that this test hardly distinguishes them.
+
+    Left out: variants that can come arbitrarily close (a cut near an end, an unknown factor or
+    slope), and faults of measurement.
     """
     return tuple(
         dict.fromkeys(

@@ -1,5 +1,5 @@
-"""What a verdict about the loading says: what was seen and where, in µm or arcsec, and what would
-explain it.
+"""The sentences of a loading verdict: what was measured and where, in µm or arcsec, and the
+possible causes.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ class Shown:
         return Amount(outside, shown_unit(self.unit), ".1f" if outside >= 1.0 else ".2f")
 
     def rms(self, values: FloatArray) -> Sentence:
-        """Return the root mean square of what is there."""
+        """Return the root mean square of the finite values."""
         return say("loading.rms", rms=self.length(float(np.sqrt(np.nanmean(values**2)))))
 
     def worst(self, values: FloatArray) -> Sentence:
@@ -99,7 +99,7 @@ class Shown:
         )
 
     def between_directions(self, values: FloatArray) -> float:
-        """Return mean(+) minus mean(-) of what is left (2, m), 0 where one direction alone was
+        """Return mean(+) minus mean(-) of the residuals (2, m), 0 where only one direction was
         measured.
         """
         there = np.isfinite(values).any(axis=1)

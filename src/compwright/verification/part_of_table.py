@@ -68,7 +68,7 @@ def _reversal(ways: Ways) -> Curve:
 
 
 def partial(ways: Ways) -> Iterator[Hypothesis]:
-    """Yield the table up to a node, or from one on, with what may stand at the other nodes."""
+    """Yield the table up to a node, or from one on, with the possible values at the other nodes."""
     nodes = ways.table.positions
     if nodes.size < 3:
         return

@@ -54,8 +54,9 @@ class AfterTest:
 
 
 def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
-    """Yield a finding for limits, standard, decision rule and declared uncertainty that are not
-    those of the run (CW-V022): what is declared after the measurement explains any slope away.
+    """Yield a finding (CW-V022) for limits, standard, decision rule and declared uncertainty that
+    differ from those of the run: an uncertainty declared after the measurement could explain any
+    slope.
     """
     if job.standard != plan.standard:
         yield _changed("standard", plan.standard, job.standard)
@@ -124,11 +125,11 @@ def _changed(what: str, was: str, now: str, of: str = "") -> Finding:
 def not_measured(
     job: Job, plan: Plan, axes: Mapping[str, str], circles: Mapping[str, CircularTest]
 ) -> Iterator[Finding]:
-    """Yield what was planned or limited and has no test after loading (CW-V023), with what to
-    measure.
+    """Yield a finding (CW-V023) for each planned or limited axis or circle without a test after
+    loading.
 
-    ``axes``: those that were measured, each with the name of the test that was repeated;
-    ``circles``: the circular tests after loading by the name of those before.
+    ``axes``: the measured ones, each with the name of the test that was repeated; ``circles``: the
+    circular tests after loading by the name of those before.
     """
     for name, entry in plan.axes.items():
         limited = name in job.axes and job.axes[name].accept is not None
@@ -146,8 +147,8 @@ def not_measured(
 
 
 def _circles_missing(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterator[Finding]:
-    """Yield what was corrected by circles, scale of an axis or squareness of a plane, and has no
-    circle after loading.
+    """Yield a finding for each scale or squareness that was corrected by circles and has no circle
+    after loading.
     """
     for name, entry in plan.axes.items():
         if (
@@ -168,7 +169,7 @@ def _circles_missing(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterato
 
 
 def _limited_test(job: Job, axis: str) -> str | None:
-    """Return the name of the test that the limits of an axis speak of; None without limits."""
+    """Return the name of the test to which the limits of an axis apply; None without limits."""
     entry = job.axes.get(axis)
     if entry is None or entry.accept is None:
         return None
@@ -216,8 +217,8 @@ def doubted(
 
 
 def copies(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
-    """Return by axis what was given twice: a file within one test, or one measurement for two
-    axes.
+    """Return by axis the faults of duplicates: one file twice within a test, or one measurement for
+    two axes.
     """
     every = tuple(tests)
     found = {

@@ -1,4 +1,4 @@
-"""What a good verification proves of a control, fact by fact; what it leaves open is named too."""
+"""The facts about a control that a good verification proves, and those that it leaves open."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _FACTS: Final = (
 
 @dataclass(frozen=True, slots=True)
 class ProvenAxis:
-    """What the tests of one axis prove, and what they leave open, in words."""
+    """The facts that the tests of one axis prove, and those that they leave open, in words."""
 
     axis: str
     proven: tuple[str, ...]
@@ -39,12 +39,12 @@ def proven_axis(
     backlash: bool,
     two_curves: bool,
 ) -> ProvenAxis:
-    """Return what the tests of an axis prove whose table was loaded: of a fact, that the test lies
-    far from what it would show otherwise. What is likely beforehand is no proof.
+    """Return the facts that the tests of a loaded axis prove: those without which the test would be
+    clearly different.
 
-    ``loading``: the verdict as its document holds it; ``sign_odds`` as `sign_odds` gives them;
-    ``others``: more axes are planned; ``backlash``: the plan changed it; ``two_curves``: the table
-    has one curve for each direction.
+    That a fact is probable beforehand is no proof. ``loading``: the verdict as in its document;
+    ``sign_odds`` from `sign_odds`; ``others``: more axes are planned; ``backlash``: the plan
+    changed it; ``two_curves``: the table has one curve for each direction.
     """
     doubted = {
         *loading["equivalent"],

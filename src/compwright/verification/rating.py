@@ -1,7 +1,7 @@
-"""Every way in which a table may be loaded, with what a test after loading says of it.
+"""Rate every way of loading by a test after loading.
 
-Whatever is not known is integrated, never chosen to fit (Kass and Raftery, J. Am. Stat. Assoc. 90,
-1995): a name wins by probability, not by having more to adjust.
+All unknowns are integrated, none is fitted (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995): a name
+wins by probability, not by more adjustable values.
 """
 
 from __future__ import annotations
@@ -33,9 +33,8 @@ _SEEN: Final = 3.0
 
 @dataclass(frozen=True, slots=True)
 class Rated:
-    """One hypothesis with what a test says of it: ``expected`` (2, m) the noise-free test by what
-    fits best, ``probability``, ``score`` of what is left over, slope and factor with their
-    standard errors.
+    """A hypothesis rated by a test: ``expected`` (2, m), the best-fitting noise-free test;
+    ``probability``; ``score`` of the residual; slope and factor with their standard errors.
     """
 
     hypothesis: Hypothesis
@@ -52,8 +51,8 @@ class Rated:
 def rate(
     after: AfterMeans, views: Sequence[View], slope: float | None
 ) -> tuple[list[Rated], tuple[float, float]]:
-    """Return all hypotheses with what the test says of them, and the part of the planned effect
-    that it shows, 1 loaded and 0 not active, with its standard error (inf: there is none).
+    """Return all hypotheses rated by the test, and the part of the planned effect that it shows (1
+    loaded, 0 not active) with its standard error (inf: the test cannot show it).
     """
     found: list[Rated] = []
     effect = (0.0, math.inf)
@@ -155,8 +154,8 @@ def _curves_of(ways: Sequence[Hypothesis]) -> Curves:
 
 
 def distances(after: AfterMeans, best: Rated, rated: Sequence[Rated]) -> FloatArray:
-    """Return how far (H,) the noise-free tests of the hypotheses lie from that of the best, in
-    standard errors; what is free in them takes the value that comes nearest.
+    """Return the distances (H,) of the noise-free tests of the hypotheses from that of the best, in
+    standard errors; free values are those that give the least distance.
     """
     used = np.isfinite(after.plain)
     along = np.broadcast_to(after.targets - after.targets.mean(), after.plain.shape)

@@ -1,5 +1,5 @@
-"""What is in the control instead of the plan's table: exact comparison of two corrections, no
-measurement needed.
+"""Compare the correction read back from a control with the plan's, exactly, without any
+measurement.
 """
 
 from __future__ import annotations
@@ -66,8 +66,8 @@ def judge_read_back(
 
 @dataclass(frozen=True, slots=True)
 class _Mistake:
-    """What the control would do after one mistake, and how to say it: exactly so, or so apart from
-    the backlash.
+    """The correction after one mistake, and its sentences: for an exact match, and for a match
+    apart from the backlash.
     """
 
     verdict: str

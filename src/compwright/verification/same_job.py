@@ -19,11 +19,11 @@ ReadAgain = Callable[[AxisJob, TestRequest], PositioningTest | None]
 def stale_plan(
     job: Job, plan: Plan, file: str, *, options: Mapping[str, object], read: ReadAgain
 ) -> list[Fault]:
-    """Return how the job differs from what the plan was made of: axes, options, tests and circles;
-    not its limits.
+    """Return the differences between the job and the inputs of the plan: axes, options, states,
+    tests and circles; not limits.
 
-    ``options``: those of the job with what it leaves to the control; ``read``: reads a test of the
-    job as its files say it now, None where they are not there any more.
+    ``options``: those of the job, with the values that it leaves to the control; ``read``: reads a
+    test of the job from its present files, None where they are gone.
     """
     differences = [
         *_axes_differ(job, plan, read),
@@ -70,7 +70,9 @@ def _axes_differ(job: Job, plan: Plan, read: ReadAgain) -> Iterator[tuple[str, s
 
 
 def _differences(place: str, mine: Any, theirs: Any) -> Iterator[tuple[str, str, str]]:
-    """Yield what two records of one kind say otherwise, each by the name of its key in the job."""
+    """Yield the differences between two records of one kind, each by the name of its key in the
+    job.
+    """
     for field in fields(mine):
         one, other = getattr(mine, field.name), getattr(theirs, field.name)
         if not field.compare or one == other:

@@ -1,5 +1,5 @@
-"""What a test after loading may be a measurement of: the axis as it stands, or read with the wrong
-sign, with exchanged directions, in another unit, or another axis altogether.
+"""What a test after loading may have measured: the axis as given, or with the wrong sign, exchanged
+directions, another unit, or another axis.
 """
 
 from __future__ import annotations

@@ -49,7 +49,7 @@ def inactive(ways: Ways) -> Iterator[Hypothesis]:
 
 def with_existing(ways: Ways) -> Iterator[Hypothesis]:
     """Yield the change alone, the total on top of the existing table, and an existing table that
-    was not active while the tests before were taken, although the job says so.
+    was not active in the tests before although the job states it.
     """
     if not ways.has_old:
         return

@@ -1,4 +1,6 @@
-"""``compare``: what was read back from the control against the plan, each difference named."""
+"""``compare``: compare the values read back from the control with the plan, and name each
+difference.
+"""
 
 from __future__ import annotations
 
@@ -43,18 +45,20 @@ from compwright.workflow.run.written import write_fitted
 
 @dataclass(frozen=True, slots=True)
 class CompareOutcome:
-    """The document, and 0 where the control holds what was planned, else 1."""
+    """The document, and the exit code: 0 where the control's values are those of the plan,
+    else 1.
+    """
 
     exit_code: int
     document: Mapping[str, Any]
 
 
 def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
-    """Hold files that were read back from the control against a plan, and everything else in them
-    against the state that was patched.
+    """Compare files that were read back from the control with a plan, and everything else in them
+    with the state that was patched.
 
     Raises UsageError for a plan without tables, InputError for files that cannot be read,
-    contradict themselves or say nothing of an axis of the plan.
+    contradict themselves or contain no data of an axis of the plan.
     """
     plan = read_plan(storage.read_bytes(session, plan_file, PLAN), str(plan_file))
     control = open_control(session, plan.format, plan.options, plan_origin(plan, plan_file))
@@ -106,11 +110,11 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
 def _found(
     control: Control, files: Sequence[ControlFile], axes: Sequence[Axis], loaded: Sequence[Path]
 ) -> tuple[dict[str, DecodedState | InputError], InputError | None]:
-    """Return what the files that were read back do, by address, or why the control would refuse
-    them (what was changed may be the reason); and why they could not be read as a whole.
+    """Return the corrections of the files that were read back, by address, or why the control would
+    refuse them (perhaps by the very change); and why they could not be read as a whole.
 
-    Where axes may be read alone an odd one hides no other. Raises InputError where the files say
-    nothing of an axis.
+    Where axes can be read alone, a fault of one hides no other. Raises InputError where the files
+    contain no data of an axis.
     """
     try:
         found = decode(control, files, axes)
@@ -134,7 +138,7 @@ def _found_alone(
 
 
 def _speak_of(control: Control, back: Side, axes: Sequence[Axis]) -> bool:
-    """Whether what was read back holds something of every axis."""
+    """Whether the files that were read back contain data of every axis."""
     whereabouts = control.format.listing.whereabouts
     named = {
         address
@@ -212,8 +216,8 @@ def _partly(load: PartialLoad) -> str:
 
 
 def _look_at(control: Control, entry: PlannedAxis, verdict: str) -> tuple[str, ...]:
-    """Return what to look at on the control; nothing where it holds what was planned, or where no
-    single mistake explains what differs.
+    """Return what to check on the control; nothing where it has the planned values, or where no
+    single mistake explains the difference.
     """
     if entry.fitted is None or verdict == "loaded":
         return ()

@@ -29,12 +29,12 @@ def decoded_files(
     axis: str | None = None,
     at: str | None = None,
 ) -> tuple[DecodedState, Kinds, dict[str, Any]]:
-    """Return what control files do, of which axes the kind is unknown, and the decode document: at
-    the nodes of each table, or at the positions of ``at``.
+    """Return the decoded control files, the axes of unknown kind, and the decode document: at the
+    nodes of each table, or at the positions of ``at``.
 
-    ``axis`` restricts it to one address; the option ``active`` says whether the tables act, and
-    whether all values of a program were carried out. Raises UsageError (options, a bad list) and
-    InputError (files, or an axis that they do not speak of).
+    ``axis`` restricts it to one address; the option ``active`` states whether the tables are
+    active, and whether all values of a program were carried out. Raises UsageError (options, a bad
+    list) and InputError (files, or an axis that they do not contain).
     """
     active = stated_activity(options)
     wanted = None if at is None else positions_of(at)

@@ -23,8 +23,8 @@ from compwright.workflow.results.own_files import write_listed
 
 @dataclass(frozen=True, slots=True)
 class DemoStep:
-    """A step of the demo: what it did, where its files are, how many they are, their size in bytes,
-    and how long it took in seconds.
+    """A step of the demo: its description, the folder and number of its files, their size in bytes,
+    and its duration in seconds.
     """
 
     what: str
@@ -87,13 +87,13 @@ def run_demo(
 
 
 class _Clock:
-    """Tells how long each step took."""
+    """Measures how long each step takes."""
 
     def __init__(self) -> None:
         self._began = perf_counter()
 
     def step(self, what: str, folder: Path, files: Sequence[Path]) -> DemoStep:
-        """Return what was done since the last step."""
+        """Return the step that ends now, with its duration since the last one."""
         now = perf_counter()
         seconds, self._began = now - self._began, now
         return DemoStep(what, folder, len(files), storage.size_of(files), seconds)

@@ -28,7 +28,7 @@ def diff_files(
     format_id: str,
     options: dict[str, object],
 ) -> DiffOutcome:
-    """Hold two backups of one machine against each other.
+    """Compare two backups of one machine.
 
     Raises UsageError for an unknown format or option, InputError for files that cannot be read.
     """

@@ -366,7 +366,7 @@ def _files(session: Session, paths: Sequence[Path]) -> tuple[FoundMeasurements, 
 def _evaluated(
     session: Session, files: Sequence[Path], request: EvaluationRequest, crew: Crew, watch: Watch
 ) -> tuple[list[Evaluated], list[Noted]]:
-    """Return the tests in the files, those of one circular test joined, and what is wrong."""
+    """Return the tests in the files, with the files of one circular test joined, and the faults."""
     found: list[Evaluated | CircularTest] = []
     noted: list[Noted] = []
     given = (_given(session, file) for file in files)

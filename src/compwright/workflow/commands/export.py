@@ -70,10 +70,10 @@ def export_plan(
 ) -> ExportOutcome:
     """Fit the plan's wanted totals to a control and write its files into ``out``.
 
-    Another control has names of its own for the axes: the options ``address.NAME`` give them, else
-    the plan's name is taken. ``states``: what is in the control, ``none`` or its files; empty: as
-    the plan says, where it is for the same format. Raises UsageError (2) where the state is not
-    known, InputError (3), CapacityError (4), StorageError (5).
+    Another control has its own names of the axes: the options ``address.NAME`` give them, else the
+    plan's names are used. ``states``: the present contents of the control, ``none`` or its files;
+    empty: as in the plan, if it is for the same format. Raises UsageError (2) where the state is
+    not known, InputError (3), CapacityError (4), StorageError (5).
     """
     plan = read_plan(storage.read_bytes(session, path, PLAN), str(path))
     addresses = {
@@ -158,11 +158,11 @@ def _refitted(
 def _axes_here(
     plan: Plan, control: Control, addresses: Mapping[str, str], options: Mapping[str, object]
 ) -> tuple[dict[str, Axis], list[Assumption]]:
-    """Return the axes of the plan as this control names them, and what had to be assumed for it.
+    """Return the axes of the plan as this control names them, and the assumptions about names.
 
-    Of the plan's own control all of them; of another one those that get something, or whose name
-    the user gives. Options are a control's own: those of the plan's control, read from its files or
-    stated, say nothing of another; ``options``, those of the command, go over them.
+    For the plan's own control all axes; for another one those that get a table or whose name is
+    given. Options belong to one control: those of the plan's control do not apply to another;
+    ``options``, from the command, override them.
     """
     same = plan.format == control.id
     fitted = {name for name, entry in plan.axes.items() if entry.fitted is not None}

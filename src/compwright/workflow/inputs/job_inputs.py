@@ -138,9 +138,11 @@ def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) ->
 def read_test(
     session: Session, entry: AxisJob, request: TestRequest, folder: Path
 ) -> PositioningTest:
-    """Read the files of one test into one record in machine coordinates, expansion removed where
-    the job says so: at the temperature of the record of the environment, else of the test's own
-    keys, else of its files, else of the axis.
+    """Read the files of one test into one record in machine coordinates, with the expansion removed
+    where the job requires it.
+
+    The temperature is that of the environment record, else of the test's own keys, else of its
+    files, else of the axis.
     """
     errors: list[CompwrightError] = []
     parts = []
@@ -187,7 +189,7 @@ def read_test(
 
 
 def _check_one_map(entry: AxisJob, request: TestRequest, parts: Sequence[PositioningTest]) -> None:
-    """Raise where both the job and a profile say how the instrument's positions map."""
+    """Raise where both the job and a profile map the instrument's positions."""
     if request.position_map == PositionMap():
         return
     faults = [
@@ -287,8 +289,8 @@ def _differing(found: Mapping[str, str]) -> dict[str, str]:
 
 
 def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
-    """Yield where tables between axes that cannot be counted with differ between a circle's state
-    and what is in the control.
+    """Yield a fault where tables between axes that cannot be calculated differ between a circle's
+    state and the present one.
     """
     now = states.get(AS_FOUND)
     measured = {request.measured_in for request in job.circles} | {
@@ -372,8 +374,8 @@ def _unsaid_units(
 
 
 def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
-    """Missing is not zero: files of a state must speak of every axis that is to get a table of its
-    own.
+    """Refuse a state whose files contain no data of an axis that is to get a table: missing is not
+    zero.
     """
     faults: list[Fault] = []
     for name, decoded in states.items():

@@ -45,11 +45,11 @@ _ANY_TRAVEL = "0:1"
 
 
 def read_job_file(session: Session, path: Path, plan: Path | None = None) -> Job:
-    """Read a job file, with the stand-still tests, the record of the environment and the
-    logo that it names. ``plan``: that of an
-    earlier run, whose definition of one's own counts.
+    """Read a job file, with the stand-still tests, the environment record and the logo that it
+    names.
 
-    Raises InputError when one of them cannot be read, UsageError with every fault of the job.
+    ``plan``: the plan of an earlier run, whose copy of the user's own definition is used. Raises
+    InputError when one of them cannot be read, UsageError with every fault of the job.
     """
     carried = () if plan is None else carried_definition(storage.earlier_bytes(session, plan))
     further = partial(wrong_control, session, folder=path.parent, carried=carried)
@@ -73,7 +73,7 @@ def _with_logo(session: Session, job: Job, folder: Path) -> Job:
 
 
 def _with_drifts(session: Session, job: Job, folder: Path) -> Job:
-    """Return the job with the range E_VE that its stand-still tests show."""
+    """Return the job with the range E_VE (environmental variation) from its stand-still tests."""
     errors: list[CompwrightError] = []
     for kind, request in job.drifts.items():
         file = storage.named_from(folder, request.file)
@@ -268,7 +268,7 @@ def default_folder(session: Session, job_file: Path) -> Path:
 @dataclass(frozen=True, slots=True)
 class JobToRun:
     """A job, the folder that its paths are relative to, and the folder of its results; ``stated``:
-    what the command line says of a job without a file, in the form of one.
+    the values of the command line, for a run without a job file, in the form of a job.
     """
 
     job: Job

@@ -43,7 +43,7 @@ def read_logo(session: Session, name: str, folder: Path) -> Logo:
 
 
 def _whole_png(content: bytes) -> bool:
-    """Return whether every chunk is there with its checksum, the last one too."""
+    """Return whether every chunk is complete with its checksum, including the last one."""
     at = len(_PNG)
     while at + 12 <= len(content):
         (size,) = struct.unpack_from(">I", content, at)

@@ -7,8 +7,8 @@ from compwright.foundations.session import Session
 
 
 def files_matching(session: Session, text: str) -> list[str]:
-    """Return the files that ``text`` stands for, by name: itself where it is the name of one or
-    nothing fits. Of ``TEST=FILE`` each file has the test in front.
+    """Return the files that match the pattern ``text``, by name; ``text`` itself where it is a file
+    name or nothing matches. For ``TEST=PATTERN`` each file has the test in front.
     """
     found = storage.matching(session, text)
     name, mark, rest = text.partition("=")

@@ -1,5 +1,5 @@
-"""The measurement files of a path: a file stands for itself, a folder for those in it; and the
-mapping profile that some of them are read by.
+"""The measurement files of a path (a file, or all files of a folder), and the mapping profile for
+some of them.
 """
 
 from __future__ import annotations

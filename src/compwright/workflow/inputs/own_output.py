@@ -130,8 +130,8 @@ def _near(session: Session, job: Job, folder: Path, out: Path) -> Iterator[Path]
 
 
 def _of_other_days(folder: Path) -> Iterator[Path]:
-    """Yield where the plan of another day of the machine may stand: in the folders next to the
-    job's, and one down. Those belong to other jobs: nothing in them is waited for or put right.
+    """Yield the folders that may contain the plan of another day of this machine: those next to the
+    job's, and one below. They belong to other jobs: they are not locked or repaired.
     """
     sisters = storage.folders_in(storage.resolved(folder).parent)
     for sister in sisters if len(sisters) <= _MOST_SISTERS else ():

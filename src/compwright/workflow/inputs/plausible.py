@@ -22,8 +22,8 @@ _TURN: Final = 360.0 - 1e-6
 
 
 def impossible_tests(job: Job, tests: Mapping[str, Sequence[PlannedTest]]) -> list[Fault]:
-    """Return the faults of tests that certainly are not what they say: unit of the readings, and of
-    the targets by the travel.
+    """Return the faults of tests that certainly contradict their description: unit of the readings,
+    and of the targets by the travel.
     """
     return [
         fault

@@ -28,8 +28,8 @@ _Read = list[tuple[object, ...]]
 def measurement_copy(content: bytes, file: str, cuts: Cuts, profile: Profile | None) -> Redacted:
     """Return a proven copy of a measurement file.
 
-    Raises InputError for a file that cannot be read, whose copy would say something else, or in
-    whose copy something is left that was taken out.
+    Raises InputError for a file that cannot be read, whose copy would have another meaning, or
+    whose copy still contains a removed text.
     """
     made = redacted_measurement(content, file, cuts, profile)
     read_by = None if not made.profile else read_profile(made.answered.encode(), "profile")

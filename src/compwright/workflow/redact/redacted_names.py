@@ -73,11 +73,11 @@ class _Somebody:
 def names_of_copies(
     files: Sequence[str], removed: Iterable[tuple[str, str]], names: Names
 ) -> list[str]:
-    """Return the names of the copies of ``files``, each another one whatever the case of the
-    letters: their own, but for parts in which something stands that was taken out of any of them,
-    or that may be a serial number.
+    """Return the names of the copies of ``files``, all different even without regard to upper and
+    lower case.
 
-    ``removed``: the texts that were taken out, each with its kind before it.
+    A name is kept, except for parts that contain a text removed from any file, or that may be a
+    serial number. ``removed``: the removed texts, each with its kind before it.
     """
     somebody = _somebody(removed)
     made: list[str] = []
@@ -132,6 +132,8 @@ def _spellings(text: str) -> Iterator[str]:
 
 
 def _numbers(text: str) -> list[str]:
-    """Return the numbers in a text that may be somebody's, whatever stands between their digits."""
+    """Return the numbers in a text that may be a serial number, with any characters between their
+    digits.
+    """
     found = [*_NUMBER.findall(text), *_NUMBER.findall(_BETWEEN_DIGITS.sub("", text))]
     return [number for number in found if _DATED.fullmatch(number) is None]

@@ -1,5 +1,5 @@
-"""What the commands say: documents to text and tables, written where the command line asks for
-it.
+"""The output of the commands: documents as text and tables, written where the command line directs
+them.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ __all__ = ["show", "to_json", "write_document"]
 def write_document(
     session: Session, document: Mapping[str, Any], path: Path, *, force: bool
 ) -> None:
-    """Write a document to a file of its own. Raises StorageError."""
+    """Write a document to a file. Raises StorageError."""
     content = to_json(document).encode()
     from compwright.workflow.results.single_files import (
         refuse_other_kinds,
@@ -110,14 +110,16 @@ def verify_summary(outcome: Any) -> list[Any]:
 
 
 def history_summary(document: Mapping[str, Any]) -> list[Any]:
-    """Return what ``history`` says."""
+    """Return the text of ``history`` at the terminal."""
     from compwright.reporting.history import history_tables
 
     return history_tables(document)
 
 
 def demo_summary(outcome: Any) -> list[Any]:
-    """Return what ``demo`` says in ten lines: its steps, each axis, the verdict, and the pages."""
+    """Return the text of ``demo`` in ten lines: its steps, each axis, the verdict, and the
+    pages.
+    """
     from compwright.reporting import summaries
 
     pages = [

@@ -16,8 +16,8 @@ _ODD: Final = re.compile(r'["$`\\!%]')
 
 
 def after_run(outcome: Any, job: Path, out: Path, *, apart: bool) -> str:
-    """Return what comes after a run. ``job``: its job file; ``out``: the folder of its results,
-    ``apart``: not the one that the job has by default.
+    """Return the next step after a run. ``job``: its job file; ``out``: the folder of its results,
+    ``apart``: not the default folder of the job.
     """
     again = _command("run", job, *(("--out", out) if apart else ()), "--force")
     if outcome.no_tables:
@@ -50,9 +50,8 @@ def after_verify(
     given: Sequence[object],
     read_back: bool,
 ) -> str:
-    """Return what comes after a verification. ``after``: its tests; ``plan``: the plan that it
-    compared with; ``given``: the options that say where things are; ``read_back``: whether the
-    control's files were given.
+    """Return the next step after a verification. ``after``: its tests; ``plan``: the plan that it
+    used; ``given``: the options with paths; ``read_back``: whether the control's files were given.
     """
     document = outcome.document
     then = document.get("next") or {}
@@ -81,7 +80,7 @@ def after_verify(
 
 
 def _command(*words: object) -> str:
-    """Return a command line that shells of Linux, macOS and Windows take alike."""
+    """Return a command line that works in the shells of Linux, macOS and Windows."""
     texts = (word.as_posix() if isinstance(word, Path) else str(word) for word in words)
     return " ".join(["compwright", *map(_quoted, texts)])
 

@@ -52,11 +52,11 @@ def recorded_run(
     *,
     draft: Mapping[str, bytes] = MappingProxyType({}),
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
-    """Return the copies of what a run was made from and its record, by their relative names, and
-    the files that are there of the verification of another plan.
+    """Return the record of a run and the copies of its inputs, by their relative names, and the
+    files of a verification of another plan that are still in the folder.
 
-    ``given``: what it was made from (`files_of_job`); ``out``: the result folder; ``draft``: the
-    job file that it leaves there, where it was made without one.
+    ``given``: the inputs (`files_of_job`); ``out``: the result folder; ``draft``: the job file that
+    it leaves there, where it was made without one.
     """
     job, control = finished.measured.job, finished.measured.control
     there = {
@@ -136,8 +136,8 @@ def _definition(control: Control) -> Any:
 
 
 def known_results(session: Session, folder: Path) -> storage.Known:
-    """Return what tells the results that earlier commands left in a result folder from what the
-    user has put or changed there: by the lists in its record and its plan.
+    """Return how to distinguish the results of earlier commands in a folder from the user's own or
+    changed files: by the lists in its record and its plan.
     """
     planned = listed_files(storage.earlier_bytes(session, folder / PLAN))
     listed = {**planned, **listed_in_record(storage.earlier_bytes(session, folder / RECORD))}
@@ -226,9 +226,10 @@ def _still_there(
 def _begun(
     session: Session, run: RunResult, out: Path, before: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return the record that the run of a plan left: as it stands where the verification goes into
-    its folder, else without what does not lie there. A run of an older version left none: its plan
-    says what it can.
+    """Return the record that the run of a plan left: complete where the verification is written
+    into its folder, else without files that are not there.
+
+    A run of an older version has none: it is rebuilt from the plan as far as possible.
     """
     digest = fingerprint(storage.earlier_bytes(session, run.file))
     try:

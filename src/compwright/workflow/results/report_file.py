@@ -32,7 +32,7 @@ def require_report_form(path: Path | None, *forms: str) -> None:
 
 
 def as_named(page: bytes, path: Path) -> bytes:
-    """Return the page of a report in the form that the name asks for: HTML or PDF."""
+    """Return the page of a report in the form given by the ending of its name: HTML or PDF."""
     if path.suffix.lower() != ".pdf":
         return page
     from compwright.reporting.pdf import pdf_of_page

@@ -84,8 +84,8 @@ def result_files(finished: Finished, each: Each = in_turn) -> Results:
 
 
 def _control_files(finished: Finished) -> dict[str, bytes]:
-    """Return the tables and the copies of what was in the control, behind the plan, which lists
-    them and is made last.
+    """Return the tables and the copies of the control's files; the plan, which lists them, is made
+    last.
     """
     as_found, format_id = finished.measured.as_found, finished.fitted.control.id
     if as_found is None:
@@ -137,7 +137,7 @@ def _harmful(finished: Finished) -> tuple[str, ...]:
 
 
 def _card_files(finished: Finished, card: Mapping[str, Any] | None) -> dict[str, bytes]:
-    """Return the card as text, the changed entries, and what is typed in."""
+    """Return the card as text, the changed entries, and the typed-entry sheets."""
     if card is None:
         return {}
     from compwright.reporting.card import card_markdown

@@ -59,11 +59,11 @@ _LOOKED_AT: Final = 65536  # bytes
 def refuse_other_kinds(
     session: Session, targets: Mapping[Path, bytes], *, force: bool, results: Iterable[Path] = ()
 ) -> None:
-    """Raise StorageError for every file that would be replaced although it is something else than
-    what is written there. Nothing without ``force``: then no file is replaced at all.
+    """Raise StorageError for every existing file of another kind than the one that would replace
+    it. Nothing without ``force``: then no file is replaced at all.
 
-    ``results``: what else the command writes; one name for two files is refused where they are
-    written.
+    ``results``: the other files that the command writes; one name for two files is refused when
+    they are written.
     """
     if not force or not targets:
         return
@@ -96,7 +96,7 @@ def _others(session: Session, targets: Mapping[Path, bytes]) -> Iterator[Fault]:
 
 
 def kind_of(content: bytes) -> str:
-    """Return what a file certainly is, in words; empty where nothing tells."""
+    """Return the kind of a file in words, empty where it is not certain."""
     if len(content) > _LOOKED_AT:
         content = content[:_LOOKED_AT].rpartition(b"\n")[0]
     kind = next((kind for mark, kind in _SIGNATURES if mark.match(content)), "")
@@ -107,7 +107,7 @@ def kind_of(content: bytes) -> str:
 
 
 def _of_text(content: bytes) -> str:
-    """Return what a text is: the reader of each kind is asked by its content."""
+    """Return the kind of a text file, by the readers of all kinds."""
     kind = next((kind for mark, kind in _YAML if mark.search(content)), "")
     try:
         if kind or is_circular(content, ""):
@@ -126,9 +126,11 @@ def _first_cell(content: bytes) -> bytes:
 
 
 def _properties(content: bytes) -> bytes:
-    """Return what a workbook says of itself, empty where it says nothing: who made it and when it
-    was changed last. Those of compwright carry no date, so that these are always the same until
-    another program saves one.
+    """Return the properties of a workbook: its author and when it was last changed; empty where it
+    has none.
+
+    Those of compwright carry no date, so that they stay the same until another program saves the
+    file.
     """
     try:
         with zipfile.ZipFile(BytesIO(content)) as archive:

@@ -39,12 +39,12 @@ class Finished:
 
     @property
     def works(self) -> Mapping[str, AxisWork]:
-        """Every axis that was tested, with its table where it gets one."""
+        """Every axis with tests, with its table where it gets one."""
         return self.written.works
 
     @property
     def assumed(self) -> tuple[Assumption, ...]:
-        """What was in no file and had to be assumed."""
+        """The assumptions, for values that were in no file."""
         states = self.measured.states.values()
         capacities = [work.capacity for work in self.works.values() if work.capacity is not None]
         return (
@@ -64,8 +64,8 @@ class Finished:
 
     @property
     def doubts(self) -> Doubts:
-        """What has to be clear before anything is decided, with the axes that it concerns; findings
-        of tests say which test they are of.
+        """The doubts that must be cleared before any decision, with the axes that they concern;
+        findings of tests name their test.
         """
         return doubts_among(
             [*self._noticed(), *self._of_tests(), *self._of_circles()],
@@ -75,7 +75,9 @@ class Finished:
 
     @property
     def first(self) -> tuple[Finding, ...]:
-        """What stands before everything else: the open doubts, and results like them."""
+        """The findings that are shown first: the open doubts, and results of the same
+        importance.
+        """
         still = (one.finding for one in self.doubts.open)
         return doubts_of([*still, *(one for one in self.findings if one.code in RESULTS)])
 

@@ -155,7 +155,7 @@ def _of_others(
 
 
 def _slope(off: PlannedTest, on: PlannedTest) -> float:
-    """Return the standard deviation of the slope between two tests, mm/mm: what is declared, or
-    what a day easily brings (`planning.wanted`).
+    """Return the standard deviation of the slope between two tests, mm/mm: as declared, else that
+    of a usual change of temperature (`planning.wanted`).
     """
     return max(math.hypot(off.slope_std, on.slope_std), UNDECLARED_SLOPE)

@@ -38,8 +38,8 @@ class Predicted:
 def predicted(
     measured: Measured, wanted: Wanted, fitted: Fitted, written: Written, each: Each = in_turn
 ) -> Predicted:
-    """Return what fresh tests will show with the tables as read back, or with what is in the
-    control now where there are none.
+    """Return the prediction of fresh tests with the tables as read back, or with the present
+    correction where there are none.
     """
     loaded, job = written.loaded, measured.job
     tasks = []

@@ -26,9 +26,7 @@ from compwright.workflow.run.old_tables import with_old_tables
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wanted:
-    """The axes with their errors and the circles with their causes; ``checks`` tells what one says
-    of the other.
-    """
+    """The axes with their errors and the circles with their causes; ``checks`` compares both."""
 
     works: Mapping[str, AxisWork]
     circles: tuple[CircleWork, ...]
@@ -78,9 +76,10 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
 
 
 def _not_twice(job: Job, work: AxisWork) -> AxisWork:
-    """Return an axis without a table where the one in the control was made from the same test, as
-    long as the job does not acknowledge that. Where tests in two states show what that table did,
-    its shape says no more.
+    """Return an axis without a table where the existing table was made from the same test, unless
+    the job acknowledges that.
+
+    Where tests in two states show what that table did, its shape is no further evidence.
     """
     if work.refused:
         doubts = tuple(each for each in work.doubts if each.code != MIRRORED)

@@ -34,11 +34,11 @@ FittedAxes = Sequence[tuple[Axis, FittedTable]]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Written:
-    """The files of the tables (``tables``) and what they do (``loaded``; None without tables).
+    """The files of the tables (``tables``) and their corrections (``loaded``; None without tables).
 
-    ``entered``: the control's own files as patched, and new ones, whatever is delivered of them;
-    ``back``: small files that bring the old values back. ``works``: the axes, without the tables
-    that would not improve them; ``cross``: what became of the corrections between axes.
+    ``entered``: the control's own files as patched, and new ones, whichever of them are delivered;
+    ``back``: small files that restore the old values. ``works``: the axes, without the tables that
+    would not improve them; ``cross``: the corrections between axes.
     """
 
     works: Mapping[str, AxisWork]
@@ -135,9 +135,9 @@ def write_fitted(
     """Write fitted tables as the control's files and read them back with both readers; (), None
     where there are none.
 
-    What is in the control (``as_found``) is patched. Raises CapacityError where something cannot be
-    held, and CompwrightError (a fault of our own) when a table of an axis that was not asked for
-    reads otherwise than before.
+    The present files (``as_found``) are patched. Raises CapacityError where a value cannot be held,
+    and CompwrightError (a fault of compwright itself) when the table of another axis reads
+    differently than before.
     """
     if not fitted:
         return (), None

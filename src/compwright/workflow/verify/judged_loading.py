@@ -1,5 +1,5 @@
-"""The judgement of a test after loading: from a plan and what was in the control to the hypotheses
-of `verification`, and back with a verdict.
+"""Judge a test after loading: build the hypotheses of `verification` from a plan and the contents
+of the control, and return the verdict.
 """
 
 from __future__ import annotations
@@ -47,12 +47,12 @@ def judged_loading(
     *,
     read_back: bool,
 ) -> LoadingVerdict:
-    """Return what the ``test`` after loading, which repeats that at ``place`` of the axis, says of
-    the loading.
+    """Return the loading verdict from the ``test`` after loading, which repeats the one at
+    ``place`` of the axis.
 
-    ``observed``, ``posterior``: the tests before and the error as they tell it; ``as_found``: what
-    was in the control; ``others``: the other axes of the plan; ``read_back``: what was read back
-    from the control is the plan's table.
+    ``observed``, ``posterior``: the tests before and the error estimated from them; ``as_found``:
+    the contents of the control before; ``others``: the other axes of the plan; ``read_back``: the
+    table read back from the control is the plan's.
     """
     if planned.fitted is None:
         return LoadingVerdict(
@@ -136,8 +136,10 @@ def _error_of(planned: PlannedAxis) -> MeasuredError:
 def _judged_against(
     planned: PlannedAxis, observed: Sequence[ObservedTest], posterior: MeasuredError
 ) -> MeasuredError:
-    """Return the error without the uncertain slope of the first test: between the tests that slope
-    is one number together with that of the test after loading.
+    """Return the error estimated again with all slopes relative to the first test, whose own slope
+    is uncertain.
+
+    The difference of slope between the first test and the one after loading is then one number.
     """
     relative = relative_to_first(planned.tests)
     if all(one.slope_std == each.slope_std for one, each in zip(relative, observed, strict=True)):

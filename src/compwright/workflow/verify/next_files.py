@@ -1,5 +1,5 @@
-"""The inputs of the next round: its job, and copies of all that it names, so that its folder stands
-alone.
+"""The inputs of the next round: its job, and copies of all files that it names, so that its folder
+is complete.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ def _folder(*names: str) -> str:
 def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str, bytes]:
     """Return every input of the next round by its relative name, the job first.
 
-    Raises InputError where a measurement of the last round is not there any more.
+    Raises InputError where a measurement of the last round no longer exists.
     """
     file = Path(job.file)
     data = read_yaml(storage.read_bytes(session, file, JOB_FILE), job.file).data
@@ -126,8 +126,8 @@ def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str
 
 
 def _states(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> dict[str, Any]:
-    """Return the states with copies of their files: what is in the control now, what was in it
-    until now (``was``), and those of the earlier tests.
+    """Return the states with copies of their files: the present one, the one until now (``was``),
+    and those of the earlier tests.
     """
     found: dict[str, Any] = {AS_FOUND: _state(then.files, AS_FOUND, copies, active=then.active)}
     for name, files in plan.states.items():
@@ -207,8 +207,8 @@ def _temperatures(test: PositioningTest) -> dict[str, tuple[float, float]]:
 
 
 def _resolved(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]:
-    """Return what the files of the last round answered of an axis and the job leaves open: what was
-    read back may not say it again.
+    """Return the keys of an axis that the job leaves open and the files of the last round answered:
+    the files read back may not contain them.
     """
     axis = job.axes[name].axis
     found: dict[str, Any] = {}
@@ -287,8 +287,8 @@ def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies)
 def _files_with_tests(
     session: Session, data: Mapping[str, Any], folder: Path, copies: _Copies
 ) -> dict[str, str]:
-    """Return where profiles, stand-still tests, records of the environment and the logo are copied
-    to, by their paths in the job.
+    """Return the paths of the copies of profiles, stand-still tests, environment records and the
+    logo, by their paths in the job.
     """
     tests = [test for axis in data["axes"].values() for test in test_sections(axis)]
     named = [test["profile"] for test in tests if "profile" in test]
@@ -311,8 +311,8 @@ def _files_with_tests(
 
 
 def _definition(name: str, plan: Plan, copies: _Copies) -> str:
-    """Return the name of the control's format: of one's own definition that of its copy, as the
-    plan carries it. Raises InputError where what it extends lies outside of its own folder.
+    """Return the name of the control's format; for the user's own definition that of its copy from
+    the plan. Raises InputError where a definition that it extends is outside of its folder.
     """
     if not plan.definition:
         return name

@@ -55,11 +55,11 @@ _KEEPS: Final = "it keeps what is in the control"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Verified:
-    """What ``verify`` found, as far as the next round rests on it.
+    """The results of ``verify`` that the next round needs.
 
-    ``specs``: the values of ``--after`` that are positioning tests, and ``tests`` what they are;
-    ``circles``: what circles after loading show, ``circle_files`` the files of each by name;
-    ``read_back``: what was read back from the control.
+    ``specs``: the values of ``--after`` that are positioning tests, and ``tests`` the tests;
+    ``circles``: results of circles after loading, ``circle_files`` the files of each by name;
+    ``read_back``: the files read back from the control.
     """
 
     job: Job
@@ -183,7 +183,7 @@ def _no_axis(found: Verified) -> str:
 
 
 def lacks_proof(finding: Finding) -> bool:
-    """Whether a finding of an axis says that its test after loading does not prove enough."""
+    """Whether a finding of an axis means that its test after loading does not prove enough."""
     return finding.code in LACKING or finding.is_doubt
 
 
@@ -384,8 +384,8 @@ def refuse_later_rounds(session: Session, out: Path) -> None:
 
 
 def known_with_rounds(session: Session, out: Path, known: storage.Known) -> storage.Known:
-    """Return what tells results in ``out`` from what the user has put or changed there; ``known``
-    tells it of all but the folder of the next round.
+    """Return how to distinguish results in ``out`` from the user's own or changed files; ``known``
+    does so for all but the folder of the next round.
     """
     inputs = copied_by_record(storage.earlier_bytes(session, out / FOLDER / RECORD))
     of_round = known_results(session, out / FOLDER)

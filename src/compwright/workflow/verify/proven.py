@@ -159,7 +159,7 @@ def _how(found: Verified, axes: Sequence[ProvenAxis]) -> str:
 
 
 def _summary(axes: Sequence[ProvenAxis]) -> list[str]:
-    """Return in words what is proven, by at least one axis, and what by none."""
+    """Return in words the facts proven by at least one axis, and those proven by none."""
     proven = dict.fromkeys(fact for one in axes for fact in one.proven)
     left = dict.fromkeys(fact for one in axes for fact in one.left_open if fact not in proven)
     return [

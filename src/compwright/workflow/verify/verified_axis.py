@@ -128,9 +128,11 @@ def _judged(
     fault: NamedFault | None,
     files: Sequence[Finding],
 ) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
-    """Return the decisions of an axis after loading, by parameter, what speaks against its test,
-    and the doubts that the job acknowledges: of a test that is certainly no measurement (``fault``)
-    nothing more than that. ``files``: doubts about what was read back.
+    """Return the decisions of an axis after loading, by parameter, the doubts about its test, and
+    the doubts that the job acknowledges.
+
+    For a test that is certainly no measurement (``fault``) only that. ``files``: doubts about the
+    files read back.
     """
     guarded = job.decision_rule == "guarded"
     waves = folded_findings(result.test.targets, axis.screw_pitch, axis.kind.unit)
@@ -244,8 +246,8 @@ def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
 def _compare_loaded(
     control: Control, planned: PlannedAxis, as_found: DecodedState, read_back: DecodedState | None
 ) -> tuple[Finding, ...]:
-    """Compare what was read back from the control with the plan's table, by its correction over the
-    table and the travel; of a gantry for both axes.
+    """Compare the values read back from the control with the plan's table, by the correction over
+    the table and the travel; for a gantry on both axes.
     """
     if read_back is None or planned.fitted is None:
         return ()
