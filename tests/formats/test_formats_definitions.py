@@ -505,7 +505,7 @@ def test_list_show_and_check(tmp_path: Path) -> None:
     with pytest.raises(InputError) as bad:
         check_formats(Session(), [tmp_path])
     assert {Path(fault.file).name for fault in bad.value.faults} == {"bad.yaml", "worse.yaml"}
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match="does not exist"):
         check_formats(Session(), [tmp_path / "missing.yaml"])
     empty = tmp_path / "empty"
     empty.mkdir()

@@ -19,9 +19,10 @@ _HEADINGS = {command: heading for heading, commands in ORDER.items() for command
 
 
 class HelpfulCommand(click.Command):
-    """A command whose help says what is required, shows examples and names the page to read.
+    """A command whose help lists the required arguments, shows examples and names a page of the
+    documentation.
 
-    ``examples``: whole command lines; ``page``: a page of the documentation.
+    ``examples``: whole command lines; ``page``: path of the page.
     """
 
     def __init__(
@@ -32,10 +33,10 @@ class HelpfulCommand(click.Command):
         self.page = page
 
     def format_arguments(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write nothing: the files of a command are among what is required."""
+        """Write nothing: the files of a command are listed with the required arguments."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write what is required first, then what is optional."""
+        """Write the required arguments first, then the options."""
         params = self.get_params(ctx)
         rows: dict[bool, list[tuple[str, str]]] = {True: [], False: []}
         for param in params:

@@ -54,8 +54,8 @@ def deliver(
     *,
     force: bool,
 ) -> None:
-    """Write the document that is all a command makes where ``--json`` asks for a file, and print
-    its answer. Raises StorageError.
+    """Write the document of a command to the file given by ``--json``, and print its answer. Raises
+    StorageError.
     """
     from compwright.workflow.results.answers import write_document
 
@@ -86,13 +86,13 @@ def _on_output(json_path: Path | None) -> bool:
 
 
 def json_file(json_path: Path | None) -> Path | None:
-    """Return the file that ``--json`` asks for; None without it and for standard output."""
+    """Return the file given by ``--json``; None without it and for standard output."""
     return None if _on_output(json_path) else json_path
 
 
 def errors(lines: Iterable[str]) -> int:
-    """Print each error on a line of its own; of very many the first, and how many more there are.
-    Returns that number.
+    """Print each error on its own line; of very many only the first ones, and the number of the
+    others, which is returned.
     """
     texts = list(lines)
     for line in texts[:_MOST_ERRORS]:

@@ -77,8 +77,8 @@ class _FileWord(click.ParamType[str]):
 def _matched(
     session: Session, kind: click.ParamType[Any], values: Iterable[object]
 ) -> Iterator[Any]:
-    """Yield the files that values of several stand for: where the shell leaves ``*`` and ``?`` to
-    the program (Windows), those that fit.
+    """Yield the files that the values match: where the shell leaves ``*`` and ``?`` to the program
+    (Windows), the matching files.
     """
     for value in values:
         text = str(value)

@@ -1,5 +1,5 @@
-"""The answer of ``compare``: what is really in the control against the plan, each difference
-named.
+"""The JSON document of ``compare``: the contents of the control compared with the plan, each
+difference named.
 """
 
 from __future__ import annotations

@@ -112,7 +112,9 @@ def _entry(entry: EntryDifference, address: str | None) -> dict[str, Any]:
 
 
 def others_document(entries: Iterable[EntryDifference]) -> list[dict[str, Any]]:
-    """Return what is not known to compensate, counted by parameter; what both sides have first."""
+    """Return the differences of values that are not known to compensate, counted by parameter;
+    those on both sides first.
+    """
     groups: dict[str, list[EntryDifference]] = {}
     for entry in entries:
         groups.setdefault(entry.group, []).append(entry)

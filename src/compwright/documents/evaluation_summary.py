@@ -1,4 +1,4 @@
-"""What many tests say together: by axis how many and how large, and which findings how often."""
+"""Summary of many tests: by axis their number and size, and the count of each finding."""
 
 from __future__ import annotations
 

@@ -27,9 +27,10 @@ _MOST = 99.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestSeries:
-    """The tests of one axis or plane of a machine, in their order in time, and what changed.
+    """The tests of one axis or plane of a machine, in their order in time, and the changes between
+    them.
 
-    ``key``: tells the machine from others, also where it has no name.
+    ``key``: identifies the machine, also where it has no name.
     """
 
     key: str

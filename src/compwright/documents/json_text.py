@@ -19,22 +19,22 @@ _UNSEEN: Final = re.compile(
 
 
 def to_json(document: Mapping[str, Any]) -> str:
-    """Return ``document`` as JSON, indented by two blanks, with a final newline, characters as they
-    are (write it as UTF-8).
+    """Return ``document`` as JSON, indented by two blanks, with a final newline, characters
+    unescaped (write it as UTF-8).
 
-    Keys keep their order; what no encoding has (a file's name that is no UTF-8) and what a terminal
-    would obey stands as its escape. Raises ValueError for NaN or infinity: what is not known is
-    null in a document.
+    Keys keep their order. Characters that cannot be encoded (a file's name that is no UTF-8) and
+    control characters are written as escapes. Raises ValueError for NaN or infinity: an unknown
+    value is null in a document.
     """
     text = encoded("".join(_pieces(document, "\n"))).decode("utf-8")
     return _UNSEEN.sub(lambda found: f"\\u{ord(found[0]):04x}", text) + "\n"
 
 
 def _pieces(value: Any, line: str) -> Iterator[str]:
-    """Yield the text of a value; ``line``: a line break with the blanks that stand before it.
+    """Yield the text of a value; ``line``: a line break with the blanks of the indentation.
 
-    The standard library writes indented text number by number, in Python; rows of numbers are most
-    of a document, and are written here by its fast encoder, which does not indent.
+    The standard library writes indented text number by number, in Python. Rows of numbers are most
+    of a document; they are written by its fast encoder, which does not indent.
     """
     inside = f"{line}  "
     if isinstance(value, dict) and value:
@@ -64,7 +64,7 @@ def no_number(word: str) -> float:
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """Return the mapping of an object. Raises ValueError where a key stands twice."""
+    """Return the mapping of an object. Raises ValueError for a duplicate key."""
     data = dict(pairs)
     if len(data) < len(pairs):
         names = [key for key, _ in pairs]
@@ -74,8 +74,10 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def read_json(content: bytes, file: str, schema: str, name: str, expected: str) -> dict[str, Any]:
-    """Return a document of this ``schema``; ``name``: what it is called, ``expected``: what should
-    have been given. Raises InputError for anything else (file, key, expected, found).
+    """Return a document of this ``schema``. Raises InputError for anything else (file, key,
+    expected, found).
+
+    ``name``: what such a document is called; ``expected``: the file that should have been given.
     """
     try:
         data = json.loads(

@@ -1,4 +1,4 @@
-"""What ``verify --update`` says of the next round: the key ``next`` of ``verification.json``."""
+"""The key ``next`` of ``verification.json``: the next round of ``verify --update``."""
 
 from __future__ import annotations
 

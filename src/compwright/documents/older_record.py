@@ -17,9 +17,11 @@ def older_record(
     verification: Mapping[str, Any] | None,
     errors: Errors,
 ) -> dict[str, Any]:
-    """Return as much of a record as the documents of a folder tell; None for those that are not
-    there. Files cannot be checked. Raises KeyError, TypeError, ValueError or AttributeError for
-    documents that do not keep to their schema.
+    """Return a record rebuilt from the documents of a folder of an older version; None for a
+    document that is missing.
+
+    Files cannot be checked. Raises KeyError, TypeError, ValueError or AttributeError for documents
+    that violate their schema.
     """
     plan = plan or {}
     results = (evaluation or {}).get("results", ())
@@ -70,7 +72,7 @@ def _measured_in(plan: Mapping[str, Any]) -> dict[str, str]:
 def _after(
     verification: Mapping[str, Any] | None, evaluation: Mapping[str, Any] | None
 ) -> list[dict[str, Any]]:
-    """Return what a verification says of the tests after loading: parameters alone."""
+    """Return the tests after loading from a verification: only their parameters."""
     if verification is None:
         return []
     before = {

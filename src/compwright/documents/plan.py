@@ -226,7 +226,7 @@ def _arrays_out(record: Any) -> dict[str, Any]:
 
 
 def _wanted_out(wanted: WantedCorrection) -> dict[str, Any]:
-    """Return what is wanted; the tests that judge a goal only where the job has one."""
+    """Return the wanted correction; the tests that judge a goal only where the job has one."""
     out = _arrays_out(replace(wanted, scenarios=None))
     del out["scenarios"]
     if wanted.scenarios is None:

@@ -94,7 +94,7 @@ def _definition(entries: Any) -> Any:
 
 
 def _both(sides: Any) -> Any:
-    """What was active in both directions: of other keys than these there is one fault."""
+    """Check the active correction in both directions: one fault for any other keys."""
     if not isinstance(sides, dict) or set(sides) != {"positive", "negative"}:
         expected = "null, or the keys positive and negative"
         refuse(KeyFault((), "is not an accepted value", expected, shown(sides)))

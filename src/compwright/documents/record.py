@@ -26,8 +26,8 @@ COPIES_OF_VERIFY = "inputs/verify/"
 
 
 def definition_entry(definition_id: str, data: Any, files: Iterable[str], *, own: bool) -> Any:
-    """Return how a definition is named: its id, the hash of all that it says, the files it stands
-    in.
+    """Return how a definition is recorded: its id, the hash of its contents, the files that hold
+    it.
     """
     text = json.dumps(data, sort_keys=True, ensure_ascii=False, default=str)
     return {
@@ -73,7 +73,7 @@ def run_record(
 def planned_record(
     about: Mapping[str, Any], plan: str, evaluation: Mapping[str, Any], errors: Errors
 ) -> dict[str, Any]:
-    """Return what a plan (its SHA-256) alone says of its run, which left no record."""
+    """Return the record of a run that left none, from its plan (and the SHA-256 of that)."""
     return {
         "schema": SCHEMA,
         **about,
@@ -197,8 +197,8 @@ def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> 
 
 
 def _planned(record: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what a record says of its plan, whatever the files are called and wherever the command
-    was given.
+    """Return the entries of a record that depend on its plan, independent of file names and the
+    working folder.
     """
     apart = ("version", "plan", "files", "inputs", "tests", "verification")
     return {
@@ -244,7 +244,9 @@ def _verified(axis: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _read_back(findings: Iterable[Mapping[str, str]]) -> str:
-    """Return what was read back from the control was: ``equal``, ``other`` or ``none``."""
+    """Return whether the values read back were the planned ones: ``equal``, ``other`` or ``none``
+    (none were given).
+    """
     codes = {finding["code"] for finding in findings}
     return "other" if "CW-V011" in codes else "equal" if "CW-V010" in codes else "none"
 

@@ -1,4 +1,4 @@
-"""What a record tells of one test, in µm or arcsec, from the document of its evaluation."""
+"""The record of one test, in µm or arcsec, from the document of its evaluation."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ Errors = Callable[[Mapping[str, Any]], Mapping[str, tuple[float, float]]]
 def measured_test(
     result: Mapping[str, Any], taken: str, measured_in: Mapping[str, str], errors: Errors
 ) -> dict[str, Any]:
-    """Return what a record tells of one test, from its evaluation (`compwright/evaluation/1`).
+    """Return the record of one test, from its evaluation (`compwright/evaluation/1`).
 
     ``taken``: ``before`` or ``after``; ``measured_in``: the state by ``axis test`` or the circle's
-    name; ``errors``: gives the standard errors of a positioning result. ``date`` is what the file
-    says, empty where it says none; ``s`` the pooled standard deviation of a reading.
+    name; ``errors``: gives the standard errors of a positioning result. ``date`` is that of the
+    file, empty where it has none; ``s`` the pooled standard deviation of a reading.
     """
     header = {str(key).lower(): str(value) for key, value in result.get("header", {}).items()}
     common = {

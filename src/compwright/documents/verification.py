@@ -43,9 +43,11 @@ class ExpectedMeans:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedAxis:
-    """What ``verify`` found on one axis. ``loading`` holds the keys of the contract; ``accept`` in
-    µm or arcsec; ``acknowledged``: doubts that the job acknowledges; ``guard``: U of what is
-    predicted, where the job decides guarded and U is known.
+    """The results of ``verify`` for one axis.
+
+    ``loading`` has the keys of the contract; ``accept`` in µm or arcsec; ``acknowledged``: doubts
+    that the job acknowledges; ``guard``: U of the prediction, where decisions are guarded and U is
+    known.
     """
 
     before: PositioningResult

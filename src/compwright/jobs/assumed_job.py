@@ -45,7 +45,7 @@ _OPTION = "option "
 
 @dataclass(frozen=True, slots=True)
 class _JobLine:
-    """A line of the file: its text, and where what it says comes from."""
+    """A line of the file: its text, and the source of its value."""
 
     text: str
     source: str = ""

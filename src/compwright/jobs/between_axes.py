@@ -1,5 +1,5 @@
-"""What ties the keys of a job about several axes together: circles, measurements of one axis over
-another, what is to be done about them.
+"""Checks of the keys of a job that concern several axes: circles, measurements of one axis over
+another, and their corrections.
 """
 
 from __future__ import annotations

@@ -145,7 +145,7 @@ def _numbers(text: str) -> Any:
 
 
 def _number(text: str) -> Any:
-    """Return the number that ``text`` is; other text stays, and the schema says so."""
+    """Return ``text`` as a number; other text is returned unchanged, and the schema refuses it."""
     word = text.strip()
     if _WHOLE.fullmatch(word):
         return int(word)
@@ -184,7 +184,7 @@ def _option(place: str, axis: str) -> str:
 
 
 def stated_activity(options: dict[str, object]) -> bool | None:
-    """Take ``active`` out of options and return what it says. Raises UsageError for anything but
+    """Remove ``active`` from the options and return its value. Raises UsageError for anything but
     yes and no.
     """
     text = options.pop(ACTIVE, None)

@@ -57,7 +57,7 @@ def contradictions(data: Mapping[str, Any]) -> list[KeyFault]:
 
 
 def unusable(value: Any, path: KeyPath = ()) -> Iterator[KeyFault]:
-    """Find keys without a value and numbers too large, wherever they stand."""
+    """Find keys without a value and numbers that are too large, at any depth."""
     if isinstance(value, dict):
         for key, inner in value.items():
             yield from unusable(inner, (*path, key))
@@ -129,9 +129,7 @@ def _addresses(axes: Any) -> Iterator[KeyFault]:
 
 
 def _untested(data: Mapping[str, Any]) -> Iterator[KeyFault]:
-    """An axis without any test has no work to do, unless a circle or a cross measurement speaks of
-    it.
-    """
+    """Refuse an axis without any test, unless a circle or a cross measurement uses it."""
     if list_of(data.get("circles")) or list_of(data.get("cross")):
         return
     for name, axis in mapping_of(data.get("axes")).items():

@@ -1,4 +1,4 @@
-"""What a job says and nothing needs."""
+"""Keys of a job that have no effect."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from compwright.records.job import Acknowledgement, Job
 
 
 def idle_keys(job: Job, *, systems: bool, numbers: bool, motions: bool) -> list[Finding]:
-    """Say of every key of an axis that it has no effect on this control.
+    """Return a finding for every key of an axis that has no effect on this control.
 
-    ``systems``: the control's files count measuring systems; ``numbers``: they count axes otherwise
-    than by address; ``motions``: backlash at rapid traverse may be another one.
+    ``systems``: the control's files distinguish measuring systems; ``numbers``: they count axes by
+    another number than the address; ``motions``: backlash at rapid traverse may have its own value.
     """
     keys = []
     for name, entry in job.axes.items():

@@ -1,8 +1,8 @@
-"""The job of the next round, from that of the last one: what was read back is what is in the
-control, and the tests after loading come first.
+"""The job of the next round, made from the last job: the files read back become the present state,
+and the tests after loading come first.
 
-Works on the plain data of a job file, so that whatever the engineer wrote there is kept as he wrote
-it: axes, options, wishes for the grid, uncertainty, expansion, limits.
+It works on the plain data of a job file, so that everything else stays as the engineer wrote it:
+axes, options, grid, uncertainty, expansion, limits.
 """
 
 from __future__ import annotations
@@ -37,9 +37,10 @@ class NextAxis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NextRound:
-    """What the next round changes. ``paths``: where copies of profiles, stand-still tests
-    and the logo lie, by the path in the last job; ``squareness``: the planes that are looked at
-    again.
+    """What the next round changes.
+
+    ``paths``: the copies of profiles, stand-still tests and the logo, by their paths in the last
+    job; ``squareness``: the planes that are corrected again.
     """
 
     format: str
@@ -169,7 +170,7 @@ def _axis(section: Mapping[str, Any], then: NextAxis) -> dict[str, Any]:
 
 
 def _acknowledged(section: Mapping[str, Any], axes: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
-    """Yield what is acknowledged, as far as it is of axes that are still there."""
+    """Yield the acknowledgements of the axes that are in the next job."""
     for code, given in section.items():
         kept = [
             entry
@@ -187,7 +188,7 @@ def environment_files(section: Any) -> list[str]:
 
 
 def _uncertainty(section: Mapping[str, Any], paths: Mapping[str, str]) -> dict[str, Any]:
-    """Return the declared uncertainty with the copies of its stand-still tests."""
+    """Return the declared uncertainty with the paths of the copied stand-still tests."""
     found = dict(section)
     if isinstance(found.get("rotary"), dict):
         found["rotary"] = _uncertainty(found["rotary"], paths)

@@ -1,6 +1,4 @@
-"""Plain data of a job as read, whose types the schema has still to check, and what is found wrong
-with it.
-"""
+"""Plain data of a job before the schema has checked their types, and their faults."""
 
 from __future__ import annotations
 

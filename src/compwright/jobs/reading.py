@@ -357,9 +357,7 @@ def _circular_budget(section: JobSection) -> CircularBudget | None:
 
 
 def _range(variation: float | DriftSection) -> float:
-    """Return a range of the environmental variation; 0 as long as its stand-still test is not
-    read.
-    """
+    """Return a range of the environmental variation; 0 until its stand-still test is read."""
     return 0.0 if isinstance(variation, DriftSection) else variation
 
 
@@ -385,8 +383,8 @@ def _pending_findings(section: JobSection) -> list[Finding]:
 
 
 def _absent_axes(section: JobSection) -> list[Finding]:
-    """Say of every correction that it concerns an axis of which the job knows neither travel nor
-    address.
+    """Return a finding for every correction of an axis whose travel or address is not in
+    the job.
     """
     requested: list[tuple[str, tuple[str, ...]]] = [
         (f"cross[{index}]", (entry.input, entry.output))

@@ -445,7 +445,7 @@ class AcknowledgementSection(JobMapping):
 
 
 class ReportSection(JobMapping):
-    """How reports are written, and what stands at their head; ``logo``: a file."""
+    """The form of reports and the contents of their heading; ``logo``: a file."""
 
     language: Literal["en", "de", "fr", "ru"] = "en"
     number: Text | None = None

@@ -55,8 +55,8 @@ def no_truth_value(value: Any) -> Any:
 
 
 def yes_or_no(value: Any) -> Any:
-    """Read ``yes`` and ``no``, which are text in a job file; ``true`` and ``false`` are what they
-    are.
+    """Read ``yes`` and ``no``, which are text in a job file; ``true`` and ``false`` are accepted
+    too.
     """
     return {"yes": True, "no": False}.get(value, value) if isinstance(value, str) else value
 
@@ -76,7 +76,7 @@ def drift_file(value: Any) -> Any:
 
 
 def drift_or_number(value: Any) -> str:
-    """Tell a file from a number, and from text that was meant as one (``1,5``)."""
+    """Distinguish a file from a number, and from text that was meant as a number (``1,5``)."""
     if isinstance(value, dict):
         return "drift"
     named = isinstance(value, str) and re.search(r"[^\W\d_]", value) is not None

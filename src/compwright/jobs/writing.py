@@ -15,8 +15,8 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class Prefilled:
-    """A value with where it comes from; ``value`` None: the user has to fill it in, ``source`` says
-    what is expected.
+    """A value with its source; ``value`` None: the user has to fill it in, and ``source`` describes
+    it.
     """
 
     value: object

@@ -167,11 +167,11 @@ def verify(
     plan: PathName | None = None,
     loaded: PathName | Sequence[PathName] = (),
 ) -> Verification:
-    """Judge the tests after loading against the plan. Nothing is written.
+    """Judge the tests after loading by the plan. Nothing is written.
 
     ``after``: measurement files, each a path or ``"TEST=FILE"``; ``plan``: the folder of a run or
-    its ``plan.json``, default: that of the job; ``loaded``: what was read back from the control.
-    Raises UsageError and InputError, also where the plan is that of another job.
+    its ``plan.json``, default: that of the job; ``loaded``: the files read back from the control.
+    Raises UsageError and InputError, also where the plan belongs to another job.
     """
     from compwright.workflow.commands.verify import plan_path, verification_of
 

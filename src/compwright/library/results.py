@@ -1,6 +1,6 @@
 """Results of the library: frozen, with values and units in ``repr``, ``to_dict`` and ``plot``.
 
-Each holds the document that the command line writes as JSON, so that both say the same.
+Each holds the document that the command line writes as JSON, so that both give the same values.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class DocumentResult:
 
     @property
     def findings(self) -> list[dict[str, Any]]:
-        """What was noticed: ``code``, ``severity`` (info, warning, error) and ``message``."""
+        """The findings: ``code``, ``severity`` (info, warning, error) and ``message``."""
         return deepcopy(list(self._document.get("findings", [])))
 
 
@@ -264,7 +264,7 @@ class JobPlan(DocumentResult):
 
     @property
     def findings(self) -> list[dict[str, Any]]:
-        """What was noticed: ``code``, ``severity`` and ``message``."""
+        """The findings: ``code``, ``severity`` and ``message``."""
         return self._planned.finding_documents()
 
     @property

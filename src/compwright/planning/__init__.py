@@ -1,1 +1,1 @@
-"""From results to decisions: what is wanted of a control, and what a table will change."""
+"""From results to decisions: the wanted correction, the table, and the change that it will make."""

@@ -54,7 +54,9 @@ class CapacityOf(Protocol):
     """The limits of one axis' table; raises CapacityError where the control holds nothing."""
 
     def __call__(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """Return them; ``one_curve``: the job asks for one table and a backlash value."""
+        """Return the limits of the control for an axis; ``one_curve``: the job requires one table
+        and a backlash value.
+        """
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -223,7 +225,9 @@ def start_axis(
 
 
 def _reported_checks(posterior: MeasuredError) -> Iterator[frozenset[str]]:
-    """Yield by test the checks of its readings that the estimate tells, if it counts there."""
+    """Yield for each test the checks of its readings that the estimate reports already; none for a
+    test that does not count.
+    """
     for noise, place in zip(posterior.noises, posterior.counted, strict=True):
         found = () if noise is None or place is None else noise.findings
         yield frozenset(_REPORTED_BY[each.code] for each in found if each.code in _REPORTED_BY)
@@ -294,7 +298,7 @@ def _offered(
     fresh: FreshTests,
     rule: Literal["simple", "guarded"],
 ) -> Iterator[Finding]:
-    """Yield what a grid of our own choice would gain over the one that is there and stays."""
+    """Yield what a grid of our own choice would gain over the existing grid, which stays."""
     capacity, chosen = work.capacity, work.chosen
     if chosen is None or capacity is None:
         return

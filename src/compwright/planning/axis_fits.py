@@ -1,4 +1,4 @@
-"""The tables of a job's axes under the limits of the control, each as the job asks for it."""
+"""The tables of a job's axes under the limits of the control."""
 
 from __future__ import annotations
 
@@ -96,8 +96,10 @@ def fit_all(
 def _fit(
     task: tuple[AxisWork, Capacity, Literal["simple", "guarded"]],
 ) -> _Fitted | CapacityError:
-    """Return what is wanted of an axis and its tables, or why the control cannot hold one: one
-    table where two would hold what may be the drift of the test, and the job leaves the choice.
+    """Return the wanted correction of an axis and its tables, or why the control cannot hold one.
+
+    One table is used where the second could hold the drift of the test and the job leaves the
+    choice.
     """
     work, capacity, rule = task
     found = _requested_fit(work, capacity, rule)

@@ -77,7 +77,7 @@ def mismatch(work: CircleWork) -> Stated | None:
 
 
 class Checks:
-    """Holds every circle of a job against the positioning tests of its axes."""
+    """Compares every circle of a job with the positioning tests of its axes."""
 
     def __init__(
         self, job: Job, works: Mapping[str, AxisWork], states: Mapping[str, ActiveCorrections]
@@ -87,8 +87,8 @@ class Checks:
         self.states = states
 
     def laser(self, work: CircleWork, index: int) -> ByLaser | None:
-        """Return what the laser says of an axis of a circle; None for an axis without a positioning
-        test in both directions.
+        """Return the values of the positioning test for an axis of a circle; None for an axis
+        without a positioning test in both directions.
         """
         axis = self.works.get(work.planned.test.axes[index])
         if axis is None or not axis.results[0].test.bidirectional:
@@ -158,8 +158,8 @@ class Checks:
     def with_circle_backlash(
         self, circles: Sequence[CircleWork]
     ) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
-        """Return the axes with the lost motion of their circles in place of the laser's, where the
-        job asks for that.
+        """Return the axes with the lost motion of their circles in place of that of the positioning
+        test, where the job requires it.
         """
         works = dict(self.works)
         findings: list[Finding] = []

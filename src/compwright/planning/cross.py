@@ -192,8 +192,8 @@ class _Planner:
     # ----------------------------------------------------------------------------------------------
 
     def squareness(self) -> Iterator[PlannedCross]:
-        """Yield the ramp of every plane that ``apply`` names; say of the others what would be
-        corrected.
+        """Yield the ramp of every plane that ``apply`` names; give a finding for the other planes
+        that need one.
         """
         requested = {
             frozenset({bent, other_axis(plane, bent)}): (plane, bent)
@@ -221,7 +221,7 @@ class _Planner:
                 self.find("CW-P108", "info", plane=plane, squareness=angle.words, tests=angle.tests)
 
     def _not_corrected(self, plane: str, pair: frozenset[str], angle: Squareness | None) -> None:
-        """Say why the squareness of a plane is not corrected, and what to measure."""
+        """Give the finding why the squareness of a plane is not corrected, and what to measure."""
         mine = (work for work in self.circles if frozenset(work.planned.test.axes) == pair)
         if angle is not None:
             why = shortfall(angle.value * _PPM, angle.std_error * _PPM)

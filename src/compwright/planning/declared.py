@@ -55,8 +55,10 @@ def fresh_slope(rule: Literal["simple", "guarded"], test: PlannedTest) -> float:
 
 def slope_in_table(job: Job, tests: Sequence[PlannedTest], coming: PositioningTest) -> float:
     """Return the standard deviation of the slope (mm/mm) that the first of the ``tests`` has put
-    into the table, as a test like ``coming`` will meet it: that of its own, and what the
-    coefficient does between their temperatures.
+    into the table, relative to a test like ``coming``.
+
+    It combines the uncertain slope of the first test with the effect of the uncertain coefficient
+    over the difference of their temperatures.
     """
     budget, first = job.budget(coming.kind), tests[0].test
     common = None if budget is None else UncertaintyBudget(U_alpha=budget.U_alpha)

@@ -29,7 +29,7 @@ class Noticed:
 
 @dataclass(frozen=True, slots=True)
 class Doubts:
-    """What is ``open``, what is ``acknowledged``, and the acknowledgements that are ``unused``."""
+    """The ``open`` doubts, the ``acknowledged`` ones, and the ``unused`` acknowledgements."""
 
     open: tuple[Noticed, ...] = ()
     acknowledged: tuple[Acknowledged, ...] = ()
@@ -49,10 +49,10 @@ class Doubts:
 def doubts_among(
     noticed: Iterable[Noticed], given: Sequence[Acknowledgement], axes_of_job: Iterable[str]
 ) -> Doubts:
-    """Return the doubts among what was noticed, each once; ``given``: what the job acknowledges.
+    """Return the doubts among the findings, each once; ``given``: the acknowledgements of the job.
 
-    An acknowledgement of one axis leaves a doubt open that concerns others too. A doubt about all
-    axes concerns those of the job.
+    An acknowledgement for one axis leaves a doubt open that concerns other axes too. A doubt about
+    all axes concerns those of the job.
     """
     every = frozenset(axes_of_job)
     still: list[Noticed] = []

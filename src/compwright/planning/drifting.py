@@ -30,9 +30,10 @@ _OF_THE_NOISE: Final = 0.5
 
 
 def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield that what is written may hold the drift of the test, where its readings drift: the
-    second table that the job asks for (CW-P153), or the constant between the directions (CW-P154),
-    that is the backlash value, or that of two curves where the control has none.
+    """Yield a finding where the table may hold the drift of the test.
+
+    CW-P153: the second table that the job requires; CW-P154: the constant between the directions,
+    which is the backlash value, or that of two curves where the control has none.
     """
     planned, test = work.planned, work.results[0].test
     runs = min(int(np.max(test.readings(way), initial=0.0)) for way in Direction)

@@ -1,5 +1,5 @@
-"""Fresh tests of one axis at newly dithered targets, all from the same draws: what changes between
-two answers is what was asked to change, not the luck of the draw.
+"""Fresh tests of one axis at newly dithered targets, all from the same draws: two answers differ
+only by the requested change, not by chance.
 """
 
 from __future__ import annotations
@@ -53,12 +53,13 @@ FIRST: Final = Like()
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FreshTests:
-    """Draws of the deviation at new targets, mm or deg: ``sets`` (k, m) of them with the
-    ``expected`` deviation (k, m), and ``chosen`` (s,), the set of each draw, ascending; what tests
-    like ``result`` add: the scatter of the readings, from the generator in ``state``, and
-    ``slopes`` (s, m) from a temperature that is not known better. ``drawn``: the scatter of all
-    parts of the noise, once it is asked for, and that without the parts that were asked for last
-    (both are large).
+    """Draws of the deviation at new targets, mm or deg.
+
+    ``sets`` (k, m): sets of targets with the ``expected`` deviation (k, m), and ``chosen`` (s,):
+    the set of each draw, ascending. Tests like ``result`` add the scatter of the readings, from the
+    generator in ``state``, and ``slopes`` (s, m) from an uncertain temperature. ``drawn``: the
+    scatter of all parts of the noise, once it is needed, and the scatter without the last removed
+    parts (both are large).
     """
 
     result: PositioningResult
@@ -88,10 +89,9 @@ class FreshTests:
     ) -> Mapping[str, Quantiles]:
         """Return the parameters of the tests after a ``change`` of the correction, by name.
 
-        ``known``: whether the estimated error and the change are there, ``unknown`` whether what
-        the estimate leaves open is, ``warm`` whether the slopes are; ``cured``: parts of the noise
-        that are not; ``only``: the one parameter that is asked for; ``waves`` (s, m): what is added
-        to the deviation.
+        ``known``: whether to include the estimated error and the change, ``unknown``: the
+        uncertainty of the estimate, ``warm``: the slopes; ``cured``: parts of the noise to leave
+        out; ``only``: the one parameter to compute; ``waves`` (s, m): added to the deviation.
         """
         deviations = []
         for direction, drawn in (

@@ -81,7 +81,7 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting 
 
 
 class _ShownParameter(Protocol):
-    """What fresh tests show of the one parameter, as `FreshTests.quantiles` is asked."""
+    """The one parameter of fresh tests, with the arguments of `FreshTests.quantiles`."""
 
     def __call__(self, change: Correction, **taken: Any) -> Quantiles:
         """Return its quantiles after a ``change`` of the correction."""

@@ -1,4 +1,4 @@
-"""What to say where a control never applies a step of the correction."""
+"""Finding where a control never applies a step of the correction."""
 
 from __future__ import annotations
 

@@ -39,8 +39,10 @@ def decided(
     first: FreshTests,
 ) -> tuple[Mapping[str, AcceptDecision], tuple[Finding, ...]]:
     """Return the decisions about the limits of an axis after a ``change`` of its correction, and
-    what new targets leave open; ``tests``: what is predicted of each, ``first``: fresh tests like
-    the first one at new targets.
+    what new targets leave undecided.
+
+    ``tests``: the prediction for each test, ``first``: fresh tests like the first one at new
+    targets.
     """
     if entry.accept is None:
         return {}, ()

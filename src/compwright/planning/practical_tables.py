@@ -91,8 +91,8 @@ def _with_fewest_points(
     shown: Shown,
     best: FittedTable,
 ) -> FittedTable:
-    """Return the table of the fewest points of which a test shows next to nothing more than of the
-    ``best`` one. A grid that is there stays.
+    """Return the table with the fewest points whose test shows next to nothing more than that of
+    the ``best`` one. An existing grid stays.
     """
     nodes = best.compensation.positions
     if best.keeps_grid or capacity.nodes is not None or capacity.line is not None or nodes.size < 3:
@@ -142,7 +142,7 @@ def _fewest(
 
 
 def _covering(request: TableRequest, grid: FloatArray, cover: int) -> TableRequest:
-    """Return what asks for a grid, ``cover`` spacings beyond it where the job names no end."""
+    """Return the request for a grid, ``cover`` spacings longer where the job names no end."""
     spacing = float(grid[-1] - grid[0]) / (grid.size - 1)
     start, end = float(grid[0]) - cover * spacing, float(grid[-1]) + cover * spacing
     return replace(

@@ -20,9 +20,11 @@ _ALIKE: Final = 2.0
 
 
 def own_reversal(estimate: ErrorEstimate, active: Correction) -> tuple[FloatArray, FloatArray]:
-    """Return positions (k,) over the measured range, and there the reversal of the axis itself
-    (without what was ``active``), mean in + less mean in -, mm or deg. Of a rotary axis whole turns
-    are left out: its travel may begin at a reference that is turns away from what was measured.
+    """Return positions (k,) over the measured range, and the reversal of the axis itself there
+    (without the ``active`` correction), mean in + minus mean in -, mm or deg.
+
+    For a rotary axis whole turns are removed: its travel may begin at a reference some turns away
+    from the measured range.
     """
     low, high = estimate.measured
     where = estimate.positions

@@ -1,8 +1,8 @@
-"""The scale of an axis without a positioning test, from circles: only where they can tell it.
+"""The scale of an axis without a positioning test, from circles, where they can determine it.
 
-The radius of a circle also shrinks by the lag of the position loop, v²/(2 Kv² R), so a scale is
-taken from a calibrated bar at a low feed, from two feeds extrapolated to zero, or from the mismatch
-with an axis that the laser measured; else not at all.
+The radius of a circle also shrinks by the lag of the position loop, v²/(2 Kv² R). A scale is
+therefore taken from a calibrated bar at a low feed, from two feeds extrapolated to zero, or from
+the mismatch with an axis that has a positioning test; else not at all.
 """
 
 from __future__ import annotations

@@ -18,13 +18,13 @@ _TO_SPARE: Final = 2
 def shared_fairly(
     capacities: Mapping[str, Capacity], planned: Mapping[str, PlannedAxis]
 ) -> dict[str, Capacity]:
-    """Return the capacities with the points of a store that all axes share divided among those
-    whose spacing compwright chooses.
+    """Return the capacities, with the points of a common store divided among the axes whose spacing
+    compwright chooses.
 
-    An axis whose spacing the job names gets what it needs; two tables need twice the points. What
-    the job names stays as it is: where it does not fit, writing refuses it. A grid that is in the
-    control and stays takes none of what is free, unless other axes use its points too, and so does
-    one that fits into the points that its axis has already: no axis is left less than those.
+    An axis whose spacing the job names gets the points that it needs; two tables need twice as
+    many. That request is not changed: where it does not fit, writing refuses it. An existing grid
+    that stays takes no free points, unless other axes use its points too; nor does a grid that fits
+    into the points that its axis already has. No axis gets fewer points than those.
     """
     sharing = {
         name: one

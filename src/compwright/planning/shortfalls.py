@@ -1,8 +1,9 @@
-"""What the table of an axis does not hold of what is wanted, as curves by cause, whose sum it is.
+"""The part of the wanted correction that the table of an axis does not hold, as curves by cause;
+their sum is the whole.
 
-A single curve holds nothing of a reversal that varies along the travel; straight lines between the
-nodes hold nothing of what bends there (the best curve on the same nodes without any limit of value
-tells how much that is); what is left then are limits of value and whole numbers.
+A single curve cannot hold a reversal that varies along the travel. Straight lines between the nodes
+cannot hold what bends there (by how much, the best curve on the same nodes without limits of value
+shows). The rest comes from limits of value and whole numbers.
 """
 
 from __future__ import annotations
@@ -53,8 +54,8 @@ class Shortfall:
 def shortfalls(
     wanted: WantedCorrection, fitted: FittedTable, capacity: Capacity
 ) -> tuple[Shortfall, ...]:
-    """Return the shortfalls of a ``fitted`` table from what is ``wanted`` (totals), but for a
-    constant, which only moves the datum; those that are nothing left out.
+    """Return the shortfalls of a ``fitted`` table from the ``wanted`` correction (totals), except
+    for a constant, which only moves the datum; without those that are zero.
     """
     rms = {limit.cause: limit.value for limit in fitted.limits}
     return tuple(
@@ -120,7 +121,9 @@ def _parts(
 def _alone(
     held: AxisCompensation, wanted: WantedCorrection
 ) -> tuple[AxisCompensation, WantedCorrection]:
-    """Return the table without the tables that stay, and what is then wanted of it."""
+    """Return the table without the tables that stay, and the correction that is then wanted
+    of it.
+    """
     if not held.others:
         return held, wanted
     return replace(held, others=()), without_others(wanted, held.others)
@@ -155,7 +158,7 @@ def as_curve(wanted: WantedCorrection) -> Correction:
 
 
 def _half(curve: Correction, positions: FloatArray) -> FloatArray:
-    """Return half of what ``curve`` does in + less what it does in -."""
+    """Return half of the difference of ``curve`` between + and -."""
     plus, minus = (curve(positions, way) for way in Direction)
     return 0.5 * (plus - minus)
 

@@ -92,7 +92,9 @@ def _line(
 
 
 def _left(wanted: WantedCorrection, table: AxisCompensation) -> float:
-    """Return what is left at the nodes within the travel, root mean square over both directions."""
+    """Return the root mean square of the residual at the nodes within the travel, over both
+    directions.
+    """
     nodes, places = table.positions, wanted.positions
     inside = nodes[(nodes >= places[0]) & (nodes <= places[-1])]
     rest = [

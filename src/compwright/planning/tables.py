@@ -1,5 +1,5 @@
-"""The table of one axis under the limits of the control: on the grid that is there where it can
-serve, else on a new one; and what a new one would gain.
+"""The table of one axis under the limits of the control: on the existing grid where that is
+suitable, else on a new one; and the gain of a new one.
 """
 
 from __future__ import annotations
@@ -67,10 +67,10 @@ def fit_remaining(
     *,
     costs: bool = True,
 ) -> FittedTable:
-    """Return the table that does, together with those of the axis that stay, what is wanted; with
-    what each limit ``costs`` where that is asked.
+    """Return the table that, together with the tables that stay, gives the wanted correction.
 
-    Raises CapacityError where the control cannot hold it.
+    ``costs``: whether to compute what each limit costs. Raises CapacityError where the control
+    cannot hold it.
     """
     own = without_others(wanted, capacity.stays)
     table = fit_table(own, capacity, request, address=axis.address, costs=costs)
@@ -83,10 +83,10 @@ def fit_staying(
     request: TableRequest,
     axis: Axis,
 ) -> FittedTable:
-    """Return what ``fit`` makes of ``request``. Where the grid that is in the control is to stay
-    and cannot serve, a new one is chosen, with a warning that says why.
+    """Return the result of ``fit`` for the ``request``. Where the existing grid is to stay but is
+    not suitable, a new one is chosen, with a warning and the reason.
 
-    Raises CapacityError as ``fit`` does, for the new grid where there was one.
+    Raises CapacityError as ``fit`` does, for the new grid where there is one.
     """
     try:
         return fit(request)
@@ -119,8 +119,8 @@ def freely_chosen(
     table: FittedTable,
     axis: Axis,
 ) -> FittedTable | None:
-    """Return the table on the grid that compwright would choose, where ``table`` stands on the one
-    that was there and this loses more than a chosen one may; else None.
+    """Return the table on the grid that compwright would choose, where ``table`` uses the existing
+    one and that loses too much; else None.
     """
     held = table.compensation
     own = without_others(wanted, held.others)
@@ -170,13 +170,13 @@ def offer(
     quantum: float,
     written: bool,
 ) -> Finding | None:
-    """Return what the ``chosen`` table would gain over the one on the grid that is ``there``
-    (nodes, mm or deg); None where that is nothing that a test would show.
+    """Return what the ``chosen`` table would gain over the one on the existing grid ``there``
+    (nodes, mm or deg); None where no test would show the gain.
 
     ``kept``, ``offered``: the first test's predictions with both; ``written``: False where no table
-    on the grid that is there improves the axis, and ``kept`` is what happens without one. A gain
+    on the existing grid improves the axis, and ``kept`` is the prediction without one. A gain
     counts when it is larger than ``quantum``, the control's resolution, and than one standard
-    deviation by which the parameter differs from test to test.
+    deviation of the parameter between tests.
     """
     name = yardstick(kept.before)
     if name is None:

@@ -109,10 +109,10 @@ def counted_together(
 def _disagreeing(
     tests: Sequence[PlannedTest], alone: Callable[[int], MeasuredError]
 ) -> Iterator[tuple[int, Finding]]:
-    """Yield the place and the doubt of each test that contradicts the first; ``alone``: the error
-    as one test, by its place, tells it.
+    """Yield the index and the doubt of each test that contradicts the first; ``alone``: the error
+    from one test alone, by its index.
 
-    Either is asked what it expects of the other: a short test says little of a long one, the long
+    Each of the two tests predicts the other: a short test predicts little of a long one, the long
     one much of it.
     """
     for place, other in enumerate(tests[1:], start=1):
@@ -130,10 +130,10 @@ def _doubt(
     shown: tuple[PlannedTest, MeasuredError],
     names: tuple[str, str],
 ) -> Finding | None:
-    """Return the doubt of a test (``shown``) that does not show the error that another one
-    (``telling``) tells, each with the error that it tells alone.
+    """Return the doubt about a test (``shown``) that does not show the error from another one
+    (``telling``); each is given with the error from it alone.
 
-    A test speaks only of the directions in which it was taken. Each has the noise of its own.
+    Only the directions in which a test was taken count. Each test has its own noise.
     """
     (source, error), (test, own) = telling, shown
     targets = test.test.targets

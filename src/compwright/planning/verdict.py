@@ -1,4 +1,4 @@
-"""Whether a table is what an axis needs: what it cures, what no table cures, and who can."""
+"""Is a table what an axis needs? What it corrects, what no table corrects, and who can help."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ _REMAINING: Final = "what no table of this control takes away"
 
 
 def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> Iterator[Finding]:
-    """Yield what to say where a table cures little of an axis (CW-P150), or some while most is
+    """Yield a finding where a table improves an axis little (CW-P150), or some while most is
     scatter (CW-P151).
 
     ``tabled``: a table is written; ``refused``: one was made and improves nothing. A gain counts
-    when it is more than one standard deviation by which the parameter differs from test to test.
+    when it is more than one standard deviation of the parameter between tests.
     """
     left = limiting.then if tabled else limiting.now if refused else limiting.least
     gained = limiting.now - left
@@ -58,8 +58,8 @@ def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> I
 
 
 def stopped(axis: Axis, limiting: Limiting) -> Finding:
-    """Return that an axis whose table gains nothing that a test would show is left as it is
-    (CW-P155), and what makes most of what is left.
+    """Return the finding (CW-P155) that an axis is left as it is because its table gains nothing
+    that a test would show, with the largest remaining cause.
     """
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
     name, left = limiting.parameter, limiting.now

@@ -36,12 +36,12 @@ UNDECLARED_SLOPE = 11.5e-6
 
 @dataclass(frozen=True, slots=True)
 class MeasuredError:
-    """The error of an axis as its tests show it: that of the axis itself, estimated, and what the
-    control added in the first of them, which is known.
+    """The error of an axis from its tests: that of the axis itself, estimated, and the known
+    correction during the first of them.
 
-    A table may be as rough as it likes: it is taken out before the smooth error is estimated, and
-    put back exactly. ``counted``: by test of the axis, its place in the estimate, None where it
-    does not count there; ``noises``: by test, what its repeated readings tell of their noise.
+    A table may have any shape: it is subtracted before the smooth error is estimated, and added
+    again exactly. ``counted``: by test of the axis, its index in the estimate, None where it does
+    not count; ``noises``: by test, the noise from its repeated readings.
     """
 
     own: AxisPosterior
@@ -68,7 +68,7 @@ class MeasuredError:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What was noticed while estimating."""
+        """The findings of the estimation."""
         return self.own.findings
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
@@ -196,10 +196,9 @@ def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> N
     """Raise InputError where the targets of the tests from which the table is made together cover
     less than half of the axis' travel.
 
-    What they did not measure is continued by guess: over half the travel that is no table. What
-    lies between two tests that do not meet is not covered. Of an endless axis the turn less the
-    largest gap between neighbouring targets counts, against the travel as far as that is within one
-    turn.
+    The rest is extrapolated, and a table over less than half of the travel would be a guess. A gap
+    between two tests is not covered. For an endless axis, the turn minus the largest gap between
+    neighbouring targets counts, compared with the travel within one turn.
     """
     low, high = axis.travel
     targets = np.unique(np.concatenate([test.targets for test in tests]))

@@ -1,8 +1,8 @@
-"""A short period that the grid cannot hold goes into a table of its own that repeats with it, where
+"""Put a short period that the grid cannot hold into a table of its own that repeats with it, where
 the control has one.
 
-The sections of the period take whole increments whose sum is zero; what the main table leaves,
-folded over the period, is their aim.
+The sections of the period take whole increments whose sum is zero; their aim is the residual of the
+main table, folded over the period.
 """
 
 from __future__ import annotations
@@ -83,9 +83,11 @@ def with_wave(
 def _left(
     wanted: WantedCorrection, table: AxisCompensation, periods: Sequence[float]
 ) -> FloatArray:
-    """Return what is left (g,) at the positions of ``wanted``, the mean of both directions, as if
-    the main table were straight between its nodes: its steps are no wave. What it holds of
-    ``periods`` (mm or deg) counts as left: a table of their own takes all of them.
+    """Return the residual (g,) at the positions of ``wanted``, the mean of both directions, as if
+    the main table were straight between its nodes: its steps are no wave.
+
+    The ``periods`` (mm or deg) that the main table holds count as residual too: the table of the
+    period takes all of them.
     """
     straight = replace(table, interpolation="linear", backlash=0.0)
     plus, minus = (straight.at(wanted.positions, side) for side in Direction)

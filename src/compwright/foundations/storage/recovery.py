@@ -102,7 +102,7 @@ def _put_right(session: Session, folder: Path) -> None:
         if not os.path.lexists(folder / UNFINISHED):  # another process has done it meanwhile
             return
         fault = Fault(
-            message="what a stopped command had begun to write here cannot be taken back",
+            message="the unfinished files of a stopped command cannot be removed",
             file=str(folder / UNFINISHED),
             found=reason(error) if isinstance(error, OSError) else str(error),
             hint="check the permissions of the folder, then run the command again",

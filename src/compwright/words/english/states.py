@@ -142,8 +142,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S048": "{label}: {function}",
     "CW-S049.none": (
-        "{suggested}; the job names none: it is looked for in the readings before others;"
-        " screw_pitch: {lead:g} in the job would take it as certain"
+        "{suggested}. The job names no screw pitch, so this period is searched first in the"
+        " readings. If it is right, add screw_pitch: {lead:g} to the axis"
     ),
     "CW-S049.other": (
         "{suggested}; the job names {periods:g} instead, which is followed: check it at the screw"
@@ -204,8 +204,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {expectation}: none was worked out for {definition}}"
     ),
     "CW-S061": (
-        "{what}: {carried} is taken as the plan carries it; run the job again to plan with"
-        " another definition"
+        "{what}: {carried} is used as it is in the plan; to use another definition, run the job"
+        " again"
     ),
     "CW-S062": "the control format {name} is taken for {definition}: {title}",
     "CW-S070": (
@@ -222,8 +222,8 @@ SENTENCES: Final[dict[str, str]] = {
         " values per axis on the card with the control"
     ),
     "CW-S073": (
-        "{file}: the job says that none of its values was carried out (active: no). No table"
-        " and no backlash of it count as loaded"
+        "{file}: not carried out in the control, by the job (active: no). None of its tables and"
+        " backlash values counts as loaded"
     ),
     "CW-S080": (
         "{files}: what the control makes of {what} is unknown, so only the entries are"
