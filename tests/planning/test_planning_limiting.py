@@ -253,7 +253,7 @@ class Restless(KnownAxis):
     ("parts", "cause", "advice"),
     [
         ({"drift": 10.0 * UM}, DRIFT, "warm it up"),
-        ({"offset": 3.0 * UM}, TRAVERSES, "hold still"),
+        ({"offset": 3.0 * UM}, TRAVERSES, "firm"),
         ({"outlier_share": 0.1, "outlier_size": 30.0}, OUTLIERS, "disturbs"),
     ],
 )

@@ -68,16 +68,18 @@ def between(source: Literal["circle", "cross"] = "circle", *, written: bool = Tr
     return PlannedCross(input="X", output="Y", added=table, source=source, written=written)
 
 
-def missing(job: Job, of: Plan, measured: dict[str, str], *circles: str) -> list[str]:
+def missing(
+    job: Job, of: Plan, measured: dict[str, str], *circles: str
+) -> list[tuple[str, dict[str, Any]]]:
     tests = {name: of.circles[name].test for name in circles}
-    return [finding.message for finding in not_measured(job, of, measured, tests)]
+    findings = not_measured(job, of, measured, tests)
+    return [(finding.sentence.name, dict(finding.sentence.values)) for finding in findings]
 
 
 def test_an_axis_with_a_table_has_to_be_measured_again() -> None:
     job, planned = job_of(axis_of()), plan({"X": axis()})
     assert missing(job, planned, {"X": "x"}) == []
-    (message,) = missing(job, planned, {})
-    assert message.endswith("axis X was not measured after loading. Measure it as for the test x.")
+    assert missing(job, planned, {}) == [("CW-V023.axis", {"axis": "X", "test": "x"})]
 
 
 @pytest.mark.parametrize(("fitted", "accept", "told"), [(False, None, 0), (False, LIMITS, 1)])
@@ -94,10 +96,10 @@ def test_limits_speak_of_one_test_and_that_has_to_be_repeated() -> None:
     accept = Acceptance(limits={"A": 8.0}, test="long")
     job, planned = job_of(axis_of(), accept=accept), plan({"X": axis(accept=accept)})
     assert missing(job, planned, {"X": "long"}) == []
-    (message,) = missing(job, planned, {"X": "x"})
-    assert "the limits of axis X are for the test long, and x was measured" in message
-    (none,) = missing(job, planned, {})
-    assert none.endswith("Measure it as for the test long.")
+    ((name, values),) = missing(job, planned, {"X": "x"})
+    assert name == "CW-V023.test"
+    assert values == {"axis": "X", "meant": "long", "measured": "x"}
+    assert missing(job, planned, {}) == [("CW-V023.axis", {"axis": "X", "test": "long"})]
     assert missing(job_of(axis_of(), accept=LIMITS), planned, {"X": "x"}) == []  # the first test
 
 
@@ -107,8 +109,9 @@ def test_a_scale_from_circles_asks_for_a_circle() -> None:
     }
     planned = plan({"X": axis(tested=False)}, circles=circles)
     assert missing(job_of(axis_of()), planned, {}, "xy") == []
-    (message,) = missing(job_of(axis_of()), planned, {}, "yz")
-    assert message.endswith("Measure the circle xy again.")
+    ((name, values),) = missing(job_of(axis_of()), planned, {}, "yz")
+    assert name == "CW-V023.scale"
+    assert values == {"axis": "X", "circles": ("xy",)}
     kept = plan({"X": axis(tested=False, fitted=False)}, circles=circles)
     assert missing(job_of(axis_of()), kept, {}) == []
 
@@ -120,9 +123,9 @@ def test_a_squareness_that_was_corrected_asks_for_a_circle_of_its_plane() -> Non
     }
     planned = plan({}, cross=(between(),), circles=circles)
     assert missing(job_of(), planned, {}, "xy") == []
-    (message,) = missing(job_of(), planned, {}, "yz")
-    assert "the squareness of XY was corrected and not measured" in message
-    assert message.endswith("Measure the circle xy again.")
+    ((name, values),) = missing(job_of(), planned, {}, "yz")
+    assert name == "CW-V023.squareness"
+    assert values == {"plane": "XY", "circles": ("xy",)}
     for entry in (between("cross"), between(written=False)):
         assert missing(job_of(), plan({}, cross=(entry,), circles=circles), {}) == []
 
@@ -195,8 +198,7 @@ def test_a_circle_with_limits_has_to_be_measured_again_by_the_limits_of_the_run(
     of = plan({}, circles={"xy": replace(circle_of({}).planned, accept=limits, budget=budget)})
     request = CircleRequest(files=("xy.csv",), name="xy", accept=limits)
     job = replace(job_of(), circles=(request,), uncertainty_circular=budget)
-    (message,) = missing(job, of, {})
-    assert "circle xy has limits and was not measured after loading" in message
+    assert missing(job, of, {}) == [("CW-V023.circle", {"circle": "xy"})]
     assert list(changed_limits(job, of)) == []
 
     looser = replace(request, accept=Acceptance(limits={"G_ccw": 9.0}))

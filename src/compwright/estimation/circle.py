@@ -2,8 +2,8 @@
 standard error.
 
 Squareness and scale do not depend on the direction, lost motion and lag change sign with it, and
-the harmonics of lost motion are those of squareness: causes are told apart by fitting all of them
-at once, at the exact distance, with the correlation of the residuals in the standard errors
+the harmonics of lost motion are those of squareness. The causes are separated by fitting all of
+them at once, at the exact distance, with the correlation of the residuals in the standard errors
 (``circle_noise``). Signs and units are those of ``circle_model``. What each cause does to a circle:
 ISO 230-4:1996, annex B.
 """
@@ -300,9 +300,9 @@ class _Start:
 
 
 def _started(samples: Samples, grid: AngleGrid) -> tuple[_Start, Lag | None]:
-    """Return the start with the common lag that explains the samples better, or without one.
+    """Return the start of the fit, and the common lag if it explains the samples better than none.
 
-    Lost motion that is taken up while an axis stands still looks like a lag beside the reversal
+    Lost motion that is taken up while an axis stands still looks like a lag next to the reversal
     points: the evidence of the whole model decides.
     """
 

@@ -81,7 +81,7 @@ def shortest_pitch(samples: Samples) -> float:
 
 
 def longest_pitch(samples: Samples) -> float:
-    """Return the longest pitch, mm, that is told from the other causes."""
+    """Return the longest pitch, mm, that can be distinguished from the other causes."""
     return _LONGEST * samples.radius
 
 

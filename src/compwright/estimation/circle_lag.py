@@ -44,8 +44,10 @@ class Lag:
 
 
 def common_lag(samples: Samples) -> Lag | None:
-    """Return the common lag, rad, if the samples beside the reversal points show one clearly, else
-    None. Angles whose weighted squares differ by less than 9 (three standard errors) count as equal
+    """Return the common lag, rad, if the samples next to the reversal points show one clearly, else
+    None.
+
+    Angles whose weighted squares differ by less than 9 (three standard errors) count as equal
     (Seber and Wild 1989, chapter 9).
     """
     spacing, windows, angles, none = _profile(samples)
@@ -66,8 +68,8 @@ def common_lag(samples: Samples) -> Lag | None:
 
 
 def corrected(samples: Samples, lag: Lag) -> Samples:
-    """Return the samples at the angles where the axes are, not where they were told to be: behind
-    by ``lag.angle`` in the sense of the run.
+    """Return the samples at the actual angles of the axes instead of the commanded ones: behind by
+    ``lag.angle`` in the sense of the run.
     """
     return replace(
         samples,
@@ -78,9 +80,10 @@ def corrected(samples: Samples, lag: Lag) -> Samples:
 
 
 def without_lag(samples: Samples) -> Samples:
-    """Return the samples with how late the axes may reverse though no lag was found: the largest
-    angle that explains the samples beside the reversal points as well as none, and at least half
-    the distance of two samples, within which a step looks the same.
+    """Return the samples with the latest possible reversal of the axes although no lag was found.
+
+    That is the largest angle that explains the samples next to the reversal points as well as none,
+    and at least half the distance of two samples, within which a step looks the same.
     """
     spacing, windows, angles, none = _profile(samples)
     if not len(windows):
@@ -94,8 +97,8 @@ def without_lag(samples: Samples) -> Samples:
 
 
 def _profile(samples: Samples) -> tuple[float, FloatArray, FloatArray, int]:
-    """Return the angle between two samples, the windows beside the reversal points, the angles at
-    which the axes may reverse, rad (a,), and the index of zero among them.
+    """Return the angle between two samples, the windows at the reversal points, the possible angles
+    of the reversals, rad (a,), and the index of zero among them.
     """
     per_run = samples.theta.size / np.unique(samples.run).size
     spacing = samples.arc[1] / per_run
@@ -106,8 +109,8 @@ def _profile(samples: Samples) -> tuple[float, FloatArray, FloatArray, int]:
 
 
 def _windows(samples: Samples, half: int) -> FloatArray:
-    """Return (w, 2, 2 half): angle travelled since the reversal point, rad, and deviation, mm,
-    beside each point of each run.
+    """Return (w, 2, 2 half): angle since the reversal point, rad, and deviation, mm, on both sides
+    of each reversal point of each run.
     """
     found = []
     for number in np.unique(samples.run):
@@ -126,11 +129,10 @@ def _windows(samples: Samples, half: int) -> FloatArray:
 
 
 def _squares(windows: FloatArray, angles: FloatArray) -> tuple[FloatArray, float]:
-    """Return the sum of squares (a,) left over in all windows with everything sudden set in at each
-    of ``angles`` (a,).
+    """Return the residual sum of squares (a,) over all windows, with the reversal placed at each of
+    ``angles`` (a,), and the degrees of freedom.
 
-    In each window: a parabola, and from the reversal on a step, a bend and two decays. Also the
-    degrees of freedom.
+    In each window: a parabola, and from the reversal on a step, a bend and two decays.
     """
     travelled, values = windows[:, 0, :], windows[:, 1, :]
     size = float(np.max(np.abs(travelled)))

@@ -1,5 +1,6 @@
-"""The plain regression of other software for a circular test, beside the full model: harmonics and
-reversal terms of ISO 230-4:1996, annex B, at the centre, by ordinary least squares.
+"""The plain regression of other software for a circular test, for comparison with the full model.
+
+Harmonics and reversal terms of ISO 230-4:1996, annex B, at the centre, by ordinary least squares.
 """
 
 from __future__ import annotations

@@ -74,13 +74,13 @@ class _ReportedCause:
 def effects_of(
     test: CircularTest, solution: Solution, undetermined: Mapping[str, str]
 ) -> tuple[dict[str, CircularEffect], FloatArray, dict[str, str], tuple[Finding, ...]]:
-    """Return effects by name, their correlation in that order, reasons of what is not given, and
-    findings.
+    """Return effects by name, their correlation in that order, the reasons of effects that are not
+    given, and findings.
 
-    The effects of details (each end of a lost motion or spike, scale errors beside the mismatch,
-    lobes) are parts of causes that count already: shares are over the sum of the causes, each
-    counted once; causes that are not given have no share. ``low`` is the lower end of a one-sided
-    95 % interval.
+    Details (each end of a lost motion or spike, scale errors in addition to the mismatch, lobes)
+    are parts of causes that count already. Shares are over the sum of the causes, each counted
+    once; causes that are not given have no share. ``low`` is the lower end of a one-sided 95 %
+    interval.
     """
     samples = solution.problem.samples
     causes = tuple(_causes(test, solution))

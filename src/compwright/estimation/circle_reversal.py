@@ -163,10 +163,11 @@ def _set(shapes: Shapes, reversal: int, slot: int, option: int) -> None:
 def _added(
     marginal: Marginal, shapes: Shapes, chosen: IndexArray, tried: IndexArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return what columns ``tried`` (t,) find left beside the ``chosen`` ones: right side (t,),
-    weight (t,) without their priors, and the inner products (c, t) of what the chosen ones take of
-    them (columns added to a regression with normal priors: Seber and Lee, Linear Regression
-    Analysis, 2nd ed. 2003, section 3.7).
+    """Return the evidence left for the columns ``tried`` (t,), given the ``chosen`` ones: right
+    side (t,), weight (t,) without their priors, and the inner products (c, t) with the chosen ones.
+
+    Columns added to a regression with normal priors: Seber and Lee, Linear Regression Analysis, 2nd
+    ed. 2003, section 3.7.
     """
     weight = marginal.gram[tried, tried]
     if not chosen.size:

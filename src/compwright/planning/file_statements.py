@@ -103,7 +103,9 @@ def _is_active(state: ControlState, axis: Axis) -> bool:
 
 
 def _stated(header: Mapping[str, str]) -> set[bool]:
-    """Return what the headers say of compensation: on, off, both, or nothing that is understood."""
+    """Return the state of compensation in the headers: on, off, both, or nothing that is
+    understood.
+    """
     texts = [text for key, text in header.items() if key.strip().lower() == _KEY]
     lines = [line.strip() for text in texts for line in text.splitlines()]
     return {_OFF.match(line) is None for line in lines if _ON.match(line) or _OFF.match(line)}

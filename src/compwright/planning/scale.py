@@ -66,8 +66,8 @@ def scaled_axes(
     capacity: CapacityOf,
     state: ControlState,
 ) -> tuple[Scaled, ...]:
-    """Return what becomes of every axis of ``apply.scale``. The laser's slope wins where there is
-    one. ``state``: what is in the control now.
+    """Return the result for every axis of ``apply.scale``. The slope of a positioning test takes
+    precedence. ``state``: the present contents of the control.
     """
     found = []
     for name in job.apply.scale:
@@ -222,8 +222,8 @@ def _two_feeds(
 
 
 def _seen(work: CircleWork, name: str) -> Stated | None:
-    """Return the scale as the circle shows it, with the error of its fit alone: the lag is what two
-    feeds tell.
+    """Return the scale as the circle shows it, with the standard error of its fit alone; the lag
+    needs two feeds.
     """
     effect = effect_of(work.result, f"scale_error_{ENDS[_index(work, name)]}")
     if effect is None:
@@ -302,7 +302,7 @@ def _planned(
 
 
 def scale_steps(scaled: Sequence[Scaled]) -> tuple[Mapping[str, str], ...]:
-    """Return what the card says of the axes whose table comes from circles."""
+    """Return the steps of the card for the axes whose table comes from circles."""
     return tuple(
         {
             "title": f"{entry.name}: scale from circles",
