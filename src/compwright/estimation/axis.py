@@ -106,10 +106,10 @@ class AxisPosterior:
         ascending, mm or deg.
 
         Mean and variance of the mixture: mean of the variances plus variance of the means (Gelman
-        et al., Bayesian Data Analysis, 3rd ed. 2013, section 1.8). The mean is what tables hold: it
-        leaves out the local part, and periods that are less probable than not (a wave of a wrong
-        length adds to the error as often as it takes away); the standard deviation, about this
-        mean, contains both.
+        et al., Bayesian Data Analysis, 3rd ed. 2013, section 1.8). The mean is the part for a
+        table. It leaves out the local part, and periods that are less probable than not: a wave of
+        a wrong length increases the error as often as it reduces it. The standard deviation, about
+        this mean, includes both.
         """
         where = np.asarray(positions, dtype=np.float64)
         scale = self.cells.data.scale

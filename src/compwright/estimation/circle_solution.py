@@ -31,7 +31,7 @@ class Solution:
 
     @property
     def values(self) -> dict[str, float]:
-        """Return the means of the columns that are always in the model, by name."""
+        """Return the estimates of the causes that every model contains, by name."""
         mean = np.mean(self.draws.values, axis=0)
         return dict(zip(self.problem.names, (float(value) for value in mean), strict=True))
 

@@ -90,8 +90,8 @@ def is_mirror_image(
 
 
 def mean_middle(test: PositioningTest) -> FloatArray | None:
-    """Return the middle (m,) of the means of the directions that were measured; None where a target
-    has none.
+    """Return the mean (m,) of both directions at each target, or of the one that was measured; None
+    where a target has no reading.
     """
     means = [
         mean_deviation(test.deviations(direction))

@@ -67,7 +67,7 @@ def run_summary(outcome: Any) -> list[Any]:
 
 
 def _words(result: Mapping[str, Any]) -> str:
-    """Return how a result of an evaluation is called."""
+    """Return the name of a result of an evaluation, as it is printed."""
     return (
         f"Axis {result['axis']}, test {result['name']}"
         if result["kind"] == "positioning"
