@@ -171,7 +171,7 @@ class TestSection(JobMapping):
     """As for the axis, for this test alone. Default: that of the axis."""
     motion: Literal["feed", "rapid"] = "feed"
     """How the axis was driven: `feed` or `rapid`. A control may compensate backlash at rapid
-    traverse by a value of its own, which is then the one that acted. The table is made for the
+    traverse by a value of its own, which is then the active one. The table is made for the
     motion of the first test; both values are written, their difference stays. `verify` takes a
     test after loading at the motion of the one that it repeats. Default: `feed`.
     """
@@ -282,8 +282,8 @@ class AxisSection(JobMapping):
         None
     )
     """Known period of the error, or a list of periods, above 0. Unit: mm, deg. Default: unknown:
-    the readings are searched for periods, and others are searched beside known ones (CW-E012 to
-    CW-E014); what the control's files suggest is reported (CW-S049) and expected before others.
+    the readings are searched for periods, also in addition to known ones (CW-E012 to CW-E014);
+    what the control's files suggest is reported (CW-S049) and expected before others.
     """
     table: TableSection = TableSection()
     """Wishes for the grid, see below. Default: automatic."""
