@@ -15,6 +15,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from compwright.controllers.linuxcnc.table import load_table, three_numbers
+from compwright.controllers.sinumerik.reach import Line, conflicts
 from compwright.controllers.virtual import KNOWN, VirtualControl, virtual_control
 from compwright.foundations.errors import CompwrightError, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction
@@ -116,6 +117,31 @@ class TestSinumerik:
     def test_factor_multiplies_backlash(self) -> None:
         control = siemens("$MA_BACKLASH[0,AX1]=0.012\n$MA_BACKLASH_FACTOR[0,AX1]=0.5\n")
         assert values(control, "AX1", [0], DOWN) == [-0.006]
+
+    @pytest.mark.parametrize(
+        ("factor", "taken"), [(0.01, True), (100, True), (0.0099, False), (101, False)]
+    )
+    def test_factor_has_the_range_of_the_list_manual(self, factor: float, taken: bool) -> None:
+        """MD32452: 0.01 to 100."""
+        text = f"$MA_BACKLASH[0,AX1]=0.0002\n$MA_BACKLASH_FACTOR[0,AX1]={factor}\n"
+        if taken:
+            assert values(siemens(text), "AX1", [0], DOWN) == pytest.approx([-0.0002 * factor])
+        else:
+            with pytest.raises(InputError, match=r"0\.01 to 100"):
+                siemens(text)
+
+    def test_a_jump_in_the_last_line_leads_back(self) -> None:
+        """GOTOF searches towards the end of a program, GOTOB towards its beginning: the assignment
+        of line 2 is executed, over the jump of line 4. Without that jump no run executes it.
+        """
+        program = [
+            Line(1, frozenset(), ("GOTOF", "LAST")),
+            Line(2, frozenset({"FIRST"}), (), given=True),
+            Line(3, frozenset(), ("M17",)),
+            Line(4, frozenset({"LAST"}), ("GOTOB", "FIRST")),
+        ]
+        assert conflicts(program) is None
+        assert conflicts([*program[:3], Line(4, frozenset({"LAST"}), ("M17",))]) == (2, 0)
 
     def test_table_and_backlash_add_up(self) -> None:
         control = siemens(EEC, "$MA_BACKLASH[0,AX1]=0.010\n")
