@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from compwright.estimation.basis import Basis
+from compwright.estimation.period_candidates import _Prior
 from compwright.estimation.period_likelihood import Middles
 from compwright.estimation.periods import search_periods
 from compwright.estimation.usual_periods import USUAL_PERIODS, usual_periods
@@ -25,6 +26,17 @@ def test_what_the_files_suggest_counts_as_much_as_all_others() -> None:
     *others, told = usual_periods(AxisKind.LINEAR, (14.0,))
     assert told.size == 14.0
     assert told.weight == pytest.approx(sum(each.weight for each in others))
+
+
+def test_half_of_what_a_usual_period_weighs_is_near_it() -> None:
+    """A density integrates to what it stands for: over the logarithm of the frequency, half of the
+    odds of 0.6 (log-normal about 0.1 per mm), and those of any other period.
+    """
+    prior = _Prior(np.log(0.002), np.array([0.1]), np.log([0.6]))
+    logs = np.linspace(np.log(0.08), np.log(0.125), 20001)
+    density = np.exp(prior.at(np.exp(logs)) + logs)
+    integral = float(np.sum(density[1:] + density[:-1]) * 0.5 * (logs[1] - logs[0]))
+    assert integral == pytest.approx(0.3 + 0.002 * (logs[-1] - logs[0]), rel=1e-6)
 
 
 @pytest.mark.parametrize("lead", LEADS)
