@@ -330,8 +330,7 @@ def _solution(start: _Start, given: dict[str, float]) -> Solution:
     frequencies = dict(given)
     problem, shapes, fitted = start.problem, start.shapes, start.fitted
     for axis, frequency in given.items():
-        columns = cyclic_columns(problem.samples, axis, frequency, (0.0, 0.0))
-        problem = problem.with_columns([c for c in columns if not c.name.startswith("_frequency")])
+        problem, _ = _tuned(problem, shapes, fitted, axis, frequency, known=True)
     if given:
         fitted = _settled(problem, shapes, fitted.spectra)
     found = search(problem, fitted, [axis for axis in AXES if axis not in frequencies])
@@ -378,16 +377,24 @@ def _settled(problem: Problem, shapes: Shapes, spectra: tuple[Spectrum, ...]) ->
 
 
 def _tuned(
-    problem: Problem, shapes: Shapes, fitted: Fit, axis: str, frequency: float
+    problem: Problem,
+    shapes: Shapes,
+    fitted: Fit,
+    axis: str,
+    frequency: float,
+    *,
+    known: bool = False,
 ) -> tuple[Problem, float]:
-    """Return the problem with a cyclic error of an axis, its ``frequency``, 1/mm, fitted
-    (Gauss-Newton: Seber and Wild 1989, chapter 2).
+    """Return the problem with a cyclic error of an axis, and its ``frequency``, 1/mm, fitted unless
+    it is ``known``, together with how late the axis is (Gauss-Newton: Seber and Wild 1989,
+    chapter 2).
     """
-    samples, amplitudes = problem.samples, (0.0, 0.0)
+    samples, amplitudes, late = problem.samples, (0.0, 0.0), 0.0
+    without = f"_frequency_{axis}" if known else ""
     for step in range(_TUNING_ROUNDS):
-        columns = cyclic_columns(samples, axis, frequency, amplitudes)
-        fixed = [c for c in columns if step or not c.name.startswith("_frequency")]
-        problem = problem.with_columns(fixed)
+        columns = cyclic_columns(samples, axis, frequency, amplitudes, late)
+        fixed = columns if step else columns[:2]
+        problem = problem.with_columns([c for c in fixed if c.name != without])
         shapes.adopt(problem)
         active = shapes.active()
         weighted = Weighted(problem, fitted.spectra, active)
@@ -396,7 +403,9 @@ def _tuned(
         value = {name: found.get(index, 0.0) for index, name in enumerate(problem.names)}
         amplitudes = value[f"_cyclic_cos_{axis}"], value[f"_cyclic_sin_{axis}"]
         frequency += value.get(f"_frequency_{axis}", 0.0)
-    return problem.with_columns(cyclic_columns(samples, axis, frequency, amplitudes)), frequency
+        late += value.get(f"_late_{axis}", 0.0)
+    columns = cyclic_columns(samples, axis, frequency, amplitudes, late)
+    return problem.with_columns([c for c in columns if c.name != without]), frequency
 
 
 def _without_vibration(
@@ -406,6 +415,16 @@ def _without_vibration(
     rest = problem.target - path_of(problem, fitted.active, fitted.values)
     found = vibration(problem, rest)
     if found.frequency is not None:
-        problem = problem.with_columns(vibration_columns(problem.samples, found.frequency))
-        fitted = _settled(problem, shapes, fitted.spectra)
+        columns = vibration_columns(problem.samples, found.frequency)
+        shaken = problem.with_columns(columns)
+        settled = _settled(shaken, shapes, fitted.spectra)
+        places = [shaken.names.index(column.name) for column in columns]
+        at = np.flatnonzero(np.isin(settled.active, places))
+        value, covariance = settled.values[at], settled.covariance[np.ix_(at, at)]
+        # In correlated noise the residuals alone promise more than the whole fit finds.
+        if float(value @ np.linalg.solve(covariance, value)) >= found.least:
+            return shaken, settled, found
+        shapes.adopt(problem)
+        most = float(np.sqrt(np.sum(value**2) / np.unique(problem.samples.run).size))
+        found = replace(found, frequency=None, hidden=max(found.hidden, most))
     return problem, fitted, found

@@ -68,6 +68,9 @@ RARE: Final = {
     "_lateral_change_first": 0.3,
     "_lateral_change_second": 0.3,
 }
+#: How slow instrument and drive may be, s, and how much of a cyclic error that may lose.
+_RESPONSE: Final = 0.003
+_MOST_FADING: Final = 0.3
 #: Closer to its reversal point (rad) the direction of an axis is a matter of rounding; such a
 #: sample tells nothing.
 _AT_REVERSAL: Final = 1e-6
@@ -327,29 +330,39 @@ def lag_column(samples: Samples, known: Mapping[str, float]) -> CauseColumn:
 
 
 def cyclic_columns(
-    samples: Samples, axis: str, frequency: float, amplitudes: tuple[float, float]
+    samples: Samples,
+    axis: str,
+    frequency: float,
+    amplitudes: tuple[float, float],
+    late: float = 0.0,
 ) -> tuple[CauseColumn, ...]:
     """Return cosine and sine of a cyclic error (ISO 230-4:1996, B.2.3) of ``frequency`` 1/mm along
-    an axis, and the change per 1/mm of it at ``amplitudes`` (a, b) µm: a cos(2πfx) - b sin(2πfx).
-    With both directions also cosine and sine with the sign of the direction: a lag moves the phase
-    of one against the other.
+    an axis, and what changes it at ``amplitudes`` (a, b) µm: a cos(2πfx) - b sin(2πfx).
+
+    The changes: frequency, per 1/mm; the axis ``late`` by so many mm where it moves along the path,
+    per mm; and the share that an instrument of limited bandwidth loses there. A first-order filter
+    T loses (2π f v T)² / 2, which falls with the square of the speed of the axis, so that the
+    circle itself shows it beside its reversals.
     """
+    cos, sin = np.cos(samples.theta), np.sin(samples.theta)
     zero = np.zeros_like(samples.theta)
-    along = samples.radius * (np.cos(samples.theta) if axis == "first" else np.sin(samples.theta))
-    phase = 2.0 * np.pi * frequency * along
+    along, behind = (cos, samples.sense * sin) if axis == "first" else (sin, -samples.sense * cos)
+    place = samples.radius * along + late * behind
+    phase = 2.0 * np.pi * frequency * place
     cosine, sine = UM * np.cos(phase), -UM * np.sin(phase)
-    slope = 2.0 * np.pi * along * (amplitudes[0] * sine - amplitudes[1] * cosine)
-    # A frequency off by the inverse of the travel would be another peak of the search.
+    slope = 2.0 * np.pi * (amplitudes[0] * sine - amplitudes[1] * cosine)
+    faded = -(behind**2) * (amplitudes[0] * cosine + amplitudes[1] * sine)
+    spacing = samples.radius * samples.arc[1] * np.unique(samples.run).size / samples.theta.size
+    sooner = float(np.hypot(samples.lag_doubt * samples.radius, spacing))
+    lost = 0.5 * (2.0 * np.pi * frequency) ** 2 * (spacing**2 + (_RESPONSE * samples.speed) ** 2)
     named = [
         (f"_cyclic_cos_{axis}", cosine, PRIORS["_cyclic"]),
         (f"_cyclic_sin_{axis}", sine, PRIORS["_cyclic"]),
-        (f"_frequency_{axis}", slope, 0.5 / samples.radius),
+        # A frequency off by the inverse of the travel would be another peak of the search.
+        (f"_frequency_{axis}", slope * place, 0.5 / samples.radius),
+        (f"_late_{axis}", slope * frequency * behind, sooner),
+        (f"_fading_{axis}", faded, min(lost, _MOST_FADING)),
     ]
-    if samples.both_senses:
-        named += [
-            (f"_cyclic_cos_change_{axis}", samples.sense * cosine, PRIORS["_cyclic"]),
-            (f"_cyclic_sin_change_{axis}", samples.sense * sine, PRIORS["_cyclic"]),
-        ]
     return tuple(
         CauseColumn(name, *((field, zero) if axis == "first" else (zero, field)), width)
         for name, field, width in named

@@ -46,8 +46,6 @@ _NO_SPIKE: Final = 5.0
 _RESPONSE: Final = 0.003
 #: The same in samples: instruments filter at about the rate at which they sample.
 _FILTER: Final = 0.3
-#: How far the bandwidth of the instrument may change the amplitude of a vibration, relative.
-_BANDWIDTH: Final = 0.03
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -385,10 +383,7 @@ def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
             )
         return
     parts = [f"_cyclic_{part}_{axis}" for part in ("cos", "sin")]
-    change = [f"_cyclic_{part}_change_{axis}" for part in ("cos", "sin")]
-    # The mean square over both directions of a ± b is a² + b².
-    both = change[0] in solution.problem.names
-    value, drawn, curve = _amplitude(solution, [*parts, *(change if both else [])], 1)
+    value, drawn, curve = _amplitude(solution, parts, 1)
     cosine, sine = (solution.values[part] for part in parts)
     more = {
         "period": 1.0 / solution.frequencies[axis],
@@ -449,6 +444,14 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause
     yield stated("positional_tolerance", found, reason, detail=True)
 
 
+def _faded(samples: Samples, frequency: float) -> float:
+    """Return the share of an amplitude that instrument and drive, a first-order filter as slow as
+    they may be, lose at ``frequency`` Hz.
+    """
+    slow = max(_RESPONSE, _FILTER * spacing_of(samples) / samples.speed)
+    return float(1.0 - 1.0 / np.hypot(1.0, 2.0 * np.pi * frequency * slow))
+
+
 def _vibration(solution: Solution) -> _ReportedCause:
     """Return the amplitude of the vibration, or 0 ± half of what may be hidden."""
     samples, found = solution.problem.samples, solution.vibration
@@ -474,6 +477,6 @@ def _vibration(solution: Solution) -> _ReportedCause:
         drawn=drawn,
         curve=curve,
         positive=True,
-        variance=(_BANDWIDTH * value) ** 2,
+        variance=(_faded(samples, found.frequency) * value) ** 2,
         more={"frequency": found.frequency},
     )

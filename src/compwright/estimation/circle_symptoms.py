@@ -16,6 +16,8 @@ from compwright.records.axis import FloatArray
 #: Arc, rad, after a reversal in which its peak lies, and about it in which an axis is slow.
 _PEAK: Final = np.radians(10.0)
 _SLOW: Final = np.radians(12.0)
+#: Share of the irregular motion that may be a spike of a shape that no decays make.
+_OWN_SHAPE: Final = 0.5
 _MOST_DRAWS: Final = 64
 
 
@@ -62,7 +64,8 @@ def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
     excess = max(variances[0] - variances[1], 0.0)
     amplitude = float(np.sqrt(2.0 * excess))
     # Near zero the root is not straight: there the amplitude of one standard error counts.
-    return amplitude, float(min(error / max(amplitude, 1e-12), np.sqrt(2.0 * error)))
+    near = float(min(error / max(amplitude, 1e-12), np.sqrt(2.0 * error)))
+    return amplitude, float(np.hypot(near, _OWN_SHAPE * amplitude))
 
 
 def lobes(solution: Solution, order: int) -> tuple[float, float]:

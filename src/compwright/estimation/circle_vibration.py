@@ -32,10 +32,12 @@ _WIDTH: Final = 5.0
 @dataclass(frozen=True, slots=True)
 class Vibration:
     """``frequency`` Hz of the clearest vibration, None where none is clear; ``hidden``: amplitude,
-    um, that may have been missed."""
+    um, that may have been missed; ``least``: sum of squares, in standard errors, that the
+    amplitudes of one must have."""
 
     frequency: float | None
     hidden: float
+    least: float = 0.0
 
 
 def times(samples: Samples) -> FloatArray:
@@ -85,7 +87,8 @@ def vibration(problem: Problem, residual: FloatArray) -> Vibration:
     hidden = float(np.sqrt(level * threshold / len(runs) / (0.2 * size)) / UM)
     if ratio[best] <= threshold:
         return Vibration(None, hidden)
-    return Vibration(float(_peak(frequencies, power, best)), hidden)
+    found = float(_peak(frequencies, power, best))
+    return Vibration(found, hidden, 2.0 * len(runs) * threshold)
 
 
 def _threshold(count: float, runs: int) -> float:
