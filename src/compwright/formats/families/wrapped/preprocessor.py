@@ -92,7 +92,7 @@ class Conditions:
         an empty text where there is none.
         """
         for _ in range(_DEPTH):
-            names = _NAME.findall(text)
+            names: list[str] = _NAME.findall(text)
             if chosen := [name for name in names if name in self.chosen]:
                 return chosen[0]
             text = " ".join(self.macros.get(name, "") for name in names)[:_LONGEST]
