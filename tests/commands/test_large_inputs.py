@@ -19,7 +19,7 @@ from compwright.estimation.circle import _thinned
 from compwright.evaluation.copies import same_runs, same_runs_findings
 from compwright.evaluation.readings import drift, suspect_traverses
 from compwright.evaluation.standards import evaluate
-from compwright.formats.families.control_texts import _UNKNOWN, _said_names, texts_of
+from compwright.formats.families.control_texts import _UNKNOWN, _assigned_names, texts_of
 from compwright.foundations import yaml_reader
 from compwright.foundations.errors import InputError
 from compwright.foundations.session import Session
@@ -233,7 +233,9 @@ def test_what_a_listing_does_not_know_is_looked_for_once() -> None:
 
 @pytest.mark.parametrize("unit", ["a", "a ", "=", " ", "a=n/a "])
 def test_words_of_long_lines_are_found_in_time_in_proportion(unit: str) -> None:
-    assert linear(lambda text: _said_names([ControlFile("a", text.encode())]), unit, "$MA_X=", "!")
+    assert linear(
+        lambda text: _assigned_names([ControlFile("a", text.encode())]), unit, "$MA_X=", "!"
+    )
 
 
 def test_header_lines_are_joined_in_time_in_proportion() -> None:

@@ -61,7 +61,7 @@ def test_1004_says_no_increment_system_where_1013_does(format_id: str) -> None:
         read(format_id, more)
     state = read(format_id, more, detection_unit=0.0001)
     assert state.axes["1"].backlash == pytest.approx(0.0002)
-    assert state.facts["1"].said == {}
+    assert state.facts["1"].stated == {}
 
 
 def test_1004_says_the_increment_system_on_the_older_series() -> None:
@@ -71,7 +71,7 @@ def test_1004_says_the_increment_system_on_the_older_series() -> None:
     pointed = one_file("fanuc-0i-16i", more=more)
     pointed = type(pointed)(pointed.name, pointed.content.replace(b"P10000\n", b"P10.0\n", 1))
     state = control_format(DEFINITIONS["fanuc-0i-16i"], {}).read([pointed], [LINEAR])
-    assert state.facts["1"].said == {"detection_unit": 0.0001}
+    assert state.facts["1"].stated == {"detection_unit": 0.0001}
 
 
 def definition_with(name: str, said: dict[str, object]) -> Definition:

@@ -129,4 +129,4 @@ def test_text_files_have_no_such_step(tmp_path: Path) -> None:
     files = [ControlFile("AX_EEC.INI", EEC.encode()), ControlFile("MD.INI", MD.encode())]
     state = decode(open_control(Session(), "siemens-840d-sl", {}), files).state
     assert "CW-S072" not in {finding.code for finding in state.findings}
-    assert all("archive" not in facts.said for facts in state.facts.values())
+    assert all("archive" not in facts.stated for facts in state.facts.values())

@@ -49,7 +49,7 @@ Reader = Callable[..., object]
 def by_writer(text: str, active: bool | None = None, name: str = "LOAD.MPF") -> object:
     """The reader of the room that writes."""
     file = ControlFile(name, text.encode())
-    activity = Activity(said=active, asking=True, carried_out=active is True)
+    activity = Activity(stated=active, asking=True, carried_out=active is True)
     axes = [axis_of("AX1", system=2 if "[1,0,AX1]" in text else 1)]
     return control_format(SIEMENS, {}).read([file], axes, activity=activity)
 

@@ -81,7 +81,7 @@ def test_the_change_that_is_written_is_the_change_of_the_whole(
     old = state.axes["AX1"]
     counted = told and name in ("a curve", "one direction", "a weight")
     assert bool(state.stays) is counted
-    assert ("CEC table 3" in state.facts["AX1"].beside) is not counted
+    assert ("CEC table 3" in state.facts["AX1"].other_functions) is not counted
     before = given(cec)
     written = list(control_format(SIEMENS, options, state).write([NEW], [AXIS], before))
     assert [line for line in cec.splitlines() if line.encode() not in written[0].content] == []
@@ -143,8 +143,8 @@ def test_whether_it_acts_must_be_told_where_readings_hang_on_it(gone: str) -> No
 def test_two_states_that_differ_in_it_say_so() -> None:
     one, other = (read(NO_MULTIPLE.replace("0.03", value)) for value in ("0.03", "0.031"))
     factor = read(PRODUCT), read(PRODUCT.replace("-0.7", "-0.6"))
-    assert one.facts["AX1"].beside != other.facts["AX1"].beside
-    assert factor[0].facts["AX1"].beside != factor[1].facts["AX1"].beside
+    assert one.facts["AX1"].other_functions != other.facts["AX1"].other_functions
+    assert factor[0].facts["AX1"].other_functions != factor[1].facts["AX1"].other_functions
     assert "CW-S050" in codes(one)
     assert "CW-S011" in codes(factor[0])
 
@@ -169,7 +169,7 @@ def test_a_sum_that_the_control_cuts_off_stays_too(other: str, told: dict[str, o
     text = files(A__INI=f"METRIC\nCHANDATA(1)\n{EEC}{both}{on}M17\n")
     state = control_format(SIEMENS, told).read(text, [AXIS])
     assert not state.cross
-    assert "CEC table 3" in state.facts["AX1"].beside
+    assert "CEC table 3" in state.facts["AX1"].other_functions
     (written,) = control_format(SIEMENS, told, state).write([NEW], [AXIS], text)
     was, now = control_with(text, -1.0), control_with([written], -1.0)
     where = np.linspace(-50.0, 900.0, 96)

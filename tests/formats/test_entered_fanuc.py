@@ -44,7 +44,7 @@ def entered(control: str, *lines: str) -> dict[str, Entered]:
 )
 def test_what_acts_is_known(control: str, number: int, word: str) -> None:
     (one,) = entered(control, f"N{number:05d}A1P1").values()
-    assert one.acts
+    assert one.relevant
     assert word in one.meaning
 
 
@@ -66,7 +66,7 @@ def test_what_acts_is_known(control: str, number: int, word: str) -> None:
 )
 def test_what_acts_on_the_later_series_is_known(number: int, word: str) -> None:
     (one,) = entered("fanuc-30i", f"N{number:05d}Q1A1P1").values()
-    assert (one.acts, one.axis) == (True, "1")
+    assert (one.relevant, one.axis) == (True, "1")
     assert word in one.meaning
 
 
@@ -83,16 +83,16 @@ def test_what_acts_on_the_later_series_is_known(number: int, word: str) -> None:
 )
 def test_the_grid_of_a_15i_has_its_own_numbers(number: int, word: str) -> None:
     (one,) = entered("fanuc-15i", f"N{number:05d}A1P1").values()
-    assert one.acts
+    assert one.relevant
     assert word in one.meaning
     (other,) = entered("fanuc-30i", f"N{number:05d}Q1A1P1").values()
-    assert (other.acts, other.meaning) == (False, "")
+    assert (other.relevant, other.meaning) == (False, "")
 
 
 def test_the_grid_of_a_30i_is_none_on_a_15i() -> None:
     for number in (3620, 3621, 3622, 3623, 3624, 3625):
         (one,) = entered("fanuc-15i", f"N{number:05d}A1P1").values()
-        assert (one.acts, one.meaning) == (False, "")
+        assert (one.relevant, one.meaning) == (False, "")
 
 
 @pytest.mark.parametrize("control", FANUC)
@@ -104,7 +104,7 @@ def test_a_letter_a_limit_and_a_rate_compensate_nothing(
     control: str, number: int, word: str
 ) -> None:
     (one,) = entered(control, f"N{number:05d}A1P1").values()
-    assert not one.acts
+    assert not one.relevant
     assert word in one.meaning
 
 

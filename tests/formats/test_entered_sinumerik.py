@@ -41,7 +41,7 @@ def test_one_more_file_in_the_same_unit_is_no_difference(unit: str) -> None:
 def test_another_unit_is_one_difference() -> None:
     old = entered(A=f"METRIC\n{A}", B=f"METRIC\n{B}")
     (change,) = differing(old, entered(A=f"INCH\n{A}", B=f"INCH\n{B}"))
-    assert (change.entry.acts, change.entry.text) == (True, "INCH")
+    assert (change.entry.relevant, change.entry.text) == (True, "INCH")
     assert change.old is not None
     assert change.old.text == "METRIC"
 
@@ -50,7 +50,7 @@ def test_a_file_in_another_unit_than_the_rest_is_one_by_its_name() -> None:
     rest = {"A": f"METRIC\n{A}", "B": f"METRIC\n{B}"}
     for turned in (rest, dict(reversed(rest.items()))):
         (change,) = differing(entered(**rest), entered(ODD=f"INCH\n{A}", **turned))
-        assert (change.old, change.entry.text, change.entry.acts) == (None, "INCH", True)
+        assert (change.old, change.entry.text, change.entry.relevant) == (None, "INCH", True)
         assert change.entry.name.startswith("ODD.INI")
 
 
@@ -70,6 +70,6 @@ def test_a_file_in_another_unit_than_the_rest_is_one_by_its_name() -> None:
 )
 def test_a_variable_is_called_what_it_is(line: str, words: str) -> None:
     (one,) = entered(A=line + "\n").values()
-    assert one.acts
+    assert one.relevant
     assert words in one.meaning
     assert ("value" in one.meaning) == (words.endswith("value"))

@@ -81,7 +81,7 @@ def test_the_detection_unit_is_the_least_command_increment_over_cmr(
     setting: str, system: str, expected: float
 ) -> None:
     facts = read({1820: setting, 1013: system}).facts["1"]
-    assert facts.said["detection_unit"] == pytest.approx(expected, rel=1e-12)
+    assert facts.stated["detection_unit"] == pytest.approx(expected, rel=1e-12)
     assert f"1820 = {setting}" in facts.unit_evidence
 
 

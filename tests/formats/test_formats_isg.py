@@ -70,7 +70,7 @@ def files(**texts: str) -> list[ControlFile]:
 def read(
     *axes: Axis, options: dict[str, object] | None = None, active: bool | None = None, **texts: str
 ) -> ControlState:
-    activity = Activity(said=active, asking=bool(axes))
+    activity = Activity(stated=active, asking=bool(axes))
     return control_format(DEFINITIONS[ISG], options or {}).read(
         files(**texts), axes, activity=activity
     )

@@ -180,7 +180,7 @@ def test_whether_tables_acted_is_asked_where_the_script_ends_with_them_off() -> 
     files = [script(EXAMPLE.replace("I51=1", "I51=0"))]
     with pytest.raises(UsageError, match="Was it active"):
         control().read(files, [axis()], activity=Activity(asking=True))
-    state = control().read(files, [axis()], activity=Activity(said=True, asking=True))
+    state = control().read(files, [axis()], activity=Activity(stated=True, asking=True))
     assert at(state, "1", 100, PLUS) == pytest.approx(-2.0)
 
 
@@ -653,7 +653,7 @@ def test_any_script_is_refused_or_both_readers_agree(
 ) -> None:
     files = [script("".join(pieces))]
     try:
-        state = control().read(files, activity=Activity(said=active))
+        state = control().read(files, activity=Activity(stated=active))
         judge = virtual_control("pmac", files, options={"counts_per_unit": 1000.0}, active=active)
     except (InputError, UsageError):
         return

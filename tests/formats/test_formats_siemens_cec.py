@@ -267,7 +267,7 @@ def test_a_product_counts_only_where_it_acts_and_for_whom_it_acts() -> None:
     left = siemens(text, axis_of("AX2"))  # it stays: alike in the readings and afterwards
     assert "CW-S011" in codes(left)
     assert left.cross == ()
-    assert "CEC table 0" in left.facts["AX2"].beside
+    assert "CEC table 0" in left.facts["AX2"].other_functions
     assert siemens(text + "$SN_CEC_TABLE_ENABLE[0]=0\n").cross == ()
 
 

@@ -203,7 +203,7 @@ LAST: Sequence[tuple[str, str, str, Axis, Callable[[Any, str], object], object]]
     ("$MA_BACKLASH[0,AX1]", "0.001", "0.0025", X, lambda s, a: s.axes[a].backlash, 0.0025),
     ("$MA_BACKLASH_FACTOR[0,AX1]", "1", "1.5", X, lambda s, a: s.axes[a].backlash, 0.003),
     ("$MA_ENC_COMP_ENABLE[0,AX1]", "1", "FALSE", X, lambda s, a: s.facts[a].enabled, False),
-    ("$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]", "99", "7", X, lambda s, a: s.facts[a].said["max_points"], 7),
+    ("$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]", "99", "7", X, lambda s, a: s.facts[a].stated["max_points"], 7),
     ("$MA_ROT_IS_MODULO[AX5]", "0", "TRUE", C, lambda s, a: s.facts[a].turn is not None, True),
     ("$MA_MODULO_RANGE[AX5]", "300", "360.0", C, lambda s, a: s.facts[a].turn.length, 360.0),
     ("$MA_MODULO_RANGE_START[AX6]", "0", "-180.5", D, lambda s, a: s.facts[a].turn.start, -180.5),
@@ -212,9 +212,9 @@ LAST: Sequence[tuple[str, str, str, Axis, Callable[[Any, str], object], object]]
     ("$MN_AXCONF_MACHAX_NAME_TAB[0]", '"X3"', '"X3"', X, lambda s, a: s.facts[a].name, "X3"),
     ("$MC_AXCONF_CHANAX_NAME_TAB[2]", '"U"', '"U"', X, lambda s, a: s.facts[a].name, "U"),
     ("$MC_AXCONF_MACHAX_USED[2]", "2", "2", Y, lambda s, a: s.facts[a].name, "U"),
-    ("$MA_BACKLASH_DYN[0,AX1]", "0", "0.0025", X, lambda s, a: "MD32456[0] = 0.0025" in s.facts[a].beside, True),
-    ("$MA_TEMP_COMP_TYPE[AX1]", "'H0'", "'H3'", X, lambda s, a: "MD32750" in s.facts[a].beside, True),
-    ("$SA_TEMP_COMP_SLOPE[AX1]", "0", "1.5E-05", X, lambda s, a: "SD43910 = 1.5e-05" in s.facts[a].beside, True),
+    ("$MA_BACKLASH_DYN[0,AX1]", "0", "0.0025", X, lambda s, a: "MD32456[0] = 0.0025" in s.facts[a].other_functions, True),
+    ("$MA_TEMP_COMP_TYPE[AX1]", "'H0'", "'H3'", X, lambda s, a: "MD32750" in s.facts[a].other_functions, True),
+    ("$SA_TEMP_COMP_SLOPE[AX1]", "0", "1.5E-05", X, lambda s, a: "SD43910 = 1.5e-05" in s.facts[a].other_functions, True),
     ("$SN_CEC_TABLE_ENABLE[5]", "1", "FALSE", X, from_y, None),
     ("$MA_CEC_ENABLE[AX1]", "0", "TRUE", X, from_y, [0, -0.005, -0.001]),
     ("$SN_CEC_TABLE_WEIGHT[5]", "1", "0.5", X, from_y, [0, -0.0025, -0.0005]),
@@ -341,11 +341,11 @@ def inches(definition: Definition) -> None:
             why = refused(read, definition, text_of(EEC, more, line, unit=unit), X, **given)
             assert ("MD10250" in why) is (value == "25.5" and not given)
     metric = text_of(EEC, "$MN_SCALING_SYSTEM_IS_METRIC=1\n", unit="")
-    assert read(definition, metric, X).facts["AX1"].said["length_unit"] == "mm"
+    assert read(definition, metric, X).facts["AX1"].stated["length_unit"] == "mm"
     state = read(definition, text_of(EEC), X)
     why = refused(control_format(definition, {"units": "inch"}).in_state, state, strict=True)
     assert "contradicts the control's own files" in why
-    assert "length_unit" not in read(definition, text_of(EEC, unit=""), X).facts["AX1"].said
+    assert "length_unit" not in read(definition, text_of(EEC, unit=""), X).facts["AX1"].stated
     assert control_format(definition, {}).options["units"] == "mm"
 
 

@@ -355,7 +355,7 @@ def test_what_makes_a_table_special_is_never_overlooked(line: str) -> None:
             alone(eec() + own, cec_tables=[0], cec_sign="error")
         stays = alone(eec() + own, cec_sign="error")
         assert stays.axes["AX1"].others == ()
-        assert "CEC table 0" in stays.facts["AX1"].beside
+        assert "CEC table 0" in stays.facts["AX1"].other_functions
     harmless = cec(0, ("AX2", "AX1"), step=85) + re.sub("=.*", "=0", line) + "\n"
     assert both_readers(eec() + harmless, axis_of("AX1"), cec_sign="error").cross
 
@@ -449,7 +449,7 @@ def test_the_sign_is_asked_for_where_a_pair_is_written_or_replaced() -> None:
     with pytest.raises(UsageError, match="cec_sign"):
         both_readers(own, axis_of("AX1"), cec_tables=[0])
     stays = both_readers(own, axis_of("AX1"))  # nobody gave it to be written: no answer is needed
-    assert "CEC table 0" in stays.facts["AX1"].beside
+    assert "CEC table 0" in stays.facts["AX1"].other_functions
     others = both_readers(cec(0, ("AX3", "AX2"), step=85) + eec(), axis_of("AX1"))
     assert (others.cross, "CW-S051" in codes(others)) == ((), True)
 

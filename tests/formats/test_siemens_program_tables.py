@@ -43,7 +43,7 @@ def by_writer(files: list[ControlFile], active: bool | None) -> None:
     if active is False:
         files = list(control.listing.carried_out(control.definition, files)[0])
     if files:
-        activity = Activity(said=active, asking=True, carried_out=active is True)
+        activity = Activity(stated=active, asking=True, carried_out=active is True)
         control.read(files, [axis_of("AX1")], activity=activity)
 
 

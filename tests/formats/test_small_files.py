@@ -159,9 +159,9 @@ def test_small_files_alone_say_everything_of_their_axis(address: str) -> None:
         assert one.axes[address].backlash == pytest.approx(new.backlash, abs=1e-9)
     facts = whole.facts_of(address)
     of_files = ("archive", "others_protected")  # what is said of the archive itself
-    said = {name: fact for name, fact in facts.said.items() if name not in of_files}
+    said = {name: fact for name, fact in facts.stated.items() if name not in of_files}
     assert replace(alone.facts_of(address), name=None, pairs=facts.pairs) == (
-        replace(facts, name=None, said=said)
+        replace(facts, name=None, stated=said)
     )
 
 
@@ -371,7 +371,7 @@ def test_a_switch_goes_back_to_what_the_job_says_of_it() -> None:
     control = control_format(SIEMENS, {})
     axis, _ = axis_of(control, archive(), "AX4")
     for said in (True, False):
-        state = control.read([file], [axis], activity=Activity(said=said, asking=True))
+        state = control.read([file], [axis], activity=Activity(stated=said, asking=True))
         new = bent(control.read([archive()], [axis]).axes["AX4"])
         bound = control.in_state(state)
         delivery = bound.delivered(bound.write([new], [axis], [file]), [file], [axis])

@@ -21,7 +21,7 @@ def test_limits_of_an_inch_machine_are_in_mm_and_letters_name_the_joint() -> Non
     facts = control_format(LINUXCNC, {}).read(files(m__ini=ini)).facts["1"]
     assert (facts.name, facts.letters) == ("Y", "XYY")
     assert facts.limits == pytest.approx((-50.8, 254.0), abs=1e-12)  # mm; rounding of doubles
-    assert facts.said["length_unit"] == "inch"
+    assert facts.stated["length_unit"] == "inch"
     assert (facts.turn, facts.encoder_system) == (None, None)
 
 
@@ -38,9 +38,9 @@ def test_one_limit_alone_is_none() -> None:
 @pytest.mark.parametrize(
     ("said", "turn"),
     [
-        ("", Turn(0.0, 360.0, said=False)),
-        ("$MA_MODULO_RANGE_START[AX4]=-180\n", Turn(-180.0, 360.0, said=True)),
-        ("$MA_MODULO_RANGE[AX4]=180\n", Turn(0.0, 180.0, said=False)),
+        ("", Turn(0.0, 360.0, stated=False)),
+        ("$MA_MODULO_RANGE_START[AX4]=-180\n", Turn(-180.0, 360.0, stated=True)),
+        ("$MA_MODULO_RANGE[AX4]=180\n", Turn(0.0, 180.0, stated=False)),
     ],
 )
 def test_the_turn_of_an_endless_axis(said: str, turn: Turn) -> None:

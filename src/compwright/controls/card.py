@@ -126,7 +126,7 @@ def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) ->
     """Return the backlash in addition to a table, mm or deg, also where the control's own
     parameter is counted in the curve of one direction.
     """
-    in_curves = held.state.facts_of(axis.address).said.get("backlash_in_curves")
+    in_curves = held.state.facts_of(axis.address).stated.get("backlash_in_curves")
     own = 0.0 if table is None else table.backlash
     return own + (in_curves if isinstance(in_curves, float) else 0.0)
 

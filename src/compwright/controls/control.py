@@ -178,18 +178,18 @@ class Control:
         of them answers, by the job or by its files, is not left at its default.
         """
         answered = {
-            name for state in states for facts in state.facts.values() for name in facts.said
+            name for state in states for facts in state.facts.values() for name in facts.stated
         }
         settled = {
             name
             for name, option in self.definition.options.items()
             if option.settled_by in answered
         }
-        said = set(self.given) | settled | _SAID_ELSEWHERE | self._said_by_axes(states, axes)
+        stated = set(self.given) | settled | _SAID_ELSEWHERE | self._said_by_axes(states, axes)
         return tuple(
             Assumption(f"option {name}", _shown(value), self._default_evidence(name))
             for name, value in self.options.items()
-            if name not in said
+            if name not in stated
         )
 
     def _said_by_axes(self, states: Sequence[ControlState], axes: Sequence[Axis]) -> set[str]:
@@ -197,7 +197,8 @@ class Control:
             (address, set[str]()) for state in states for address in state.axes
         ]
         each = [
-            own.union(*(state.facts_of(address).said for state in states)) for address, own in named
+            own.union(*(state.facts_of(address).stated for state in states))
+            for address, own in named
         ]
         return set.intersection(*each) if each else set()
 
@@ -415,7 +416,7 @@ def decode(
     carried_out = carried_out or written or active is True
     if control.definition.limit("no_patching") is not None:
         files = whole(files)
-    activity = Activity(said=active, asking=asking, carried_out=carried_out)
+    activity = Activity(stated=active, asking=asking, carried_out=carried_out)
     reading = control.format
     if not axes:
         listing = reading.listing
@@ -489,7 +490,7 @@ def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) 
     faults = []
     for address, facts in state.facts.items():
         stated, given = (
-            facts.said.get(TABLE_VALUES),
+            facts.stated.get(TABLE_VALUES),
             own.get(address) or control.given.get(TABLE_VALUES),
         )
         if None in (stated, given) or stated == given:

@@ -200,8 +200,8 @@ def _likely(
     likely = {}
     for file in files:
         own = counts.get(file.name, {})
-        beside = [said for name, said in counts.items() if _set_of(name) == _set_of(file.name)]
-        totals = {one.id: sum(said[one.id] for said in beside) for one in known}
+        beside = [stated for name, stated in counts.items() if _set_of(name) == _set_of(file.name)]
+        totals = {one.id: sum(stated[one.id] for stated in beside) for one in known}
         likely[file.name] = sorted(
             (
                 one

@@ -118,7 +118,7 @@ def side(
 
 def _in_part(control: Control, unread: Side, name: str, error: InputError | UsageError) -> Side:
     """Return a set of files of which the whole cannot be read, as far as single axes can be."""
-    named = {entry.axis for entry in unread.entries.values() if entry.acts}
+    named = {entry.axis for entry in unread.entries.values() if entry.relevant}
     seen: list[Finding] = []
 
     def view(address: str) -> ControlState:
@@ -147,7 +147,7 @@ def _with_data(
     """Return the files that hold compensation, and the names of those that enter nothing at all: a
     folder holds notes too. What a file enters may stand in a later one again.
     """
-    acting = {entry.file for entry in entries.values() if entry.acts}
+    acting = {entry.file for entry in entries.values() if entry.relevant}
     used = {entry.file for entry in entries.values()}
     kept: list[ControlFile] = []
     idle: list[str] = []
@@ -156,7 +156,7 @@ def _with_data(
             kept.append(file)
             continue
         own = control.format.listing.entered(control.definition, [file], ())
-        if any(one.acts for one in own.values()):
+        if any(one.relevant for one in own.values()):
             kept.append(file)
         elif file.name not in used and not own:
             idle.append(file.name)
@@ -192,7 +192,7 @@ def _nothing(control: Control, files: Sequence[ControlFile]) -> list[Fault]:
 def differences(control: Control, old: Side, new: Side) -> Differences:
     """Return what differs between two sets of files."""
     placed = [_placed(control, change, old, new) for change in changes(old.entries, new.entries)]
-    placed.sort(key=lambda one: not one.entry.acts)
+    placed.sort(key=lambda one: not one.entry.relevant)
     corrections: dict[str, CorrectionChange] = {}
     cross: dict[tuple[str, str], CorrectionChange] = {}
     if old.state is not None and new.state is not None:
@@ -221,15 +221,15 @@ def _corrections(
     before: Side, after: Side, old: ControlState, new: ControlState
 ) -> dict[str, CorrectionChange]:
     """Return what changed of axes of which both sides say something: missing is not zero."""
-    said = [
-        {entry.axis for entry in side.entries.values() if entry.acts} | set(state.axes)
+    stated = [
+        {entry.axis for entry in side.entries.values() if entry.relevant} | set(state.axes)
         for side, state in ((before, old), (after, new))
     ]
     found = {}
     for address in dict.fromkeys((*old.axes, *new.axes)):
         was, now = (state.axes.get(address) for state in (old, new))
         known = now or was
-        if known is None or not all(address in axes for axes in said):
+        if known is None or not all(address in axes for axes in stated):
             continue
         if not (before.tells(address) and after.tells(address)):
             continue

@@ -54,13 +54,13 @@ def harmful_parts(
             state = decode(control, in_place(own, [part], addresses), axes)
         except CompwrightError:
             continue  # the values contradict each other: nobody knows what the control does
-        said = [
+        stated = [
             words
             for work in works.values()
             if (words := _worse(work, correction_of(state, work.planned.axis)))
         ]
-        if said:
-            found.append(f"With {part.name} alone {', '.join(said)}.")
+        if stated:
+            found.append(f"With {part.name} alone {', '.join(stated)}.")
     return tuple(found)
 
 

@@ -52,7 +52,7 @@ def read_back_differences(
     """
     whole = differences(control, expected, found)
     known = {entry.file for entry in expected.entries.values()}
-    acting = [one for one in whole.entries if one.entry.acts and _compared(one, known)]
+    acting = [one for one in whole.entries if one.entry.relevant and _compared(one, known)]
     own: dict[str, list[Difference]] = {}
     others: list[Difference] = []
     for one in acting:
@@ -113,7 +113,7 @@ def _largest(axis: str, what: str, moving: str, change: CorrectionChange) -> Dif
 def _elsewhere(whole: Differences) -> Iterator[EntryDifference]:
     for one in whole.entries:
         change, entry = one.change, one.entry
-        if not entry.acts and change.old is not None and change.new is not None:
+        if not entry.relevant and change.old is not None and change.new is not None:
             yield EntryDifference(
                 quantity=entry.name,
                 group=entry.group,
@@ -128,14 +128,14 @@ def _elsewhere(whole: Differences) -> Iterator[EntryDifference]:
 
 def _not_read(whole: Differences) -> Iterator[str]:
     for one in whole.entries:
-        if one.entry.acts and one.change.new is None:
+        if one.entry.relevant and one.change.new is None:
             yield one.entry.name
 
 
 def _unsaid(whole: Differences, known: set[str]) -> Iterator[Finding]:
     missing = len(list(_not_read(whole)))
     new = sum(
-        one.entry.acts and one.change.old is None and not _compared(one, known)
+        one.entry.relevant and one.change.old is None and not _compared(one, known)
         for one in whole.entries
     )
     if missing:

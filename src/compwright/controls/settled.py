@@ -80,16 +80,16 @@ def _address(
         try:
             return normal_address(control.definition, axis)
         except UsageError:
-            said = by_name().get(name)
-            if said is None:
+            stated = by_name().get(name)
+            if stated is None:
                 raise
     else:
-        said = by_name().get(name)
-        if said is None and name == letters[:1]:
+        stated = by_name().get(name)
+        if stated is None and name == letters[:1]:
             return normal_address(control.definition, axis)
-        if said is None:
+        if stated is None:
             raise UsageError(_unsure_number(control, axis, by_name()))
-    address, evidence = said
+    address, evidence = stated
     return address, Assumption(f"address of axis {axis.name}", address, evidence)
 
 
@@ -131,8 +131,8 @@ def settled_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str,
     """
     options = dict(axis.options)
     for name in (DETECTION_UNIT, TABLE_VALUES):
-        said = [state.facts_of(axis.address).said.get(name) for state in states]
-        found = next((one for one in said if one is not None), None)
+        stated = [state.facts_of(axis.address).stated.get(name) for state in states]
+        found = next((one for one in stated if one is not None), None)
         if found is not None and given.get(name) is None:
             options.setdefault(name, found)
     facts = [state.facts_of(axis.address) for state in states]
@@ -151,11 +151,11 @@ def _with_zero_of_homing(job: Job, as_found: DecodedState) -> Job:
         axes[name] = entry
         if facts.homing == "relative" and facts.reference is not None:
             home = facts.reference_return or axis.reference_return
-            for key, given, said in (
+            for key, given, stated in (
                 ("reference", axis.reference, facts.reference),
                 ("reference_return", axis.reference_return.sign, home.sign),
             ):
-                if key in entry.stated and abs(given - said) > _SAME_PLACE:
+                if key in entry.stated and abs(given - stated) > _SAME_PLACE:
                     faults.append(_other_zero(job, name, key, axis, facts.reference, home))
             settled = replace(
                 axis,
@@ -267,13 +267,13 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
     letters, letter = facts.letters, facts.name
     if not letters:
         return
-    place, said = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
+    place, stated = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
     if len(axis.name) == 1 and axis.name.upper() in _LETTERS and axis.name.upper() != letter:
         yield Fault(
             message=(f"the files of the state {state} give this joint another axis letter"),
             place=f"{place}.address",
             expected=f"a joint of {axis.name}",
-            found=said,
+            found=stated,
             hint=f"set `address` to a joint of {axis.name}",
         )
         return
@@ -287,7 +287,7 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
             message="a second joint drives this axis: a table on one of them alone racks it",
             place=f"{place}.gantry",
             expected=" or ".join(f'gantry: "{other}"' for other in others),
-            found=said,
+            found=stated,
             hint="add `gantry` to the axis, as shown",
         )
 

@@ -152,7 +152,7 @@ def points_needed(control: Bound, table: AxisCompensation) -> int | None:
         control.definition.limit(limit) is not None for limit in ("points_reserved", "max_points")
     )
     needed = int(table.positions.size)
-    room = control.state.facts_of(table.address).said.get("max_points", 0)
+    room = control.state.facts_of(table.address).stated.get("max_points", 0)
     one_curve = np.array_equal(table.positive, table.negative)
     there = one_curve and isinstance(room, int) and room >= needed
     return needed if reserves and not there else None

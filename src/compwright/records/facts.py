@@ -20,7 +20,7 @@ class Turn:
 
     start: float
     length: float
-    said: bool
+    stated: bool
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -74,7 +74,7 @@ class AxisFacts:
     turn: Turn | None = None
     encoder_system: int | None = None
     enabled: bool | None = None
-    beside: str = ""
+    other_functions: str = ""
     endless: float | None = None
     reference: float | None = None
     reference_return: Direction | None = None
@@ -92,7 +92,7 @@ class AxisFacts:
     unapplied_steps: tuple[float, float] | None = None
     pairs: PairFacts = PairFacts()
     of_family: object = None
-    said: Mapping[str, Fact] = field(default_factory=dict)
+    stated: Mapping[str, Fact] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

@@ -119,8 +119,8 @@ def _over(under: DefinitionText, over: DefinitionText) -> DefinitionText:
         for path, place in under.places.items()
         if not any(path[:size] in replaced for size in range(1, len(path) + 1))
     }
-    said = {path: place for path, place in over.places.items() if path[0] in own}
-    return DefinitionText(over.file, data, {**kept, **said})
+    own_places = {path: place for path, place in over.places.items() if path[0] in own}
+    return DefinitionText(over.file, data, {**kept, **own_places})
 
 
 def _left_out(under: DefinitionText, over: DefinitionText) -> set[KeyPath]:

@@ -143,8 +143,8 @@ def _split_text(values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _option(values: Mapping[str, Any]) -> dict[str, Any]:
-    settled = values["settled_by"] or {"quantity": None, "contradiction": False}
-    return {**values, "settled_by": settled["quantity"], "option_wins": settled["contradiction"]}
+    answered = values["settled_by"] or {"quantity": None, "contradiction": False}
+    return {**values, "settled_by": answered["quantity"], "option_wins": answered["contradiction"]}
 
 
 def _written(values: Mapping[str, Any]) -> dict[str, Any]:
@@ -184,7 +184,7 @@ _POINT: Final = mapping(
     {"position": _NUMBER, "positive": _NUMBER, "negative": _NUMBER},
     lambda values: Expected(**values),
 )
-_SETTLED: Final = mapping(
+_ANSWERED: Final = mapping(
     {
         "quantity": _TEXT,
         "contradiction": _word("refused", "option_wins", gives="option_wins".__eq__),
@@ -261,7 +261,7 @@ _FORMS: Final[Mapping[type, RecordForm]] = {
             "choices": cs.no_info_after_validator_function(
                 lambda words: words or (), cs.nullable_schema(listed(_TEXT))
             ),
-            "settled_by": cs.nullable_schema(_SETTLED),
+            "settled_by": cs.nullable_schema(_ANSWERED),
             "whole_control": _word("axis", "control", gives="control".__eq__),
         },
         build=_option,

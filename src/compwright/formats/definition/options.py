@@ -64,7 +64,7 @@ def resolve_options(
         if values[KIND] not in tuple(AxisKind):
             faults.append(_wrong(KIND, definition, "linear or rotary", values[KIND]))
     if state is not None:
-        _settle_shared(definition, values, given, state, faults, strict=strict)
+        _take_file_answers(definition, values, given, state, faults, strict=strict)
     raise_all(UsageError, faults)
     return Required(values, section="options", file=definition.file)
 
@@ -177,7 +177,7 @@ def describe_options(definition: Definition) -> tuple[str, ...]:
     return tuple(lines)
 
 
-def settled_number(
+def resolved_number(
     definition: Definition, name: str, options: Mapping[str, object], fact: object
 ) -> int | None:
     """Return a whole-number option, or what the control's files say (``fact``, None: nothing) where
@@ -192,7 +192,7 @@ def settled_number(
     return fact if isinstance(fact, int) and fact > 0 else None
 
 
-def _settle_shared(
+def _take_file_answers(
     definition: Definition,
     values: dict[str, object],
     given: Mapping[str, object],
@@ -204,14 +204,14 @@ def _settle_shared(
     for name, rule in definition.options.items():
         if rule.settled_by is None or rule.option_wins:
             continue
-        said = {
-            facts.said[rule.settled_by]
+        answers = {
+            facts.stated[rule.settled_by]
             for facts in state.facts.values()
-            if rule.settled_by in facts.said
+            if rule.settled_by in facts.stated
         }
-        if len(said) != 1:
+        if len(answers) != 1:
             continue
-        fact = said.pop()
+        fact = answers.pop()
         if name in given and values[name] not in ((fact,) if strict else (fact, rule.default)):
             faults.append(
                 Fault(

@@ -22,11 +22,11 @@ class Activity:
     because that was asked before.
     """
 
-    said: bool | None = None
+    stated: bool | None = None
     asking: bool = False
     carried_out: bool = False
 
-    def settle(
+    def resolve(
         self, label: str, switches: str, word: str | None, place: FoundValue | None, notes: Notes
     ) -> bool | None:
         """Return whether a table that is not zero acted; None where neither the files nor the job
@@ -36,7 +36,7 @@ class Activity:
         ``place``.
         """
         if word == "yes":
-            if self.said is False:
+            if self.stated is False:
                 notes.assume(
                     f"{label}: compensation during the test",
                     "on",
@@ -61,13 +61,13 @@ class Activity:
                 )
             return True
         notes.open_answers += 1
-        if self.said is not None:
+        if self.stated is not None:
             notes.assume(
                 f"{label}: compensation during the test",
-                "on" if self.said else "off",
+                "on" if self.stated else "off",
                 "the job's answer (active)",
             )
-            return self.said
+            return self.stated
         if self.asking:
             ends = (
                 f"end with the table switched off ({switches} = 0)"

@@ -21,7 +21,7 @@ _PLACE = re.compile(r"AX([0-9]{1,2})")
 
 
 def axis_names(
-    definition: Definition, texts: Iterable[ReadText], asked: Sequence[str] = ()
+    definition: Definition, texts: Iterable[ReadText], wanted: Sequence[str] = ()
 ) -> AxisNames:
     """Return the names that the files list; ``asked``: the addresses that a job or the command line
     names.
@@ -46,7 +46,7 @@ def axis_names(
         name: place for name, place in _channel(definition, found).items() if name not in machine
     }
     mine: dict[str, str] = {}
-    for address in dict.fromkeys(asked):
+    for address in dict.fromkeys(wanted):
         place = places.get(address, address)
         if place in mine:
             faults.append(

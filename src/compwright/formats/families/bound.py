@@ -61,9 +61,9 @@ class Bound:
         for an axis, whether it acts or not; none where they hold none.
         """
         address, _ = self.address(axis)
-        acting = self.state.axes.get(address)
-        if acting is not None and acting.positions.size > 1:
-            return tuple(float(node) for node in acting.positions)
+        existing = self.state.axes.get(address)
+        if existing is not None and existing.positions.size > 1:
+            return tuple(float(node) for node in existing.positions)
         return self.state.facts_of(address).grid
 
     def scale_of(self, axis: Axis) -> NumberScale:

@@ -37,13 +37,13 @@ _UNKNOWN = re.compile(
 #: What stands before the comment of a line with a value, and in it the word before a value that
 #: is known.
 _ASSIGNING = re.compile(rb"^[^;\n=]*=[^;\n]*", re.MULTILINE)
-_SAID = re.compile(rb"(?<![^\s=])([^\s=]++)[ \t]*+=(?![ \t]*+n/a)", re.IGNORECASE)
+_ASSIGNED = re.compile(rb"(?<![^\s=])([^\s=]++)[ \t]*+=(?![ \t]*+n/a)", re.IGNORECASE)
 #: What was laid over containers is kept by content, of as many sets as a job has states.
 _KEPT = 16
 
 
 def gathered_files(
-    definition: Definition, files: Sequence[ControlFile], asked: Sequence[str] = ()
+    definition: Definition, files: Sequence[ControlFile], wanted: Sequence[str] = ()
 ) -> Gathered:
     """Return what files say, by axis and measuring system; ``asked`` and errors as `axis_names`,
     InputError too for files that cannot be read.
@@ -53,7 +53,7 @@ def gathered_files(
     read = [reader.read(file, faults, number) for number, file in enumerate(whole)]
     raise_all(InputError, faults)
     texts = [text for text in read if text is not None]
-    return gather(definition, texts, axis_names(definition, texts, asked))
+    return gather(definition, texts, axis_names(definition, texts, wanted))
 
 
 def all_names(
@@ -92,18 +92,18 @@ def _texts_of(
 ) -> tuple[tuple[ControlFile, ...], tuple[Fault, ...]]:
     faults: list[Fault] = []
     packed = unpacked([file for file in files if is_container(file)], faults)
-    beside = _listed([file for file in files if not is_container(file)], definition)
-    if not (packed and beside):
-        return (*packed, *beside), tuple(faults)
+    loose = _listed([file for file in files if not is_container(file)], definition)
+    if not (packed and loose):
+        return (*packed, *loose), tuple(faults)
     reader = text_reader(definition)
-    texts = [reader.read(file, []) for file in (*packed, *beside)]
+    texts = [reader.read(file, []) for file in (*packed, *loose)]
     read = [text for text in texts if text is not None]
     if len(read) < len(texts):  # what cannot be read is told where it is read
-        return (*packed, *beside), tuple(faults)
+        return (*packed, *loose), tuple(faults)
     names = axis_names(definition, read)
     over = _Over(definition, names, read[len(packed) :])
     blank = [over.blanked(file, text) for file, text in zip(packed, read, strict=False)]
-    return (*blank, *beside), tuple(faults)
+    return (*blank, *loose), tuple(faults)
 
 
 def is_listing(definition: Definition, file: ControlFile) -> bool:
@@ -130,11 +130,11 @@ def _listed(files: Sequence[ControlFile], definition: Definition) -> tuple[Contr
     ]
     if not any(_UNKNOWN.search(file.content) for file in pointed):
         return tuple(pointed)
-    said = _said_names(pointed)
-    return tuple(_without_unknown(file, at, said) for at, file in enumerate(pointed))
+    assigned = _assigned_names(pointed)
+    return tuple(_without_unknown(file, at, assigned) for at, file in enumerate(pointed))
 
 
-def _said_names(files: Sequence[ControlFile]) -> list[tuple[bytes, int]]:
+def _assigned_names(files: Sequence[ControlFile]) -> list[tuple[bytes, int]]:
     """Return the last word before each value that files give, reversed and in small letters, with
     the index of its file, sorted: the words that end alike stand together.
     """
@@ -143,20 +143,22 @@ def _said_names(files: Sequence[ControlFile]) -> list[tuple[bytes, int]]:
             (found[1][::-1].lower(), at)
             for at, file in enumerate(files)
             for line in _ASSIGNING.finditer(file.content)
-            for found in _SAID.finditer(line[0])
+            for found in _ASSIGNED.finditer(line[0])
         }
     )
 
 
-def _without_unknown(file: ControlFile, at: int, said: Sequence[tuple[bytes, int]]) -> ControlFile:
+def _without_unknown(
+    file: ControlFile, at: int, assigned: Sequence[tuple[bytes, int]]
+) -> ControlFile:
     known: dict[bytes, bool] = {}
 
     def blank(found: re.Match[bytes]) -> bytes:
         words = found[1].split()
         name = words[-1][::-1].lower() if words else b""
         if name not in known:
-            first = bisect_left(said, (name,)) if name else len(said)
-            behind = (said[place] for place in range(first, len(said)))
+            first = bisect_left(assigned, (name,)) if name else len(assigned)
+            behind = (assigned[place] for place in range(first, len(assigned)))
             alike = takewhile(lambda one: one[0].startswith(name), behind)
             known[name] = any(index != at for _, index in alike)
         return b" " * len(found[0]) if known[name] else found[0]
@@ -170,9 +172,9 @@ class _Over:
     def __init__(self, definition: Definition, names: AxisNames, texts: Iterable[ReadText]) -> None:
         self.definition = definition
         self.names = names
-        said = [one for text in texts for one in text.occurrences]
-        self.keys = {self._key(one) for one in said if self._counts(one)}
-        self.ended = {self._table(one) for one in said if self._holds(one, _ROWS.values())}
+        assigned = [one for text in texts for one in text.occurrences]
+        self.keys = {self._key(one) for one in assigned if self._counts(one)}
+        self.ended = {self._table(one) for one in assigned if self._holds(one, _ROWS.values())}
 
     def blanked(self, file: ControlFile, text: ReadText) -> ControlFile:
         """Return a text of the container with blanks in place of the lines that do not count."""

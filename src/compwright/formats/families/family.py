@@ -151,11 +151,11 @@ class Family(Bound, ABC):
         """
 
     @abstractmethod
-    def card(self, asked: CardRequest) -> AxisCard:
+    def card(self, request: CardRequest) -> AxisCard:
         """Return what the card says about a table that was written."""
 
     @abstractmethod
-    def between(self, asked: BetweenRequest) -> Between:
+    def between(self, request: BetweenRequest) -> Between:
         """Return what the control does with corrections between axes, by the state that is bound.
 
         What it cannot hold is said, and what would help; nothing of that is written. Raises

@@ -25,7 +25,7 @@ def find_partners(
     read: Mapping[str, AxisCompensation],
     notes: Notes,
     *,
-    asked: bool,
+    of_job: bool,
     single: Collection[str] = (),
 ) -> None:
     """Note where the two axes of a gantry differ, and where two axes look like one although the job
@@ -35,7 +35,7 @@ def find_partners(
     a job names these axes; ``single``: those that are in no gantry by the files.
     """
     compare_partners(partners, read, notes)
-    if not asked:
+    if not of_job:
         return
     for address, compensation in read.items():
         if compensation.positions.size == 0 or address in (*partners, *partners.values()):

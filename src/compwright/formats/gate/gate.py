@@ -171,14 +171,14 @@ def _round_trip(definition: Definition) -> Iterator[Fault]:
             yield definition.text.fault(("sample",), message)
     for axis, compensation in zip(axes, compensations, strict=True):
         yield from unenforced_limits(control, axis, compensation)
-        asked = CardRequest(
+        request = CardRequest(
             axis=axis,
             table=compensation,
             facts=again.facts[axis.address],
             check_at=compensation.positions,
             files=files,
         )
-        values = control.card(asked).values
+        values = control.card(request).values
         for step in card_steps(definition, axis, values):
             if UNKNOWN in step.text:
                 message = f"the step {step.title!r} uses a field that does not exist"

@@ -21,7 +21,7 @@ class AxisNames:
 
     places: Mapping[str, str] = field(default_factory=dict)
     machine: Mapping[str, str] = field(default_factory=dict)
-    asked: Mapping[str, str] = field(default_factory=dict)
+    requested: Mapping[str, str] = field(default_factory=dict)
     place: re.Pattern[str] | None = None
 
     def address(self, name: str) -> str:
@@ -29,7 +29,7 @@ class AxisNames:
         as it is.
         """
         place = self.places.get(name, name)
-        return self.asked.get(place, place)
+        return self.requested.get(place, place)
 
     def known(self, name: str) -> bool:
         """Return whether a name is that of a machine axis; where the files list no names, every one

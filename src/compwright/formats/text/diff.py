@@ -59,7 +59,7 @@ class DiffEntry:
 
 
 #: What tells a value from all others, and the value.
-_Told = tuple[tuple[str, ...], DiffEntry]
+_KeyedEntry = tuple[tuple[str, ...], DiffEntry]
 
 
 def compare_files(
@@ -97,7 +97,7 @@ def _untouched(old: Sequence[ControlFile], new: Sequence[ControlFile]) -> int:
     return count
 
 
-def entries_of(definition: Definition, files: Sequence[ControlFile]) -> Iterator[_Told]:
+def entries_of(definition: Definition, files: Sequence[ControlFile]) -> Iterator[_KeyedEntry]:
     """Yield the values of all statements, each with what tells it from all others: its scope and
     its statement first.
     """
@@ -107,19 +107,19 @@ def entries_of(definition: Definition, files: Sequence[ControlFile]) -> Iterator
 
 
 @lru_cache(maxsize=_KEPT)
-def _entries(reader: TextReader, file: ControlFile) -> tuple[_Told, ...]:
+def _entries(reader: TextReader, file: ControlFile) -> tuple[_KeyedEntry, ...]:
     if is_entry_sheet(file):
         return tuple(_sheet_entries(file))
     text = reader.read(file, [])
     rows: Counter[str] = Counter()
-    found: list[_Told] = []
+    found: list[_KeyedEntry] = []
     for occurrence in text.occurrences if text else ():
         rows[occurrence.statement] += 1
         found += _values(reader.definition, occurrence, rows[occurrence.statement])
     return tuple(found)
 
 
-def _sheet_entries(file: ControlFile) -> Iterator[_Told]:
+def _sheet_entries(file: ControlFile) -> Iterator[_KeyedEntry]:
     sheet = read_sheet(file, [])
     for row in sheet.rows if sheet else ():
         label = f"{row.point} at {row.position}" if row.position else row.point
@@ -131,7 +131,7 @@ def _sheet_entries(file: ControlFile) -> Iterator[_Told]:
         )
 
 
-def _values(definition: Definition, occurrence: Occurrence, row: int) -> Iterator[_Told]:
+def _values(definition: Definition, occurrence: Occurrence, row: int) -> Iterator[_KeyedEntry]:
     """Yield the values of a statement, the ``row``-th of its kind in its file: a bare number is
     known by that alone.
     """

@@ -39,7 +39,7 @@ class Entered:
     file: str
     line: int
     axis: str = ""
-    acts: bool = False
+    relevant: bool = False
     meaning: str = ""
 
 
@@ -104,9 +104,9 @@ def by_statements(definition: Definition, files: Sequence[ControlFile]) -> dict[
     for key, entry in entries_of(definition, texts):
         bound = quantities.get(key[1], [])
         meaning = ", ".join(bound).replace("_", " ")
-        acts = not bound or not SILENT_QUANTITIES.issuperset(bound)
+        relevant = not bound or not SILENT_QUANTITIES.issuperset(bound)
         found["|".join(key)] = Entered(
-            entry.label(), key[1], entry.text, key[0], 0, entry.address or "", acts, meaning
+            entry.label(), key[1], entry.text, key[0], 0, entry.address or "", relevant, meaning
         )
     for text in texts:
         if not is_entry_sheet(text):

@@ -169,14 +169,14 @@ class _SheetReader:
         clean = len(self.faults) == self.known
         if clean and not self.rows:
             self.fault("the sheet holds no rows: this is contradictory, not an empty table", 1)
-        said = self.comments.get("value", "")
-        if said not in VALUES:
+        meaning = self.comments.get("value", "")
+        if meaning not in VALUES:
             place = self.lines.get("value", 1)
             self.fault(
                 "the sheet must say what its values are",
                 place,
                 "# value: error or # value: correction",
-                said,
+                meaning,
             )
         if len(self.faults) > self.known:
             return None

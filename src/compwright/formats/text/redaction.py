@@ -19,7 +19,7 @@ from compwright.formats.text.texts import (
     TextLine,
     TextReader,
     comment_start,
-    said_in_comment,
+    mark_before_statement,
 )
 from compwright.foundations.redaction import LINE, Cuts
 from compwright.records.correction import ControlFile
@@ -96,8 +96,8 @@ class _Redactor:
 
     def line(self, line: TextLine) -> str:
         statements = self.by_line.get(line.number)
-        said = statements and said_in_comment(self.kind, line.text)
-        end = len(line.text) if said else comment_start(self.kind, line.text)
+        marked = statements and mark_before_statement(self.kind, line.text)
+        end = len(line.text) if marked else comment_start(self.kind, line.text)
         code = line.text[:end]
         if statements:
             code = self.statement(line, code, statements)
@@ -183,8 +183,8 @@ class _Redactor:
                 return _QUOTED.sub(self._quoted, code)
         for address in _ADDRESS.findall(bare):  # its words stand in other addresses too
             self.literal(address)
-        said = self.cuts.remark(bare, LINE)
-        return f"({said})" if self.mark == OPEN else f"{self.mark} {said}".strip()
+        remark = self.cuts.remark(bare, LINE)
+        return f"({remark})" if self.mark == OPEN else f"{self.mark} {remark}".strip()
 
     def _stays(self, bare: str) -> bool:
         anywhere = self.reader.definition.dialect.blanks_anywhere
@@ -210,10 +210,10 @@ def same_statements(old: ReadText, new: ReadText, renamed: dict[str, str]) -> bo
     """Whether two texts say the same: the same statements in the same order, with the same tokens,
     but for names that got others.
     """
-    return _told(old, renamed) == _told(new, {})
+    return _comparable(old, renamed) == _comparable(new, {})
 
 
-def _told(text: ReadText, renamed: dict[str, str]) -> list[tuple[object, ...]]:
+def _comparable(text: ReadText, renamed: dict[str, str]) -> list[tuple[object, ...]]:
     return [
         (
             one.statement,

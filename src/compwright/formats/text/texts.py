@@ -236,9 +236,9 @@ class _KindReader:
 
     def _code(self, line: TextLine) -> str:
         """Return the line up to its comment; places stay as they are."""
-        said = said_in_comment(self.kind, line.text)
-        if said:
-            return line.text.replace(said, " " * len(said), 1)
+        mark = mark_before_statement(self.kind, line.text)
+        if mark:
+            return line.text.replace(mark, " " * len(mark), 1)
         if self.kind.comments_anywhere and self.kind.comment_marks == (OPEN,):
             return _ENCLOSED.sub(lambda comment: " " * len(comment[0]), line.text)
         return line.text[: comment_start(self.kind, line.text)]
@@ -403,11 +403,11 @@ class _KindReader:
         )
 
 
-def said_in_comment(kind: TextKind, text: str) -> str:
+def mark_before_statement(kind: TextKind, text: str) -> str:
     """Return what stands before a statement that is said in a comment; empty for all other
     lines.
     """
-    marks = (mark + said for mark in kind.comment_marks for said in (BY_HAND, AS_IT_IS))
+    marks = (mark + word for mark in kind.comment_marks for word in (BY_HAND, AS_IT_IS))
     return next((mark for mark in marks if text.startswith(mark)), "")
 
 

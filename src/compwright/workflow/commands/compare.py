@@ -143,7 +143,7 @@ def _speak_of(control: Control, back: Side, axes: Sequence[Axis]) -> bool:
     named = {
         address
         for entry in back.entries.values()
-        if entry.acts
+        if entry.relevant
         for address in whereabouts(control.definition, entry, back.entries, back.state)[0]
     }
     return all(axis.address in named for axis in axes)

@@ -67,7 +67,7 @@ def entry_difference(placed: Placed) -> EntryDifference:
         old=change.old.text if change.old is not None else None,
         new=change.new.text if change.new is not None else None,
         meaning=entry.meaning,
-        compensates=entry.acts,
+        compensates=entry.relevant,
         at=placed.at,
     )
 

@@ -164,7 +164,7 @@ def _drafts(control: Control, state: ControlState, unknown: LeftOpen | None) -> 
         or axis.backlash
         or axis.slope
         or axis.others
-        or state.facts_of(address).beside
+        or state.facts_of(address).other_functions
     ]
     # A control whose every table repeats says nothing of an axis without ends by it.
     turns = "repeats" in control.definition.bindings
@@ -188,9 +188,9 @@ def _drafts(control: Control, state: ControlState, unknown: LeftOpen | None) -> 
             )
         names.add(name)
         values = dict(_values(address, state.axes[address], facts, turns=turns))
-        if unknown is not None and unknown.name in facts.said:
+        if unknown is not None and unknown.name in facts.stated:
             values["options"] = Prefilled(
-                {unknown.name: facts.said[unknown.name]},
+                {unknown.name: facts.stated[unknown.name]},
                 f"read from the control's files: {facts.unit_evidence}",
             )
         if partners:

@@ -349,7 +349,7 @@ def _unsaid_units(
                 found is None
                 or found.positions.size < 2
                 or axis.kind is not AxisKind.LINEAR
-                or rule.settled_by in facts.said
+                or rule.settled_by in facts.stated
             ):
                 continue
             ratio = (axis.travel[1] - axis.travel[0]) / float(

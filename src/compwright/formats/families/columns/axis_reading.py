@@ -26,10 +26,10 @@ class ColumnAxisReader:
     """Reads one axis: its sheet, its own column of its own table, its parameters."""
 
     def __init__(
-        self, values: TableValues, address: str, asked: Sequence[str], activity: Activity
+        self, values: TableValues, address: str, wanted: Sequence[str], activity: Activity
     ) -> None:
         self.values = values
-        self.asked = asked
+        self.wanted = wanted
         self.activity = activity
         self.zero = values.control.options
         self.sources = values.sources
@@ -63,7 +63,7 @@ class ColumnAxisReader:
 
     def _switched_on_alone(self) -> bool:
         bits = self.sources.given.get((self.address, "enabled"), [])
-        return self.address in self.asked and any(bit.text == "1" for bit in bits)
+        return self.address in self.wanted and any(bit.text == "1" for bit in bits)
 
     @property
     def idle(self) -> tuple[float, ...]:
@@ -114,7 +114,7 @@ class ColumnAxisReader:
         table, or a faulty one.
         """
         missing = self.sources.missing.get(self.address)
-        if missing is not None and (self.address in self.asked or not self.asked):
+        if missing is not None and (self.address in self.wanted or not self.wanted):
             file = self.sources.assignments.file if self.sources.assignments is not None else ""
             self.notes.faults.append(
                 Fault(
@@ -240,7 +240,7 @@ class ColumnAxisReader:
             self.notes.refuse(
                 self.label, message, found, expected="the table too", found="none", hint=ADD_FILE
             )
-        if found is not None and found.text == "0" and self.activity.said is not True:
+        if found is not None and found.text == "0" and self.activity.stated is not True:
             if self.curves is not None:
                 self.notes.switched_off(self.label, f"{self._switch} switches the table off")
             return False
@@ -248,13 +248,17 @@ class ColumnAxisReader:
             if found is None and self._others_act() and not self.sources.starred:
                 self._answer(None, None)
             elif found is None and self.sources.assignments is None:
-                self._unsaid("0: no table is active on it", "no file holds a table of the axis")
+                self._assume_switch(
+                    "0: no table is active on it", "no file holds a table of the axis"
+                )
             return found is not None and found.text == "1"
         if found is None and self.points:
-            acts = self.activity.said is not False
+            active = self.activity.stated is not False
             evidence = "a sheet is what was typed in"
-            self._unsaid(f"{int(acts)}: its table {'acts' if acts else 'sleeps'}", evidence)
-            return acts
+            self._assume_switch(
+                f"{int(active)}: its table {'active' if active else 'sleeps'}", evidence
+            )
+            return active
         if not (np.any(self.curves[1]) or np.any(self.curves[2]) or self._others_act()):
             return self._zeros(found)
         word = (
@@ -276,10 +280,10 @@ class ColumnAxisReader:
         if found is not None or self.sources.starred:
             return True
         if slope is None or Decimal(slope.text) == 0:
-            self._unsaid("1: its table of zeros is active", "zeros correct nothing")
+            self._assume_switch("1: its table of zeros is active", "zeros correct nothing")
             return True
         name = self.parameters.name("slope")
-        if self.activity.said is None and self.activity.asking:
+        if self.activity.stated is None and self.activity.asking:
             self.notes.ask(
                 Fault(
                     message=(
@@ -300,12 +304,14 @@ class ColumnAxisReader:
                 )
             )
         self.notes.open_answers += 1
-        acts = self.activity.said is not False
-        said = "the job's answer (active)" if self.activity.said is not None else "not in the files"
-        self._unsaid(f"{int(acts)}: {name} {'is dead' if acts else 'acts'}", said)
-        return acts
+        active = self.activity.stated is not False
+        source = (
+            "the job's answer (active)" if self.activity.stated is not None else "not in the files"
+        )
+        self._assume_switch(f"{int(active)}: {name} {'is dead' if active else 'active'}", source)
+        return active
 
-    def _unsaid(self, value: str, evidence: str) -> None:
+    def _assume_switch(self, value: str, evidence: str) -> None:
         """List what a switch that no file holds was taken as."""
         self.notes.assume(f"{self.label}: {self._switch}", value, f"in no file; {evidence}")
 
@@ -319,11 +325,11 @@ class ColumnAxisReader:
         listed where nobody does.
         """
         place = found if found is not None and found.occurrence.tokens else None
-        acts = self.activity.settle(self.label, self._switch, word, place, self.notes)
-        if acts is None:
+        active = self.activity.resolve(self.label, self._switch, word, place, self.notes)
+        if active is None:
             evidence = f"{self._switch} is not in the files: a table that was given counts"
             self.notes.assume(f"{self.label}: its table", "acts", evidence)
-        return acts is not False
+        return active is not False
 
     def _column_elsewhere(self) -> bool:
         """Whether a table that acts for another axis' motion has a column for this one: the bit
@@ -347,7 +353,7 @@ class ColumnAxisReader:
             for row in table.rows
             if column in row.cells
         ]
-        return self.address in self.asked and any(
+        return self.address in self.wanted and any(
             not is_number(text) or float(text) != 0 for text in cells
         )
 

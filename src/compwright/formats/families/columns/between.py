@@ -36,39 +36,39 @@ _CHECK = (
 )
 
 
-def columns_between(family: Family, asked: BetweenRequest) -> Between:
+def columns_between(family: Family, request: BetweenRequest) -> Between:
     """Return the column of every correction, or why it cannot act."""
-    files = tuple(file for file in asked.base if not is_entry_sheet(file))
+    files = tuple(file for file in request.base if not is_entry_sheet(file))
     own = files
     held: list[PlannedCross] = []
     answers: list[Between] = []
-    for entry in asked.planned:
-        why = _by_line(family, asked, entry)
+    for entry in request.planned:
+        why = _by_line(family, request, entry)
         if why:
             answers.append(not_held(entry, why))
             continue
-        filler = CrossFiller(family, asked.axes, files)
+        filler = CrossFiller(family, request.axes, files)
         try:
             filled = filler.fill(entry)
         except NotHeld as error:
-            answers.append(_typed(family, asked, entry, str(error)))
+            answers.append(_typed(family, request, entry, str(error)))
         else:
             files = filler.patched(range(len(files)))
             held.append(filled.entry)
-            answers.append(_in_the_table(family, asked, filled))
+            answers.append(_in_the_table(family, request, filled))
     if not held:
         return in_turn(answers)
     changed = tuple(after for before, after in zip(own, files, strict=True) if after != before)
-    if not asked.tables:  # the set that the control loads is complete, whoever changes it
-        changed = together(asked.base, changed)
+    if not request.tables:  # the set that the control loads is complete, whoever changes it
+        changed = together(request.base, changed)
     return replace(
         in_turn(answers), files=changed, held=tuple(held), quantum=values_quantum(family)
     )
 
 
-def _in_the_table(family: Family, asked: BetweenRequest, filled: Filled) -> Between:
+def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Between:
     """Return the remark on a correction that is in the user's own table."""
-    entry, form = filled.entry, _form(family, asked, filled.entry)
+    entry, form = filled.entry, _form(family, request, filled.entry)
     rows = _rows(entry, form)
     where = f"{filled.file}, column {filled.column}"
     text = (
@@ -88,9 +88,9 @@ def _in_the_table(family: Family, asked: BetweenRequest, filled: Filled) -> Betw
     )
 
 
-def _typed(family: Family, asked: BetweenRequest, entry: PlannedCross, why: str) -> Between:
+def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: str) -> Between:
     """Return the column as it is typed in; ``why``: the reason for which no file can hold it."""
-    form = _form(family, asked, entry)
+    form = _form(family, request, entry)
     rows = _rows(entry, form)
     where = f"the table (.COM) of {entry.input}, column of {entry.output}"
     sentence = say(
@@ -108,11 +108,11 @@ def _typed(family: Family, asked: BetweenRequest, entry: PlannedCross, why: str)
     return typed_in(entry, _sheet(entry, form, rows), sentence, text)
 
 
-def _form(family: Family, asked: BetweenRequest, entry: PlannedCross) -> str:
+def _form(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
     """Return what the values of a column are: the table is the moving axis' own, and so is what its
     values mean.
     """
-    return str(family.options_of(asked.axes.get(entry.input))["table_values"])
+    return str(family.options_of(request.axes.get(entry.input))["table_values"])
 
 
 def _selected(family: Family, entry: PlannedCross) -> str:
@@ -123,18 +123,18 @@ def _selected(family: Family, entry: PlannedCross) -> str:
     return f"It is active on {entry.output} only while the bit of {entry.output} in {select} is 1. "
 
 
-def _by_line(family: Family, asked: BetweenRequest, entry: PlannedCross) -> str:
+def _by_line(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
     """Return why a column cannot act on its axis: the linear error of that axis acts, now or by
     this job; empty where it can.
     """
-    axis, linear = asked.axes.get(entry.output), _parameter(family, "slope")
+    axis, linear = request.axes.get(entry.output), _parameter(family, "slope")
     if axis is None:
         return ""
     old = family.state.axes.get(axis.address)
     if family.options_of(axis).get("method") == "line":
         why = f"the job corrects {axis.name} by {linear} (method: line)"
-    elif entry.output not in asked.tabled and old is not None and old.slope != 0.0:
-        why = f"{linear} acts on {axis.name} now ({-old.slope * 1e3:+.3f} mm/m)"
+    elif entry.output not in request.tabled and old is not None and old.slope != 0.0:
+        why = f"{linear} corrects {axis.name} now ({-old.slope * 1e3:+.3f} mm/m)"
     else:
         return ""
     return (

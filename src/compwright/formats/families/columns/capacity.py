@@ -41,7 +41,7 @@ def columns_capacity(control: Family, axis: Axis) -> Capacity:
     raise_all(CapacityError, list(_impossible(definition, axis, own)))
     scale = column_scale(definition, axis.kind, own)
     slope = column_scale(definition, AxisKind.LINEAR, own)
-    facts = state.facts_of(address).said
+    facts = state.facts_of(address).stated
     line, endless = by_line(own), axis.modulo is not None
     shared = [one for one in state.cross if one.input == address]
     fixed = shared[0].positions if shared and facts.get("own_column") and not line else None

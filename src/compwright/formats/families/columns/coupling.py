@@ -24,7 +24,10 @@ _REMARK = re.compile(r";[^\r\n]*")
 
 
 def couplings_of(
-    files: Sequence[ControlFile], numbers: AxisNumbers, asked: Sequence[str], known: Collection[str]
+    files: Sequence[ControlFile],
+    numbers: AxisNumbers,
+    wanted: Sequence[str],
+    known: Collection[str],
 ) -> Iterator[Coupling]:
     """Yield which axes follow another one; ``numbers``: how the control counts its axes; ``asked``:
     those under work; ``known``: those that the job names.
@@ -33,7 +36,7 @@ def couplings_of(
     for index, found in last.items():
         follows, master = numbers.follower(int(index) + 1, known), whole_number(found.match[2])
         if master is None or master < 0:
-            others = tuple(one for one in asked if one != follows)
+            others = tuple(one for one in wanted if one != follows)
             yield found.coupling(others, follows, unlike=UNREAD)
         elif master:
             yield found.coupling((numbers.address(master),), follows)

@@ -51,11 +51,14 @@ class TableDescription:
         their widths say, wherever these are said; False where nothing is said.
         """
         gaps = [
-            (max(told.width, len(name) if told.blanks else 0) + told.blanks, after - start)
+            (
+                max(described.width, len(name) if described.blanks else 0) + described.blanks,
+                after - start,
+            )
             for (name, start), (_, after) in itertools.pairwise(titles)
-            if (told := self.of(name)) is not None and told.width is not None
+            if (described := self.of(name)) is not None and described.width is not None
         ]
-        return bool(gaps) and all(said == found for said, found in gaps)
+        return bool(gaps) and all(width == found for width, found in gaps)
 
 
 def read_description(lines: Sequence[str]) -> TableDescription:
@@ -84,7 +87,7 @@ def _struct(lines: Sequence[str]) -> TableDescription:
             name = match[2].upper()
             columns[name] = Described()
         elif name:
-            columns[name] = _said(columns[name], word, match[2], "struct")
+            columns[name] = _with_attribute(columns[name], word, match[2], "struct")
     return TableDescription(columns, None, None)
 
 
@@ -104,11 +107,13 @@ def _object(lines: Sequence[str]) -> TableDescription:
             name = match[2].upper()
             columns[name] = Described()
         elif match is not None and name:
-            columns[name] = _said(columns[name], word, match[2], "object")
+            columns[name] = _with_attribute(columns[name], word, match[2], "object")
     return TableDescription(columns, key, None)
 
 
-def _said(column: Described, word: str, text: str, form: Literal["struct", "object"]) -> Described:
+def _with_attribute(
+    column: Described, word: str, text: str, form: Literal["struct", "object"]
+) -> Described:
     """Return a column with one more thing said of it; words that decide nothing here are left
     out.
     """

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.columns.acting import bare_name
+from compwright.formats.families.columns.active_tables import bare_name
 from compwright.formats.families.columns.sources import AxisNumbers
 from compwright.formats.families.columns.table import (
     POSITION,
@@ -56,8 +56,8 @@ def entered(
         match = _NUMBER.search(entry.name)
         number = int(match[1]) if match is not None else 0
         meaning = next((words for known, words in _PARAMETERS.items() if number in known), "")
-        acts = entry.acts or bool(meaning)
-        found[key] = replace(entry, acts=acts, meaning=meaning or entry.meaning)
+        relevant = entry.relevant or bool(meaning)
+        found[key] = replace(entry, relevant=relevant, meaning=meaning or entry.meaning)
     return found
 
 
@@ -67,7 +67,7 @@ def _cells(table: UserTable) -> Iterator[tuple[str, Entered]]:
         if key != "name":
             name = f"{file}: {key}"
             meaning = f"{key} of the table"
-            yield name, Entered(name, name, token.text, file, 1, acts=True, meaning=meaning)
+            yield name, Entered(name, name, token.text, file, 1, relevant=True, meaning=meaning)
     for number, row in enumerate(table.rows):
         for column, cell in row.cells.items():
             if column == ROW_NUMBER:
@@ -75,7 +75,10 @@ def _cells(table: UserTable) -> Iterator[tuple[str, Entered]]:
             name = f"{file} row {number} {column}"
             group = f"{file}: column {column}"
             words = _WORDS.get(column, f"value of {column}" if table.kind == "values" else column)
-            yield name, Entered(name, group, cell.text, file, row.line, acts=True, meaning=words)
+            yield (
+                name,
+                Entered(name, group, cell.text, file, row.line, relevant=True, meaning=words),
+            )
 
 
 def whereabouts(

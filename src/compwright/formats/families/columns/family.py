@@ -78,26 +78,26 @@ class ColumnsFamily(Family):
         raise_all(CapacityError, faults)
         return write_columns(bound, tables, files)
 
-    def card(self, asked: CardRequest) -> AxisCard:
+    def card(self, request: CardRequest) -> AxisCard:
         """See `Family.card`."""
-        axis, table = asked.axis, asked.table
+        axis, table = request.axis, request.table
         values = table_values(self.definition, self.scale_of(axis), table)
-        files = named_files(self, axis, asked.files)
-        load = {"load": self._loading(asked, files)}
+        files = named_files(self, axis, request.files)
+        load = {"load": self._loading(request, files)}
         return AxisCard(values | card_values(self, axis, table) | files | load)
 
-    def _loading(self, asked: CardRequest, names: Mapping[str, str]) -> str:
+    def _loading(self, request: CardRequest, names: Mapping[str, str]) -> str:
         """Return where the table goes: it is in the user's own file, or is typed from the sheet.
 
         A control has one .COM file by motion, so one that it names for another axis is not free.
         """
-        if not asked.table.positions.size:
+        if not request.table.positions.size:
             return ""
-        address, _ = self.address(asked.axis)
-        name = names.get("file_1") or numbered_files(self.definition, asked.axis)["file_1"]
-        read = (read_sheet(file, []) for file in asked.files if is_entry_sheet(file))
+        address, _ = self.address(request.axis)
+        name = names.get("file_1") or numbered_files(self.definition, request.axis)["file_1"]
+        read = (read_sheet(file, []) for file in request.files if is_entry_sheet(file))
         mine = [sheet.comments for sheet in read if sheet is not None and sheet.axis == address]
-        if asked.files and all(comments.get("points") == "0" for comments in mine):
+        if request.files and all(comments.get("points") == "0" for comments in mine):
             rest = f" {name} holds the parameters that are in no file of yours." if mine else ""
             return f"Load your own .COM file of tables/: it holds the table.{rest}"
         return (
@@ -106,9 +106,9 @@ class ColumnsFamily(Family):
             " that it names for another axis."
         )
 
-    def between(self, asked: BetweenRequest) -> Between:
+    def between(self, request: BetweenRequest) -> Between:
         """See `Family.between`: columns to type in."""
-        return columns_between(self, asked)
+        return columns_between(self, request)
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.columns.acting import activate
+from compwright.formats.families.columns.active_tables import activate
 from compwright.formats.families.columns.parameters import take_parameters
 from compwright.formats.families.columns.sheets import take_sheet
 from compwright.formats.families.columns.sources import AxisNumbers, Sources

@@ -58,13 +58,13 @@ def read_columns(
     """
     require_files(files)
     known = {control.address(axis)[0]: axis for axis in axes}
-    asked = [*known, *([] if address is None else [normal_text(control.definition, address)])]
+    wanted = [*known, *([] if address is None else [normal_text(control.definition, address)])]
     notes = Notes()
     sources = find_sources(control.definition, files, axes, notes.faults)
     raise_all(InputError, notes.faults)
     notes.findings.extend(sources.findings)
-    named = {*asked, *(axis.gantry for axis in axes if axis.gantry is not None)}
-    couplings = tuple(couplings_of(files, sources.numbers, asked, named))
+    named = {*wanted, *(axis.gantry for axis in axes if axis.gantry is not None)}
+    couplings = tuple(couplings_of(files, sources.numbers, wanted, named))
     check_couplings(couplings, known, notes)
     mentioned = sources.mentioned()
     for axis in axes:
@@ -73,11 +73,11 @@ def read_columns(
         partner = normal_text(control.definition, axis.gantry)
         known.setdefault(partner, partner_of(axis, partner))
         if partner in mentioned:
-            asked.append(partner)
+            wanted.append(partner)
         else:  # its table would come out of the control by itself, as that of every axis
             notes.no_table(f"axis {partner}")
     values = TableValues(control, sources, known, notes)
-    state = _ColumnStateReader(values, files, asked, activity).read()
+    state = _ColumnStateReader(values, files, wanted, activity).read()
     return replace(state, facts=_paired(state.facts, couplings))
 
 
@@ -85,9 +85,9 @@ def _paired(facts: Mapping[str, AxisFacts], couplings: Sequence[Coupling]) -> di
     """Return the facts with the axes that move together."""
     return {
         address: replace(
-            said, synchronised=followers(couplings, address), leading=leader(couplings, address)
+            stated, synchronised=followers(couplings, address), leading=leader(couplings, address)
         )
-        for address, said in facts.items()
+        for address, stated in facts.items()
     }
 
 
@@ -96,14 +96,14 @@ class _ColumnStateReader:
         self,
         values: TableValues,
         files: Sequence[ControlFile],
-        asked: Sequence[str],
+        wanted: Sequence[str],
         activity: Activity,
     ) -> None:
         self.values = values
         self.sources = values.sources
         self.notes = values.notes
         self.files = files
-        self.asked = asked
+        self.wanted = wanted
         self.activity = activity
 
     def read(self) -> ControlState:
@@ -111,18 +111,18 @@ class _ColumnStateReader:
         mentioned = sources.mentioned()
         compensations: dict[str, AxisCompensation] = {}
         facts: dict[str, AxisFacts] = {}
-        for address in self.asked or mentioned:
+        for address in self.wanted or mentioned:
             if address not in mentioned and not sources.idle:
                 self.notes.faults.append(_unnamed(address, mentioned, self.files))
-            reader = ColumnAxisReader(self.values, address, self.asked, self.activity)
+            reader = ColumnAxisReader(self.values, address, self.wanted, self.activity)
             if reader.spoken_of:
                 compensations[address] = reader.read()
-            if reader.spoken_of or address in self.asked:
+            if reader.spoken_of or address in self.wanted:
                 facts[address] = AxisFacts(
-                    kind=self.values.kind_said(address),
+                    kind=self.values.stated_kind(address),
                     enabled=bool(reader.facts["enabled"]),
                     grid=reader.idle,
-                    said=reader.facts,
+                    stated=reader.facts,
                 )
         cross = self._cross()
         if not compensations and not cross and not sources.idle and not self.notes.faults:
@@ -194,8 +194,8 @@ class _ColumnStateReader:
         """
         bits = self.sources.given.get((address, "enabled"), [])
         if bits:
-            return bits[0].text == "0" and self.activity.said is not True
-        return self.activity.said is False and not self.sources.starred
+            return bits[0].text == "0" and self.activity.stated is not True
+        return self.activity.stated is False and not self.sources.starred
 
     def _general(self, compensations: Mapping[str, AxisCompensation]) -> None:
         """Note what concerns all axes: what was not given, what is not active, and what had to be
@@ -211,7 +211,7 @@ class _ColumnStateReader:
         for table in sources.idle:
             self.notes.idle_file(say("CW-S012.assignments", file=table.file))
         for address, name in sources.missing.items():
-            if address not in self.asked:
+            if address not in self.wanted:
                 self.notes.idle_file(say("CW-S012.not_given", file=name, axis=address))
         if any(one.positions.size for one in compensations.values()):
             self.notes.assume(

@@ -33,20 +33,20 @@ class AxisNumbers:
     """
 
     def __init__(self, definition: Definition, axes: Sequence[Axis]) -> None:
-        said = {
+        numbers = {
             axis.axis_number: normal_address(definition, axis)[0]
             for axis in axes
             if axis.axis_number is not None
         }
         gantries = (axis.gantry for axis in axes if axis.gantry is not None)
-        said |= {int(found[1]): found[0] for one in gantries if (found := _BY_NUMBER.match(one))}
-        self.stated = frozenset(said)
+        numbers |= {int(found[1]): found[0] for one in gantries if (found := _BY_NUMBER.match(one))}
+        self.stated = frozenset(numbers)
         letters = {
             place: letter
             for place, letter in enumerate(LETTERS, start=1)
-            if letter not in said.values()
+            if letter not in numbers.values()
         }
-        self.by_number: Mapping[int, str] = {**letters, **said}
+        self.by_number: Mapping[int, str] = {**letters, **numbers}
 
     def address(self, number: int) -> str:
         """Return the address of an axis; its number where nobody says which axis that is."""

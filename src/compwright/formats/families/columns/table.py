@@ -88,11 +88,15 @@ class TableColumn:
     high: int | None
     flush: Literal["left", "right", "free"]
     edge: int
-    told: Described | None = None
+    described: Described | None = None
 
     def check(self, text: str, file: str) -> None:
         """Raise NotHeld when ``text`` is not what a cell of this column takes."""
-        why = self.told.refuses(text) if self.told is not None and self.name != ROW_NUMBER else ""
+        why = (
+            self.described.refuses(text)
+            if self.described is not None and self.name != ROW_NUMBER
+            else ""
+        )
         if why:
             raise NotHeld(f"{text} does not fit the column {self.name} of {file}, which {why}")
 

@@ -165,8 +165,8 @@ class _ColumnTableReader:
 
     def _closed(self, line: TextLine, name: str, ending: str) -> None:
         """The last line may name its table; another name is the end of another table."""
-        said = "".join(word.text for word in _words(line)[1:])
-        if said and said.upper() != f"{name}.{ending}".upper():
+        named = "".join(word.text for word in _words(line)[1:])
+        if named and named.upper() != f"{name}.{ending}".upper():
             self._fault(
                 "this is the end of another table",
                 line,
@@ -185,8 +185,8 @@ class _ColumnTableReader:
                 found=line.text.strip(),
             )
         for name in names:
-            told = self.description.of(name)
-            if told is not None and told.inch:
+            described = self.description.of(name)
+            if described is not None and described.inch:
                 self._fault(
                     f"the column {name} is described in inch: whether its values are is not known",
                     line,
@@ -237,7 +237,7 @@ class _ColumnTableReader:
         if len(self.faults) > self.known:
             return None
         columns = tuple(
-            replace(column, told=self.description.of(column.name))
+            replace(column, described=self.description.of(column.name))
             for column in _columns(names, titles, rows, which)
         )
         return UserTable(self.file.name, kind, head, columns, tuple(rows))

@@ -118,12 +118,12 @@ class TableValues:
             self.notes.assume(f"axis {address}: kind", known, "inferred from the name of the axis")
         return known
 
-    def kind_said(self, address: str) -> AxisKind | None:
+    def stated_kind(self, address: str) -> AxisKind | None:
         """Return the kind of an axis where its entry sheet says it, or its letter does (DIN 66217:
         X, Y, Z, U, V and W are linear, A, B and C rotary).
         """
-        said = bool(self.sources.units.get(address)) or address.upper() in _LETTERS
-        return self.kind(address) if said else None
+        known = bool(self.sources.units.get(address)) or address.upper() in _LETTERS
+        return self.kind(address) if known else None
 
     def positions(self, table: UserTable, address: str) -> tuple[Decimal, ...] | None:
         """Return the positions of a table's rows in mm or deg; None when something is wrong with

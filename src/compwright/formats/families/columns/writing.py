@@ -73,7 +73,7 @@ def _refuse_unsaid_backlash(
     """
     given = find_sources(control.definition, files, [axis for _, axis, _ in pairs], []).given
     name = name_of(control.definition, "backlash")
-    asked = [
+    questions = [
         Fault(
             message=(
                 f"axis {axis.name} ({address}): {name} is in no file of the state, but the "
@@ -91,7 +91,7 @@ def _refuse_unsaid_backlash(
         if (address, "backlash") not in given
         and Decimal(ColumnEntry(control, axis, compensation).parameters()["backlash"])
     ]
-    raise_all(UsageError, asked)
+    raise_all(UsageError, questions)
 
 
 class _OwnTables(Patches):

@@ -39,7 +39,7 @@ _DECIMALS = 6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class AskedAxis:
+class AxisSource:
     """One axis of the files. ``axis``: as a job knows it, None without a job.
 
     ``rows``: those of its table where they do not name their axis; None where the text does that.
@@ -67,40 +67,40 @@ class GridAxisReader:
         self,
         control: Family,
         gathered: Gathered,
-        asked: AskedAxis,
+        source: AxisSource,
         activity: Activity,
         notes: Notes,
     ) -> None:
         self.definition = control.definition
         self.gathered = gathered
-        self.address = asked.address
-        self.axis = asked.axis
-        self.elsewhere = asked.elsewhere
+        self.address = source.address
+        self.axis = source.axis
+        self.elsewhere = source.elsewhere
         self.activity = activity
         self.notes = notes
-        options = control.options_of(asked.axis)
+        options = control.options_of(source.axis)
         system = self._measuring_system(options)
         self.system = None if system is None else int(system) + 1
         self.label = f"axis {self.address}"
         if system is not None:
             self.label += f", measuring system {self.system}"
         self.rows = (
-            gathered.rows.get((self.address, system), []) if asked.rows is None else asked.rows
+            gathered.rows.get((self.address, system), []) if source.rows is None else source.rows
         )
         self.values = GridAxisValues(
             self.definition, self.label, notes, gathered, self.address, system
         )
-        self.options = self._settled(options)
+        self.options = self._resolved(options)
 
     def read(self) -> AxisReading:
         """Return what acts on the axis; what is wrong goes to the notes."""
         kind = self._kind()
-        said, max_points = self._settling(), self.values.single("max_points")
+        stated, max_points = self._stated_values(), self.values.single("max_points")
         has_table = bool(self.rows) or any(
             self.values.single(name) for name in shape_of(self.definition).rules.grid
         )
         enabled = self._enabled(has_table=has_table, max_points=max_points)
-        facts = self._facts(kind, said, enabled=enabled)
+        facts = self._facts(kind, stated, enabled=enabled)
         repeats = has_table and enabled and self.values.choice("repeats") == "yes"
         check_modulo(self.values, self.axis)
         table: GridTable | None = None
@@ -136,24 +136,24 @@ class GridAxisReader:
             return Direction(str(self.options[REFERENCE_RETURN]))
         return self.axis.reference_return
 
-    def _settling(self) -> dict[str, Fact]:
+    def _stated_values(self) -> dict[str, Fact]:
         """Return what the files say of quantities that settle options, or that the card names."""
         unit = self._unit()
-        said: dict[str, Fact] = {} if unit is None else {"length_unit": unit}
+        stated: dict[str, Fact] = {} if unit is None else {"length_unit": unit}
         for quantity in ("max_points", "gantry_type"):
             number = self.values.single(quantity)
             if number is not None:
-                said[quantity] = int(number.text)
-        return said
+                stated[quantity] = int(number.text)
+        return stated
 
-    def _facts(self, kind: AxisKind, said: Mapping[str, Fact], *, enabled: bool) -> AxisFacts:
+    def _facts(self, kind: AxisKind, stated: Mapping[str, Fact], *, enabled: bool) -> AxisFacts:
         """Return what the files say of the axis itself: its kind, its letter, its software limits
         (mm or deg).
 
         Angles in another unit than degrees are a fault on a rotary axis: its table would be written
         in degrees.
         """
-        word = self.values.said("rotary")
+        word = self.values.stated_word("rotary")
         names, order, joints = (
             found.text if (found := self.values.single(quantity)) is not None else ""
             for quantity in ("axis_letters", "axis_order", "joint_count")
@@ -161,7 +161,7 @@ class GridAxisReader:
         letters = joint_letters(names, order, joints)
         listed = self.address.isdigit() and int(self.address) < len(letters)
         if kind is AxisKind.ROTARY:
-            self.values.said("angle_unit")
+            self.values.stated_word("angle_unit")
         homing, zero = homing_of(self.values, self._factor(kind))
         if zero is not None:
             self.notes.assume(
@@ -181,7 +181,7 @@ class GridAxisReader:
             reference_return=None if zero is None else zero[1],
             homing=homing,
             unapplied_steps=unapplied_steps(self.values, self._factor(kind)),
-            said=said,
+            stated=stated,
         )
 
     def _factor(self, kind: AxisKind) -> float:
@@ -203,7 +203,9 @@ class GridAxisReader:
 
     def _unit(self) -> str | None:
         """Return in what the files say that lengths stand, mm or inch."""
-        return next((word for word in map(self.values.said, SAYING) if word is not None), None)
+        return next(
+            (word for word in map(self.values.stated_word, SAYING) if word is not None), None
+        )
 
     def _measuring_system(self, options: Mapping[str, object]) -> str | None:
         if not self.gathered.systems(self.address):
@@ -215,29 +217,29 @@ class GridAxisReader:
             return choice.stated(int(str(options[ENCODER_SYSTEM])), by_job=False)
         return choice.found(asking=self.axis is not None)
 
-    def _settled(self, options: Mapping[str, object]) -> Mapping[str, object]:
+    def _resolved(self, options: Mapping[str, object]) -> Mapping[str, object]:
         """Return the options with what the files themselves answer."""
-        settled = dict(options)
+        resolved = dict(options)
         for name, rule in self.definition.options.items():
             if rule.settled_by is not None and isinstance(
                 self.definition.bindings[rule.settled_by], Choice
             ):
                 unit = rule.settled_by == "length_unit"
-                word = self._unit() if unit else self.values.said(rule.settled_by)
+                word = self._unit() if unit else self.values.stated_word(rule.settled_by)
                 if word is not None:
-                    settled[name] = word
+                    resolved[name] = word
                 elif self.axis is None:
                     why = "not in the files that were given"
                     self.notes.assume(f"option {name}", str(options[name]), why)
-        return settled
+        return resolved
 
     def _kind(self) -> AxisKind:
         if self.axis is None:
             known = known_kind(self.options, self.address)
-            if known is None or self.values.said("rotary") is not None:
+            if known is None or self.values.stated_word("rotary") is not None:
                 return AxisKind(self.values.choice("rotary") or "linear")
             return known
-        word = self.values.said("rotary")
+        word = self.values.stated_word("rotary")
         if word is not None and word != self.axis.kind:
             message = f"{self.label}: the job and the control's files disagree about its kind"
             fault = Fault(
@@ -270,7 +272,7 @@ class GridAxisReader:
         found = self.values.single("enabled")
         if (
             found is not None
-            and self.values.said("enabled") == "yes"
+            and self.values.stated_word("enabled") == "yes"
             and not (max_points is not None and int(max_points.text) == 0)
         ):
             self.notes.faults.append(
@@ -286,9 +288,9 @@ class GridAxisReader:
             why = "unconfirmed: no file that was given holds one"
             self.notes.assume(f"{self.label}: table", "none", why)
             reserved = max_points is None or int(max_points.text) > 0
-            off = not reserved or self.values.said("enabled") == "no"
+            off = not reserved or self.values.stated_word("enabled") == "no"
             self.notes.no_table(self.label, off=off)
-        return self.values.said("enabled") != "no"
+        return self.values.stated_word("enabled") != "no"
 
     def _table_enabled(self) -> bool:
         """Return whether a table acts: by the files or, where it is not zero and they leave it
@@ -300,13 +302,13 @@ class GridAxisReader:
             for row in self.rows
             for name in value_fields(self.definition)
         ):
-            said = self.values.said("enabled") if found is not None else None
+            stated = self.values.stated_word("enabled") if found is not None else None
             switch = self.values.name("enabled")
-            acts = self.activity.settle(self.label, switch, said, found, self.notes)
-            if acts is not None:
-                if not acts:
+            active = self.activity.resolve(self.label, switch, stated, found, self.notes)
+            if active is not None:
+                if not active:
                     self.notes.switched_off(self.label, "the table did not act, as the job says")
-                return acts
+                return active
         word = self.values.choice("enabled")
         if word == "no":
             self.notes.switched_off(self.label, "the table is switched off in the files")

@@ -26,7 +26,7 @@ class GridAxisValues(Values):
         """
         return self.one(quantity, self.places(quantity), quiet=quiet)
 
-    def said(self, quantity: str) -> str | None:
+    def stated_word(self, quantity: str) -> str | None:
         """Return the neutral word of a choice that is in the files, else None."""
         return self.word(quantity, self.single(quantity))
 
@@ -37,5 +37,5 @@ class GridAxisValues(Values):
         if quantity not in self.definition.bindings:
             return None
         if self.single(quantity, quiet=False) is not None:
-            return self.said(quantity)
+            return self.stated_word(quantity)
         return self.absent(quantity, quantity.replace("_", " "))

@@ -159,10 +159,10 @@ def indexed(source: TableSource) -> dict[int, FoundValue] | None:
         index = int(row.occurrence.tokens["index"].text)
         first = values.setdefault(index, row)
         for name in source.value_fields:
-            text, said = row.occurrence.tokens[name].text, first.occurrence.tokens[name].text
-            if not same_value(text, said):
+            text, expected = row.occurrence.tokens[name].text, first.occurrence.tokens[name].text
+            if not same_value(text, expected):
                 message = f"value {index} contradicts {first.where}"
-                source.fault(message, row, expected=said, what=text)
+                source.fault(message, row, expected=expected, what=text)
                 clean = False
     return values if clean else None
 
@@ -196,15 +196,15 @@ def _steps(source: TableSource, values: Mapping[int, FoundValue]) -> _Grid | Non
         return None
     ratio = (end - start) / step
     steps = int(ratio.to_integral_value())
-    told = f"({end} - {start}) / {step} = {float(ratio):.6f}"
+    division = f"({end} - {start}) / {step} = {float(ratio):.6f}"
     if steps >= 1 and abs(ratio - steps) <= ROUNDED_STEPS:
         if abs(ratio - steps) > WHOLE_STEPS:
-            evidence = f"inferred: {told}; a step that was rounded when it was written"
+            evidence = f"inferred: {division}; a step that was rounded when it was written"
             source.notes.assume(f"{source.label}: spacings of its table", str(steps), evidence)
         return _Grid(start, step, steps)
     inside = int(ratio)
     if inside >= 1 and not source.ends_at_point and _alike(source, values, inside):
-        evidence = f"{told}: the values on both sides of the end are the same"
+        evidence = f"{division}: the values on both sides of the end are the same"
         source.notes.assume(f"{source.label}: spacings of its table", str(inside), evidence)
         return _Grid(start, step, inside, beyond=True)
     source.fault(
@@ -212,7 +212,7 @@ def _steps(source: TableSource, values: Mapping[int, FoundValue]) -> _Grid | Non
         " end differ",
         source.singles["table_spacing"],
         expected="(end - start) / spacing a whole number, or the same value in both",
-        what=told,
+        what=division,
     )
     return None
 

@@ -5,9 +5,9 @@ files.
 from __future__ import annotations
 
 from compwright.formats.definition.consistency import curves
-from compwright.formats.definition.options import settled_number
+from compwright.formats.definition.options import resolved_number
 from compwright.formats.families.family import Family
-from compwright.formats.families.grid.beside import MODULO_START
+from compwright.formats.families.grid.axis_wide import MODULO_START
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.turns import (
     RANGE_QUANTITY,
@@ -40,7 +40,7 @@ class GridLimits:
         assumed += self._turn_unsaid()
         max_points = self._max_points(assumed)
         value, quantum = curves(definition)[0], scale.quantum(self.shape.rules.grid[0])
-        beside = (
+        in_addition = (
             "backlash" in definition.bindings
             and definition.limit("no_backlash_beside_table") is None
         )
@@ -51,8 +51,8 @@ class GridLimits:
             quantum=scale.quantum(value),
             position_quantum=quantum,
             value_range=scale.range(value),
-            backlash_quantum=scale.quantum("backlash") if beside else None,
-            backlash_range=scale.range("backlash") if beside else (0.0, 0.0),
+            backlash_quantum=scale.quantum("backlash") if in_addition else None,
+            backlash_range=scale.range("backlash") if in_addition else (0.0, 0.0),
             min_points=definition.limit_number("min_points") or 1,
             max_points=max_points,
             below=definition.layout.below,
@@ -88,7 +88,7 @@ class GridLimits:
         if (
             self._period() is None
             or RANGE_QUANTITY not in self.definition.bindings
-            or (turn is not None and turn.said)
+            or (turn is not None and turn.stated)
         ):
             return []
         unsaid = [] if turn is not None else [("that the control wraps it (MD30310)", "yes")]
@@ -114,8 +114,8 @@ class GridLimits:
             return most_points_of_turn(self.axis, hard)
         if self.definition.limit("points_reserved") is None:
             return hard
-        fact = self.facts.said.get("max_points")
-        reserved = settled_number(self.definition, self.points_option(), self.options, fact)
+        fact = self.facts.stated.get("max_points")
+        reserved = resolved_number(self.definition, self.points_option(), self.options, fact)
         if reserved is not None:
             return reserved if hard is None else min(reserved, hard)
         none = "the control has reserved none yet"

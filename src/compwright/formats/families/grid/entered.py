@@ -12,7 +12,7 @@ from compwright.records.correction import ControlFile
 
 #: Keys beside those of the definition that decide the scale of a joint or move its zero (LinuxCNC
 #: documentation, INI configuration: [JOINT_n], [KINS]).
-_ACTING = re.compile(
+_CORRECTING = re.compile(
     r"\[(?:JOINT_[0-9]+|KINS)\] (?:(?:INPUT_|OUTPUT_)?SCALE|HOME|HOME_OFFSET|KINEMATICS)"
 )
 
@@ -22,6 +22,8 @@ def entered(
 ) -> dict[str, Entered]:
     """Return every value of the files."""
     return {
-        key: replace(entry, acts=entry.acts or _ACTING.fullmatch(entry.group) is not None)
+        key: replace(
+            entry, relevant=entry.relevant or _CORRECTING.fullmatch(entry.group) is not None
+        )
         for key, entry in by_statements(definition, files).items()
     }

@@ -81,9 +81,9 @@ class GridFamily(Family):
         del one_curve
         return GridLimits(self, axis).capacity()
 
-    def between(self, asked: BetweenRequest) -> Between:
+    def between(self, request: BetweenRequest) -> Between:
         """See `Family.between`: no such table."""
-        return instead(self.definition, asked.planned)
+        return instead(self.definition, request.planned)
 
     def _own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
@@ -108,7 +108,7 @@ class GridFamily(Family):
         raise_all(CapacityError, list(dict.fromkeys(faults)))
         return written
 
-    def card(self, asked: CardRequest) -> AxisCard:
+    def card(self, request: CardRequest) -> AxisCard:
         """See `Family.card`."""
-        values = table_values(self.definition, self.scale_of(asked.axis), asked.table)
-        return AxisCard(values | named_files(self, asked.axis, asked.files))
+        values = table_values(self.definition, self.scale_of(request.axis), request.table)
+        return AxisCard(values | named_files(self, request.axis, request.files))

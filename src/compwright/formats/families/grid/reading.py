@@ -18,9 +18,9 @@ from compwright.formats.families.control_texts import is_listing, texts_of
 from compwright.formats.families.coupled_axes import Coupling, check_couplings
 from compwright.formats.families.family import Family, require_files
 from compwright.formats.families.gantry import find_partners
-from compwright.formats.families.grid.axis_reading import AskedAxis, AxisReading, GridAxisReader
+from compwright.formats.families.grid.axis_reading import AxisReading, AxisSource, GridAxisReader
+from compwright.formats.families.grid.axis_wide import AxisWideReader
 from compwright.formats.families.grid.basic_system import basic_system
-from compwright.formats.families.grid.beside import Beside
 from compwright.formats.families.grid.joints import joined_joints
 from compwright.formats.families.grid.table_files import (
     TableFiles,
@@ -57,7 +57,7 @@ _FEW = 2
 #: The statement by which a control names the axis of each joint.
 _JOINTS = "kinematics"
 #: What corrects an axis, or switches that on, where it is not zero.
-_ACTING = ("backlash", "enabled", "cross_axis_enabled", "dynamic_backlash", "temperature_slope")
+_CORRECTING = ("backlash", "enabled", "cross_axis_enabled", "dynamic_backlash", "temperature_slope")
 
 
 class GridReader:
@@ -127,8 +127,8 @@ class GridReader:
                 # for who asks
                 self._tell_unnamed(address, named)
         self._same_systems(readings)
-        asked = {name: axis for name, axis in self.wanted.items() if axis in self.axes and axis}
-        check_couplings(self.couplings(), asked, self.notes)
+        wanted = {name: axis for name, axis in self.wanted.items() if axis in self.axes and axis}
+        check_couplings(self.couplings(), wanted, self.notes)
         cross = self.cross()
         self.notes.ask_contradicted()
         raise_all(InputError, self.notes.faults)
@@ -139,8 +139,8 @@ class GridReader:
             self.partners,
             axes,
             self.notes,
-            asked=bool(self.wanted),
-            single=[one for one in axes if readings[one].facts.said.get("gantry_type") == 0],
+            of_job=bool(self.wanted),
+            single=[one for one in axes if readings[one].facts.stated.get("gantry_type") == 0],
         )
         self._tell_of_files()
         return ControlState(
@@ -186,24 +186,25 @@ class GridReader:
         """Return the tables between axes that the files hold."""
         return PairTables()
 
-    def acting_lines(self) -> dict[str, FoundValue]:
+    def active_lines(self) -> dict[str, FoundValue]:
         """Return, by the name that they give to the axis, a line that corrects something: a value
         that is not zero, or a switch on.
         """
-        return _acting_lines(self.gathered)
+        return _active_lines(self.gathered)
 
     def axis(self, address: str, axis: Axis | None) -> AxisReading:
         """Return what acts on one axis, and the facts about it."""
         self._one_name(address, axis)
-        asked = AskedAxis(
+        source = AxisSource(
             address=address,
             axis=axis,
             rows=self.tables.rows(address, spoken_of=address in self.spoken_of),
             elsewhere=self.elsewhere(address),
         )
-        own = GridAxisReader(self.control, self.gathered, asked, self.activity, self.notes).read()
-        beside = Beside(self.gathered, address, self.notes)
-        facts = beside.facts(own.facts, axis, self.partners)
+        own = GridAxisReader(self.control, self.gathered, source, self.activity, self.notes).read()
+        facts = AxisWideReader(self.gathered, address, self.notes).facts(
+            own.facts, axis, self.partners
+        )
         if axis is not None and address not in self.partners.values():
             # a gantry goes as far as its leading axis may
             check_limits(self.gathered, address, axis, facts, self.notes)
@@ -215,16 +216,16 @@ class GridReader:
         """
         if axis is None or "machine_axis" not in self.definition.bindings:
             return
-        acting = self.acting_lines()
-        others = self.gathered.names.unplaced(address, acting)
+        active = self.active_lines()
+        others = self.gathered.names.unplaced(address, active)
         if not others:
             return
         names = ", ".join(others)
         self.notes.refuse(
             f"axis {address}",
-            f"the files speak of {names} too, with something that acts and may be meant for the"
+            f"the files speak of {names} too, with active values that may be meant for the"
             " same axis: no list of names is among them (MD10000 $MN_AXCONF_MACHAX_NAME_TAB)",
-            acting[others[0]],
+            active[others[0]],
             expected=(
                 "the machine data with MD10000 among the files, or address: "
                 f"{' or '.join(others)} in the job where that is the axis"
@@ -403,19 +404,19 @@ class GridReader:
             )
 
 
-def _acting_lines(gathered: Gathered) -> dict[str, FoundValue]:
+def _active_lines(gathered: Gathered) -> dict[str, FoundValue]:
     lines: dict[str, FoundValue] = {}
     for (name, _), rows in gathered.rows.items():
-        acting = [row for row in rows if Decimal(row.occurrence.tokens["value"].text) != 0]
-        if name is not None and acting:
-            lines[name] = acting[-1]
-    for (name, _), said in gathered.singles.items():
-        acting = [
+        active = [row for row in rows if Decimal(row.occurrence.tokens["value"].text) != 0]
+        if name is not None and active:
+            lines[name] = active[-1]
+    for (name, _), values in gathered.singles.items():
+        active = [
             place
-            for quantity in _ACTING
-            for place in said.get(quantity, ())
+            for quantity in _CORRECTING
+            for place in values.get(quantity, ())
             if Decimal(place.text) != 0
         ]
-        if name is not None and acting:
-            lines[name] = acting[-1]
+        if name is not None and active:
+            lines[name] = active[-1]
     return lines

@@ -156,12 +156,12 @@ def never_loaded(definition: Definition, files: Sequence[ControlFile]) -> list[s
         return []
     row = definition.statements[definition.bindings[curves(definition)[0]].statement]
     before, after = _template(definition).split("{axis}")
-    reader, odd, named, told = text_reader(definition), [], set[str](), False
+    reader, odd, named, sections = text_reader(definition), [], set[str](), False
     for file in files:
         faults: list[Fault] = []
         text = reader.read(file, faults) or reader.read(_letters_of(file), [])
         if text is not None and text.kind != row.text:
-            told = told or bool(text.sections)
+            sections = sections or bool(text.sections)
             named |= {
                 _base_name(one.tokens[binding.field].text.strip())
                 for one in text.occurrences
@@ -169,7 +169,7 @@ def never_loaded(definition: Definition, files: Sequence[ControlFile]) -> list[s
             }
         elif faults and _address_between(definition, before, after, file.name) is None:
             odd.append(file.name)
-    return [name for name in odd if told and name not in named]
+    return [name for name in odd if sections and name not in named]
 
 
 def offset_at_run_time(files: Sequence[ControlFile], axes: Collection[str]) -> Iterator[Fault]:

@@ -21,7 +21,7 @@ def check_modulo(values: GridAxisValues, axis: Axis | None) -> None:
     found = values.single("modulo", quiet=False)
     if found is None:
         return
-    word = values.said("modulo")
+    word = values.stated_word("modulo")
     if axis is None:
         return
     if word == "yes" and axis.kind is AxisKind.ROTARY:
@@ -61,13 +61,13 @@ def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
         )
     elif turn is not None and abs(turn - axis.modulo) > SAME_TURN:
         message = "the modulo of the job is not the modulo range of the control (MD30330)"
-        expected, said = f"modulo: {turn:g}", f"{axis.modulo:g}"
+        expected, shown = f"modulo: {turn:g}", f"{axis.modulo:g}"
         values.notes.refuse(
             values.label,
             message,
             length,
             expected=expected,
-            found=said,
+            found=shown,
             hint=f"set `modulo: {turn:g}` for the axis in the job",
         )
 

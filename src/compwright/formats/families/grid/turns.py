@@ -19,7 +19,7 @@ RANGE_QUANTITY = "modulo_start"
 #: a spacing.
 _SAME_NODE = 1e-6
 #: Rows beyond whole sections: the first one, and one that begins beyond each end of the travel.
-_BESIDE = 2
+_EXTRA_ROWS = 2
 #: Fewer sections show nothing of a turn.
 _LEAST_SECTIONS = 3
 #: Places of nodes that were repeated are rounded to this, deg.
@@ -114,7 +114,7 @@ def most_points_of_turn(axis: Axis, rows: int) -> int:
     travel. Raises CapacityError where not even two do.
     """
     low, high = axis.travel
-    sections = int((rows - _BESIDE) * float(axis.modulo or 0.0) / (high - low))
+    sections = int((rows - _EXTRA_ROWS) * float(axis.modulo or 0.0) / (high - low))
     if sections < _LEAST_SECTIONS:
         raise CapacityError(
             Fault(
@@ -122,7 +122,9 @@ def most_points_of_turn(axis: Axis, rows: int) -> int:
                     f"axis {axis.name}: the control's table of {rows} rows leaves less than"
                     f" {_LEAST_SECTIONS} sections for each turn"
                 ),
-                expected=f"a travel of at most {(rows - _BESIDE) * 360 // _LEAST_SECTIONS:g} deg",
+                expected=(
+                    f"a travel of at most {(rows - _EXTRA_ROWS) * 360 // _LEAST_SECTIONS:g} deg"
+                ),
                 found=f"{low:g} to {high:g} deg",
                 hint="shorten `travel` of the axis in the job",
             )

@@ -16,7 +16,7 @@ from compwright.formats.definition.vocabulary import When
 from compwright.formats.families.axis_tables import AxisTable
 from compwright.formats.families.control_texts import gathered_files, texts_of
 from compwright.formats.families.family import Family
-from compwright.formats.families.grid.beside import MODULO_START
+from compwright.formats.families.grid.axis_wide import MODULO_START
 from compwright.formats.families.grid.new_files import AxisText, NewFile
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.tables import TableText, WrittenTable
@@ -51,11 +51,11 @@ class GridWriter:
     ) -> None:
         self.control = control
         self.definition = control.definition
-        asked = list(dict.fromkeys((*control.state.axes, *addresses)))
+        addressed = list(dict.fromkeys((*control.state.axes, *addresses)))
         texts = texts_of(self.definition, files, [])  # they were read before
         patched = bool(texts) and self.definition.limit("no_patching") is None
         self.own = (
-            OwnFiles(self.definition, texts, gathered_files(self.definition, texts, asked))
+            OwnFiles(self.definition, texts, gathered_files(self.definition, texts, addressed))
             if patched
             else None
         )
@@ -87,7 +87,7 @@ class GridWriter:
         if self.own is None:
             return set()
         singles, rows = self.own.gathered.singles, self.own.gathered.rows
-        said = [
+        own_values = [
             *(
                 group
                 for (one, _), by in singles.items()
@@ -96,7 +96,7 @@ class GridWriter:
             ),
             *(group for (one, _), group in rows.items() if one in addresses),
         ]
-        return {place.number for group in said for place in group}
+        return {place.number for group in own_values for place in group}
 
     def _own_files(self, addresses: Sequence[str]) -> tuple[ControlFile, ...]:
         """Return the control's own files that say something of the axes, with all changes made."""
@@ -142,9 +142,11 @@ class GridWriter:
     def _text(self, work: AxisToWrite) -> AxisText:
         scale = self.control.scale_of(work.axis)
         system = str(work.axis.encoder.system - 1)
-        said = {} if self.own is None else self.own.gathered.singles.get((work.address, system), {})
+        own_values = (
+            {} if self.own is None else self.own.gathered.singles.get((work.address, system), {})
+        )
         shape = shape_of(self.definition)
-        there = {name: said[name][-1].text for name in shape.rules.grid if name in said}
+        there = {name: own_values[name][-1].text for name in shape.rules.grid if name in own_values}
         table = shape.write(TableText(work.compensation, scale, work.faults, there))
         text = self.text(work, scale, table)
         if work.compensation.period is None or "repeats" not in text.singles:
@@ -209,14 +211,16 @@ class GridWriter:
         """
         if self.own is None or "backlash" not in text.singles:
             return set()
-        said, whole = self.said(text), self.said(text, whole=True)
-        placed = self.own.put("backlash", said.get("backlash", ()), text.singles["backlash"])
-        factors = said.get("backlash_factor", whole.get("backlash_factor", ()))
+        own_values, whole = self.own_values(text), self.own_values(text, whole=True)
+        placed = self.own.put("backlash", own_values.get("backlash", ()), text.singles["backlash"])
+        factors = own_values.get("backlash_factor", whole.get("backlash_factor", ()))
         if factors:
             self.own.put("backlash_factor", first_set(factors), "1")
         return {"backlash"} if placed else set()
 
-    def said(self, text: AxisText, *, whole: bool = False) -> Mapping[str, Sequence[FoundValue]]:
+    def own_values(
+        self, text: AxisText, *, whole: bool = False
+    ) -> Mapping[str, Sequence[FoundValue]]:
         """Return what the control's own files say of the measuring system, or ``whole`` axis."""
         if self.own is None:
             return {}
@@ -227,8 +231,8 @@ class GridWriter:
         """Put what has a place in the control's own files there; return these quantities."""
         if self.own is None:
             return set()
-        said, placed = self.said(text), self.put_backlash(text)
-        if placed or said.get("enabled"):
+        own_values, placed = self.own_values(text), self.put_backlash(text)
+        if placed or own_values.get("enabled"):
             # beside a backlash that stays in its place no file is made for the switch alone
             placed.add("enabled")
         value = curves(self.definition)[0]
@@ -238,11 +242,11 @@ class GridWriter:
             if name in text.singles
         ]
         rows = rows_by_index(self.own.gathered.rows.get((text.address, text.named["system"]), ()))
-        singles = {name: said[name] for name in names if name in said}
+        singles = {name: own_values[name] for name in names if name in own_values}
         spelled = _spelled(rows, singles, text.address)
         places = TablePlaces(rows, singles, value, {**text.named, "axis": spelled})
-        self._switch_on(said.get("enabled", ()), places)
-        self._reserve(said.get("max_points", ()), len(text.rows), work.options)
+        self._switch_on(own_values.get("enabled", ()), places)
+        self._reserve(own_values.get("max_points", ()), len(text.rows), work.options)
         if not places.anywhere:
             return placed
         column = self.definition.bindings[value].field

@@ -42,8 +42,8 @@ def check_travel_limits(values: IncrementAxisValues, kind: AxisKind) -> None:
     """
     if values.axis is None or (kind is AxisKind.ROTARY and values.wraps() is not False):
         return
-    told = [values.found(name) for name in ("limit_low", "limit_high")]
-    if any(one is None or "." not in one.text for one in told):
+    limits_found = [values.found(name) for name in ("limit_low", "limit_high")]
+    if any(one is None or "." not in one.text for one in limits_found):
         return
     low, high = (values.length(name, kind) for name in ("limit_low", "limit_high"))
     check_travel(
@@ -64,16 +64,16 @@ def check_reference(
     ``reference``: the position from which the points are counted, mm or deg. ``unanswered``: there
     is a table, and nobody said that it is so.
     """
-    told = values.found("reference_coordinate")
+    given = values.found("reference_coordinate")
     where = values.length("reference_coordinate", kind)
     differs = where is not None and abs(float(where) - reference) > SAME_PLACE
-    if values.axis is not None and told is not None and differs:
+    if values.axis is not None and given is not None and differs:
         message = "the job and the control's files disagree about the reference position (1240)"
         values.wrong(
             "reference_coordinate",
             message,
             f"{reference:g}, as the job says",
-            told.text,
+            given.text,
             hint=f"set `reference: {where:g}` in the job, if the control is right",
         )
     if unanswered and (reference != 0 or where):
@@ -141,8 +141,11 @@ def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
     """
     if kind is AxisKind.ROTARY:
         return
-    said, job = values.yes("diameter"), None if values.axis is None else values.axis.programmed
-    if said is True and job == "radius":
+    in_diameter, job = (
+        values.yes("diameter"),
+        None if values.axis is None else values.axis.programmed,
+    )
+    if in_diameter is True and job == "radius":
         values.wrong(
             "diameter",
             "1006#3 says diameter programming, the job does not",
@@ -150,7 +153,7 @@ def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
             "radius",
             hint="set `programmed: diameter` for the axis in the job",
         )
-    if said is False and job == "diameter":
+    if in_diameter is False and job == "diameter":
         values.wrong(
             "diameter",
             "1006#3 says radius programming, the job diameter",
@@ -158,9 +161,9 @@ def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
             "diameter",
             hint="set `programmed: radius` for the axis in the job",
         )
-    if not said and job != "diameter":
+    if not in_diameter and job != "diameter":
         return
-    if said is None:
+    if in_diameter is None:
         message = (
             f"{values.label}: no file says whether the control counts the axis in diameter (1006#3)"
         )

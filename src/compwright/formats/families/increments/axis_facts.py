@@ -8,15 +8,15 @@ from decimal import Decimal
 
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.axis_values import INCH, IncrementAxisValues
-from compwright.formats.families.increments.beside import (
+from compwright.formats.families.increments.detection_unit import detection_unit
+from compwright.formats.families.increments.increment_facts import IncrementFacts, increments_of
+from compwright.formats.families.increments.neighbour_functions import (
     OPTION_OF,
     across,
     functions,
     hung,
     left_alone,
 )
-from compwright.formats.families.increments.detection_unit import detection_unit
-from compwright.formats.families.increments.increment_facts import IncrementFacts, increments_of
 from compwright.formats.families.increments.parameters import AxisParameters
 from compwright.formats.families.increments.screw_lead import screw_lead
 from compwright.formats.families.increments.sections import idle_nodes
@@ -75,7 +75,7 @@ def facts_of(values: IncrementAxisValues) -> AxisFacts:
         lead=None if lead is None else lead.size,
         lead_evidence="" if lead is None else lead.evidence,
         of_family=replace(increments, two_sets=bool(two_sets)),
-        said={} if unit is None else {DETECTION_UNIT: unit.size},
+        stated={} if unit is None else {DETECTION_UNIT: unit.size},
     )
 
 
@@ -87,16 +87,18 @@ def name_of(values: IncrementAxisValues) -> str | None:
     if code is None or not ord("A") <= code <= ord("Z"):
         return None
     further = (values.own.get(number) for number in known.NAME_MORE)
-    codes = [value.whole for value in further if value is not None and value.acts]
+    codes = [value.whole for value in further if value is not None and value.nonzero]
     return chr(code) + "".join(chr(one) for one in codes if chr(one).isalnum() and one < 128)
 
 
-def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]) -> AxisFacts:
+def with_neighbours(
+    facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]
+) -> AxisFacts:
     """Return the facts with what acts beside the table and is left alone."""
     every = tuple(functions(own))
     alone = left_alone(every, options)
-    by_option = {OPTION_OF.get(each.words): each.told for each in every}
-    said = replace(
+    by_option = {OPTION_OF.get(each.words): each.description for each in every}
+    increments = replace(
         increments_of(facts),
         hung=hung(own, every),
         foreign=tuple(numbers for _, numbers in own.all.second_tables),
@@ -104,15 +106,15 @@ def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, obj
         inclined=by_option.get("inclination", ""),
         waved=by_option.get("cyclic", ""),
     )
-    words = [function.told for function in alone if function.moves]
+    words = [function.description for function in alone if function.moves]
     if words:  # what it does hangs on the grid
         grid = (
-            *(said.reference_number, said.first_number, said.last_number),
-            *(said.magnification, said.interval),
+            *(increments.reference_number, increments.first_number, increments.last_number),
+            *(increments.magnification, increments.interval),
         )
         words += [f"{number} = {value}" for number, value in zip(_GRID, grid, strict=True)]
     pairs = replace(facts.pairs, untold=across(own, alone), untold_help=_UNTOLD_HELP)
-    return replace(facts, beside="; ".join(words), of_family=said, pairs=pairs)
+    return replace(facts, other_functions="; ".join(words), of_family=increments, pairs=pairs)
 
 
 def _increments(values: IncrementAxisValues) -> IncrementFacts:
@@ -135,7 +137,7 @@ def _increments(values: IncrementAxisValues) -> IncrementFacts:
 
 def _rapid_feed(values: IncrementAxisValues) -> float | None:
     rapid = values.own.get(known.RAPID)
-    if rapid is None or not rapid.acts:
+    if rapid is None or not rapid.nonzero:
         return None
     inch = values.in_inches(rapid.key, values.kind(quiet=True))
     return float(Decimal(rapid.text) * (INCH if inch else 1))

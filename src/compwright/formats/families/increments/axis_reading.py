@@ -8,7 +8,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.families.increments import acting
+from compwright.formats.families.increments import parameter_checks
 from compwright.formats.families.increments.against_job import (
     check_diameter,
     check_reference,
@@ -17,10 +17,10 @@ from compwright.formats.families.increments.against_job import (
     check_wrapping,
 )
 from compwright.formats.families.increments.axis_values import IncrementAxisValues
-from compwright.formats.families.increments.backlash import acting_backlash
-from compwright.formats.families.increments.beside import functions, left_alone, stays
+from compwright.formats.families.increments.backlash import active_backlash
 from compwright.formats.families.increments.counted import counted
 from compwright.formats.families.increments.detection_unit import detection_unit, two_systems
+from compwright.formats.families.increments.neighbour_functions import functions, left_alone, stays
 from compwright.formats.families.increments.points import POINTS_FROM
 from compwright.formats.families.increments.screw_lead import tell_lead
 from compwright.formats.families.increments.sections import (
@@ -56,7 +56,7 @@ class IncrementReader:
         """
         values = self.values
         kind = values.kind()
-        self._beside(kind)
+        self._check_neighbours(kind)
         check_wrapping(values, kind)
         if self.checks_travel:
             check_travel_limits(values, kind)
@@ -71,7 +71,7 @@ class IncrementReader:
             curves = (_NO_POINTS, _NO_POINTS, _NO_POINTS)
             return self._with_counted(kind, None, self._compensation(kind, curves, backlash))
         for numbers in filter(None, (sections.numbers, sections.second)):
-            values.notes.faults.extend(acting.meets(values.own, numbers))
+            values.notes.faults.extend(parameter_checks.meets(values.own, numbers))
         own = self._increments(sections.numbers)
         other = own if sections.second is None else self._increments(sections.second)
         if own is None or other is None:
@@ -119,13 +119,13 @@ class IncrementReader:
             )
         return replace(table, others=tuple(others))
 
-    def _beside(self, kind: AxisKind) -> None:
+    def _check_neighbours(self, kind: AxisKind) -> None:
         """Refuse or tell what acts on the axis beside its table, and what its files leave open."""
         values, own, notes = self.values, self.values.own, self.values.notes
-        notes.faults.extend((*own.contradictions(), *acting.refusals(own)))
+        notes.faults.extend((*own.contradictions(), *parameter_checks.refusals(own)))
         if values.axis is not None or values.does_anything():
-            notes.faults.extend(acting.unclear_path(own, kind))
-        acting.note_unconfirmed_bits(own, notes)
+            notes.faults.extend(parameter_checks.unclear_path(own, kind))
+        parameter_checks.note_unconfirmed_bits(own, notes)
         for function in left_alone(functions(own), self.options):
             notes.find("CW-S048", "warning", label=values.label, function=stays(function))
         near = smooth_backlash(own)
@@ -185,7 +185,7 @@ class IncrementReader:
             values.notes.refuse(
                 values.label, message, found, expected=f"{low:g} .. {high:g}", hint=CORRECT_VALUE
             )
-        return float(acting_backlash(values, value) * self._unit(kind))
+        return float(active_backlash(values, value) * self._unit(kind))
 
     def rapid_more(self) -> float | None:
         """Return by how much the backlash at rapid traverse is more than that at cutting feed, mm

@@ -140,7 +140,7 @@ class IncrementAxisValues(Values):
         if turn:
             return float(turn)
         shown = self.own.get(known.TURN)
-        if shown is not None and shown.acts and "." in shown.text:
+        if shown is not None and shown.nonzero and "." in shown.text:
             return float(shown.text)
         return 360.0 if self.axis is None or self.axis.modulo is None else float(self.axis.modulo)
 

@@ -13,7 +13,7 @@ from compwright.formats.text.notes import ADD_FILE
 from compwright.records.axis import Axis
 
 
-def acting_backlash(values: IncrementAxisValues, feed: int) -> int:
+def active_backlash(values: IncrementAxisValues, feed: int) -> int:
     """Return the backlash, detection units, that acts at the motion of the axis' test; ``feed``:
     1851.
 
@@ -21,7 +21,7 @@ def acting_backlash(values: IncrementAxisValues, feed: int) -> int:
     """
     rapid, separate = values.integer("backlash_rapid"), values.separate_rapid()
     at_rapid = values.axis is not None and values.axis.motion == "rapid"
-    told = values.own.all.counts(known.BACKLASH_BITS)
+    bit_known = values.own.all.counts(known.BACKLASH_BITS)
     bits = values.own.get(known.BACKLASH_BITS)
     if at_rapid and separate and rapid is None and bits is not None:
         message = (
@@ -41,12 +41,12 @@ def acting_backlash(values: IncrementAxisValues, feed: int) -> int:
         values.wrong(
             "backlash_rapid",
             message,
-            help_ if told else alone,
+            help_ if bit_known else alone,
             hint=ADD_FILE
-            if told
+            if bit_known
             else "repeat the test at cutting feed, or leave the axis out of the job",
         )
-    silent = "1800#4 is not in the files" if told else "the bit that makes 1852 active is unknown"
+    silent = "1800#4 is not in the files" if bit_known else "the bit that makes 1852 active is unknown"
     why = "1800#4 = 1" if separate else silent
     values.notes.find(
         "CW-S015",
@@ -76,9 +76,9 @@ def backlash_words(facts: IncrementFacts) -> str:
     """Return what a card says of 1852; empty where no file holds it."""
     if facts.backlash_rapid is None:
         return ""
-    acts = {
+    active = {
         True: "at rapid traverse; 1851 is active at cutting feed, because 1800#4 = 1",
         False: "is not active and stays as it is: 1851 is active at all feeds, because 1800#4 = 0",
         None: "is active at rapid traverse if 1800#4 = 1, which is in no file",
     }[facts.separate_rapid]
-    return f"1852 = {facts.backlash_rapid} detection units ({acts})"
+    return f"1852 = {facts.backlash_rapid} detection units ({active})"

@@ -32,19 +32,19 @@ from compwright.records.plan import PlannedCross
 from compwright.words.sentences import say
 
 
-def straightness_between(family: Family, asked: BetweenRequest) -> Between:
+def straightness_between(family: Family, request: BetweenRequest) -> Between:
     """Return the parameters of one straight line, where the job says that the control has them."""
     if family.options.get("straightness") != "available":
-        return instead(family.definition, asked.planned)
-    (entry, *others) = asked.planned
-    filled = None if others else _filled(family, asked, entry)
+        return instead(family.definition, request.planned)
+    (entry, *others) = request.planned
+    filled = None if others else _filled(family, request, entry)
     if filled is not None:
         return filled
-    state = asked.read(asked.tables) if asked.tables else None
-    rows = None if others else _rows(family, asked, entry, state)
+    state = request.read(request.tables) if request.tables else None
+    rows = None if others else _rows(family, request, entry, state)
     if rows is None:
         why = "straightness compensation is known for one straight line over a table only"
-        return in_turn(not_held(each, why) for each in asked.planned)
+        return in_turn(not_held(each, why) for each in request.planned)
     sheet = _sheet(entry, rows)
     sentence = say("CW-P113.sheet", what=label(entry), sheet=sheet.name)
     text = (
@@ -53,16 +53,16 @@ def straightness_between(family: Family, asked: BetweenRequest) -> Between:
     return typed_in(entry, sheet, sentence, text)
 
 
-def _filled(family: Family, asked: BetweenRequest, entry: PlannedCross) -> Between | None:
+def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Between | None:
     """Return the files with one straight line in parameters that they hold and that are at rest;
     None where it has no place there, or is not exactly what is wanted.
     """
-    added, bent = entry.added, asked.axes.get(entry.output)
-    places = free_pair(Parameters(asked.base, family.definition.parameters), added.input)
+    added, bent = entry.added, request.axes.get(entry.output)
+    places = free_pair(Parameters(request.base, family.definition.parameters), added.input)
     unit = None if bent is None else family.options_of(bent).get("detection_unit")
     if places is None or not isinstance(unit, float) or added.positions.size != 2:
         return None
-    state = asked.read(asked.base)
+    state = request.read(request.base)
     table, facts = state.axes.get(added.input), increments_of(state.facts_of(added.input))
     if table is None or table.positions.size < 2 or table.period is not None:
         return None
@@ -84,7 +84,7 @@ def _filled(family: Family, asked: BetweenRequest, entry: PlannedCross) -> Betwe
     )
     title = f"{entry.output} over {entry.input}: straightness compensation"
     return Between(
-        files=_patched(asked.base, places, texts),
+        files=_patched(request.base, places, texts),
         remarks=(("warning", sentence),),
         steps=({"title": title, "text": text, "evidence": "unconfirmed"},),
         quantum=2 * unit,  # either amount is rounded, and the value at the reference between them
@@ -107,12 +107,12 @@ def _patched(
 
 
 def _rows(
-    family: Family, asked: BetweenRequest, entry: PlannedCross, state: ControlState | None
+    family: Family, request: BetweenRequest, entry: PlannedCross, state: ControlState | None
 ) -> list[tuple[str, str, str]] | None:
     """Return parameter, value and meaning; None where one straight line over a table does not say
     it. ``state``: what the tables of this run say.
     """
-    added, bent = entry.added, asked.axes.get(entry.output)
+    added, bent = entry.added, request.axes.get(entry.output)
     table = None if state is None else state.axes.get(added.input)
     unit = None if bent is None else family.options_of(bent).get("detection_unit")
     if (

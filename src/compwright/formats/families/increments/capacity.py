@@ -35,8 +35,8 @@ class IncrementLimits:
         self.options = self.scale.options
         address, assumption = family.address(axis)
         self.facts = increments_of(family.state.facts_of(address))
-        acting = family.state.axes.get(address)
-        self.stays = () if acting is None else acting.others
+        active = family.state.axes.get(address)
+        self.stays = () if active is None else active.others
         self.used = used_numbers(family.state, [address])
         self.shares = any(
             set(own) & set(taken) for own in self.facts.claimed for taken in self.used

@@ -33,9 +33,9 @@ def increment_values(
     """Return the values of the card of one axis; ``facts``: what the written files say of it."""
     scale, own = family.scale_of(axis), increments_of(facts)
     names = ("reference_number", "first_number", "last_number", "magnification")
-    said = {name: getattr(own, name) for name in names}
+    words = {name: getattr(own, name) for name in names}
     values = {
-        **{name: str(number) for name, number in said.items() if number is not None},
+        **{name: str(number) for name, number in words.items() if number is not None},
         **{
             f"at_{word}": name_of(family.definition, quantity)
             for word, quantity in _PARAMETERS.items()
@@ -44,7 +44,7 @@ def increment_values(
         "detection_unit": f"{scale.quantum('value'):g} {axis.kind.unit}",
         "backlash": _feed_backlash(scale.write("backlash", compensation.backlash), facts),
         "further": "; ".join(
-            filter(None, (_further(family, axis, own), *_beside(family, axis, facts)))
+            filter(None, (_further(family, axis, own), *_neighbours(family, axis, facts)))
         ),
         "other_sign": "'+'" if scale.options.get("pitch_sign") == "-" else "'-'",
     }
@@ -62,7 +62,7 @@ def _feed_backlash(count: str, facts: AxisFacts) -> str:
     return count if held is None else str(held)
 
 
-def _beside(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
+def _neighbours(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
     """Yield what is said of functions beside the table; ``facts``: what the written files say."""
     before = increments_of(family.state.facts_of(family.address(axis)[0]))
     now = increments_of(facts)
@@ -84,8 +84,8 @@ def _beside(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
     elif {point.number for point in new} != old:
         kept = ", ".join(point.label for point in new)
         yield f"set too, because the grid moves and these positions stay: {kept}"
-    if facts.beside:
-        kept = "; ".join(each for each in facts.beside.split("; ") if "parameter" in each)
+    if facts.other_functions:
+        kept = "; ".join(each for each in facts.other_functions.split("; ") if "parameter" in each)
         yield f"leave unchanged what is active in addition to the table: {kept}"
 
 
@@ -93,14 +93,14 @@ def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
     """Return what has to stand beside the grid and 1851: second set, turn, backlash at rapid
     traverse; the turn of an axis without ends as the written files (``facts``) hold it.
     """
-    said = {}
+    words = {}
     if "bidirectional" in family.definition.bindings:
-        said["3605#0"] = str(int(facts.two_sets))
+        words["3605#0"] = str(int(facts.two_sets))
     if facts.two_sets:
         first, offset = facts.negative_first, facts.negative_offset
-        said["3626"] = UNKNOWN if first is None else str(first)
-        said["3627"] = UNKNOWN if offset is None else f"{offset} detection units"
+        words["3626"] = UNKNOWN if first is None else str(first)
+        words["3627"] = UNKNOWN if offset is None else f"{offset} detection units"
     if axis.modulo is not None and facts.turn is not None:
-        said[name_of(family.definition, "turn")] = f"{facts.turn:g} {axis.kind.unit}"
-    told = [*(f"{name} = {value}" for name, value in said.items()), backlash_words(facts)]
-    return ", ".join(filter(None, told))
+        words[name_of(family.definition, "turn")] = f"{facts.turn:g} {axis.kind.unit}"
+    lines = [*(f"{name} = {value}" for name, value in words.items()), backlash_words(facts)]
+    return ", ".join(filter(None, lines))

@@ -19,7 +19,11 @@ import numpy as np
 
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.axis_values import INCH, IncrementAxisValues
-from compwright.formats.families.increments.beside import OPTION_OF, Function, functions
+from compwright.formats.families.increments.neighbour_functions import (
+    OPTION_OF,
+    Function,
+    functions,
+)
 from compwright.formats.families.increments.parameters import ParameterValue
 from compwright.formats.families.increments.sections import IncrementSections
 from compwright.records.axis import AxisKind, FloatArray
@@ -60,7 +64,7 @@ def counted(
     ]
     for name, function in wanted:
         fact = f"{values.label}: {function.words}"
-        values.notes.assume(fact, f"counted as {function.told}", _EVIDENCE[name])
+        values.notes.assume(fact, f"counted as {function.description}", _EVIDENCE[name])
     return Counted(values, kind, dict(wanted), increments)
 
 
@@ -152,7 +156,7 @@ class Counted:
         return interval, np.concatenate([[0.0], np.cumsum(counts)])
 
     def _interval(self, value: ParameterValue | None) -> float | None:
-        if value is None or not value.acts:
+        if value is None or not value.nonzero:
             return None
         inch = self.values.in_inches(value.key, self.kind)
         return float(Decimal(value.text) * (INCH if inch else 1))

@@ -24,7 +24,7 @@ _TANDEM_BIT, _ANGULAR_BIT = 6, 0
 _MIRRORED = 100
 #: Numbers from here on are a path and the axis in it: 201 is the first axis of path 2.
 _BY_PATH = 100
-_NOBODY = "a parameter couples axes by a number that names no axis of the files"
+_NO_AXIS = "a parameter couples axes by a number that names no axis of the files"
 _UNLIKE = {
     known.COMPOSITE: "composite control exchanges it with another axis",
     known.SUPERIMPOSED: "superimposed control adds the motion of another axis to it",
@@ -52,7 +52,7 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
     """
     for value in parameters.of(known.MASTERS):
         own_number = value.whole in (0, value.index)
-        if value.owner != "A" or not value.acts or own_number:
+        if value.owner != "A" or not value.nonzero or own_number:
             continue
         leads = _masters(parameters, value, addresses)
         own = AxisParameters(parameters, str(value.index))
@@ -61,7 +61,7 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
         if mirror is not None and mirror.whole >= _MIRRORED:
             unlike = f"synchronous control moves both axes against each other ({mirror.label})"
         if not leads:
-            leads, unlike = _others(addresses, value), _NOBODY
+            leads, unlike = _others(addresses, value), _NO_AXIS
         yield _parameter(value).coupling(leads, str(value.index), switched=True, unlike=unlike)
 
 
@@ -103,7 +103,7 @@ def _tandem(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupli
         number = servo.get(index, 0)
         partner = by_servo.get(number + 1 if number % 2 else number - 1)
         if partner is None:
-            yield _parameter(value).coupling(_others(addresses, value), str(index), unlike=_NOBODY)
+            yield _parameter(value).coupling(_others(addresses, value), str(index), unlike=_NO_AXIS)
         elif number % 2 == 0:
             yield _parameter(value).coupling((str(partner),), str(index))
 
@@ -115,13 +115,13 @@ def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
     for master_number, slave_number in pairs:
         for whose, slave in parameters.held(slave_number).items():
             master = parameters.held(master_number).get(whose)
-            if master is None or not (master.acts and slave.acts):
+            if master is None or not (master.nonzero and slave.nonzero):
                 continue
             leads, follows = (_named(parameters, one, addresses) for one in (master, slave))
             if addresses and not (leads and follows):
                 first, *others = addresses
                 yield _parameter(slave).coupling(
-                    tuple(others), first, switched=True, unlike=_NOBODY
+                    tuple(others), first, switched=True, unlike=_NO_AXIS
                 )
             for each in follows:
                 yield _parameter(slave).coupling(leads, each, switched=True, unlike=unlike)
@@ -134,7 +134,9 @@ def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupl
         if not value.bit(_ANGULAR_BIT):
             continue
         pair = [parameters.held(number).get(value.whose) for number in known.ANGULAR_AXES]
-        named = [_named(parameters, one, addresses) for one in pair if one is not None and one.acts]
+        named = [
+            _named(parameters, one, addresses) for one in pair if one is not None and one.nonzero
+        ]
         concerned = [one for found in named for one in found]
         if len(named) < len(pair) or not all(named):
             all_axes = (AxisParameters(parameters, each) for each in addresses)

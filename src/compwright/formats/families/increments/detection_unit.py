@@ -47,9 +47,9 @@ def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
         return None
     inch = kind is AxisKind.LINEAR and bool(own.bit(known.INCH, 0))
     least = Decimal(1).scaleb(power) * (Decimal("2.54") if inch else 1)
-    ratio, told = _command_multiplier(multiplier.whole)
+    ratio, cmr = _command_multiplier(multiplier.whole)
     evidence = (
-        f"1820 = {multiplier.text} (CMR {told}) and {system.number} = {system.text}"
+        f"1820 = {multiplier.text} (CMR {cmr}) and {system.number} = {system.text}"
         f" (least command increment {least.normalize():f}"
         f" {kind.unit}{', inch machine by 1001#0' if inch else ''})"
     )
@@ -67,8 +67,10 @@ def _power(system: ParameterValue) -> int | None:
     """Return the power of ten of the least command increment by 1013 or 1004; None for a system
     that no page at hand explains.
     """
-    said = tuple(bit for bit in range(4 if system.number == known.SYSTEM else 2) if system.bit(bit))
-    return {(): -3, (0,): -2, (1,): -4}.get(said)
+    stated = tuple(
+        bit for bit in range(4 if system.number == known.SYSTEM else 2) if system.bit(bit)
+    )
+    return {(): -3, (0,): -2, (1,): -4}.get(stated)
 
 
 def _unread(own: AxisParameters, kind: AxisKind) -> ParameterValue | None:
@@ -92,14 +94,14 @@ def two_systems(own: AxisParameters) -> str:
     older = own.get(number) or own.another(number)
     if system is None or older is None or _power(system) == _power(older):
         return ""
-    said = (
+    stated = (
         f"1004 = {older.text} names another increment system than 1013 = {system.text}; 1013 is"
         " counted (1004 is that of older series)"
     )
-    return said if older.bit(0) or older.bit(1) else ""
+    return stated if older.bit(0) or older.bit(1) else ""
 
 
-def settled_options(
+def resolved_options(
     values: IncrementAxisValues, options: Mapping[str, object]
 ) -> Mapping[str, object]:
     """Return the options of an axis over the controller's; its files say the detection unit where
@@ -108,24 +110,24 @@ def settled_options(
     Raises UsageError for a wrong option, and where nobody says the unit.
     """
     axis, kind = values.axis, values.kind(quiet=True)
-    said = detection_unit(values.own, kind)
+    stated = detection_unit(values.own, kind)
     mine = axis.options if axis is not None else {}
     given = mine.get(DETECTION_UNIT, options.get(DETECTION_UNIT))
     taken = dict(options)
-    if said is None and given is None and _silent(values, kind):
+    if stated is None and given is None and _silent(values, kind):
         taken[DETECTION_UNIT] = 1.0
-    elif said is not None:
+    elif stated is not None:
         if given is None:
-            taken[DETECTION_UNIT] = said.size
+            taken[DETECTION_UNIT] = stated.size
         values.notes.assume(
             f"{values.label}: detection unit",
-            f"{said.size:g} {kind.unit}",
-            f"read: {said.evidence}",
+            f"{stated.size:g} {kind.unit}",
+            f"read: {stated.evidence}",
         )
-    settled = axis_options(values.definition, taken, axis)
-    if said is not None and given is not None:
-        _check_unit(values, said, float(str(settled[DETECTION_UNIT])), kind.unit)
-    return settled
+    resolved = axis_options(values.definition, taken, axis)
+    if stated is not None and given is not None:
+        _check_unit(values, stated, float(str(resolved[DETECTION_UNIT])), kind.unit)
+    return resolved
 
 
 def _silent(values: IncrementAxisValues, kind: AxisKind) -> bool:
@@ -148,12 +150,12 @@ def _silent(values: IncrementAxisValues, kind: AxisKind) -> bool:
     return bool(values.notes.faults)
 
 
-def _check_unit(values: IncrementAxisValues, said: DetectionUnit, size: float, unit: str) -> None:
-    other = abs(size - said.size) > _SAME_UNIT * said.size
+def _check_unit(values: IncrementAxisValues, stated: DetectionUnit, size: float, unit: str) -> None:
+    other = abs(size - stated.size) > _SAME_UNIT * stated.size
     if other and (values.axis is not None or values.does_anything()):
         message = (
             f"{values.label}: the detection unit of the control's files differs from the option"
             " detection_unit"
         )
-        fault = said.multiplier.fault(message, f"{said.size:g} {unit} by {said.evidence}")
+        fault = stated.multiplier.fault(message, f"{stated.size:g} {unit} by {stated.evidence}")
         values.notes.faults.append(replace(fault, found=f"detection_unit: {size:g}"))

@@ -60,7 +60,7 @@ class _Known:
     """
 
     words: str
-    acts: bool
+    relevant: bool
 
 
 def _known(definition: Definition) -> dict[int, _Known]:
@@ -76,8 +76,8 @@ def _known(definition: Definition) -> dict[int, _Known]:
             )
     for number, words in {**_UNREAD, **MEANINGS}.items():
         here = definition.parameters[NAMES[number]].here if number in NAMES else "read"
-        told = words if here == "read" else f"{_ELSEWHERE[here]}{words}"
-        found[number] = _Known(told, number not in SILENT)
+        meaning = words if here == "read" else f"{_ELSEWHERE[here]}{words}"
+        found[number] = _Known(meaning, number not in SILENT)
     return found
 
 
@@ -115,10 +115,10 @@ def _values(
     if data == "0" or (bare and _POINTS_FROM <= number <= _POINTS_TO):
         for _, text in words[:1]:
             name = f"N{number:05d}" + ("" if data is None else "Q0")
-            entry = Entered(name, _POINT, text, file, line, acts=True, meaning=_POINT)
+            entry = Entered(name, _POINT, text, file, line, relevant=True, meaning=_POINT)
             yield f"{number} point", entry
         return
-    meant = known.get(number, _Known("", acts=False))
+    meant = known.get(number, _Known("", relevant=False))
     parameter, group, owner = (
         f"N{number:05d}" + ("" if data is None else f"Q{data}"),
         f"{number}",
@@ -131,7 +131,7 @@ def _values(
         axis = owner[1:] if owner.startswith("A") else ""
         yield (
             f"{group} {owner}",
-            Entered(parameter + owner, group, text, file, line, axis, meant.acts, meant.words),
+            Entered(parameter + owner, group, text, file, line, axis, meant.relevant, meant.words),
         )
 
 

@@ -16,6 +16,12 @@ from compwright.formats.families.family import Family
 from compwright.formats.families.increments.axis_reading import increment_limit
 from compwright.formats.families.increments.axis_values import INCH, thousandths
 from compwright.formats.families.increments.backlash import both_backlashes
+from compwright.formats.families.increments.inclination_and_cyclic import (
+    InclinationAndCyclic,
+    line_parameters,
+    repeats_alone,
+    second_table,
+)
 from compwright.formats.families.increments.increment_facts import (
     IncrementFacts,
     PointNumber,
@@ -29,12 +35,6 @@ from compwright.formats.families.increments.numbering import (
     find_place,
     kept_place,
     used_numbers,
-)
-from compwright.formats.families.increments.own_beside import (
-    OwnBeside,
-    line_parameters,
-    repeats_alone,
-    second_table,
 )
 from compwright.formats.families.increments.smooth import covers
 from compwright.formats.text.addresses import normal_text
@@ -74,7 +74,7 @@ class Entries:
     inch: bool | None
     kept: bool
     moved: tuple[tuple[PointNumber, int], ...]
-    beside: Mapping[int, str]
+    added: Mapping[int, str]
 
 
 def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, ...]:
@@ -177,13 +177,13 @@ class _WholeNumbers:
         self.address = address
         self.axis = axis
         self.compensation = compensation
-        self.said = family.state.facts_of(address)
-        self.facts = increments_of(self.said)
+        self.axis_facts = family.state.facts_of(address)
+        self.facts = increments_of(self.axis_facts)
         self.scale = family.scale_of(axis)
         self.options = self.scale.options
         self.unit = self.scale.quantum("value")
-        acting = family.state.axes.get(address)
-        self.others = 0 if acting is None else len(acting.others)
+        existing = family.state.axes.get(address)
+        self.others = 0 if existing is None else len(existing.others)
 
     def entries(self, used: Sequence[range], start: int) -> Entries:
         """Return what is entered; ``start``: the lowest number for an axis that has none and says
@@ -205,7 +205,7 @@ class _WholeNumbers:
             shift = numbers.start - place.first
             each = self._points(counts, steps, place, magnification)
             points |= {number + shift: value for number, value in each.items()}
-        mine = self._own_beside(steps, place, [*used, *place.ranges], start)
+        mine = self._added_functions(steps, place, [*used, *place.ranges], start)
         moved = moved_numbers(self.axis, self.facts, place, interval, magnification)
         parameters = self._parameters(place, magnification, interval)
         if self.axis.modulo is not None and kept is None:
@@ -225,7 +225,7 @@ class _WholeNumbers:
             inch=self.facts.inch,
             kept=kept is not None,
             moved=moved,
-            beside=mine.parameters,
+            added=mine.parameters,
         )
 
     def _parameters(
@@ -246,9 +246,9 @@ class _WholeNumbers:
             parameters[name] = self._backlash(value, old)
         return parameters
 
-    def _own_beside(
+    def _added_functions(
         self, steps: FloatArray, place: NumberPlace, used: Sequence[range], start: int
-    ) -> OwnBeside:
+    ) -> InclinationAndCyclic:
         """Return the straight line and the second table beside the table that are not in the
         control yet.
         """
@@ -268,7 +268,7 @@ class _WholeNumbers:
             second = second_table(counts, interval, taken, start, highest)
             parameters |= second.parameters
             points |= second.points
-        return OwnBeside(parameters, points)
+        return InclinationAndCyclic(parameters, points)
 
     def _backlash(self, count: int, old: int | None) -> str:
         stage = self.facts.first_stage
@@ -336,11 +336,11 @@ class _WholeNumbers:
                 " detection units each turn"
             )
         check_sets(self.facts, two=two)
-        said, home = self.said.reference_return, self.compensation.reference_return
-        if two and said is not None and said is not home:
+        stated, home = self.axis_facts.reference_return, self.compensation.reference_return
+        if two and stated is not None and stated is not home:
             raise NotHeld(
                 "two tables need the direction of the reference return, which decides what 3627"
-                f" means: the control's files say {said.value} (1006#5), the job {home.value}"
+                f" means: the control's files say {stated.value} (1006#5), the job {home.value}"
             )
 
     def _magnification(self, differences: Sequence[FloatArray]) -> int:

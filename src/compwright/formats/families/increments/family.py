@@ -132,16 +132,16 @@ class IncrementsFamily(Family):
         raise_all(CapacityError, faults)
         return write_increments(self, sound(tables), files)
 
-    def card(self, asked: CardRequest) -> AxisCard:
+    def card(self, request: CardRequest) -> AxisCard:
         """See `Family.card`."""
-        axis, table, facts = asked.axis, asked.table, asked.facts
-        values = increment_values(self, axis, table, facts) | sign_check(table, asked.check_at)
-        files = named_files(self, axis, asked.files)
+        axis, table, facts = request.axis, request.table, request.facts
+        values = increment_values(self, axis, table, facts) | sign_check(table, request.check_at)
+        files = named_files(self, axis, request.files)
         return AxisCard(values | files, numbered_sections(self, axis, facts, table))
 
-    def between(self, asked: BetweenRequest) -> Between:
+    def between(self, request: BetweenRequest) -> Between:
         """See `Family.between`: one straight line in parameters to type in, as an option."""
-        return straightness_between(self, asked)
+        return straightness_between(self, request)
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]

@@ -45,8 +45,8 @@ def check_sets(facts: IncrementFacts, *, two: bool) -> None:
     for each in facts.hung if two is not facts.two_sets else ():
         mode = "bidirectional" if facts.two_sets else "single"
         raise NotHeld(
-            f"{each.label}, acts beside {_sets(two=facts.two_sets)}, and whether it acts beside"
-            f" {_sets(two=two)} alike is not known: 3605#0 would change from"
+            f"{each.label}, is active with {_sets(two=facts.two_sets)}; whether it is the same with"
+            f" {_sets(two=two)} is not known: 3605#0 would change from"
             f" {int(facts.two_sets)} to {int(two)}; table: {{mode: {mode}}} keeps it, or take the"
             " function out and measure again"
         )

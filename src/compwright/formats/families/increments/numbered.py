@@ -21,9 +21,13 @@ def numbered_sections(
     """Return them by what the written files say (``facts``, and the ``table`` that was read back);
     None where those hold no table.
     """
-    said = increments_of(facts)
-    reference, first, last = said.reference_number, said.first_number, said.last_number
-    interval = said.interval
+    increments = increments_of(facts)
+    reference, first, last = (
+        increments.reference_number,
+        increments.first_number,
+        increments.last_number,
+    )
+    interval = increments.interval
     if reference is None or first is None or last is None or not interval or first > last:
         return None
     begin = reference + 1 if axis.modulo is not None else first
@@ -40,7 +44,7 @@ def numbered_sections(
         "reference_number": reference,
         "last_number": last,
     }
-    second = said.negative_first if said.two_sets else None
+    second = increments.negative_first if increments.two_sets else None
     if second is not None:
         names["negative_first"] = second
     marks = tuple((number, name_of(family.definition, name)) for name, number in names.items())
@@ -54,13 +58,13 @@ def _held(
     family: Family, axis: Axis, facts: AxisFacts, table: AxisCompensation
 ) -> Mapping[int, int]:
     """Return what the points of an axis with ends hold, by number, as read back."""
-    scale, said = family.scale_of(axis), increments_of(facts)
-    unit = scale.quantum("value") * (said.magnification or 0)
+    scale, increments = family.scale_of(axis), increments_of(facts)
+    unit = scale.quantum("value") * (increments.magnification or 0)
     sign = -1 if scale.options.get("pitch_sign") == "-" else 1
-    if axis.modulo is not None or said.first_number is None or not unit:
+    if axis.modulo is not None or increments.first_number is None or not unit:
         return {}
     steps = np.round(np.diff(table.positive) / unit).astype(int) * sign
-    return dict(enumerate((int(step) for step in steps), start=said.first_number))
+    return dict(enumerate((int(step) for step in steps), start=increments.first_number))
 
 
 def _words(

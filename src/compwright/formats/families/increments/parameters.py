@@ -49,7 +49,7 @@ CYCLIC = CYCLIC_FIRST, CYCLIC_LAST, CYCLIC_INTERVAL, CYCLIC_FACTOR = 14985, 1498
 
 #: Everything that may be read: the name under which a definition says what it is on its series
 #: (`parameters`), its numbers, and what it is in words.
-_TOLD: tuple[tuple[str, Sequence[int], str], ...] = (
+_READ: tuple[tuple[str, Sequence[int], str], ...] = (
     ("path", [PATH_OF_AXIS], "path of the axis"),
     ("inch", [INCH], "unit of lengths (#0: inch)"),
     ("increment_system_of_machine", [SYSTEM_OF_MACHINE], "increment system"),
@@ -93,8 +93,8 @@ _TOLD: tuple[tuple[str, Sequence[int], str], ...] = (
     ("angular", [ANGULAR], "bits of angular axis control (#0: in use)"),
     ("angular", ANGULAR_AXES, "angular axis control: numbers of the axes"),
 )
-NAMES = {number: name for name, numbers, _ in _TOLD for number in numbers}
-MEANINGS: Mapping[int, str] = {number: words for _, numbers, words in _TOLD for number in numbers}
+NAMES = {number: name for name, numbers, _ in _READ for number in numbers}
+MEANINGS: Mapping[int, str] = {number: words for _, numbers, words in _READ for number in numbers}
 #: Read, and no compensation: neither a unit nor a kind hangs on them.
 SILENT = frozenset({NAME, *NAME_MORE, RAPID})
 _WORD = re.compile(r"[ \t]*([A-Z])[ \t]*(-?(?:[0-9]+\.?[0-9]*|\.[0-9]+))", re.IGNORECASE)
@@ -123,7 +123,7 @@ class ParameterValue:
         return self.owner, self.index
 
     @property
-    def acts(self) -> bool:
+    def nonzero(self) -> bool:
         """Whether it is anything but zero."""
         return bool(self.text.strip("-0."))
 
@@ -195,7 +195,7 @@ class Parameters:
         return tuple(
             (first, range(first.whole, min(last.whole, first.whole + 10_000) + 1))
             for first, last in ends
-            if last is not None and (first.acts or last.acts)
+            if last is not None and (first.nonzero or last.nonzero)
         )
 
     @cached_property
@@ -241,7 +241,7 @@ class Parameters:
         here = self._here[value.number]
         if here == "read":
             self.values.setdefault(value.number, []).append(value)
-        elif value.acts:
+        elif value.nonzero:
             (self.unknown if here == "unknown" else self.another).append(value)
 
 
@@ -265,8 +265,8 @@ class AxisParameters:
     @property
     def path(self) -> int | None:
         """The path that the axis belongs to (981); None where the files do not say it."""
-        said = self.all.held(PATH_OF_AXIS).get(("A", self.index))
-        return None if said is None else said.whole or None
+        path = self.all.held(PATH_OF_AXIS).get(("A", self.index))
+        return None if path is None else path.whole or None
 
     @property
     def system(self) -> ParameterValue | None:

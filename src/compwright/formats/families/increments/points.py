@@ -35,27 +35,27 @@ def point_rows(
     marks = [
         form.split("}", 1)[1].split("P", 1)[0].strip() for form in (forms.form, *forms.also_read)
     ]
-    whole = {number for number, file in enumerate(files) if _unmarked(file, beside=False)}
+    whole = {number for number, file in enumerate(files) if _unmarked(file, with_parameters=False)}
     rows = [
         (row, marks[row.occurrence.form]) for rows in gathered.file_rows.values() for row in rows
     ]
     certain = [row for row, mark in rows if mark == "Q0" or (mark == "" and row.number in whole)]
     if certain:
         return certain
-    mixed = {number for number, file in enumerate(files) if _unmarked(file, beside=True)}
-    beside = [row for row, mark in rows if mark == "" and row.number in mixed]
-    held = {point_number(row) for row in beside}
-    return beside if any(held.issuperset(numbers) for numbers in _claims(gathered)) else []
+    mixed = {number for number, file in enumerate(files) if _unmarked(file, with_parameters=True)}
+    with_parameters = [row for row, mark in rows if mark == "" and row.number in mixed]
+    held = {point_number(row) for row in with_parameters}
+    return with_parameters if any(held.issuperset(numbers) for numbers in _claims(gathered)) else []
 
 
-def _unmarked(file: ControlFile, *, beside: bool) -> bool:
+def _unmarked(file: ControlFile, *, with_parameters: bool) -> bool:
     """Whether all records without Q of a file can be pitch data: nothing else stands in it, or
     parameters ``beside`` them.
     """
     found = False
     for line in file.content.decode("latin-1").replace("\r", "\n").split("\n"):
         match = NUMBERED.match(line)
-        if match is None or (int(match[1]) < POINTS_FROM and beside):
+        if match is None or (int(match[1]) < POINTS_FROM and with_parameters):
             continue
         if int(match[1]) < POINTS_FROM or not _RECORD.fullmatch(match[2]):
             return False

@@ -23,13 +23,13 @@ from compwright.formats.families.coupled_axes import (
     leader,
 )
 from compwright.formats.families.family import Family, require_files
-from compwright.formats.families.increments.acting import pointed_numbers
-from compwright.formats.families.increments.axis_facts import facts_of, name_of, with_beside
+from compwright.formats.families.increments.axis_facts import facts_of, name_of, with_neighbours
 from compwright.formats.families.increments.axis_reading import IncrementReader
 from compwright.formats.families.increments.axis_values import IncrementAxisValues
 from compwright.formats.families.increments.coupling import couplings_of
-from compwright.formats.families.increments.detection_unit import settled_options
+from compwright.formats.families.increments.detection_unit import resolved_options
 from compwright.formats.families.increments.increment_facts import increments_of
+from compwright.formats.families.increments.parameter_checks import pointed_numbers
 from compwright.formats.families.increments.parameters import AxisParameters, Parameters
 from compwright.formats.families.increments.points import points_by_number
 from compwright.formats.families.increments.sections import GRID, read_sections
@@ -105,8 +105,8 @@ class StateReader:
         self._tell_unknown()
         self.notes.faults.extend(self._odd_partners())
         couplings = couplings_of(self.parameters, self._numbers())
-        asked = {name: axis for name, axis in self.wanted.items() if axis in self.axes and axis}
-        check_couplings(couplings, asked, self.notes)
+        wanted = {name: axis for name, axis in self.wanted.items() if axis in self.axes and axis}
+        check_couplings(couplings, wanted, self.notes)
         cross = tuple(self._cross())
         raise_all(InputError, self.notes.faults)
         raise_all(UsageError, self.notes.questions)
@@ -121,8 +121,8 @@ class StateReader:
             axes=self.compensations,
             cross=cross,
             facts={
-                address: _paired(said, address, couplings, unknown)
-                for address, said in self.facts.items()
+                address: _paired(facts, address, couplings, unknown)
+                for address, facts in self.facts.items()
             },
             assumed=tuple(self.notes.assumed),
             findings=tuple(dict.fromkeys(self.notes.findings)),
@@ -131,12 +131,12 @@ class StateReader:
 
     def names(self) -> dict[str, str]:
         """Return what the files call each axis, by address; those without a name are left out."""
-        said = {
+        names = {
             address: name_of(self._values(address, Notes()))
             for address in self.gathered.addresses()
             if address not in (None, "0")
         }
-        return {address: name for address, name in said.items() if name is not None}
+        return {address: name for address, name in names.items() if name is not None}
 
     def _cross(self) -> Iterator[CrossCompensation]:
         """Yield what straightness compensation adds between axes, where it is counted."""
@@ -146,7 +146,7 @@ class StateReader:
         for pair in straightness_pairs(self.parameters, self._numbers(), faults):
             moving, bent = (self._values(each, Notes()) for each in (pair.moving, pair.bent))
             sections = read_sections(moving, moving.kind(quiet=True))
-            unit = settled_options(bent, self.family.options).get(DETECTION_UNIT)
+            unit = resolved_options(bent, self.family.options).get(DETECTION_UNIT)
             if sections is None or moving.wraps() or not isinstance(unit, float):
                 message = f"{pair.place.label}: straightness compensation cannot be counted"
                 expected = "a moving axis with a table and ends, a detection unit of the other"
@@ -205,13 +205,13 @@ class StateReader:
 
     def _read_axis(self, address: str) -> None:
         values = self._values(address, self.notes)
-        options = settled_options(values, self.family.options)
+        options = resolved_options(values, self.family.options)
         # a gantry goes as far as its leading axis may
         leads = address not in self.partners
         reader = IncrementReader(values, self.points, options, checks_travel=leads)
         compensation = reader.read()
         facts = replace(facts_of(values), rapid_more=reader.rapid_more())
-        self.facts[address] = with_beside(facts, values.own, options)
+        self.facts[address] = with_neighbours(facts, values.own, options)
         if compensation is not None:
             self.compensations[address] = compensation
 
@@ -219,7 +219,7 @@ class StateReader:
         """Tell what is odd about an axis that nobody asked for: it stops no work on another one."""
         notes = Notes()
         values = self._values(address, notes)
-        facts = with_beside(facts_of(values), values.own, self.family.options)
+        facts = with_neighbours(facts_of(values), values.own, self.family.options)
         self.facts[address] = facts
         if self.points:
             options = {**self.family.options, DETECTION_UNIT: 1.0}
@@ -266,7 +266,7 @@ class StateReader:
                     hint=f"correct `gantry` of axis {axis.address} in the job",
                 )
             leading = self.facts.get(axis.address, AxisFacts())
-            own, other = (facts.said.get(DETECTION_UNIT) for facts in (leading, partner))
+            own, other = (facts.stated.get(DETECTION_UNIT) for facts in (leading, partner))
             if own is not None and other is not None and own != other:
                 yield Fault(
                     message=(
@@ -287,7 +287,7 @@ class StateReader:
             own = self.facts.get(address, AxisFacts()).name
             if axis is None or own is None or own == axis.name:
                 continue
-            others = [other for other, said in self.facts.items() if said.name == axis.name]
+            others = [other for other, facts in self.facts.items() if facts.name == axis.name]
             if others:
                 self.notes.faults.append(
                     Fault(
@@ -316,8 +316,8 @@ class StateReader:
 
     def _tell_overlaps(self) -> None:
         owners: dict[int, list[str]] = {}
-        for address, said in self.facts.items():
-            for numbers in increments_of(said).claimed if said.enabled else ():
+        for address, facts in self.facts.items():
+            for numbers in increments_of(facts).claimed if facts.enabled else ():
                 for number in range(max(numbers.start, 0), min(numbers.stop, self.highest + 1)):
                     owners.setdefault(number, []).append(address)
         shared: dict[tuple[str, ...], list[int]] = {}

@@ -47,8 +47,8 @@ class SmoothBacklash:
 def smooth_backlash(own: AxisParameters) -> SmoothBacklash | None:
     """Return the smooth backlash of an axis; None where it has none."""
     values = (own.get(number) for number in known.SMOOTH_BACKLASH)
-    acting = tuple(value for value in values if value is not None and value.acts)
-    return SmoothBacklash(acting) if acting else None
+    active = tuple(value for value in values if value is not None and value.nonzero)
+    return SmoothBacklash(active) if active else None
 
 
 def first_stage(own: AxisParameters) -> int:

@@ -71,13 +71,13 @@ def straightness_pairs(
     parameters: Parameters, addresses: list[str], faults: list[Fault]
 ) -> Iterator[Pair]:
     """Yield the pairs that act; what cannot be counted is a fault by its parameter."""
-    unknown = (value for value in parameters.of(_UNKNOWN) if value.acts)
+    unknown = (value for value in parameters.of(_UNKNOWN) if value.nonzero)
     faults += [
         value.fault("a straightness compensation that compwright does not know is active", "0")
         for value in unknown
     ]
     for value in parameters.of(known.STRAIGHTNESS_MOVING[: known.STRAIGHTNESS_PAIRS]):
-        if not value.acts:
+        if not value.nonzero:
             continue
         number = value.number - known.STRAIGHTNESS_MOVING[0]
         bent = _own(parameters, value, [known.STRAIGHTNESS_BENT[0] + number])
@@ -122,7 +122,7 @@ def free_pair(parameters: Parameters, moving: str) -> dict[int, ParameterValue] 
         ]
         values = [own.get(number) for number in numbers]
         found = {place: value for place, value in enumerate(values) if value is not None}
-        rest = all(value.owner != "A" and not value.acts for value in found.values())
+        rest = all(value.owner != "A" and not value.nonzero for value in found.values())
         if len(found) == len(numbers) and rest and (own.path or 1) == 1:
             return found
     return None

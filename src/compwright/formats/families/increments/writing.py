@@ -113,15 +113,15 @@ class _OwnFiles(Patches):
         for number, value in {**entry.points, **dict.fromkeys(entry.cleared, 0)}.items():
             for row in self.rows.get(number, ()):
                 self._set(row, "value", str(value))
-        left_beside = {
+        left_added = {
             number: count
-            for number, count in entry.beside.items()
-            if not self._beside(entry.address, number, count)
+            for number, count in entry.added.items()
+            if not self._put_added(entry.address, number, count)
         }
         names = [file.name for file in self.files]
         for point, new in entry.moved:
             if point.file not in names:  # it was typed in: the sheet and a fresh line say it
-                left_beside |= {int(point.parameter): str(new)} if point.parameter else {}
+                left_added |= {int(point.parameter): str(new)} if point.parameter else {}
                 continue
             change = BytesChange(point.start, point.start + point.size, str(new).encode("ascii"))
             self.replace(names.index(point.file), change)
@@ -131,9 +131,9 @@ class _OwnFiles(Patches):
         if missing and self.rows:
             self._insert(missing)
             missing = {}
-        return replace(entry, parameters=left, points=missing, beside=left_beside)
+        return replace(entry, parameters=left, points=missing, added=left_added)
 
-    def _beside(self, address: str, number: int, text: str) -> bool:
+    def _put_added(self, address: str, number: int, text: str) -> bool:
         """Put a parameter beside the table where the files hold it for the axis."""
         names = [file.name for file in self.files]
         places = [
@@ -237,7 +237,7 @@ def _lines(definition: Definition, entry: Entries) -> Iterator[str]:
         yield print_form(form, {"axis": entry.address, "key": key, binding.field: value})
     # What stands beside the table has the form of the other whole numbers.
     form = definition.statements["reference_number"].form
-    for number, count in entry.beside.items():
+    for number, count in entry.added.items():
         own = _NUMBER.sub(f"{number:05d}", form, count=1)
         yield print_form(own, {"axis": entry.address, "value": count})
 
@@ -270,7 +270,7 @@ def _program(definition: Definition, file: WrittenFile, entry: Entries) -> Itera
     for moved, new in entry.moved:
         by_hand = f"(SET {moved.label.upper()} TO {new} BY HAND)"
         yield f"N{moved.parameter}P{entry.address}R{new}" if moved.parameter else by_hand
-    yield from (f"N{number}P{entry.address}R{count}" for number, count in entry.beside.items())
+    yield from (f"N{number}P{entry.address}R{count}" for number, count in entry.added.items())
     if entry.switches:  # single bits are known under G10 L52 only; else the engineer does it
         number, value = name_of(definition, "bidirectional"), entry.parameters["bidirectional"]
         known = any("L52" in line for line in file.header)
@@ -294,7 +294,7 @@ def sheet_rows(definition: Definition, entry: Entries) -> Iterator[SheetRow]:
     for moved, new in entry.moved:
         if moved.parameter:
             yield SheetRow(moved.parameter, "", str(new), "")
-    for parameter, count in entry.beside.items():
+    for parameter, count in entry.added.items():
         yield SheetRow(str(parameter), "", count, "")
     place = entry.place
     for point, increment in entry.points.items():

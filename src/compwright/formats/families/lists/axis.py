@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.formats.families.lists.beside import backlash_of
-from compwright.formats.families.lists.said import AxisSaid
+from compwright.formats.families.lists.backlash import backlash_of
+from compwright.formats.families.lists.statements import AxisStatements
 from compwright.formats.families.lists.table import ListTable, TableReader
 from compwright.records.correction import AxisCompensation
 
@@ -19,23 +19,23 @@ class AxisList:
     """
 
     compensation: AxisCompensation
-    acts: bool | None
+    active: bool | None
     idle: tuple[float, ...] = ()
 
 
-def read_axis(of: AxisSaid) -> AxisList:
+def read_axis(of: AxisStatements) -> AxisList:
     """Return what the lists of an axis hold. What is wrong goes to the notes of ``of``."""
     table = TableReader(of).read()
-    acting = None
+    active = None
     if table is not None:
         zero = not (np.any(table.positive) or np.any(table.negative))
-        acting = of.acts("table_switch", "manual", zero=zero, label=of.label)
+        active = of.is_active("table_switch", "manual", zero=zero, label=of.label)
     elif not of.lists.places(of.address, "count"):
         of.notes.assume(f"{of.label}: table", "none", "unconfirmed: in no list given")
         of.notes.no_table(of.label)
     empty = np.empty(0)
     shown = ListTable(positions=empty, positive=empty, negative=empty)
-    if table is not None and acting:
+    if table is not None and active:
         shown = table
     compensation = AxisCompensation(
         address=of.address,
@@ -49,5 +49,5 @@ def read_axis(of: AxisSaid) -> AxisList:
         above=of.definition.layout.above,
         period=shown.period,
     )
-    idle = () if table is None or acting else tuple(float(node) for node in table.positions)
-    return AxisList(compensation, acting, idle)
+    idle = () if table is None or active else tuple(float(node) for node in table.positions)
+    return AxisList(compensation, active, idle)

@@ -21,37 +21,37 @@ from compwright.records.plan import PlannedCross
 _STRAIGHT = 1e-9
 
 
-def lists_between(family: Family, asked: BetweenRequest) -> Between:
+def lists_between(family: Family, request: BetweenRequest) -> Between:
     """Return the lists with the tables between axes, and the steps that load them; or why the
     control cannot hold them. Raises UsageError where nobody says what the values are.
     """
-    signs = {entry.output: _sign(family, asked, entry) for entry in asked.planned}
-    before = asked.read(asked.base)
-    writer = ListsWriter(family.definition, asked.base)
+    signs = {entry.output: _sign(family, request, entry) for entry in request.planned}
+    before = request.read(request.base)
+    writer = ListsWriter(family.definition, request.base)
     try:
-        for entry in asked.planned:
-            _write(writer, entry, signs[entry.output], before, asked.planned)
+        for entry in request.planned:
+            _write(writer, entry, signs[entry.output], before, request.planned)
     except CapacityError as error:
         why = "; ".join(str(fault) for fault in error.faults)
-        return in_turn(not_held(entry, why) for entry in asked.planned)
-    known = {file.name: file.content for file in asked.base}
-    written = writer.files_of([entry.added.output for entry in asked.planned])
+        return in_turn(not_held(entry, why) for entry in request.planned)
+    known = {file.name: file.content for file in request.base}
+    written = writer.files_of([entry.added.output for entry in request.planned])
     changed = tuple(file for file in written if known.get(file.name) != file.content)
-    meanings = {entry.output: str(_values(family, asked, entry)) for entry in asked.planned}
+    meanings = {entry.output: str(_values(family, request, entry)) for entry in request.planned}
     steps = [
-        step for entry in asked.planned for step in _steps(entry, changed, meanings[entry.output])
+        step for entry in request.planned for step in _steps(entry, changed, meanings[entry.output])
     ]
     return Between(files=changed, steps=tuple(steps), quantum=TENTH)
 
 
-def _values(family: Family, asked: BetweenRequest, entry: PlannedCross) -> object:
-    return family.options_of(asked.axes.get(entry.output))[CROSS_VALUES]
+def _values(family: Family, request: BetweenRequest, entry: PlannedCross) -> object:
+    return family.options_of(request.axes.get(entry.output))[CROSS_VALUES]
 
 
-def _sign(family: Family, asked: BetweenRequest, entry: PlannedCross) -> int:
+def _sign(family: Family, request: BetweenRequest, entry: PlannedCross) -> int:
     """Return by what a correction is multiplied to be a value of the list."""
-    said = _values(family, asked, entry)
-    if said is None:
+    meaning = _values(family, request, entry)
+    if meaning is None:
         message = (
             f"{label(entry)}: the meaning of the values of kw.crosscomp"
             " is not documented; test it as docs/controllers/isg-kernel.md describes"
@@ -69,7 +69,7 @@ def _sign(family: Family, asked: BetweenRequest, entry: PlannedCross) -> int:
                 ),
             )
         )
-    return 1 if said == "correction" else -1
+    return 1 if meaning == "correction" else -1
 
 
 def _write(
@@ -84,7 +84,7 @@ def _write(
     rivals = {each.input for each in before.cross if each.output == added.output} | {
         each.added.input for each in planned if each.added.output == added.output
     }
-    acting = [
+    active = [
         each for each in before.cross if (each.input, each.output) == (added.input, added.output)
     ]
     faults = []
@@ -109,9 +109,9 @@ def _write(
             )
         )
     raise_all(CapacityError, faults)
-    positions = np.unique(np.concatenate([each.positions for each in (added, *acting)]))
+    positions = np.unique(np.concatenate([each.positions for each in (added, *active)]))
     positions = np.unique(np.round(positions / TENTH) * TENTH)
-    total = _sum([added, *acting], positions)
+    total = _sum([added, *active], positions)
     kept = _corners(positions, total)
     positions, total = positions[kept], total[kept]
     room = _room(writer, added.output)
@@ -132,8 +132,8 @@ def _write(
 
 
 def _room(writer: ListsWriter, address: str) -> int:
-    said = writer.lists.places(address, "cross_max_points")
-    return (int(said[0].text) if said else 0) or CROSS_ROOM
+    meaning = writer.lists.places(address, "cross_max_points")
+    return (int(meaning[0].text) if meaning else 0) or CROSS_ROOM
 
 
 def _sum(tables: Sequence[CrossCompensation], where: FloatArray) -> FloatArray:

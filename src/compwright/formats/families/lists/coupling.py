@@ -31,22 +31,22 @@ _REMARK = re.compile(r"(?!)")  # without_remarks has taken them
 
 
 def couplings_of(
-    files: Sequence[ControlFile], owners: Mapping[str, int], asked: Sequence[str]
+    files: Sequence[ControlFile], owners: Mapping[str, int], wanted: Sequence[str]
 ) -> tuple[Coupling, ...]:
     """Return which axes follow another one; ``owners``: the number of the axis whose list a file
     is, by its name; ``asked``: the axes under work.
     """
     plain = [ControlFile(file.name, without_remarks(file.content)) for file in files]
-    return (*_of_axes(plain, owners, asked), *_of_channels(plain, asked))
+    return (*_of_axes(plain, owners, wanted), *_of_channels(plain, wanted))
 
 
 def _of_axes(
-    files: Sequence[ControlFile], owners: Mapping[str, int], asked: Sequence[str]
+    files: Sequence[ControlFile], owners: Mapping[str, int], wanted: Sequence[str]
 ) -> Iterator[Coupling]:
     for found in statements_in(files, _OF_AXIS, _REMARK):
         number, own = whole_number(found.match[2] or ""), owners.get(found.file)
         if own is not None and number is None:
-            others = tuple(one for one in asked if one != str(own))
+            others = tuple(one for one in wanted if one != str(own))
             yield found.coupling(others, str(own), unlike=UNREAD)
         if not number or own is None or number == own:
             continue
@@ -55,7 +55,7 @@ def _of_axes(
         yield found.coupling((str(number),), str(own), unlike=unlike)
 
 
-def _of_channels(files: Sequence[ControlFile], asked: Sequence[str]) -> Iterator[Coupling]:
+def _of_channels(files: Sequence[ControlFile], wanted: Sequence[str]) -> Iterator[Coupling]:
     pairs: dict[tuple[str, str, str], dict[str, CouplingStatement]] = {}
     for found in statements_in(files, _OF_CHANNEL, _REMARK):
         key = (found.file, found.match[1], found.match[2])
@@ -64,7 +64,7 @@ def _of_channels(files: Sequence[ControlFile], asked: Sequence[str]) -> Iterator
         numbers = {role: whole_number(one.match[4] or "") for role, one in pair.items()}
         unread = next((pair[role] for role, number in numbers.items() if number is None), None)
         if unread is not None:
-            for follows in asked:
+            for follows in wanted:
                 yield unread.coupling((), follows, switched=True, unlike=UNREAD)
         elif len(pair) == 2 and all(numbers.values()):
             yield pair["slave"].coupling(

@@ -7,7 +7,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.families.lists.said import AxisSaid
+from compwright.formats.families.lists.statements import AxisStatements
 from compwright.formats.families.lists.table import TENTH
 from compwright.formats.text.gathering import same_value
 from compwright.formats.text.notes import CORRECT_VALUE, NOT_COUNTED, Notes
@@ -30,7 +30,9 @@ CROSS_STATEMENTS = (
 )
 
 
-def read_cross(lists: AxisSaid, kind_of: Callable[[str], AxisKind]) -> CrossCompensation | None:
+def read_cross(
+    lists: AxisStatements, kind_of: Callable[[str], AxisKind]
+) -> CrossCompensation | None:
     """Return what another axis does to this one, mm or deg; None without an acting table, and
     where nobody says what its values are, which is told. What is wrong goes to the notes.
     """
@@ -48,7 +50,7 @@ def read_cross(lists: AxisSaid, kind_of: Callable[[str], AxisKind]) -> CrossComp
             " the card",
         )
         return None
-    if not lists.acts("cross_switch", "cross_manual", zero=False, label=label):
+    if not lists.is_active("cross_switch", "cross_manual", zero=False, label=label):
         return None
     unit = lists.one("cross_unit")
     if unit is not None and not same_value(unit.text, "1"):
@@ -79,14 +81,16 @@ def left_out(notes: Notes, label: str, why: str) -> None:
     notes.find("CW-S050.list", "warning", label=label, why=why)
 
 
-def _entries(lists: AxisSaid) -> list[tuple[Decimal, Decimal]]:
+def _entries(lists: AxisStatements) -> list[tuple[Decimal, Decimal]]:
     """Return position and value of every entry, as they stand; empty without a table, and where
     something is wrong with it, which goes to the notes.
     """
-    said = [place for name in CROSS_STATEMENTS for place in lists.lists.places(lists.address, name)]
+    given = [
+        place for name in CROSS_STATEMENTS for place in lists.lists.places(lists.address, name)
+    ]
     before = len(lists.notes.faults)
     setpoints, values = lists.rows("cross_setpoint"), lists.rows("cross_correction")
-    needed = [lists.needed(name, said[0]) for name in CROSS_STATEMENTS[:3]] if said else []
+    needed = [lists.needed(name, given[0]) for name in CROSS_STATEMENTS[:3]] if given else []
     last = lists.one("cross_last")
     if last is None or len(lists.notes.faults) > before or None in needed:
         return []

@@ -87,7 +87,7 @@ class ListsFamily(Family):
     def unit_of(self, axis: Axis) -> str:
         """Return what the list of an axis counts in (a word of its unit), new lists in tenths."""
         address, _ = self.address(axis)
-        return str(self.state.facts_of(address).said.get("table_form", "tenths"))
+        return str(self.state.facts_of(address).stated.get("table_form", "tenths"))
 
     def scale_of(self, axis: Axis) -> NumberScale:
         """Return how the numbers of an axis are written. Raises UsageError where its list counts in
@@ -122,8 +122,8 @@ class ListsFamily(Family):
         scale = self.scale_of(axis)
         address, _ = self.address(axis)
         absent = self.definition.bindings["max_points"].when_absent
-        said = self.state.facts_of(address).said.get("max_points")
-        room = int(said or (absent.value if absent is not None else 0))
+        reserved = self.state.facts_of(address).stated.get("max_points")
+        room = int(reserved or (absent.value if absent is not None else 0))
         low, high = scale.range("value_positive")
         most = VALUE_TYPES.get(str(self.options_of(axis).get("value_type")))
         quantum = scale.quantum("value_positive")
@@ -161,23 +161,23 @@ class ListsFamily(Family):
         raise_all(CapacityError, list(dict.fromkeys(faults)))
         return writer.files_of([address for address, _, _ in whole])
 
-    def card(self, asked: CardRequest) -> AxisCard:
+    def card(self, request: CardRequest) -> AxisCard:
         """See `Family.card`."""
-        axis, positions = asked.axis, asked.table.positions
-        counts = str(asked.facts.said.get("table_form", "tenths"))
+        axis, positions = request.axis, request.table.positions
+        counts = str(request.facts.stated.get("table_form", "tenths"))
         count = float(self.scale_of(axis).factor("node_position"))
         values = {
             "points": str(positions.size),
             "counts": COUNTS.get(counts, counts),
             "values": str(self.options_of(axis)["table_values"]),
             "axis_unit": axis.kind.unit,
-            **sign_check(asked.table, asked.check_at),
+            **sign_check(request.table, request.check_at),
         }
         if positions.size:
             values["start"] = typed(round(float(positions[0]) / count))
             values["end"] = typed(round(float(positions[-1]) / count))
-        return AxisCard(values | named_files(self, axis, asked.files))
+        return AxisCard(values | named_files(self, axis, request.files))
 
-    def between(self, asked: BetweenRequest) -> Between:
+    def between(self, request: BetweenRequest) -> Between:
         """See `Family.between`: into the list of the corrected axis."""
-        return lists_between(self, asked)
+        return lists_between(self, request)

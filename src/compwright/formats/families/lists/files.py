@@ -46,7 +46,7 @@ class ListsByAxis:
     """
 
     definition: Definition
-    said: dict[str, dict[str, list[FoundValue]]] = field(default_factory=dict)
+    statements: dict[str, dict[str, list[FoundValue]]] = field(default_factory=dict)
     files: dict[str, set[int]] = field(default_factory=dict)
     listed: dict[str, list[FoundValue]] = field(default_factory=dict)
     start_up: dict[str, list[FoundValue]] = field(default_factory=dict)
@@ -54,7 +54,7 @@ class ListsByAxis:
 
     def places(self, address: str, statement: str) -> Sequence[FoundValue]:
         """Return every place where a statement stands for an axis."""
-        return self.said.get(address, {}).get(statement, ())
+        return self.statements.get(address, {}).get(statement, ())
 
     def name(self, statement: str) -> str:
         """Return the control's name of a statement, without its index."""
@@ -66,7 +66,7 @@ class ListsByAxis:
         """Return the places of the loaded value lists of an axis among the files."""
         return {
             found.number
-            for name, places in self.said.get(address, {}).items()
+            for name, places in self.statements.get(address, {}).items()
             if _in_value_list(self.definition, name)
             for found in places
         }
@@ -163,10 +163,10 @@ class _Sorter:
         if address is None:
             return
         self.lists.files.setdefault(address, set()).add(text.number)
-        said = self.lists.said.setdefault(address, {})
+        statements = self.lists.statements.setdefault(address, {})
         for occurrence in own:
             found = FoundValue(_value(occurrence), occurrence, text.number)
-            said.setdefault(occurrence.statement, []).append(found)
+            statements.setdefault(occurrence.statement, []).append(found)
 
     def _address(
         self, text: ReadText, own: Sequence[Occurrence], indices: Sequence[int]

@@ -17,11 +17,11 @@ from compwright.formats.families.coupled_axes import check_couplings, followers,
 from compwright.formats.families.family import Family
 from compwright.formats.families.gantry import compare_partners, note_twin
 from compwright.formats.families.lists.axis import read_axis
-from compwright.formats.families.lists.beside import check_others
+from compwright.formats.families.lists.backlash import check_others
 from compwright.formats.families.lists.coupling import couplings_of
 from compwright.formats.families.lists.cross import left_out, read_cross
 from compwright.formats.families.lists.files import ListsByAxis, read_lists
-from compwright.formats.families.lists.said import AxisSaid
+from compwright.formats.families.lists.statements import AxisStatements
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.notes import ADD_FILE, Notes
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -73,13 +73,13 @@ class _ListStateReader:
     def read(self, files: Sequence[ControlFile]) -> ControlState:
         lists = read_lists(self.definition, files, self.notes)
         raise_all(InputError, self.notes.faults)
-        asked = self.wanted or dict.fromkeys(lists.said)
+        wanted = self.wanted or dict.fromkeys(lists.statements)
         masters = {
             str(int(place.text))
-            for address in lists.said
+            for address in lists.statements
             for place in lists.places(address, "cross_master")
         }
-        if not asked:
+        if not wanted:
             message = "no list of an axis is among the files"
             raise InputError(
                 Fault(
@@ -88,21 +88,21 @@ class _ListStateReader:
                     hint="give the axis lists of this control, or correct `format`",
                 )
             )
-        for address, axis in asked.items():
+        for address, axis in wanted.items():
             if address in lists.missing:
                 self._missing(lists, address)
-            elif address in lists.said:
+            elif address in lists.statements:
                 self._axis(lists, address, axis)
             elif address not in masters:
                 self._unsaid(lists, address, files)
-        for address in lists.said:
-            if address not in asked:
+        for address in lists.statements:
+            if address not in wanted:
                 self._unasked(lists, address)
         self._couplings(lists, files)
         raise_all(InputError, self.notes.faults)
         raise_all(UsageError, self.notes.questions)
         compare_partners(self.partners, self.compensations, self.notes)
-        if any(axis is None for axis in asked.values()):
+        if any(axis is None for axis in wanted.values()):
             options = self.family.options
             self.notes.assume(REFERENCE, f"{options[REFERENCE]:g}", "option or its default")
             self.notes.assume(
@@ -141,7 +141,7 @@ class _ListStateReader:
             ),
             file=", ".join(file.name for file in files),
             expected=f"a list of axis {address}, or the state `none`",
-            found=f"axes {', '.join(lists.said)}" if lists.said else "no axis at all",
+            found=f"axes {', '.join(lists.statements)}" if lists.statements else "no axis at all",
             hint=(
                 "correct the `address` of the axis, or add its list to the state; use the "
                 "state `none` if the control has none"
@@ -167,9 +167,9 @@ class _ListStateReader:
         name = reader.one("axis_name")
         self.facts[address] = AxisFacts(
             name=None if name is None else name.text,
-            enabled=own.acts,
+            enabled=own.active,
             grid=own.idle,
-            said=reader.said,
+            stated=reader.stated,
         )
         if axis is not None:
             self._check_turn(axis, self.compensations[address])
@@ -179,7 +179,7 @@ class _ListStateReader:
         and said.
         """
         own, notes = Notes(), Notes()
-        activity = Activity(said=self.activity.said)
+        activity = Activity(stated=self.activity.stated)
         reader = self._reader(lists, address, None, own, activity)
         self._twins(address, read_axis(reader).compensation)
         check_others(reader)
@@ -208,9 +208,9 @@ class _ListStateReader:
 
     def _reader(
         self, lists: ListsByAxis, address: str, axis: Axis | None, notes: Notes, activity: Activity
-    ) -> AxisSaid:
+    ) -> AxisStatements:
         options = axis_options(self.definition, self.family.options, axis)
-        return AxisSaid(lists, address, axis, options, notes, activity)
+        return AxisStatements(lists, address, axis, options, notes, activity)
 
     def _kind(self, address: str) -> AxisKind:
         axis = self.wanted.get(address)

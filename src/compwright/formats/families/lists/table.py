@@ -8,7 +8,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.families.lists.said import AxisSaid
+from compwright.formats.families.lists.statements import AxisStatements
 from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.notes import CORRECT_VALUE
 from compwright.formats.text.scale import NumberScale, in_range
@@ -57,7 +57,7 @@ class ListTable:
 class TableReader:
     """Reads the table of one axis; what is wrong goes to its notes."""
 
-    def __init__(self, of: AxisSaid) -> None:
+    def __init__(self, of: AxisStatements) -> None:
         self.of = of
 
     def read(self) -> ListTable | None:
@@ -100,13 +100,13 @@ class TableReader:
         too.
         """
         if self.of.one("unit") is not None and (word := self.of.word("table_form")) is not None:
-            self.of.said["table_form"] = word
+            self.of.stated["table_form"] = word
         self.of.room("max_points", 0)
 
-    def _needed_word(self, quantity: str, beside: FoundValue | None) -> str | None:
+    def _needed_word(self, quantity: str, given: FoundValue | None) -> str | None:
         """Return the word of a choice that must be there."""
         statement = self.of.definition.bindings[quantity].statement
-        return None if self.of.needed(statement, beside) is None else self.of.word(quantity)
+        return None if self.of.needed(statement, given) is None else self.of.word(quantity)
 
     def _corrections(
         self,

@@ -235,11 +235,11 @@ class ListsWriter:
         """
         if places:
             return min(places, key=lambda found: (found.number, found.occurrence.line))
-        said = self.lists.said[address]
-        around = [found for name in names for found in said.get(name, ())]
+        statements = self.lists.statements[address]
+        around = [found for name in names for found in statements.get(name, ())]
         if not around:
             here = self.lists.value_files(address) or {max(self.lists.files[address])}
-            every = [found for places in said.values() for found in places]
+            every = [found for places in statements.values() for found in places]
             around = [found for found in every if found.number in here]
         return max(around, key=lambda found: (found.number, found.occurrence.line))
 

@@ -28,37 +28,37 @@ from compwright.records.plan import PlannedCross
 _OWN = "own files/"
 
 
-def pairs_between(family: Family, asked: BetweenRequest, *, small: bool) -> Between:
+def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Between:
     """Return the tables between axes with the steps that load them, or why the control has no room
     for them. ``small``: what is written is delivered in small files.
     """
-    before = asked.read(asked.base)
+    before = request.read(request.base)
     try:
-        new = _written(family, asked, before)
+        new = _written(family, request, before)
     except CapacityError as error:
         why = "; ".join(str(fault) for fault in error.faults).replace(_OWN, "")
-        return in_turn(not_held(entry, why) for entry in asked.planned)
-    after = asked.read(together(asked.base, new), written=True)
+        return in_turn(not_held(entry, why) for entry in request.planned)
+    after = request.read(together(request.base, new), written=True)
     steps = (
         step
-        for entry in asked.planned
+        for entry in request.planned
         for step in _steps(family, entry, _named(family, entry, new, small=small), before, after)
     )
     return Between(files=new, steps=tuple(steps))
 
 
 def _written(
-    family: Family, asked: BetweenRequest, before: ControlState
+    family: Family, request: BetweenRequest, before: ControlState
 ) -> tuple[ControlFile, ...]:
     """Return the files of the base that change, and new ones under names that no file of it has.
 
     A new file may be called like one that a former round left in the control: it must not stand in
     for that one.
     """
-    marked = [replace(file, name=_OWN + file.name) for file in asked.base]
-    taken = {file.name for file in asked.base}
+    marked = [replace(file, name=_OWN + file.name) for file in request.base]
+    taken = {file.name for file in request.base}
     files = []
-    added = [entry.added for entry in asked.planned]
+    added = [entry.added for entry in request.planned]
     for file in write_cross(family.in_state(before), added, marked):
         name = file.name.removeprefix(_OWN)
         stem, dot, ending = name.rpartition(".")

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.definition.options import settled_number
+from compwright.formats.definition.options import resolved_number
 from compwright.formats.families.grid.capacity import GridLimits
 from compwright.formats.families.pairs.options import (
     allowed_tables,
@@ -89,7 +89,7 @@ class PairLimits(GridLimits):
             return fixed
         reserved = [points for index in taken if (points := tables.reserved.get(index, 0)) > 0]
         fact = min(reserved, default=None)  # where none are reserved yet the card has it done
-        return settled_number(self.definition, self.points_option(), self.options, fact)
+        return resolved_number(self.definition, self.points_option(), self.options, fact)
 
     def _tables(self, addresses: Sequence[str], tables: PairTables) -> list[int]:
         """Return the indices that the tables of these axes will take."""

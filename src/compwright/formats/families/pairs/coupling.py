@@ -42,56 +42,56 @@ _TRANSFORMATIONS = {256: "TRANSMIT", 257: "TRANSMIT", 1 << 10: "TRAANG"} | dict.
 
 
 def couplings_of(
-    files: Sequence[ControlFile], address: Callable[[str], str], asked: Sequence[str]
+    files: Sequence[ControlFile], address: Callable[[str], str], wanted: Sequence[str]
 ) -> tuple[Coupling, ...]:
     """Return what couples axes; ``address``: of an axis by any of its names; ``asked``: those under
     work.
     """
-    return (*_masters(files, address, asked), *_transformed(files, asked))
+    return (*_masters(files, address, wanted), *_transformed(files, wanted))
 
 
 def _masters(
-    files: Sequence[ControlFile], address: Callable[[str], str], asked: Sequence[str]
+    files: Sequence[ControlFile], address: Callable[[str], str], wanted: Sequence[str]
 ) -> Iterator[Coupling]:
-    said: dict[tuple[str, str], CouplingStatement] = {}
+    statements: dict[tuple[str, str], CouplingStatement] = {}
     for found in statements_in(files, _OF_AXIS, _REMARK):
-        said[address(found.match["axis"]), found.match["key"].upper()] = found
-    for (follows, key), found in said.items():
+        statements[address(found.match["axis"]), found.match["key"].upper()] = found
+    for (follows, key), found in statements.items():
         number = whole_number(found.match["value"])
         if key not in _NUMBERS or number == 0:
             continue
         named = replace(found, words=f"{_NUMBERS[key]}, {found.words}")
         if number is None:
-            others = tuple(one for one in asked if one != follows)
+            others = tuple(one for one in wanted if one != follows)
             yield named.coupling(others, follows, unlike=UNREAD)
             continue
         master = address(f"AX{number}")
         if key == "CC_MASTER_AXIS":
             yield named.coupling((master,), follows, switched=True)
             continue
-        always = said.get((follows, "MS_COUPLING_ALWAYS_ACTIVE"))
+        always = statements.get((follows, "MS_COUPLING_ALWAYS_ACTIVE"))
         on = always is not None and whole_number(always.match["value"]) != 0
         unlike = f"its drive follows axis {master}, without a position of its own"
         yield named.coupling((master,), follows, switched=not on, unlike=unlike, drive=True)
 
 
-def _transformed(files: Sequence[ControlFile], asked: Sequence[str]) -> Iterator[Coupling]:
-    said = {
+def _transformed(files: Sequence[ControlFile], wanted: Sequence[str]) -> Iterator[Coupling]:
+    statements = {
         found.match["key"].upper(): found for found in statements_in(files, _OF_CHANNEL, _REMARK)
     }
-    active = said.get("TRAFO_RESET_VALUE")
+    active = statements.get("TRAFO_RESET_VALUE")
     if active is None:
         return
     which = whole_number(active.match["value"])
-    kind = said.get(f"TRAFO_TYPE_{which}")
+    kind = statements.get(f"TRAFO_TYPE_{which}")
     type_ = 0 if kind is None else whole_number(kind.match["value"])
     if which is None or type_ is None:
         unread = active if which is None or kind is None else kind
-        for follows in asked:
+        for follows in wanted:
             yield unread.coupling((), follows, switched=True, unlike=UNREAD)
         return
     name = _TRANSFORMATIONS.get(type_)
     if name is not None:
         unlike = f"{name} is active after reset (MD20140): a programmed axis moves several"
-        for follows in asked:
+        for follows in wanted:
             yield active.coupling((), follows, switched=True, unlike=unlike)

@@ -45,9 +45,11 @@ def write_cross(
             )
         )
     raise_all(UsageError, [fault for entry in cross for fault in _wrong(entry)])
-    asked = [address for entry in cross for address in (entry.input, entry.output)]
-    asked = list(dict.fromkeys((*state.axes, *asked)))
-    own = OwnFiles(definition, files, gathered_files(definition, files, asked)) if files else None
+    addresses = [address for entry in cross for address in (entry.input, entry.output)]
+    addresses = list(dict.fromkeys((*state.axes, *addresses)))
+    own = (
+        OwnFiles(definition, files, gathered_files(definition, files, addresses)) if files else None
+    )
     writer = CecWriter(control, own)
     faults: list[Fault] = []
     left: dict[str, list[PairEntry]] = {}
@@ -104,9 +106,9 @@ def _beyond_sum(writer: CecWriter, entry: CrossCompensation) -> list[Fault]:
     facts = state.facts_of(output).pairs
     if facts.max_sum is None:
         return []
-    acting = [other for other in state.cross if other.output == output]
+    active = [other for other in state.cross if other.output == output]
     reach = facts.odd_sum + sum(
-        float(np.max(np.abs([one.positive, one.negative]))) for one in (entry, *acting)
+        float(np.max(np.abs([one.positive, one.negative]))) for one in (entry, *active)
     )
     if reach <= facts.max_sum:
         return []

@@ -102,7 +102,7 @@ def entered(
         known = found.get(entry.name)
         if known is not None and known.file != file and not same_text(known.text, entry.text):
             # an archive says many values twice: what one member alone says is no value less
-            beaten = replace(known, name=f"{known.name} in {known.file}", acts=False)
+            beaten = replace(known, name=f"{known.name} in {known.file}", relevant=False)
             found[beaten.name] = beaten
         found[entry.name] = entry
     return found
@@ -118,17 +118,19 @@ def _units(lines: Sequence[tuple[str, int, str]]) -> Iterator[Entered]:
     """Yield the unit in which the files say that their numbers stand, once; each file that says
     another one than most of them by its name.
     """
-    said = [
+    units_stated = [
         (file, number, match[1].upper())
         for file, number, line in lines
         if (match := _SYSTEM.fullmatch(line)) is not None
     ]
-    units = sorted({unit for _, _, unit in said}, reverse=True)  # METRIC where as many say either
-    most = max(units, key=[unit for _, _, unit in said].count, default="")
-    for file, number, unit in said:
+    units = sorted(
+        {unit for _, _, unit in units_stated}, reverse=True
+    )  # METRIC where as many say either
+    most = max(units, key=[unit for _, _, unit in units_stated].count, default="")
+    for file, number, unit in units_stated:
         name, whose = (_BASIC, "the files") if unit == most else (f"{file}: {_BASIC}", "this file")
         meaning = f"unit of lengths of {whose}"
-        yield Entered(name, _BASIC, unit, file, number, acts=True, meaning=meaning)
+        yield Entered(name, _BASIC, unit, file, number, relevant=True, meaning=meaning)
 
 
 def _named(lines: Iterator[str]) -> Iterator[tuple[str, str]]:
@@ -155,8 +157,8 @@ def _entry(
     scope = f"CHANDATA({channel}) " if channel != "1" and group.startswith(_OF_CHANNEL) else ""
     name = f"{scope}{group}[{','.join(index)}]" if match["index"] is not None else scope + group
     meaning = _meaning(group)
-    acts = bool(meaning) and not group.startswith(_SILENT)
-    return Entered(name, group, match["text"], file, line, axis, acts, meaning)
+    relevant = bool(meaning) and not group.startswith(_SILENT)
+    return Entered(name, group, match["text"], file, line, axis, relevant, meaning)
 
 
 @lru_cache(maxsize=4096)  # an archive has a thousand values of each of a thousand variables

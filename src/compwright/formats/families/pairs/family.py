@@ -219,11 +219,11 @@ class PairsFamily(GridFamily):
             return super().capacity(axis)
         return PairLimits(self, axis).capacity()
 
-    def between(self, asked: BetweenRequest) -> Between:
+    def between(self, request: BetweenRequest) -> Between:
         """See `Family.between`: tables of their own, where the control has them."""
         if not available(self.options):
-            return super().between(asked)
-        return pairs_between(self, asked, small=self._small_files(asked.found))
+            return super().between(request)
+        return pairs_between(self, request, small=self._small_files(request.found))
 
     def _named_files(self, axis: Axis, files: Sequence[ControlFile]) -> dict[str, str]:
         """Return how the card calls the files: of one table on an axis, and of those over itself
@@ -267,18 +267,18 @@ class PairsFamily(GridFamily):
             "woken": f"If MD32710 was on: set {switch} = 1 again, NEW CONF. ",
         }
 
-    def card(self, asked: CardRequest) -> AxisCard:
+    def card(self, request: CardRequest) -> AxisCard:
         """See `Family.card`."""
-        axis, compensation = asked.axis, asked.table
-        values = {**super().card(asked).values, **self._named_files(axis, asked.files)}
-        if axis.gantry is None and asked.facts.said.get("gantry_type") == 0:
+        axis, compensation = request.axis, request.table
+        values = {**super().card(request).values, **self._named_files(axis, request.files)}
+        if axis.gantry is None and request.facts.stated.get("gantry_type") == 0:
             values["gantry"] = "No gantry: MD37100 = 0 in the control's files."
         if not np.array_equal(compensation.positive, compensation.negative):
             values[CURVES] = "2"
         else:
             values |= self._around_emptied(axis)
         known = self.state.facts_of(self.address(axis)[0])
-        protected = str(known.said.get("others_protected", ""))
+        protected = str(known.stated.get("others_protected", ""))
         if self.options.get("files") == "patched" and protected:
             off, on = (protected.replace(";", f" = {state}, ") for state in ("0", "1"))
             values["others"] = (
@@ -286,14 +286,14 @@ class PairsFamily(GridFamily):
                 f" are on. Set {off} = 0 too and activate it (NEW CONF)."
             )
             values["others_back"] = f" Then set {on} = 1 again and activate it (NEW CONF)."
-        archive = known.said.get("archive")
+        archive = known.stated.get("archive")
         if archive is not None:
             values["archive"] = (
                 "The contents of the archive are not verified. Compare on the control, before"
                 f" anything is changed: {archive}. If one differs, load nothing: export the archive"
                 " again, and run again."
             )
-        own = asked.facts.pairs.own
+        own = request.facts.pairs.own
         if own is not None:
             if CURVES in values:  # a CEC table counts in its own unit, whatever the control's is
                 scale = self.scale_of(axis)

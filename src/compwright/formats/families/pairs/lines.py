@@ -131,7 +131,7 @@ class TableLines(SingleValues):
         )
         return all(self._ends_on(quantity, last(quantity, places)) for quantity, places in ends)
 
-    def told_on(self) -> bool:
+    def known_on(self) -> bool:
         """Return whether the files, or the job where they do not say it, tell that the table is
         on; where nobody asks, what they do not say counts as on.
         """
@@ -140,8 +140,8 @@ class TableLines(SingleValues):
             last("cross_table_enabled", self.places),
             last("cross_axis_enabled", of_axis(self.gathered, output)),
         )
-        said = all(ends) or self.activity.said is True or not self.activity.asking
-        return said and self.on()
+        stated = all(ends) or self.activity.stated is True or not self.activity.asking
+        return stated and self.on()
 
     def _ends_on(self, quantity: str, found: FoundValue | None) -> bool:
         values, binding = self.values(self.label), self.definition.choice(quantity)
@@ -149,7 +149,7 @@ class TableLines(SingleValues):
             return values.absent(quantity, tell=False) == "yes"
         return values.known_word(binding, found.text) == "yes"
 
-    def acts(self, *, asked: bool, stays: bool) -> bool:
+    def is_active(self, *, under_work: bool, stays: bool) -> bool:
         """Return whether no file switches the table off, itself or the sum on its output axis;
         values of an unknown unit are refused. ``asked``: its output axis is asked for. ``stays``:
         its index is not one to be written; then nothing depends on whether one that no file
@@ -161,11 +161,11 @@ class TableLines(SingleValues):
             self._switch("cross_table_enabled", self.places, self.label),
             self._switch("cross_axis_enabled", on_axis, owner),
         ]
-        acts = None
+        active = None
         alike = stays and all(end.word == "yes" for end in ends)
-        if self.itself and asked and not alike and not is_zero(self.places):
-            acts = self._acted(ends)
-        if acts is None:
+        if self.itself and under_work and not alike and not is_zero(self.places):
+            active = self._was_active(ends)
+        if active is None:
             off = next((end for end in ends if end.word == "no"), None)
             if off is not None:
                 self._tell_off(self.label, self.values(self.label).name(off.quantity), "info")
@@ -173,9 +173,9 @@ class TableLines(SingleValues):
             for end in ends:
                 if end.word is None:
                     self.word(end.owner, end.quantity, None)
-        if acts is not False:
+        if active is not False:
             self._check_unit(owner, on_axis)
-        return acts is not False
+        return active is not False
 
     def to_millimetres(self) -> tuple[float, float]:
         """Return by what positions and values are multiplied to stand in mm or deg: MD32711 = 0 of
@@ -212,7 +212,7 @@ class TableLines(SingleValues):
     def _tell_off(self, label: str, switches: str, severity: str) -> None:
         self.notes.find("CW-S034", severity, self.pair[1], label=label, switches=switches)
 
-    def _acted(self, ends: list[_Switch]) -> bool | None:
+    def _was_active(self, ends: list[_Switch]) -> bool | None:
         """Return whether a table of an axis over itself acted, by the leadscrew table beside it and
         what the job says; None where neither files nor job say it.
         """
@@ -223,7 +223,7 @@ class TableLines(SingleValues):
         if self._slept(owner, word, place):
             self._tell_off(owner, _SWITCHES, "warning")
             return False
-        return self.activity.settle(owner, _SWITCHES, word, place, self.notes)
+        return self.activity.resolve(owner, _SWITCHES, word, place, self.notes)
 
     def _slept(self, owner: str, word: str | None, place: FoundValue | None) -> bool:
         """Return whether the table slept beside the leadscrew table of its axis.
@@ -231,14 +231,14 @@ class TableLines(SingleValues):
         One that is switched off in another file than that with its values is switched off by no
         program that loads it.
         """
-        screw, said = self._leadscrew(), self.activity.said
+        screw, stated = self._leadscrew(), self.activity.stated
         dumped = place is not None and place.number not in {
             row.number for row in self.places["cross_value"]
         }
         slept = word == "no" and (screw.word == "yes" or (screw.on and not screw.word and dumped))
         certain = slept and dumped and screw.word == "yes"
         unclear = screw.word in ("no", "unsaid") and "no" in (word, screw.word) and word != "yes"
-        if said is True and (unclear or (slept and not certain)):
+        if stated is True and (unclear or (slept and not certain)):
             self._ask_which(owner, word, place, screw)
             return True
         if slept:

@@ -64,7 +64,7 @@ class OwnTables:
         """Return how the files write an axis."""
         return address if self.own is None else self.own.gathered.spelled(address)
 
-    def said(self, index: int, quantity: str) -> Sequence[FoundValue]:
+    def places_of(self, index: int, quantity: str) -> Sequence[FoundValue]:
         """Return the places of a quantity of one table."""
         return self.places.get(index, {}).get(quantity, ())
 
@@ -75,19 +75,19 @@ class OwnTables:
         before = statements[bindings["cross_other"].statement].form.partition("{")[0]
         return [
             found
-            for found in self.said(index, "cross_other")
+            for found in self.places_of(index, "cross_other")
             if found.text == "()"
             and (before + found.occurrence.tokens["key"].text).upper() == own.upper()
         ]
 
-    def said_of_axis(self, output: str, quantity: str) -> Sequence[FoundValue]:
+    def axis_places(self, output: str, quantity: str) -> Sequence[FoundValue]:
         """Return the places of a quantity of all tables on one axis together."""
         return () if self.own is None else of_axis(self.own.gathered, output).get(quantity, ())
 
     def factors(self, changed: Collection[int]) -> Iterator[Fault]:
         """Yield where one of these tables, which change, is what another one is multiplied by."""
         for index in self.places:
-            for place in self.said(index, "cross_multiplier")[-1:]:
+            for place in self.places_of(index, "cross_multiplier")[-1:]:
                 if index in changed or int(place.text) - 1 not in changed or self.quiet(index):
                     continue
                 yield Fault(
@@ -110,9 +110,9 @@ class OwnTables:
         """Whether the files end with a table switched off: by SD41300, or by MD32710 of its output
         axis where that is given.
         """
-        ends = [self.said(index, "cross_table_enabled")]
+        ends = [self.places_of(index, "cross_table_enabled")]
         if output:
-            ends.append(self.said_of_axis(output, "cross_axis_enabled"))
+            ends.append(self.axis_places(output, "cross_axis_enabled"))
         return any(places and same_value(places[-1].text, "0") for places in ends)
 
     def table_places(self, index: int) -> TablePlaces:
@@ -131,7 +131,7 @@ class OwnTables:
         """Return the line of the first value of these tables by the number of the file."""
         first: dict[int, int] = {}
         for index in indices:
-            for row in self.said(index, "cross_value"):
+            for row in self.places_of(index, "cross_value"):
                 line = row.occurrence.line
                 first[row.number] = min(first.get(row.number, line), line)
         return first
@@ -141,8 +141,8 @@ class OwnTables:
         of them when it is loaded.
         """
         for switches in (
-            self.said(index, "cross_table_enabled"),
-            self.said_of_axis(output, "cross_axis_enabled"),
+            self.places_of(index, "cross_table_enabled"),
+            self.axis_places(output, "cross_axis_enabled"),
         ):
             for number, line in self.first_values([index]).items():
                 before = [

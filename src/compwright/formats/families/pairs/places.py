@@ -93,9 +93,9 @@ def print_of(places: Places) -> str:
     """Return eight characters that change with a table's values, grid, axes, direction and
     weight.
     """
-    said = [
+    lines = [
         f"{name} {found.occurrence.tokens.get('index', found).text} {found.text}"
         for name in (*DATA, "cross_weight", "cross_type", *ADDED)
         for found in places.get(name, ())
     ]
-    return hashlib.sha256("\n".join(said).encode("utf-8", "surrogatepass")).hexdigest()[:8]
+    return hashlib.sha256("\n".join(lines).encode("utf-8", "surrogatepass")).hexdigest()[:8]

@@ -144,9 +144,9 @@ def _changes(
     reached: Callable[[int], set[int]],
 ) -> bool:
     """Return whether a run may set what the conditions in ``places`` ask about, between two."""
-    asked = condition.names | {ANY}
+    variables = condition.names | {ANY}
     behind = set().union(*map(reached, places))
-    between = (place for place, names in setting.items() if not asked.isdisjoint(names))
+    between = (place for place, names in setting.items() if not variables.isdisjoint(names))
     return any(place in behind and not reached(place).isdisjoint(places) for place in between)
 
 

@@ -18,7 +18,7 @@ from compwright.foundations.findings import Finding
 from compwright.records.correction import ControlFile
 
 #: Quantities of which a value other than 0 acts on an axis.
-_ACTING = frozenset({"value", "backlash", "cross_value"})
+_CORRECTING = frozenset({"value", "backlash", "cross_value"})
 
 
 def not_carried_out(
@@ -75,8 +75,8 @@ def _carried_out_anyhow(definition: Definition, programs: Sequence[Found]) -> It
     """Yield the faults of programs of which no run leaves out all values other than 0, its own and
     those of the programs that it calls.
     """
-    acting = {
-        place: {one.line for one in found.program.values if _is_acting(definition, one)}
+    correcting = {
+        place: {one.line for one in found.program.values if _corrects(definition, one)}
         for place, found in enumerate(programs)
     }
     lines: dict[int, list[int]] = {}
@@ -88,8 +88,8 @@ def _carried_out_anyhow(definition: Definition, programs: Sequence[Found]) -> It
                 for call in found.program.calls
                 if call.name in loading and not call.conditional
             }
-            if acting[place] or calls:
-                lines[place] = found.ways.unavoidable(acting[place] | calls)
+            if correcting[place] or calls:
+                lines[place] = found.ways.unavoidable(correcting[place] | calls)
         new = {programs[place].program.name for place, some in lines.items() if some}
         if new == loading:
             break
@@ -113,9 +113,9 @@ def _carried_out_anyhow(definition: Definition, programs: Sequence[Found]) -> It
             )
 
 
-def _is_acting(definition: Definition, value: Occurrence) -> bool:
-    acts = _ACTING.intersection(quantities_of(definition, value.statement))
-    return bool(acts) and value_of(value).strip("+-0.") != ""
+def _corrects(definition: Definition, value: Occurrence) -> bool:
+    quantities = _CORRECTING.intersection(quantities_of(definition, value.statement))
+    return bool(quantities) and value_of(value).strip("+-0.") != ""
 
 
 def _unclear(found: Found) -> Iterator[Fault]:
@@ -302,10 +302,12 @@ def _never(found: Found, unit: str) -> Iterator[Fault]:
             ),
         )
     last = program.values[-1].line if program.values else 0
-    for line, said in program.units.items():
-        if (line < last or found.called) and said != unit:
+    for line, unit_here in program.units.items():
+        if (line < last or found.called) and unit_here != unit:
             yield Fault(
-                message=f"the program counts lengths in {said} from here on, the control in {unit}",
+                message=(
+                    f"the program counts lengths in {unit_here} from here on, the control in {unit}"
+                ),
                 file=file,
                 place=f"line {line}",
                 expected=EXPORTED,

@@ -62,7 +62,7 @@ class Writable:
         """Return whether a table that acts on an axis of a job by its own position stays as it is:
         nobody gave its index to be written, and it is told that it is on.
         """
-        return self.not_ours(one.index, one.pair[1]) and one.told_on()
+        return self.not_ours(one.index, one.pair[1]) and one.known_on()
 
     def not_ours(self, index: int, output: str) -> bool:
         """Return whether a job works on the axis ``output``, and the index is not one to be
@@ -144,7 +144,7 @@ class CecReader(SingleValues):
             return None
         one = _CrossTableReader(self.gathered, index, places, self.activity, self.units)
         stays = self.writable.stays(one)
-        table = one.curve(self.scale, asked=one.pair[1] in self.wanted, stays=stays)
+        table = one.curve(self.scale, under_work=one.pair[1] in self.wanted, stays=stays)
         self.occupied[index] = one.pair
         if not one.notes.faults:
             self.notes.take(one.notes)
@@ -182,20 +182,20 @@ class CecReader(SingleValues):
 
     def _name_left(self, one: _CrossTableReader, why: str) -> None:
         """Keep a table as it is, name it, and note what it adds at most."""
-        acts, product, touched = one.on(), one.times is not None, self._touched(one)
-        largest = one.to_millimetres()[1] * _largest(one.places) if acts else 0.0
+        active, product, touched = one.on(), one.times is not None, self._touched(one)
+        largest = one.to_millimetres()[1] * _largest(one.places) if active else 0.0
         if one.times is not None:
             largest *= 1.0 + _largest(self.places.get(one.times, {}))
         self.odd.append(OddTable(one.index, *one.pair, why, largest, one.times))
         base, corrected = one.pair
         self.notes.find(
             "CW-S011" if product else "CW-S050.cec",
-            "warning" if acts and touched else "info",
+            "warning" if active and touched else "info",
             label=one.label,
             input=base,
             output=corrected,
             why=why,
-            active=acts,
+            active=active,
         )
 
     def _touches(self, pair: Pair, address: str) -> bool:
@@ -231,12 +231,12 @@ class CecReader(SingleValues):
         """Return by output axis whether the values of its tables stand in mm, where a file says
         it.
         """
-        said = {
+        stated = {
             address: self.word(f"axis {address}", "cross_metric", places["cross_metric"][-1])
             for (address, _), places in self.gathered.singles.items()
             if address is not None and places.get("cross_metric")
         }
-        return {address: word == "yes" for address, word in said.items()}
+        return {address: word == "yes" for address, word in stated.items()}
 
 
 class _CrossTableReader(TableLines):
@@ -253,7 +253,7 @@ class _CrossTableReader(TableLines):
         found = last("cross_multiplier", self.places)
         return None if found is None or int(found.text) == 0 else int(found.text) - 1
 
-    def curve(self, scale: NumberScale, *, asked: bool, stays: bool) -> CecTable | None:
+    def curve(self, scale: NumberScale, *, under_work: bool, stays: bool) -> CecTable | None:
         """Return the table as a curve; what keeps it from being one goes to the notes. See
         `TableLines.acts`.
         """
@@ -270,30 +270,30 @@ class _CrossTableReader(TableLines):
             self._wrong(
                 f"{self.values(self.label).name(name)} is missing", first, hint=EXPORT_AGAIN
             )
-        said = {name: found for name, found in singles.items() if found is not None}
+        stated = {name: found for name, found in singles.items() if found is not None}
         if unclear:
             return None
-        self._check_axes(said)
-        table = self._table(scale, said)
-        directions = self._directions(said["cross_direction"])
+        self._check_axes(stated)
+        table = self._table(scale, stated)
+        directions = self._directions(stated["cross_direction"])
         if table is None or directions is None:
             return None
-        active = self.acts(asked=asked, stays=stays)
-        if active and not self._simple(said.get("cross_multiplier")):
+        active = self.is_active(under_work=under_work, stays=stays)
+        if active and not self._simple(stated.get("cross_multiplier")):
             return None
         self._check_reserved(table)
         weight = self._one("cross_weight")
         values = table.positive if weight is None else float(weight.text) * table.positive + 0.0
-        period = self._period(table, said.get("cross_repeats"), quiet=not active)
+        period = self._period(table, stated.get("cross_repeats"), quiet=not active)
         positions = table.positions
         return CecTable(self.index, *self.pair, directions, positions, values, period, active)
 
     def _one(self, quantity: str) -> FoundValue | None:
         return self.values(self.label).one(quantity, self.places.get(quantity, ()))
 
-    def _table(self, scale: NumberScale, said: Mapping[str, FoundValue]) -> GridTable | None:
-        singles = {AS_TABLE[name]: found for name, found in said.items() if name in AS_TABLE}
-        repeats = said.get("cross_repeats")
+    def _table(self, scale: NumberScale, stated: Mapping[str, FoundValue]) -> GridTable | None:
+        singles = {AS_TABLE[name]: found for name, found in stated.items() if name in AS_TABLE}
+        repeats = stated.get("cross_repeats")
         turns = repeats is not None and not same_value(repeats.text, "0")
         rows, strict = self.places["cross_value"], turns or is_zero(self.places)
         source = TableSource(self.label, rows, singles, scale, self.notes, strict)
@@ -321,12 +321,12 @@ class _CrossTableReader(TableLines):
     ) -> None:
         self.notes.refuse(self.label, message, place, expected=expected, found=found, hint=hint)
 
-    def _check_axes(self, said: Mapping[str, FoundValue]) -> None:
+    def _check_axes(self, stated: Mapping[str, FoundValue]) -> None:
         for name in ("cross_input", "cross_output"):
-            if not self.gathered.names.known(self.gathered.axis(said[name].text)):
+            if not self.gathered.names.known(self.gathered.axis(stated[name].text)):
                 message = f"{self.values(self.label).name(name)} is no machine axis"
                 expected = "a name of MD10000, or AX1 and so on"
-                self._wrong(message, said[name], expected=expected)
+                self._wrong(message, stated[name], expected=expected)
 
     def _unknown_keys(self) -> None:
         for found in self.places.get("cross_other", ()):

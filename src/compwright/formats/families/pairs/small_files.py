@@ -143,11 +143,11 @@ class SmallFiles:
     def _plans(self) -> Iterator[_Plan]:
         tables = self._tables()
         pairs = {table: self._pair(table) for table in tables}
-        told = [key for key in self.new.entries if self._global(key)]
+        machine_wide = [key for key in self.new.entries if self._global(key)]
         for address, system in self.systems.items():
             mine = [key for key in self.new.entries if key[1] == address]
             own = [key for key in mine if self._is(key, _OWN_TABLE) and self._system(key) == system]
-            beside = [
+            remaining = [
                 key
                 for key in mine
                 if not self._is(key, _OWN_TABLE) and self._system(key) in (None, system)
@@ -160,27 +160,29 @@ class SmallFiles:
                 if pair[1] == address and table not in written and self._moves(tables[table])
             ]
             others += self._multiplied_by(tables, others, written)
-            acts = self._switched_on(address, system)
-            enters_own = own if acts or any(map(self._changed, own)) else []
+            active = self._switched_on(address, system)
+            enters_own = own if active or any(map(self._changed, own)) else []
             yield self._plan("one_curve", address, ordered(enters_own), rows=True)
             data = [key for table in written for key in tables[table] if not self._is_switch(key)]
             yield self._plan("two_curves", address, ordered(data), rows=True)
             switches = [key for table in written for key in tables[table] if self._is_switch(key)]
-            hands = [key for key in (*beside, *switches) if self._is_hand(key, pair=bool(written))]
+            hands = [
+                key for key in (*remaining, *switches) if self._is_hand(key, pair=bool(written))
+            ]
             enters = [
-                key for key in (*beside, *switches) if key not in hands and self._is_entered(key)
+                key for key in (*remaining, *switches) if key not in hands and self._is_entered(key)
             ]
             tells = [
-                *told,
+                *machine_wide,
                 *self._naming(address, [pairs[table] for table in (*written, *others)]),
                 *(key for key in own if key not in enters_own),
-                *(key for key in beside if key not in (*enters, *hands)),
+                *(key for key in remaining if key not in (*enters, *hands)),
                 *(key for table in others for key in tables[table]),
                 *(key for key in switches if key not in (*enters, *hands)),
             ]
             yield self._plan("one_curve", address, enters, by_hand=hands, tells=tells, rows=False)
         for address in dict.fromkeys(corrected for _, corrected in pairs.values()):
-            yield self._cross(address, tables, pairs, told)
+            yield self._cross(address, tables, pairs, machine_wide)
 
     def _multiplied_by(
         self, tables: Mapping[str, Sequence[Key]], others: Sequence[str], written: Sequence[str]
@@ -200,7 +202,7 @@ class SmallFiles:
         address: str,
         tables: Mapping[str, Sequence[Key]],
         pairs: Mapping[str, tuple[str, str]],
-        told: Sequence[Key],
+        machine_wide: Sequence[Key],
     ) -> _Plan:
         """Return the file of new tables from other axes on an axis."""
         mine = [
@@ -215,7 +217,7 @@ class SmallFiles:
         hands = [*sums, *(key for key in written if self._is_switch(key))]
         enters = ordered([key for key in written if key not in hands])
         tells = (
-            *told,
+            *machine_wide,
             *self._naming(address, [pairs[table] for table in mine]),
             *(key for key in facts if self._is(key, ("rotary", "cross_metric", "cross_max_sum"))),
         )
@@ -355,9 +357,9 @@ class SmallFiles:
         self, keys: Iterable[Key], text: Callable[[Key], str | None], before: str
     ) -> Iterator[str]:
         for key in dict.fromkeys(keys):
-            said = text(key)
-            if said is not None:
-                yield before + self._line(key, said)
+            value = text(key)
+            if value is not None:
+                yield before + self._line(key, value)
 
     def _line(self, key: Key, text: str) -> str:
         statement = self.definition.statements[key[0]]

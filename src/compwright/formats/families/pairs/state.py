@@ -114,28 +114,33 @@ class PairsReader(GridReader):
 
     def elsewhere(self, address: str) -> bool:
         """See `GridReader.elsewhere`. Without the sign of its tables nobody knows what acts."""
-        acting = self.cec.acting((address, address))
-        if acting and not self.sign_known:
-            named = " and ".join(str(table.index) for table in acting)
+        active = self.cec.active((address, address))
+        if active and not self.sign_known:
+            named = " and ".join(str(table.index) for table in active)
             why = f"axis {address}: CEC table {named} corrects the axis over itself"
             self.notes.ask(sign_question(why, "it"))
-        return bool(acting) or bool(self.cec.uncounted(address))
+        return bool(active) or bool(self.cec.uncounted(address))
 
     def axis(self, address: str, axis: Axis | None) -> AxisReading:
         """See `GridReader.axis`: its own table, and those of the axis over itself."""
         own = super().axis(address, axis)
         pairs = self.cec.facts(address, sign_known=self.sign_known)
         compensation = with_own_tables(self.cec, own.compensation)
-        said = dict(own.facts.said)
+        stated = dict(own.facts.stated)
         system = own.facts.encoder_system
         others = self._others_protected(address, system)
         if others:
-            said["others_protected"] = others
+            stated["others_protected"] = others
         if self.archives and system is not None:
             unit = "deg" if compensation.kind is AxisKind.ROTARY else self.unit
-            said["archive"] = compared(self.gathered, address, str(system - 1), unit)
-        beside = "; ".join(filter(None, (own.facts.beside, self.cec.uncounted(address))))
-        return AxisReading(compensation, replace(own.facts, pairs=pairs, beside=beside, said=said))
+            stated["archive"] = compared(self.gathered, address, str(system - 1), unit)
+        other_functions = "; ".join(
+            filter(None, (own.facts.other_functions, self.cec.uncounted(address)))
+        )
+        return AxisReading(
+            compensation,
+            replace(own.facts, pairs=pairs, other_functions=other_functions, stated=stated),
+        )
 
     def _others_protected(self, address: str, system: int | None) -> str:
         """Return the switches, but that of an axis itself, of all tables that are on in the files
@@ -182,17 +187,17 @@ class PairsReader(GridReader):
         """See `GridReader.pair_tables`."""
         return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
 
-    def acting_lines(self) -> dict[str, FoundValue]:
+    def active_lines(self) -> dict[str, FoundValue]:
         """See `GridReader.acting_lines`: also the values of a table of an axis over itself."""
-        lines = super().acting_lines()
+        lines = super().active_lines()
         for places in places_of(self.gathered).values():
             base, corrected = (last(name, places) for name in ("cross_input", "cross_output"))
-            acting = [row for row in places.get("cross_value", ()) if Decimal(row.text) != 0]
-            if base is None or corrected is None or not acting:
+            active = [row for row in places.get("cross_value", ()) if Decimal(row.text) != 0]
+            if base is None or corrected is None or not active:
                 continue
             name = self.gathered.axis(corrected.text)
             if self.gathered.axis(base.text) == name:
-                lines.setdefault(name, acting[-1])
+                lines.setdefault(name, active[-1])
         return lines
 
     def _kind(self, address: str) -> AxisKind:

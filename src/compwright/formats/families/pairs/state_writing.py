@@ -51,9 +51,11 @@ class PairsWriter(GridWriter):
         placed = self.put_backlash(text)
         if self.own is None:
             return placed
-        if self.said(text, whole=True).get("cross_axis_enabled"):
+        if self.own_values(text, whole=True).get("cross_axis_enabled"):
             placed.add("cross_axis_enabled")
-        if self.own.put("enabled", self.said(text).get("enabled", ()), text.singles["enabled"]):
+        if self.own.put(
+            "enabled", self.own_values(text).get("enabled", ()), text.singles["enabled"]
+        ):
             placed.add("enabled")
         return placed
 

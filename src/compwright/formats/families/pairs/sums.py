@@ -28,11 +28,11 @@ def without_cut_sums(
 
     ``wanted``: the axes that are asked for (none: all); others are left alone.
     """
-    asked = tuple(wanted)
+    under_work = tuple(wanted)
     for output, limit in cec.max_sum.items():
         mine = [table for table in cec.tables if table.output == output and table.active]
         low, high = _reach(cec, mine)
-        if (asked and output not in asked) or max(high, -low) <= limit * (1 + 1e-9):
+        if (under_work and output not in under_work) or max(high, -low) <= limit * (1 + 1e-9):
             continue
         reach = f"{low:g} to {high:g}"
         if all(map(may_stay, mine)):
@@ -66,7 +66,7 @@ def _reach(cec: Cec, tables: Sequence[CecTable]) -> tuple[float, float]:
     """Return between what the sum of all ``tables`` of one output axis may lie."""
     low = high = 0.0
     for pair in dict.fromkeys(table.pair for table in tables):
-        curves = [curve for _, _, *both in _merged(cec.acting(pair)) for curve in both]
+        curves = [curve for _, _, *both in _merged(cec.active(pair)) for curve in both]
         low += min(float(np.min(curve)) for curve in curves)
         high += max(float(np.max(curve)) for curve in curves)
     return low, high
@@ -90,12 +90,12 @@ def _merged(
         nodes: FloatArray = np.unique(np.concatenate([table.positions for table in members]))
         curves = []
         for direction in Direction:
-            acting = [
+            active = [
                 np.interp(nodes, table.positions, table.values)
                 for table in members
                 if direction in table.directions
             ]
-            curves.append(np.sum(acting, axis=0) if acting else np.zeros(nodes.size))
+            curves.append(np.sum(active, axis=0) if active else np.zeros(nodes.size))
         merged.append((period, nodes, curves[0], curves[1]))
     return merged
 
@@ -104,7 +104,7 @@ def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensatio
     """Return what acts on an axis together with its tables over itself: they are its table where it
     has no other one.
     """
-    mine = cec.acting((compensation.address, compensation.address))
+    mine = cec.active((compensation.address, compensation.address))
     own = _as_tables(compensation, [table for table in mine if not table.stays])
     stay = staying(cec, compensation)
     if not own or compensation.positions.size:
@@ -114,7 +114,7 @@ def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensatio
 
 def staying(cec: Cec, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
     """Return the tables of an axis over itself that stay beside whatever is written."""
-    mine = cec.acting((compensation.address, compensation.address))
+    mine = cec.active((compensation.address, compensation.address))
     return _as_tables(compensation, [table for table in mine if table.stays])
 
 
@@ -158,5 +158,5 @@ def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompen
             period=period,
         )
         for pair in pairs
-        for period, nodes, positive, negative in _merged(cec.acting(pair))
+        for period, nodes, positive, negative in _merged(cec.active(pair))
     )

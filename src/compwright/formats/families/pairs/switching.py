@@ -22,11 +22,11 @@ class Switches:
         """Make a table act with its own values where the files say otherwise: it is ours."""
         if self.own is None:
             return
-        switches = self.tables.said(index, "cross_table_enabled")
+        switches = self.tables.places_of(index, "cross_table_enabled")
         self._on(self.own, "cross_table_enabled", switches, [index], {"table": str(index)})
-        self.own.put("cross_weight", self.tables.said(index, "cross_weight"), "1")
+        self.own.put("cross_weight", self.tables.places_of(index, "cross_weight"), "1")
         for quantity in ("cross_type", *ADDED):
-            self.own.put(quantity, self.tables.said(index, quantity), "0")
+            self.own.put(quantity, self.tables.places_of(index, quantity), "0")
 
     def sum_on(self, output: str, faults: list[Fault]) -> None:
         """Switch the sum on an axis on where the files switch it off, unless that would wake tables
@@ -38,7 +38,7 @@ class Switches:
         if self.own is None:
             return
         self._check_shared(output, faults)
-        places = self.tables.said_of_axis(output, "cross_axis_enabled")
+        places = self.tables.axis_places(output, "cross_axis_enabled")
         if places and not same_value(places[-1].text, "0"):
             return
         others = [index for index in self.tables.places if self._may_wake(index, output)]
@@ -94,7 +94,7 @@ class Switches:
     def _check_unsaid(self, output: str, others: Sequence[int], faults: list[Fault]) -> None:
         if not others:
             return
-        place = self.tables.said(others[0], "cross_output")[0]
+        place = self.tables.places_of(others[0], "cross_output")[0]
         faults.append(
             Fault(
                 message=(
@@ -148,6 +148,6 @@ class Switches:
                     "export its files again"
                 ),
             )
-            for place in tables.said_of_axis(output, "cross_metric")[-1:]
+            for place in tables.axis_places(output, "cross_metric")[-1:]
             if same_value(place.text, "0")
         )

@@ -102,13 +102,13 @@ class Cec:
         counted = (table.index for table in self.tables if table.stays)
         return frozenset((*counted, *(table.index for table in self.odd if table.largest)))
 
-    def acting(self, pair: Pair) -> list[CecTable]:
+    def active(self, pair: Pair) -> list[CecTable]:
         """Return the tables that act on a pair of axes."""
         return [table for table in self.tables if table.pair == pair and table.active]
 
     def facts(self, address: str, *, sign_known: bool) -> PairFacts:
         """Return what the tables mean for one axis."""
-        mine = (table for table in self.acting((address, address)) if not table.stays)
+        mine = (table for table in self.active((address, address)) if not table.stays)
         own = {table.directions: table.index for table in mine}
         up, down = (own.get((direction,)) for direction in Direction)
         return PairFacts(
@@ -139,10 +139,10 @@ class Cec:
         """Return the tables from other axes that act on one and cannot be counted with, in words
         that change with their values.
         """
-        acting: list[CecTable | OddTable] = [table for table in self.odd if table.largest]
+        active: list[CecTable | OddTable] = [table for table in self.odd if table.largest]
         if not sign_known:
-            acting += [table for table in self.tables if table.active and table.values.any()]
-        mine = [table for table in acting if table.output == address != table.input]
+            active += [table for table in self.tables if table.active and table.values.any()]
+        mine = [table for table in active if table.output == address != table.input]
         return ", ".join(
             f"CEC table {table.index} over {table.input} ({self._print(table)})"
             for table in sorted(mine, key=lambda table: table.index)

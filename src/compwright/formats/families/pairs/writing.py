@@ -106,7 +106,7 @@ class CecWriter:
         """
 
         def holds(index: int, text: str) -> bool:
-            places = self.tables.said(index, "cross_direction")
+            places = self.tables.places_of(index, "cross_direction")
             return any(same_value(place.text, text) for place in places)
 
         first = next((index for index in indices if holds(index, "1")), None)
@@ -167,7 +167,7 @@ class CecWriter:
         there = {
             name: places[-1].text
             for name, cross in _BACK.items()
-            if name != "value" and (places := self.tables.said(index, cross))
+            if name != "value" and (places := self.tables.places_of(index, cross))
         }
         table = shape_of(self.definition).write(TableText(curve, scale, faults, there))
         field = self.definition.bindings["cross_value"].field
@@ -217,7 +217,7 @@ class CecWriter:
                 )
             )
             return
-        places = self.tables.said(index, "cross_max_points")
+        places = self.tables.places_of(index, "cross_max_points")
         if self.own is not None and any(int(place.text) < count for place in places):
             needed = promised if isinstance(promised, int) else count
             self.own.put("cross_max_points", places, str(needed))
@@ -279,7 +279,7 @@ class CecWriter:
         return [
             self._line("cross_table_enabled", entry.index, on)
             for entry in entries
-            if not self.tables.said(entry.index, "cross_table_enabled")
+            if not self.tables.places_of(entry.index, "cross_table_enabled")
         ]
 
     def _line(self, quantity: str, table: int, text: str, **more: str) -> str:

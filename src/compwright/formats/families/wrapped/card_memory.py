@@ -37,13 +37,13 @@ class Word:
 
     def fault(self, message: str, *, expected: str = "", found: str | None = None) -> Fault:
         """Return a fault at this place."""
-        said = self.text if found is None else found
+        text = self.text if found is None else found
         return Fault(
             message=message,
             file=self.file,
             place=f"line {self.line}",
             expected=expected,
-            found=said,
+            found=text,
             hint=(
                 "correct this line in a copy of the file, or save the script from the control again"
             ),
@@ -111,7 +111,7 @@ class Script:
         """Return the tables of a kind by motor."""
         return [table for (name, _), table in sorted(self.tables.items()) if name == kind]
 
-    def said(self, quantity: str, motor: int = 0) -> Word | None:
+    def setting(self, quantity: str, motor: int = 0) -> Word | None:
         """Return the assignment that counts; None where there is none."""
         found = self.settings.get((quantity, motor))
         return found[-1] if found else None

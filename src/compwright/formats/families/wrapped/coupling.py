@@ -90,19 +90,19 @@ def _following(files: Sequence[ControlFile], motors: Iterable[int]) -> Iterator[
     """Yield the motors whose position following is on, or of which nobody knows; ``motors``: those
     of the files. Where no file explains the register, each of them may lead.
     """
-    said: dict[tuple[int, str], CouplingStatement] = {}
+    statements: dict[tuple[int, str], CouplingStatement] = {}
     for found in statements_in(files, _SETTING, _REMARK):
-        said[int(found.match["motor"]), found.match["which"]] = found
-    for (motor, which), found in sorted(said.items()):
+        statements[int(found.match["motor"]), found.match["which"]] = found
+    for (motor, which), found in sorted(statements.items()):
         mode = _number(found)
         if which != "06" or (mode is not None and mode % 2 == 0):
             continue
-        source = said.get((motor, "05"))
-        leads = _sources(said, motor, None if source is None else _number(source))
-        others = {*motors, *(one for one, _ in said)} - {motor}
+        source = statements.get((motor, "05"))
+        leads = _sources(statements, motor, None if source is None else _number(source))
+        others = {*motors, *(one for one, _ in statements)} - {motor}
         scale, own_scale = (
             _SCALE if one is None else _number(one)
-            for one in (said.get((motor, "07")), said.get((motor, "08")))
+            for one in (statements.get((motor, "07")), statements.get((motor, "08")))
         )
         unlike = _RATIO if leads and (scale is None or scale != own_scale) else ""
         names = tuple(str(one) for one in leads or sorted(others))
@@ -112,7 +112,7 @@ def _following(files: Sequence[ControlFile], motors: Iterable[int]) -> Iterator[
 
 
 def _sources(
-    said: Mapping[tuple[int, str], CouplingStatement], motor: int, register: int | None
+    statements: Mapping[tuple[int, str], CouplingStatement], motor: int, register: int | None
 ) -> list[int]:
     """Return the motors that a register belongs to: by their feedback (Ixx03, Ixx04), or because it
     is one of their own (motor n has $80 of them from n times $80 on).
@@ -121,7 +121,7 @@ def _sources(
         return []
     fed = {
         other
-        for (other, which), place in said.items()
+        for (other, which), place in statements.items()
         if which in ("03", "04") and other != motor and _number(place) == register
     }
     own = register // _BLOCK

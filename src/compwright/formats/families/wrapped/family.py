@@ -182,17 +182,17 @@ class WrappedFamily(Family):
         counts, ring = self._counts(axis), self.grid_there(axis)
         return motor_table(axis, compensation, counts, faults, ring=ring)
 
-    def card(self, asked: CardRequest) -> AxisCard:
+    def card(self, request: CardRequest) -> AxisCard:
         """See `Family.card`."""
-        axis, table = asked.axis, asked.table
+        axis, table = request.axis, request.table
         if table.backlash:  # a backlash alone, without a table: Ixx86 holds it in one direction
             ahead, against = (table.at(table.positions, direction) for direction in Direction)
             table = replace(table, positive=ahead, negative=against, backlash=0.0)
-        rate = str(asked.facts.said.get(TAKE_UP, self.options_of(axis)[TAKE_UP]))
+        rate = str(request.facts.stated.get(TAKE_UP, self.options_of(axis)[TAKE_UP]))
         words = table_words(axis, self._motor_table(axis, table), self._counts(axis), rate)
-        files = named_files(self, axis, asked.files)
-        return AxisCard(words | sign_check(table, asked.check_at) | files)
+        files = named_files(self, axis, request.files)
+        return AxisCard(words | sign_check(table, request.check_at) | files)
 
-    def between(self, asked: BetweenRequest) -> Between:
+    def between(self, request: BetweenRequest) -> Between:
         """See `Family.between`: a table of a third motor, which is left to the user."""
-        return instead(self.definition, asked.planned)
+        return instead(self.definition, request.planned)

@@ -132,19 +132,19 @@ class _WrappedStateReader:
         check_couplings(couplings, self.leading, self.notes)
         facts = {
             address: replace(
-                said,
+                stated,
                 synchronised=followers(couplings, address),
                 leading=leader(couplings, address),
             )
-            for address, said in facts.items()
+            for address, stated in facts.items()
         }
         self.notes.ask_contradicted()
         raise_all(InputError, self.notes.faults)
         raise_all(UsageError, self.notes.questions)
         if any(self.axes.get(address) is None for address in compensations):
-            said = "option or its default"
-            self.notes.assume(REFERENCE, f"{self.options[REFERENCE]:g}", said)
-            self.notes.assume(REFERENCE_RETURN, str(self.options[REFERENCE_RETURN]), said)
+            source = "option or its default"
+            self.notes.assume(REFERENCE, f"{self.options[REFERENCE]:g}", source)
+            self.notes.assume(REFERENCE_RETURN, str(self.options[REFERENCE_RETURN]), source)
         return ControlState(
             format=self.definition.id,
             axes=compensations,
@@ -255,18 +255,18 @@ class _WrappedStateReader:
         axis, label = self.axes.get(str(motor)), f"motor {motor}"
         reversal = self.script.tables.get(("BLCOMP", motor))
         tables = over_itself(self.script, motor)
-        constant = self._constant(motor, beside=reversal is not None)
+        constant = self._constant(motor, with_table=reversal is not None)
         self._check_programs(label, motor)
         both = [*tables, *([reversal] if reversal is not None else [])]
-        on = self._on(label, acting=any(any(table.numbers) for table in both))
+        on = self._on(label, needed=any(any(table.numbers) for table in both))
         taken = reversal is not None and on and any(reversal.numbers)
-        lost = self._takes_up(label, motor, acting=bool(constant) or taken)
+        lost = self._takes_up(label, motor, needed=bool(constant) or taken)
         for table in tables:
             if not table.desired and any(table.numbers):
                 self._by_actual(table)
-        rate = self.script.said("take_up_rate", motor)
-        said = {} if rate is None else {"take_up_rate": number_of(rate)}
-        facts = AxisFacts(enabled=on, grid=self._idle_nodes(motor, both), said=said)
+        rate = self.script.setting("take_up_rate", motor)
+        stated = {} if rate is None else {"take_up_rate": number_of(rate)}
+        facts = AxisFacts(enabled=on, grid=self._idle_nodes(motor, both), stated=stated)
         grids: dict[tuple[int, int], tuple[FloatArray, FloatArray]] = {}
         if (on and any(any(table.numbers) for table in both)) or (lost and constant):
             try:
@@ -282,7 +282,7 @@ class _WrappedStateReader:
             step = counts.added("backlash", np.array([float(constant)]))[0] if lost else 0.0
             if grids:
                 lost_motion = counts.forward.opposite.sign * float(step)
-                facts = replace(facts, said={**said, "backlash_in_curves": lost_motion})
+                facts = replace(facts, stated={**stated, "backlash_in_curves": lost_motion})
             return self._compensation(motor, axis, counts, grids, float(step)), facts
         return _empty(motor, self._kind(str(motor), axis)), facts
 
@@ -361,9 +361,9 @@ class _WrappedStateReader:
 
     # --- what switches
 
-    def _on(self, label: str, *, acting: bool) -> bool:
+    def _on(self, label: str, *, needed: bool) -> bool:
         """Return whether tables act (the switch of all tables)."""
-        place = self.script.said("enabled")
+        place = self.script.setting("enabled")
         binding = self.definition.bindings["enabled"]
         name = "I51"
         word = None
@@ -372,12 +372,12 @@ class _WrappedStateReader:
             if word is None:
                 fault = place.fault(f"{name} is neither on nor off", expected="0 or 1")
                 self.notes.faults.append(fault)
-        if not acting:
+        if not needed:
             return word != "no"
         found = None if place is None else place.found
-        said = self.activity.settle(label, name, word, found, self.notes)
-        if said is not None:
-            return said
+        stated = self.activity.resolve(label, name, word, found, self.notes)
+        if stated is not None:
+            return stated
         if word is None:
             absent = binding.when_absent
             self.notes.assume(f"{name}: tables act", "1", str(absent.evidence if absent else ""))
@@ -385,22 +385,22 @@ class _WrappedStateReader:
             self.notes.switched_off(label, f"the scripts end with {name} = 0")
         return word is None
 
-    def _takes_up(self, label: str, motor: int, *, acting: bool) -> bool:
+    def _takes_up(self, label: str, motor: int, *, needed: bool) -> bool:
         """Return whether backlash is taken up: its rate is not 0."""
-        if not acting:
+        if not needed:
             return False
-        name, place = f"I{motor}85", self.script.said("take_up_rate", motor)
+        name, place = f"I{motor}85", self.script.setting("take_up_rate", motor)
         if place is not None:
             rate = self._ranged(place, name)
             if rate != 0:
                 return True
-            if not self.activity.said:
+            if not self.activity.stated:
                 self.notes.switched_off(label, f"{name} = 0 switches its backlash off")
                 return False
-        if self.activity.said is not None:
-            answer = "on" if self.activity.said else "off"
+        if self.activity.stated is not None:
+            answer = "on" if self.activity.stated else "off"
             self.notes.assume(f"{name}: backlash is taken up", answer, "the job's answer (active)")
-            return self.activity.said
+            return self.activity.stated
         message = f"{label} has backlash, and no script says whether it is taken up ({name})"
         expected = f"{name} as it is in the control (0 switches backlash off)"
         files = ", ".join(file.name for file in self.files)
@@ -415,12 +415,12 @@ class _WrappedStateReader:
         )
         return False
 
-    def _constant(self, motor: int, *, beside: bool) -> int:
+    def _constant(self, motor: int, *, with_table: bool) -> int:
         """Return the constant backlash, in parts of a count."""
-        name, place = f"I{motor}86", self.script.said("backlash", motor)
+        name, place = f"I{motor}86", self.script.setting("backlash", motor)
         if place is not None:
             return self._ranged(place, name)
-        if beside:
+        if with_table:
             table = self.script.tables["BLCOMP", motor]
             message = f"{table.says} is added to {name}, which no script says"
             expected = f"{name} as it is in the control"
@@ -434,8 +434,8 @@ class _WrappedStateReader:
         low, high = self.definition.measure("backlash").range
         number = number_of(place)
         if not low <= number <= high:
-            said = f"{low:.0f} to {high:.0f}"
-            self.notes.faults.append(place.fault(f"{name} is out of its range", expected=said))
+            limits = f"{low:.0f} to {high:.0f}"
+            self.notes.faults.append(place.fault(f"{name} is out of its range", expected=limits))
         return number
 
     def _check_programs(self, label: str, motor: int) -> None:
@@ -462,7 +462,7 @@ class _WrappedStateReader:
         pair = [self.axes.get(str(motor)) for motor in (table.source, table.target)]
         label = f"motor {table.target} by motor {table.source}"
         self._check_programs(label, table.target)
-        if not self._on(label, acting=True):
+        if not self._on(label, needed=True):
             return None
         try:
             source, target = self._counts(table.source), self._counts(table.target)

@@ -219,13 +219,13 @@ class _ScriptReader:
 
     def _idle_by_macro(self, word: Word) -> bool:
         """Whether a line becomes a command of no concern here when its macros are in place."""
-        said = expanded(word.text, self.conditions.macros).rstrip()
-        known = said != word.text.rstrip() and not self.conditions.undecided(word.text)
-        match = _COMMAND.match(said) if known else None
+        expanded_text = expanded(word.text, self.conditions.macros).rstrip()
+        known = expanded_text != word.text.rstrip() and not self.conditions.undecided(word.text)
+        match = _COMMAND.match(expanded_text) if known else None
         if match is None or (self.open is not None and len(self.open.values) < self.open.needed):
             return False
-        end = expression_end(said, match.end()) if match["other"] else match.end()
-        return bool(match["idle"] or match["other"]) and end == len(said)
+        end = expression_end(expanded_text, match.end()) if match["other"] else match.end()
+        return bool(match["idle"] or match["other"]) and end == len(expanded_text)
 
     def _command(self, match: re.Match[str]) -> None:
         word = self._word(match.start(), match.end())
@@ -282,9 +282,9 @@ class _ScriptReader:
         match = (_ARGUMENTS if kind == "COMP" else _PLAIN).fullmatch(text)
         if match is None or not int(match["entries"]) or not int(match["length"]):
             return None
-        said = match.groupdict()
-        source = int(said.get("source") or self.motor)
-        target = int(said.get("target") or self.motor)
+        expanded_text = match.groupdict()
+        source = int(expanded_text.get("source") or self.motor)
+        target = int(expanded_text.get("target") or self.motor)
         if not all(1 <= motor <= MOST_MOTORS for motor in (source, target)):
             return None
         return MemoryTable(
@@ -294,7 +294,7 @@ class _ScriptReader:
             int(match["entries"]),
             source=source,
             target=target,
-            desired=kind != "COMP" or bool(said.get("desired")),
+            desired=kind != "COMP" or bool(expanded_text.get("desired")),
             entries=self._word(place + match.start("entries"), place + match.end("entries")),
             length=self._word(place + match.start("length"), place + match.end("length")),
         )
@@ -392,12 +392,12 @@ class _ScriptReader:
             if directive is not None:
                 self._take_in_program(directive, line)
                 continue
-            said = expanded(line[0], self.conditions.macros)
+            expanded_text = expanded(line[0], self.conditions.macros)
             word = self._word(*line.span())
-            for match in _SET.finditer(said):
+            for match in _SET.finditer(expanded_text):
                 for meant in self._meant(match):
                     self.script.programs[meant] = replace(word, text=match[0])
-            for match in (*_TABLE.finditer(said), *_COMPUTED.finditer(said)):
+            for match in (*_TABLE.finditer(expanded_text), *_COMPUTED.finditer(expanded_text)):
                 self.script.programs["enabled", 0] = replace(word, text=match[0])
 
     def _take_in_program(self, directive: re.Match[str], line: re.Match[str]) -> None:

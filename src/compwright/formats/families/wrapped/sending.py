@@ -30,8 +30,8 @@ def _tables(script: Script) -> Mapping[tuple[str, int], list[tuple[str, Word]]]:
     for number, (command, motor, word) in enumerate(script.commands):
         done, _, kind = command.partition(" ")
         if kind in ("COMP", "BLCOMP"):
-            told = done if done == "DELETE" else f"{done} {number}"
-            found.setdefault((kind, motor), []).append((told, word))
+            done_to_it = done if done == "DELETE" else f"{done} {number}"
+            found.setdefault((kind, motor), []).append((done_to_it, word))
     return found
 
 

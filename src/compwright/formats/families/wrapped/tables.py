@@ -196,8 +196,8 @@ def _nodes(
 
 def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
     """Return a fault for everything that acts beside a table with straight lines."""
-    beside = compensation.others or compensation.slope or compensation.backlash
-    if compensation.interpolation == "linear" and not beside:
+    more = compensation.others or compensation.slope or compensation.backlash
+    if compensation.interpolation == "linear" and not more:
         return []
     message = f"{label}: the control has one table for each direction, with straight lines between"
     return [

@@ -242,14 +242,14 @@ class _Patcher:
 
     def _set(self, table: MotorTable, rate: int) -> None:
         missing = []
-        constant = self.script.said("backlash", table.motor)
+        constant = self.script.setting("backlash", table.motor)
         if constant is None:
             needed = table.takes_up or ("BLCOMP", table.motor) in self.script.tables
         else:
             needed = not self._assigned(constant, table.constant)
         if needed:
             missing.append("backlash")
-        taking = self.script.said(TAKE_UP, table.motor)
+        taking = self.script.setting(TAKE_UP, table.motor)
         off = taking is not None and table.takes_up and number_of(taking) == 0
         if taking is None or (off and not self._assigned(taking, rate)):
             missing.append(TAKE_UP)
@@ -259,7 +259,7 @@ class _Patcher:
 
     def switch_on(self) -> None:
         """Let tables act where the scripts end with all of them off; that must wake no other."""
-        switch = self.script.said("enabled")
+        switch = self.script.setting("enabled")
         binding = self.definition.bindings["enabled"]
         if switch is None or not isinstance(binding, Choice):
             return

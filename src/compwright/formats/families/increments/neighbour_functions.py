@@ -45,7 +45,7 @@ class Function:
     moves: bool = True
 
     @property
-    def told(self) -> str:
+    def description(self) -> str:
         """The function with its parameters and values."""
         return f"{self.words} ({', '.join(value.label for value in self.values)})"
 
@@ -53,12 +53,12 @@ class Function:
 def functions(own: AxisParameters) -> Iterator[Function]:
     """Yield everything that acts beside table and backlash, and stays."""
     yield from _inclination(own)
-    cyclic = _acting(own, known.CYCLIC)
+    cyclic = _nonzero(own, known.CYCLIC)
     if cyclic and cyclic[0].number != known.CYCLIC_FACTOR:
         yield Function("the second (cyclic) table", cyclic, None)
     yield from _straightness(own)
     spatial = tuple(
-        value for value in own.all.of(known.SPATIAL) if value.acts and own.named_by(value)
+        value for value in own.all.of(known.SPATIAL) if value.nonzero and own.named_by(value)
     )
     if spatial:
         yield Function("three-dimensional error compensation", spatial, None)
@@ -102,7 +102,7 @@ def across(own: AxisParameters, alone: Sequence[Function]) -> str:
         *(*known.STRAIGHTNESS_MOVING, *known.STRAIGHTNESS_BENT),
         *(*known.STRAIGHTNESS_POINTS, *known.STRAIGHTNESS_AMOUNTS),
     )
-    return ", ".join(value.label for value in own.all.of(numbers) if value.acts)
+    return ", ".join(value.label for value in own.all.of(numbers) if value.nonzero)
 
 
 def _point(value: ParameterValue) -> PointNumber:
@@ -116,13 +116,13 @@ def _point(value: ParameterValue) -> PointNumber:
     )
 
 
-def _acting(own: AxisParameters, numbers: tuple[int, ...]) -> tuple[ParameterValue, ...]:
+def _nonzero(own: AxisParameters, numbers: tuple[int, ...]) -> tuple[ParameterValue, ...]:
     values = (own.get(number) for number in numbers)
-    return tuple(value for value in values if value is not None and value.acts)
+    return tuple(value for value in values if value is not None and value.nonzero)
 
 
 def _inclination(own: AxisParameters) -> Iterator[Function]:
-    amounts = _acting(own, tuple(known.INCLINATION_AMOUNTS))
+    amounts = _nonzero(own, tuple(known.INCLINATION_AMOUNTS))
     if amounts:
         points = tuple(value for n in known.INCLINATION_POINTS if (value := own.get(n)) is not None)
         yield Function("inclination compensation", (*points, *amounts), points)
@@ -133,7 +133,7 @@ def _straightness(own: AxisParameters) -> Iterator[Function]:
     its own sections, or as the one that is corrected.
     """
     for value in own.all.of(known.STRAIGHTNESS_MOVING):
-        if not value.acts or not own.named_by(value):
+        if not value.nonzero or not own.named_by(value):
             continue
         pair = value.number - known.STRAIGHTNESS_MOVING[0]
         words = _ACROSS
@@ -147,13 +147,13 @@ def _straightness(own: AxisParameters) -> Iterator[Function]:
             if point.whose == value.whose
         ]
         points = tuple(one for one in row if one.number < first + known.STRAIGHTNESS_USED)
-        more = tuple(one for one in row if one not in points and one.acts)
+        more = tuple(one for one in row if one not in points and one.nonzero)
         yield Function(words, (value, *points, *more), None if more else points)
     for value in own.all.of(known.STRAIGHTNESS_BENT):
-        if value.acts and own.named_by(value):
+        if value.nonzero and own.named_by(value):
             yield Function(_BENT, (value,), (), moves=False)
     # Which axes the further pairs mean is not known: they may mean this one.
-    more = tuple(value for value in own.all.of(known.STRAIGHTNESS_MORE) if value.acts)
+    more = tuple(value for value in own.all.of(known.STRAIGHTNESS_MORE) if value.nonzero)
     if more:
         yield Function("further straightness compensation", more, None)
 
@@ -162,12 +162,12 @@ def stays(function: Function) -> str:
     """Return what is said of a function that is left as it is."""
     if not function.moves:
         return (
-            f"{function.told} is left as it is; it moves the axis by another one's position, which"
-            " stands still in a test of this axis"
+            f"{function.description} is left as it is; it moves the axis by the position of another"
+            " axis, which stands still in a test of this axis"
         )
     return (
-        f"{function.told} acts beside the table and is left as it is: it acted in the tests and"
-        " acts the same afterwards, so that it cancels, and is in none of the numbers shown here."
-        " It hangs on the grid: do not change it, or the numbers by which it is given, before the"
-        " new table is verified"
+        f"{function.description} is active in addition to the table and is left as it is: it was"
+        " active in the tests and is the same afterwards, so it cancels, and is in none of the"
+        " numbers shown here. It depends on the grid: do not change it, or the numbers that"
+        " define it, before the new table is verified"
     )

@@ -25,7 +25,7 @@ AMOUNTS = (-32767, 32767)
 
 
 @dataclass(frozen=True, slots=True)
-class OwnBeside:
+class InclinationAndCyclic:
     """Parameters by number, as text, and increments by point number."""
 
     parameters: Mapping[int, str] = field(default_factory=dict)
@@ -50,7 +50,7 @@ def line_parameters(numbers: Sequence[int], amounts: Sequence[int]) -> dict[int,
 
 def second_table(
     totals: FloatArray, interval: str, used: Sequence[range], start: int, highest: int
-) -> OwnBeside:
+) -> InclinationAndCyclic:
     """Return a second table of ``totals`` (k,), detection units at the ends of the sections of one
     period, in the first numbers from ``start`` on that nobody uses. Raises NotHeld.
 
@@ -61,7 +61,7 @@ def second_table(
         raise NotHeld(f"the second table needs {totals.size} point numbers in a row that are free")
     last = first + totals.size - 1
     increments = np.diff(totals).astype(np.int64)
-    return OwnBeside(
+    return InclinationAndCyclic(
         parameters={
             known.CYCLIC_FIRST: str(first),
             known.CYCLIC_LAST: str(last),

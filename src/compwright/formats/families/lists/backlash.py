@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from decimal import Decimal, InvalidOperation
 
-from compwright.formats.families.lists.said import AxisSaid
+from compwright.formats.families.lists.statements import AxisStatements
 from compwright.formats.families.lists.table import TENTH
 from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.notes import ADD_FILE, CORRECT_VALUE, NOT_COUNTED
@@ -15,7 +15,7 @@ from compwright.records.axis import Direction
 _MOST = 32767
 
 
-def backlash_of(of: AxisSaid, *, two: bool) -> float:
+def backlash_of(of: AxisStatements, *, two: bool) -> float:
     """Return the backlash, mm or deg; ``two``: a table with two columns acts."""
     switch = of.one("backlash_switch")
     gears = of.rows("backlash")
@@ -40,14 +40,16 @@ def backlash_of(of: AxisSaid, *, two: bool) -> float:
         message = f"{_name(of)} is not 0, but no list shows whether it is active"
         expected = f"{of.lists.name('backlash_switch')} in the lists too"
         of.notes.refuse(of.label, message, lose, expected=expected, hint=ADD_FILE)
-    return _acting(of, Decimal(lose.text), lose, two=two) if on else 0.0
+    return _checked_backlash(of, Decimal(lose.text), lose, two=two) if on else 0.0
 
 
-def _name(of: AxisSaid) -> str:
+def _name(of: AxisStatements) -> str:
     return of.lists.name("backlash").replace("..", "0")
 
 
-def _acting(of: AxisSaid, number: Decimal, place: FoundValue, *, two: bool) -> float:
+def _checked_backlash(
+    of: AxisStatements, number: Decimal, place: FoundValue, *, two: bool
+) -> float:
     if number != int(number) or abs(number) > _MOST:
         expected = f"a whole number, {-_MOST} to {_MOST}"
         of.notes.refuse(
@@ -73,7 +75,7 @@ def _acting(of: AxisSaid, number: Decimal, place: FoundValue, *, two: bool) -> f
     return float(number * Decimal(str(TENTH)))
 
 
-def _check_gears(of: AxisSaid, gears: Mapping[int, FoundValue]) -> None:
+def _check_gears(of: AxisStatements, gears: Mapping[int, FoundValue]) -> None:
     """Every gear must have the backlash of the first one, or none."""
     first = gears.get(0)
     for gear, found in gears.items():
@@ -83,14 +85,14 @@ def _check_gears(of: AxisSaid, gears: Mapping[int, FoundValue]) -> None:
             of.notes.refuse(of.label, message, found, expected="the same, or 0", hint=NOT_COUNTED)
 
 
-def check_others(of: AxisSaid) -> None:
+def check_others(of: AxisStatements) -> None:
     """Refuse, by name, what would act on the axis beside table, backlash and one table from
     another axis.
     """
     for found in of.lists.places(of.address, "other"):
         if not _is_zero(found.text):
             name = found.occurrence.tokens["name"].text
-            message = f"kw.{name} is unknown, and so is whether it is active"
+            message = f"kw.{name} is unknown; it may be active"
             of.notes.refuse(
                 of.label, message, found, expected="0, or a list without it", hint=NOT_COUNTED
             )

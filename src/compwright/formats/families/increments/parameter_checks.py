@@ -23,7 +23,7 @@ from compwright.records.axis import AxisKind
 def refusals(own: AxisParameters) -> Iterator[Fault]:
     """Yield what makes the meaning of the axis' own data uncertain."""
     totals = own.get(known.TOTALS)
-    if totals is not None and totals.acts:
+    if totals is not None and totals.nonzero:
         yield totals.fault(
             f"{own.label}: the pitch data may be totals instead of increments",
             "0: what a number then means is not known",
@@ -37,7 +37,7 @@ def pointed_numbers(parameters: Parameters) -> frozenset[int]:
     numbers = (*known.INCLINATION_POINTS, *known.STRAIGHTNESS_POINTS, *known.STRAIGHTNESS_MORE)
     values = parameters.of(numbers)
     cyclic = (number for _, numbers in parameters.second_tables for number in numbers)
-    return frozenset((*(value.whole for value in values if value.acts), *cyclic))
+    return frozenset((*(value.whole for value in values if value.nonzero), *cyclic))
 
 
 def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
@@ -70,23 +70,23 @@ def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
     Inches (1001#0) decide lengths and detection unit of a linear axis, the increment system (1004)
     that of an axis without 1013; 1800#4 decides whether 1852 acts, where that is in the files.
     """
-    asked = {
+    deciding = {
         known.INCH: (0,) if kind is AxisKind.LINEAR else (),
         known.BACKLASH_BITS: () if own.get(known.BACKLASH_RAPID) is None else (4,),
         known.SYSTEM_OF_MACHINE: (0, 1) if own.get(known.SYSTEM) is None else (),
         known.TOTALS: tuple(range(8)),
     }
-    for number, bits in asked.items():
+    for number, bits in deciding.items():
         rivals = own.rivals(number, bits)
         odd = [bit for bit in bits if len({value.bit(bit) for value in rivals}) > 1]
-        told = "; ".join(
+        described = "; ".join(
             ", ".join(f"{number}#{bit} = {int(value.bit(bit))}" for bit in odd)
             + f" of path {value.index}"
             for value in rivals
         )
         for value in rivals[-1:]:
             yield value.fault(
-                f"{own.label}: the paths differ ({told}), and no file says to which of them the"
-                " axis belongs (parameter 981)",
+                f"{own.label}: the paths differ ({described}), and no file says to which of them"
+                " the axis belongs (parameter 981)",
                 f"the line of parameter 981 of axis {own.address} among the files",
             )

@@ -15,7 +15,7 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.facts import Fact
 
 
-class AxisSaid:
+class AxisStatements:
     """The statements of one axis. ``axis``: that of a job, None without one; ``said``: what later
     readers of the lists need of it, by neutral name. What is wrong goes to ``notes``.
     """
@@ -45,7 +45,7 @@ class AxisSaid:
             else Direction(str(options["reference_return"]))
         )
         self.values = Values(self.definition, self.label, notes)
-        self.said: dict[str, Fact] = {}
+        self.stated: dict[str, Fact] = {}
 
     def one(self, statement: str) -> FoundValue | None:
         """Return what a statement says; said twice with two values it is a fault."""
@@ -61,14 +61,14 @@ class AxisSaid:
                 return None
         return places[0] if places else None
 
-    def needed(self, statement: str, beside: FoundValue | None) -> FoundValue | None:
+    def needed(self, statement: str, given: FoundValue | None) -> FoundValue | None:
         """Return what a statement says; it must be there, because ``beside`` is."""
         found = self.one(statement)
         if found is None and not self.lists.places(self.address, statement):
             name = self.lists.name(statement)
             message = f"{name} is missing; missing is not zero"
             self.notes.refuse(
-                self.label, message, beside, expected=name, found="none", hint=EXPORT_AGAIN
+                self.label, message, given, expected=name, found="none", hint=EXPORT_AGAIN
             )
         return found
 
@@ -77,7 +77,7 @@ class AxisSaid:
         found = self.one(self.definition.bindings[quantity].statement)
         return self.values.word(quantity, found) if found else self.values.absent(quantity)
 
-    def acts(self, switch: str, manual: str, *, zero: bool, label: str) -> bool:
+    def is_active(self, switch: str, manual: str, *, zero: bool, label: str) -> bool:
         """Return whether a table acts by the switch of the axis and its own manual activation.
 
         A switch in no list counts as on; one that is off is asked about where readings hang on
@@ -89,33 +89,33 @@ class AxisSaid:
             for place, means_off in ((on, "0"), (by_hand, "1"))
             if place is not None and same_value(place.text, means_off)
         ]
-        for said_at in (on, by_hand):
-            if said_at is not None and said_at.text.strip("0") not in ("", "1"):
+        for switch_place in (on, by_hand):
+            if switch_place is not None and switch_place.text.strip("0") not in ("", "1"):
                 message = "a switch has a value that is not known"
                 self.notes.refuse(
-                    self.label, message, said_at, expected="0 or 1", hint=CORRECT_VALUE
+                    self.label, message, switch_place, expected="0 or 1", hint=CORRECT_VALUE
                 )
         if off and zero:
             return False
         word = "no" if off else "yes" if on is not None else None
-        if word is not None or self.activity.said is not None:
+        if word is not None or self.activity.stated is not None:
             place = off[0] if off else on
             by_switch = not off or off[0] is on
             name = self.lists.name(switch) if by_switch else f"{self.lists.name(manual)} not"
-            said = self.activity.settle(label, name, word, place, self.notes)
-            if said is None:
+            active = self.activity.resolve(label, name, word, place, self.notes)
+            if active is None:
                 self.notes.switched_off(label, f"it is switched off in the lists ({name} = 0)")
-            elif not said:
+            elif not active:
                 self.notes.switched_off(label, "it did not act, as the job says")
-            return bool(said)
+            return bool(active)
         name = self.lists.name(switch)
         self.notes.assume(f"{label}: {name}", "1", "unconfirmed: in no list that was given")
         return True
 
     def any_place(self) -> FoundValue | None:
         """Return some statement of the axis, for messages."""
-        said = self.lists.said.get(self.address, {})
-        return next((found for places in said.values() for found in places), None)
+        statements = self.lists.statements.get(self.address, {})
+        return next((found for places in statements.values() for found in places), None)
 
     def rows(self, column: str) -> dict[int, FoundValue]:
         """Return the entries of one column by index; two that differ are a fault."""
@@ -128,10 +128,10 @@ class AxisSaid:
     def room(self, statement: str, default: int) -> int:
         """Return how many entries there is room for; 0 means the default."""
         found = self.one(statement)
-        said = int(found.text) if found is not None else 0
-        if said:
-            self.said[statement] = said
-        return said or default
+        number = int(found.text) if found is not None else 0
+        if number:
+            self.stated[statement] = number
+        return number or default
 
     def complete(
         self,

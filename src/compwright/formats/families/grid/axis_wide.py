@@ -25,7 +25,7 @@ _WHOLE_TURN = 360.0
 _FOLLOWS = 10
 
 
-class Beside:
+class AxisWideReader:
     """Reads what concerns one axis as a whole."""
 
     def __init__(self, gathered: Gathered, address: str, notes: Notes) -> None:
@@ -40,10 +40,10 @@ class Beside:
         turn = self._turn()
         limits = own.limits if turn is None else (turn.start, turn.start + turn.length)
         name = own.name or self.gathered.names.machine_name(self.address)
-        beside = ""
+        other = ""
         if axis is not None:
             self.gantry(partners)
-            beside = self.acting()
+            other = self.other_functions()
         machine_name = self.gathered.names.of_machine(self.address)
         synchronised, leading = self._paired()
         return replace(
@@ -52,7 +52,7 @@ class Beside:
             machine_name="" if machine_name == self.address else machine_name,
             limits=limits,
             turn=turn,
-            beside=beside,
+            other_functions=other,
             synchronised=synchronised,
             leading=leading,
         )
@@ -136,7 +136,7 @@ class Beside:
         found = self.last("gantry_type", address)
         return None if found is None else int(found.text)
 
-    def acting(self) -> str:
+    def other_functions(self) -> str:
         """Name what else acts on the axis and stays as it is; return it in words, to hold two
         states against each other.
         """
