@@ -143,7 +143,7 @@ def test_a_long_column_is_shown_by_its_ends() -> None:
 @pytest.mark.parametrize(
     ("slope", "options", "tabled", "why"),
     [
-        (-20e-6, {}, [], "MP720 acts on Y now (+0.020 mm/m)"),
+        (-20e-6, {}, [], "MP720 corrects Y now (+0.020 mm/m)"),
         (-20e-6, {}, ["Y"], ""),  # the table of this run takes its place
         (0.0, {}, [], ""),
         (0.0, {"method": "line"}, ["Y"], "the job corrects Y by MP720 (method: line)"),

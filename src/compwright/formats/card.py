@@ -1,4 +1,4 @@
-"""The steps by which a table gets into the control, with their evidence."""
+"""Steps of the commissioning card that load a table into the control, with their evidence."""
 
 from __future__ import annotations
 
@@ -25,7 +25,8 @@ AXIS_COLUMN = "axis"
 class CardStep:
     """One step for the engineer at the control.
 
-    ``rows``: what differs by axis, under ``heads``; the text names a column as ``‹head›``.
+    ``rows``: values that differ by axis, under ``heads``; the text refers to a column as
+    ``‹head›``.
     """
 
     title: str
@@ -39,7 +40,7 @@ class CardStep:
 def card_steps(
     definition: Definition, axis: Axis, values: Mapping[str, str]
 ) -> tuple[CardStep, ...]:
-    """Return the steps for one axis, as `card_steps_of_all`."""
+    """Return the steps for one axis; see `card_steps_of_all`."""
     return card_steps_of_all(definition, [(axis, values)])
 
 
@@ -48,9 +49,9 @@ def card_steps_of_all(
 ) -> tuple[CardStep, ...]:
     """Return the steps for these axes, in the order of the definition.
 
-    The values of each axis fill the fields of the text (see `AxisCard`); a missing one reads
-    "(not known)"; a step without any text is left out. What is the same for all axes stands once;
-    where short values differ, they stand in a table with a row per axis.
+    The values of each axis fill the fields of the text (see `AxisCard`); a missing one reads "(not
+    known)"; a step without any text is left out. A text that is the same for all axes is printed
+    once; short values that differ go into a table with a row per axis.
     """
     known = [{**axis_values(definition, axis), **values} for axis, values in axes]
     return tuple(
@@ -68,7 +69,7 @@ def card_steps_of_all(
 def _for_all(
     forms: Sequence[str], known: Sequence[Mapping[str, str]]
 ) -> tuple[str, tuple[str, ...], tuple[tuple[str, ...], ...]]:
-    """Return the text of a step for all axes, with the heads and rows of what differs."""
+    """Return the text of a step for all axes, with heads and rows of the values that differ."""
     filled = [
         {name: of.get(name, UNKNOWN) for name in field_names(form)}
         for form, of in zip(forms, known, strict=True)
@@ -94,7 +95,7 @@ def _for_all(
 
 
 def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
-    """Return what texts of a definition may say of an axis, by field: name, address, measuring
+    """Return the fields that a definition's texts may use for an axis: name, address, measuring
     system, reference, names of files.
     """
     address, _ = normal_address(definition, axis)
@@ -120,8 +121,9 @@ def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
 
 
 def typed_backlash(definition: Definition, axis: Axis, values: Mapping[str, str]) -> str:
-    """Return the backlash as the control's parameter with its number and unit; empty where the
-    control has none. ``values``: as of `card_steps`.
+    """Return the backlash as the control's parameter, with its number and unit.
+
+    Empty if the control has none. ``values``: as in `card_steps`.
     """
     rule = definition.bindings.get("backlash")
     if not isinstance(rule, Measure) or not rule.typed:
@@ -130,7 +132,7 @@ def typed_backlash(definition: Definition, axis: Axis, values: Mapping[str, str]
 
 
 def gantry_words(axis: Axis) -> str:
-    """Return what the card says of the synchronised axis of a gantry."""
+    """Return the card's text on the synchronised axis of a gantry."""
     if axis.gantry is None:
         return (
             f"Axis {axis.name} leads no gantry as far as the job says. If it does, stop: a table on"
@@ -145,8 +147,9 @@ def gantry_words(axis: Axis) -> str:
 
 
 def points_needed(control: Bound, table: AxisCompensation) -> int | None:
-    """Return how many points the control must have room for; None where it reserves none, or where
-    its files say that it has them.
+    """Return how many points the control must have reserved.
+
+    None if it reserves none, or if its files show that it has them.
     """
     reserves = any(
         control.definition.limit(limit) is not None for limit in ("points_reserved", "max_points")

@@ -1,4 +1,6 @@
-"""The one door to a control: its definition, its options and what its files say, bound once."""
+"""Entry to a control's format: definition, options and the contents of its files, bound
+together.
+"""
 
 from __future__ import annotations
 
@@ -17,11 +19,11 @@ def control_format(
     *,
     strict: bool = False,
 ) -> Family:
-    """Return the control of a definition, its options settled.
+    """Return the control of a definition with its options resolved.
 
     ``given`` may hold text from the command line; with a ``state``, an option that the control's
-    own files answer takes that answer. ``strict``: every option of ``given`` was said by somebody.
-    Raises UsageError with every fault: unknown option, a value of the wrong kind, one that
-    contradicts the control's files.
+    own files answer takes that answer. ``strict``: every option of ``given`` was given by the user.
+    Raises UsageError with every fault: unknown option, wrong type, contradiction to the control's
+    files.
     """
     return family_of(definition)(definition, given, state, strict=strict)

@@ -1,7 +1,6 @@
 """Read a definition from YAML: exact keys, all faults at once with file, line and key path.
 
-A key that is absent is an error, never a default; an unknown key too. What the keys mean stands in
-docs/formats.md.
+A missing key is an error, never a default; so is an unknown key. docs/formats.md explains the keys.
 """
 
 from __future__ import annotations
@@ -37,25 +36,26 @@ def load_definition(
     *,
     own: bool = False,
 ) -> Definition:
-    """Return the definition that YAML bytes describe, with what it ``extends`` (see `found_in`).
+    """Return the definition in YAML bytes, with what it ``extends`` (see `found_in`).
 
     ``file`` is the name for messages; ``own``: brought by a user. Raises InputError with every
     fault: not YAML, newer schema, missing or unknown key, wrong type, a value outside its closed
-    list, parts that do not fit together; each names the text in which it stands.
+    list, parts that do not fit together; each names the text that contains it.
     """
     return definition_of(texts_of(content, file, find), own=own)
 
 
 @cache  # by content: a job is checked before it is done, and reading a definition takes a while
 def definition_of(texts: Texts, *, own: bool = False) -> Definition:
-    """Return the definition whose text comes first in ``texts``, behind it what it extends. Raises
-    as `load_definition`.
+    """Return the definition whose text is first in ``texts``, followed by those it extends.
+
+    Raises as `load_definition`.
     """
     return definition_in(merged(texts), texts if own else ())
 
 
 def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
-    """Return the definition that merged data describe. Raises as `load_definition`."""
+    """Return the definition in merged data. Raises as `load_definition`."""
     _check_version(text)
     quantities = tuple(name for rules in RULES.values() for name in rules.quantities)
     read, wrong = checked(definition_validator(quantities), text.data)
@@ -76,7 +76,7 @@ def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
 
 
 def definitions_from(files: Iterable[tuple[str, bytes]]) -> dict[str, Definition]:
-    """Return the definitions in ``files`` (name, bytes) by their id; a base is none by itself.
+    """Return the definitions in ``files`` (name, bytes) by their id; a base alone is not one.
 
     Raises InputError with the faults of all files, and when two files give the same id.
     """

@@ -1,4 +1,4 @@
-"""What to look at on a control when a table does not do what was planned: sentences of the
+"""What to check on a control when a table does not have the planned effect: sentences of the
 definition, by verdict, filled in for one axis.
 """
 
@@ -20,12 +20,12 @@ from compwright.records.verification import LoadingName
 def look_at(
     control: Family, axis: Axis, compensation: AxisCompensation
 ) -> Mapping[LoadingName, tuple[str, ...]]:
-    """Return, by verdict of loading, what to look at on a control for an axis; nothing where its
-    definition does not say it.
+    """Return, by verdict of loading, what to check on a control for an axis; empty if its
+    definition does not state it.
 
-    ``compensation``: the table that was to be loaded; its two directions differ, or they do not. A
-    sentence that no manual confirms says so. ``loaded``: what settles that a table acts as planned
-    where the test would show the same of another one.
+    ``compensation``: the table that was to be loaded, which decides between texts for one and for
+    two curves. A sentence that no manual confirms says so. ``loaded``: the check that the planned
+    table is active, if the test would show the same with another one.
     """
     values = axis_values(control.definition, axis)
     pair = not np.array_equal(compensation.positive, compensation.negative)

@@ -1,1 +1,1 @@
-"""What a definition of a control says: schema, how it is read, options, line templates."""
+"""The definition of a control: schema, reading, options, line templates."""

@@ -1,4 +1,4 @@
-"""Whether the parts of a definition fit together: every name that one part uses has to exist in
+"""Checks that the parts of a definition fit together: every name used in one part exists in
 another.
 """
 
@@ -80,9 +80,9 @@ def has_cross(definition: Definition) -> bool:
 
 
 def contradictions(definition: Definition, shapes: Mapping[str, ShapeRules]) -> tuple[Fault, ...]:
-    """Return what does not fit together in a definition whose keys are all well formed.
+    """Return the contradictions within a definition whose keys are all well formed.
 
-    ``shapes``: what tables of each shape need that a family brings.
+    ``shapes``: the requirements of each shape of tables, given by its family.
     """
     rules = shapes.get(definition.layout.shape)
     if rules is None:

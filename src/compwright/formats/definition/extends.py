@@ -1,7 +1,7 @@
-"""A definition that says only how it differs from another one: merged before anything is checked.
+"""A definition that only states its differences from another one: merged before any check.
 
-The rules, as docs/formats.md tells them: mappings are merged key by key, everything else (lists
-too) is replaced whole; ``without`` takes keys of the extended text out before the merge.
+The rules are in docs/formats.md: mappings are merged key by key, everything else (lists too) is
+replaced whole; ``without`` removes keys of the extended text before the merge.
 """
 
 from __future__ import annotations
@@ -43,8 +43,9 @@ class DefinitionText:
         place: str = "",
         hint: str = "",
     ) -> Fault:
-        """Return a fault at a key path, in the file and on the line where it stands, or its nearest
-        ancestor. ``place``: what is said instead of the path.
+        """Return a fault at a key path, with file and line of the key or its nearest ancestor.
+
+        ``place``: shown instead of the path.
         """
         probe = path
         while probe and probe not in self.places:
@@ -63,7 +64,7 @@ class DefinitionText:
 
 
 def found_in(files: Mapping[str, bytes]) -> Find:
-    """Return what finds a definition among ``files`` by its file name, or by its id."""
+    """Return a function that finds a definition among ``files`` by file name or by id."""
     return lambda name: next(
         ((each, files[each]) for each in (name, f"{name}.yaml") if each in files), None
     )
@@ -74,8 +75,10 @@ NOTHING_ELSE: Find = found_in({})
 
 
 def texts_of(content: bytes, file: str, find: Find) -> Texts:
-    """Return a definition's text with all that it extends. Raises InputError for what is no YAML,
-    for a name that ``find`` does not know, and for a text that extends itself.
+    """Return a definition's text with all that it extends.
+
+    Raises InputError for invalid YAML, for a name that ``find`` does not know, and for a text that
+    extends itself.
     """
     texts = [(file, content)]
     while True:
@@ -109,7 +112,7 @@ def _text(file: str, content: bytes) -> DefinitionText:
 
 
 def _over(under: DefinitionText, over: DefinitionText) -> DefinitionText:
-    """Return what ``over`` says on top of ``under``."""
+    """Return ``under`` with the keys of ``over`` on top."""
     gone = _left_out(under, over)
     own = {key: value for key, value in over.data.items() if key not in (EXTENDS, WITHOUT)}
     replaced = set(gone)
@@ -124,7 +127,7 @@ def _over(under: DefinitionText, over: DefinitionText) -> DefinitionText:
 
 
 def _left_out(under: DefinitionText, over: DefinitionText) -> set[KeyPath]:
-    """Return the key paths that ``over`` takes out. Raises InputError."""
+    """Return the key paths that ``over`` removes. Raises InputError."""
     listed = over.data.get(WITHOUT, [])
     if not isinstance(listed, list):
         raise InputError(

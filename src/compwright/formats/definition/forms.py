@@ -1,4 +1,4 @@
-"""How the YAML of a definition is written where it is not the record field by field."""
+"""YAML forms of a definition where they differ from the fields of its records."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ _PLAIN: Final[Mapping[Any, cs.CoreSchema]] = {
 
 
 def _word(*words: str, gives: Callable[[str], Any] = str) -> cs.CoreSchema:
-    """Return the schema of one of these words, and of what it stands for."""
+    """Return the schema of a word from a list, and the value it stands for."""
     return cs.no_info_after_validator_function(gives, cs.literal_schema(list(words)))
 
 
@@ -69,13 +69,13 @@ def _or_mapping(other: Any, whole: Any) -> cs.CoreSchema:
 
 
 def _or_option(other: cs.CoreSchema) -> cs.CoreSchema:
-    """Return the schema of a value that an option may give."""
+    """Return the schema of a value that may come from an option."""
     option = mapping({"option": _TEXT}, lambda values: OptionValue(**values))
     return _or_mapping(other, option)
 
 
 def _range(bounds: Any) -> tuple[float, float]:
-    """Every bound that is no number is a fault, and a range that has none, or no width."""
+    """Check a range: both bounds are numbers, and the range has a width."""
     if bounds is None:
         refuse(KeyFault((), "has the wrong form", "a list", shown(bounds)))
     each = bounds if isinstance(bounds, list) else []
@@ -99,7 +99,7 @@ def _range(bounds: Any) -> tuple[float, float]:
 
 
 def _sign() -> cs.CoreSchema:
-    """Return the schema of a sign: a word, an option that says it, or a choice that decides it."""
+    """Return the schema of a sign: a word, an option, or a choice on which it depends."""
     sign = cs.literal_schema(list(get_args(Sign)))
     by_choice = cs.dict_schema(
         cs.any_schema(), cs.dict_schema(values_schema=sign, strict=True), strict=True
@@ -131,7 +131,7 @@ def _sign() -> cs.CoreSchema:
 
 
 def _by_curves() -> cs.CoreSchema:
-    """Return the schema of a text for one table and for one of each direction."""
+    """Return the schema of a text for one table, and for one table per direction."""
     both = {"one_curve": _TEXT, "two_curves": _TEXT}
     same = cs.no_info_after_validator_function(lambda text: (text, text), _TEXT)
     return _or_mapping(same, mapping(both, lambda texts: tuple(texts[name] for name in both)))
@@ -161,7 +161,7 @@ def _at_least_three(points: tuple[Expected, ...]) -> tuple[Expected, ...]:
 
 
 def _with_sample(values: Mapping[str, Any]) -> dict[str, Any]:
-    """The word sample stands for the files of the sample."""
+    """Replace the word sample by the files of the sample."""
     files = values["sample_files"]
     expect = (
         replace(one, files=files) if one.files == _SAMPLE else one for one in values["expect"]
@@ -291,8 +291,9 @@ _FORMS: Final[Mapping[type, RecordForm]] = {
 
 @cache
 def definition_validator(quantities: tuple[str, ...]) -> SchemaValidator:
-    """Return what makes a definition of the data of its YAML. ``quantities``: those that only one
-    shape binds.
+    """Return the validator that builds a definition from its YAML data.
+
+    ``quantities``: those that only one shape of tables binds.
     """
     forms = dict(_FORMS)
     schemas = RecordSchemas(forms, {}, _PLAIN)

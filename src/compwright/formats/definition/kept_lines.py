@@ -1,5 +1,5 @@
-"""Lines of a control's files that hold addresses, numbers and keywords and nothing else: whatever
-compwright reads of them, nobody is named in them.
+"""Lines of a control's files that hold only addresses, numbers and keywords: they cannot name a
+person or company, whatever compwright reads of them.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ AXIS: Final = r"(?:[A-Za-z]{1,2}|AX|M[AXSC]_?[A-Z]?|CA_?[A-Z]|SP)[0-9]{0,2}"
 
 @dataclass(frozen=True, slots=True)
 class KeptLines:
-    """Expressions for the lines of one shape of tables, blanks around a line left out.
+    """Expressions for the lines of one shape of tables, without blanks around a line.
 
-    ``whole``: lines that may stay as they are. ``naming``: lines of numbers, marks and names, which
-    are somebody's where they are none of an axis. ``first``: first lines that tell of the shape by
-    themselves, whatever else stands on them.
+    ``whole``: lines that may stay unchanged. ``naming``: lines of numbers, marks and names; a name
+    is private unless it is an axis name. ``first``: first lines that identify the shape, whatever
+    else they contain.
     """
 
     whole: tuple[str, ...]
@@ -28,15 +28,15 @@ class KeptLines:
     first: str = "(?!)"
 
     def stays(self, line: str) -> bool:
-        """Whether a line may stay as it is."""
+        """Return whether a line may stay unchanged."""
         return _compiled(self.whole).fullmatch(line) is not None
 
     def holds_names(self, line: str) -> bool:
-        """Whether names are all in a line that may be somebody's."""
+        """Return whether a line has only names that may be private."""
         return _compiled((self.naming,)).fullmatch(line) is not None
 
     def begins(self, content: bytes) -> bool:
-        """Whether the first line of a file tells that it is of this shape."""
+        """Return whether the first line of a file identifies this shape."""
         return _compiled((self.first,)).match(content[:1000].decode("latin-1")) is not None
 
 

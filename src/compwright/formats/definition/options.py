@@ -1,5 +1,5 @@
-"""Options of a control: defaults, values from a job or the command line, and what the control's own
-files already answer.
+"""Options of a control: defaults, values from a job or the command line, and values in the
+control's own files.
 """
 
 from __future__ import annotations
@@ -31,9 +31,8 @@ def resolve_options(
 
     ``given`` may hold text from the command line (``"0.001"``, ``"3,4"``). With a ``state``, an
     option that the control's own files answer for all axes alike (such as the unit) takes that
-    answer. ``strict``: every one of ``given`` was said by somebody, not taken from defaults. Raises
-    UsageError with every fault: unknown option, a value of the wrong kind, one that
-    contradicts the control's files.
+    answer. ``strict``: every option of ``given`` was given by the user. Raises UsageError with
+    every fault: unknown option, wrong type, contradiction to the control's files.
     """
     faults: list[Fault] = []
     known = [*definition.options, REFERENCE, REFERENCE_RETURN, KIND]
@@ -70,7 +69,7 @@ def resolve_options(
 
 
 def known_kind(options: Mapping[str, object], address: str) -> AxisKind | None:
-    """Return the kind of an axis that the options give for files that do not say it."""
+    """Return the kind of an axis by the options, for files that do not state it."""
     given = options[KIND]
     word = given.get(address) if isinstance(given, Mapping) else given
     return None if word is None else AxisKind(str(word))
@@ -83,14 +82,11 @@ def axis_options(
     *,
     unit_needed: bool = True,
 ) -> Mapping[str, object]:
-    """Return the options of one axis: its own go over the controller's (``resolved``); None: an
-    axis without a job.
+    """Return the options of one axis; its own override the controller's (``resolved``).
 
-    ``unit_needed``: False while files of the control that may say what is asked for are not read
-    yet.
-
-    Raises UsageError with every fault: unknown option, wrong value, and what is asked for where
-    nobody says it.
+    ``axis`` None: an axis without a job. ``unit_needed``: False while files that may hold a
+    required value are not read yet. Raises UsageError with every fault: unknown option, wrong
+    value, a required value that is missing.
     """
     faults: list[Fault] = []
     values = dict(resolved)
@@ -156,7 +152,7 @@ def _positive(value: object) -> bool:
 
 
 def describe_options(definition: Definition) -> tuple[str, ...]:
-    """Return one line per option: name, default, choices, what it does, how sure that is."""
+    """Return one line per option: name, default, choices, effect, evidence."""
     lines = []
     for name, rule in definition.options.items():
         default = "not given" if rule.default is None else _shown(rule.default)
@@ -180,10 +176,10 @@ def describe_options(definition: Definition) -> tuple[str, ...]:
 def resolved_number(
     definition: Definition, name: str, options: Mapping[str, object], fact: object
 ) -> int | None:
-    """Return a whole-number option, or what the control's files say (``fact``, None: nothing) where
-    the option is not given.
+    """Return a whole-number option, or the number in the control's files if it is not given.
 
-    A fact of 0 says that nothing is reserved yet, which is no limit: it has to be set anyway.
+    ``fact``: that number, None without one. A fact of 0 means that nothing is reserved yet. That is
+    no limit: it has to be set anyway.
     """
     given = options.get(name)
     rule = definition.options[name]

@@ -1,5 +1,5 @@
-"""Sections of a definition whose entries the code asks for by name: one that is not there is a
-fault of the definition.
+"""Sections of a definition whose entries the code reads by name; a missing one is a fault of the
+definition.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ _T = TypeVar("_T")
 
 
 class Required(dict[str, _T]):
-    """A section by name. Asking for an entry that is not there raises InputError with its key path;
-    ``get`` and ``in`` do not.
+    """A section by name. Reading a missing entry raises InputError with its key path; ``get`` and
+    ``in`` do not.
     """
 
     def __init__(

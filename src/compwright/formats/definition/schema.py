@@ -1,5 +1,5 @@
-"""What a definition of a control says, as records. `definitions` reads them from YAML;
-docs/formats.md explains each key.
+"""The definition of a control, as records. `definitions` reads them from YAML; docs/formats.md
+explains each key.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from compwright.records.verification import LoadingName
 
 @dataclass(frozen=True, slots=True)
 class EvidenceNote:
-    """How well a fact is known (confirmed, inferred, unconfirmed) and from what."""
+    """How well a fact is known (confirmed, inferred, unconfirmed), and its source."""
 
     state: Evidence
     source: str
@@ -51,8 +51,8 @@ class OptionValue:
 
 @dataclass(frozen=True, slots=True)
 class Addresses:
-    """How the control names an axis. ``letters``: axis letters whose place in the row is assumed to
-    be the number.
+    """How the control names an axis. ``letters``: axis letters, whose index in this list is assumed
+    to be the axis number.
     """
 
     type: AddressType
@@ -63,10 +63,10 @@ class Addresses:
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """What holds for every line: line ends written and read, letters, a block number before and a
-    checksum behind a line.
+    """Rules for every line: line ends written and read, letters, a block number before and a
+    checksum after a line.
 
-    ``blanks_anywhere``: blanks may stand between any two parts of a line when it is read.
+    ``blanks_anywhere``: blanks are allowed between any two parts of a line that is read.
     """
 
     newline: str
@@ -84,7 +84,7 @@ class TextKind:
 
     ``recognised_by`` names a statement that such a file contains (None: any text). A line that
     contains a ``claims_anywhere`` word or begins with a ``claims_at_start`` word has to be
-    readable. ``other_lines_refused``: every line has to.
+    readable. ``other_lines_refused``: every line has to be readable.
     """
 
     name: str
@@ -119,7 +119,7 @@ class Statement:
 
 @dataclass(frozen=True, slots=True)
 class Absent:
-    """What counts when a quantity is not in the files, and whether the user is told."""
+    """The value of a quantity that is not in the files, and whether the user is informed."""
 
     value: str
     say: Say
@@ -128,8 +128,8 @@ class Absent:
 
 @dataclass(frozen=True, slots=True)
 class Binding:
-    """Where a quantity stands in the text. ``repeated``: which one counts within a file; between
-    files they must agree.
+    """The statement that holds a quantity. ``repeated``: which repetition counts within a file;
+    between files they must agree.
     """
 
     quantity: str
@@ -145,8 +145,8 @@ class Measure(Binding):
     """A length or an angle. ``sign`` may depend on a choice; ``range`` bounds position, correction
     or backlash in ``unit``.
 
-    ``sign_option``: the option whose value is the sign, where nothing in the files says it.
-    ``typed``: how the card prints it, with the control's parameter, number and unit.
+    ``sign_option``: the option whose value is the sign, where no file states it. ``typed``: how the
+    card prints it, with the control's parameter, number and unit.
     """
 
     linear_unit: str | OptionValue
@@ -162,32 +162,32 @@ class Measure(Binding):
 
 @dataclass(frozen=True, slots=True)
 class Choice(Binding):
-    """A quantity with few values: text in the file -> neutral word. ``writes``: the text that is
-    written.
+    """A quantity with few values: text in the file -> neutral word. ``writes``: the text to
+    write.
     """
 
     values: Mapping[str, str]
     writes: str | OptionValue
 
     def written(self, options: Mapping[str, object]) -> str:
-        """Return the text that is written with these options."""
+        """Return the text to write with these options."""
         writes = self.writes
         return str(options[writes.option]) if isinstance(writes, OptionValue) else writes
 
     def text(self, word: str) -> str:
-        """Return how the control writes a neutral word."""
+        """Return the control's text for a neutral word."""
         return next(text for text, meant in self.values.items() if meant == word)
 
 
 @dataclass(frozen=True, slots=True)
 class Plain(Binding):
-    """A count or a file name, taken as it stands."""
+    """A count or a file name, taken as written."""
 
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """The shape of the table, as a family brings it. ``singles``: quantities that stand alone,
-    one value each.
+    """The shape of the table, given by a family. ``singles``: quantities outside the rows, one
+    value each.
     """
 
     shape: str
@@ -209,8 +209,8 @@ class LimitRule:
 
 @dataclass(frozen=True, slots=True)
 class BetweenAxes:
-    """``instead``: what helps where the control, as a job describes it, has no tables between axes,
-    with fields (see `families.between.instead`).
+    """``instead``: the alternative for a control without tables between axes, a text with fields
+    (see `families.between.instead`).
     """
 
     instead: str
@@ -219,10 +219,10 @@ class BetweenAxes:
 
 @dataclass(frozen=True, slots=True)
 class DiameterRule:
-    """What is known of tables of an axis that is programmed in diameter.
+    """Tables of an axis that is programmed in diameter.
 
-    ``tables``: they count in radius whatever programs count in, or nobody knows. ``card``: what the
-    card says of such an axis (``{name}``).
+    ``tables``: they count in radius whatever programs count in, or this is unknown. ``card``: the
+    card's text for such an axis (``{name}``).
     """
 
     tables: DiameterTables
@@ -232,7 +232,7 @@ class DiameterRule:
 
 @dataclass(frozen=True, slots=True)
 class ParameterRule:
-    """What parameters that a family knows beside the table are on this control."""
+    """Meaning, on this control, of parameters that a family knows in addition to the table."""
 
     here: Here
     evidence: EvidenceNote
@@ -241,10 +241,10 @@ class ParameterRule:
 @dataclass(frozen=True, slots=True)
 class OptionRule:
     """An option. ``settled_by``: the quantity in the control's files that answers it;
-    ``option_wins`` where both differ.
+    ``option_wins`` if both differ.
 
-    ``whole_control``: an axis cannot have one of its own. ``asked``: of a number that every axis
-    needs, what the user is asked for where nobody says it; None: the default does.
+    ``whole_control``: it cannot be set for one axis. ``asked``: for a number that every axis needs,
+    the text of the question if it is not given; None: the default is used.
     """
 
     name: str
@@ -264,8 +264,8 @@ class WrittenFile:
     """One file of the complete set: its name, the lines around the table, the statement of a table
     row (None: no table).
 
-    ``optional``: no part of the set but a second form of the same values, on request. ``when``: the
-    tables that it is for.
+    ``optional``: not part of the set, but a second form of the same values, on request. ``when``:
+    the tables that it is for.
     """
 
     name: str
@@ -280,8 +280,8 @@ class WrittenFile:
 
 @dataclass(frozen=True, slots=True)
 class CardRule:
-    """One step of the commissioning card, with ``{name}`` fields. ``two_curves``: its text where
-    each direction has its table.
+    """One step of the commissioning card, with ``{name}`` fields. ``two_curves``: its text if each
+    direction has its own table.
     """
 
     title: str
@@ -292,8 +292,8 @@ class CardRule:
 
 @dataclass(frozen=True, slots=True)
 class LookRule:
-    """A sentence on what to look at on the control, with ``{name}`` fields. ``two_curves``: its
-    text where each direction has its table.
+    """A sentence on what to check at the control, with ``{name}`` fields. ``two_curves``: its text
+    if each direction has its own table.
     """
 
     text: str
@@ -303,7 +303,7 @@ class LookRule:
 
 @dataclass(frozen=True, slots=True)
 class Expected:
-    """Corrections worked by hand, in the unit of the expectation."""
+    """Hand-worked corrections, in the unit of the expectation."""
 
     position: float
     positive: float
@@ -312,8 +312,8 @@ class Expected:
 
 @dataclass(frozen=True, slots=True)
 class Expectation:
-    """Control files and what the control does with them at some positions: worked by hand, never
-    computed here.
+    """Control files and the corrections they give at some positions: worked by hand, never computed
+    here.
     """
 
     name: str
@@ -330,14 +330,14 @@ class Expectation:
 class Definition:
     """Everything that is known about one control's compensation files.
 
-    Equal only to itself: what is made of it (its compiled forms) is kept by it.
+    Compared by identity: its compiled forms are cached with it.
 
-    ``maker``: who makes the control, the heading of lists; empty where unknown.
-    ``aliases``: further names by which users ask for it; other definitions may have the same.
-    ``parameters``: those beside the table, by the names that the family of its shape gives them.
-    ``look_at``: by verdict of loading, what to look at; empty where the definition does not say it.
-    ``text``: where each key stands, for faults. ``own``: of a definition that a user brought,
-    its text and what it extends; empty for those that ship.
+    ``maker``: the control's maker, the heading of lists; empty where unknown. ``aliases``: further
+    names by which users look for it; other definitions may have the same. ``parameters``: those in
+    addition to the table, by the names that the family of its shape uses. ``look_at``: by verdict
+    of loading, what to check; empty where the definition does not state it. ``text``: the place of
+    each key, for faults. ``own``: of a user's definition, its text and what it extends; empty for
+    those that ship.
     """
 
     id: str
@@ -369,35 +369,33 @@ class Definition:
 
     @property
     def carried(self) -> Texts:
-        """What a plan carries of a definition of one's own: the texts by their bare names."""
+        """The texts of a user's definition that a plan carries, by their bare names."""
         return tuple((PurePath(name).name, text) for name, text in self.own)
 
     @property
     def judged(self) -> Judged:
         """Whether there is a second reader for this control: for those that ship, never for a
-        definition of one's own.
+        user's definition.
         """
         return "read_back" if self.own else "independent"
 
     @property
     def worked_for(self) -> str:
-        """The file that a definition takes its hand-worked corrections over from; empty where it
-        has its own.
+        """The file from which a definition inherits its hand-worked corrections; empty if it has
+        its own.
         """
         file, _ = self.text.places["expect",]
         return "" if file == self.text.file else PurePath(file).name
 
     def measure(self, quantity: str) -> Measure:
-        """Return the binding of a length or an angle. Raises KeyError where the definition has
-        none.
-        """
+        """Return the binding of a length or an angle. Raises KeyError if there is none."""
         binding = self.bindings[quantity]
         if not isinstance(binding, Measure):
             raise KeyError(quantity)
         return binding
 
     def choice(self, quantity: str) -> Choice:
-        """Return the binding of a choice. Raises KeyError where the definition has none."""
+        """Return the binding of a choice. Raises KeyError if there is none."""
         binding = self.bindings[quantity]
         if not isinstance(binding, Choice):
             raise KeyError(quantity)

@@ -1,4 +1,4 @@
-"""What a definition has to bind for the shape of its tables: data that each family brings."""
+"""Requirements on a definition by the shape of its tables: data that each family gives."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from compwright.formats.definition.kept_lines import KeptLines
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ShapeRules:
-    """What definitions of one shape have in common.
+    """Common properties of all definitions of one shape.
 
-    ``words``: the shape as people read it. ``grid``: the quantities that say where the nodes are.
-    ``signs``: quantities that have one sign whatever a definition says, with the signs that it may
-    say. ``row``: position and values of a node stand in one statement, which says the position
-    itself (``position``), is counted by its field ``index`` (``index``), or only holds the values
-    (``values``); None: each may stand in a statement of its own. ``by_axis``: a file belongs to one
-    axis. ``columns``: every table has columns for other axes, so that nothing else is needed to
-    correct between axes. ``afresh``: files are always written anew, never patched. ``parameters``:
-    those beside the table of which a definition says what they are. ``kept``: lines that `redact`
-    may leave as they are, beside the statements of the definition. ``repeats_turns``: the table of
-    a rotary axis over several turns holds its turn again and again. ``quantities``: what only
-    definitions of this shape bind, taken as it stands.
+    ``words``: the shape in words. ``grid``: the quantities that define the nodes. ``signs``:
+    quantities with a fixed sign, with the signs that a definition may state. ``row``: where
+    position and values of a node are: in one statement that has the position (``position``), a
+    field ``index`` (``index``), or only the values (``values``); None: each may be in a statement
+    of its own. ``by_axis``: a file belongs to one axis. ``columns``: every table has columns for
+    other axes, so that corrections between axes need nothing else. ``afresh``: files are always
+    written anew, never patched. ``parameters``: those in addition to the table whose meaning a
+    definition states. ``kept``: lines that `redact` may leave unchanged, in addition to the
+    definition's statements. ``repeats_turns``: the table of a rotary axis over several turns
+    repeats its turn. ``quantities``: those that only definitions of this shape bind, taken as
+    written.
     """
 
     words: str

@@ -1,9 +1,9 @@
 """Line templates: one form gives a tolerant reader and a strict printer, every token with its place
 in the file.
 
-A form is literal text with ``{fields}``. A blank in it stands for blanks; beside brackets, commas
-and ``=`` blanks are tolerated anyway, between words and numbers at least one is needed. Printing
-writes the form as it stands.
+A form is literal text with ``{fields}``. A blank in it matches any blanks; next to brackets, commas
+and ``=`` blanks are optional, between words and numbers at least one is needed. Printing writes the
+form unchanged.
 """
 
 from __future__ import annotations
@@ -47,8 +47,8 @@ _LINE_NUMBER = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class Token:
-    """A piece of a file: its text and its place in bytes, ``start`` counted from 0 and ``end``
-    behind it.
+    """A piece of a file: its text and its bytes, from ``start`` (counted from 0) up to, but
+    without, ``end``.
     """
 
     text: str
@@ -58,11 +58,11 @@ class Token:
 
 @dataclass(frozen=True, slots=True)
 class Occurrence:
-    """A statement as it stands in a file. ``tokens`` by field name, those of the section too;
-    ``line`` counts from 1.
+    """A statement found in a file. ``tokens`` by field name, those of the section too; ``line``
+    counts from 1.
 
-    ``form``: which of the statement's forms it has, 0 the one that is written, then those that are
-    only read. ``checksum``: a line checksum with the blanks before it.
+    ``form``: index of the statement's form, 0 for the one that is written, then those that are only
+    read. ``checksum``: a line checksum with the blanks before it.
     """
 
     statement: str
@@ -74,7 +74,7 @@ class Occurrence:
 
     @property
     def variant(self) -> bool:
-        """Whether it stands in one of the forms that are read but never written."""
+        """Whether it has one of the forms that are read but never written."""
         return self.form > 0
 
     @property
@@ -113,7 +113,7 @@ class Matcher:
     number: str | None = None
 
     def match(self, text: str) -> tuple[int, re.Match[str]] | None:
-        """Return which form a whole line has, and its match; None where it has none."""
+        """Return the index of the form of a whole line, and its match; None if no form fits."""
         found = ((place, form.fullmatch(text)) for place, form in enumerate(self.forms))
         return next(((place, match) for place, match in found if match is not None), None)
 
@@ -127,13 +127,13 @@ def line_number(text: str) -> str | None:
 
 
 def readable(form: str) -> str:
-    """Return a form as people are shown it: ``KEY[<axis>]=<value>``."""
+    """Return a form in the way it is shown to people: ``KEY[<axis>]=<value>``."""
     return form.replace("{", "<").replace("}", ">")
 
 
 def name_in_form(form: str) -> str:
-    """Return the control's name of what a form holds: its first word (``$BACKLASH``), or the number
-    of a parameter (``N#00007Q1(A{axis}P{value})*`` -> ``7``).
+    """Return the control's name in a form: its first word (``$BACKLASH``), or the number of a
+    parameter (``N#00007Q1(A{axis}P{value})*`` -> ``7``).
     """
     match = _NAME.match(form)
     return "" if match is None else match[1] or match[0]
@@ -145,8 +145,8 @@ def field_names(form: str) -> tuple[str, ...]:
 
 
 def print_form(form: str, values: Mapping[str, str]) -> str:
-    """Return a form with its fields filled in; a repeating group stands once. Raises KeyError for a
-    field without a value.
+    """Return a form with its fields filled in; a repeating group is printed once. Raises KeyError
+    for a field without a value.
     """
     return "".join(
         values[piece["field"]] if piece["field"] else piece["padded"] or piece[0]
@@ -155,18 +155,18 @@ def print_form(form: str, values: Mapping[str, str]) -> str:
 
 
 def _once(form: str) -> str:
-    """Return a form in which what may stand several times stands once."""
+    """Return a form with its repeating group printed once."""
     grouped = _GROUPED.fullmatch(form)
     return f"{grouped['before']}{grouped['group']}" if grouped else form
 
 
 def field_matches(kind: FieldType, text: str) -> bool:
-    """Return whether ``text`` can stand in a field of this type."""
+    """Return whether ``text`` is valid in a field of this type."""
     return re.fullmatch(_FIELD_PATTERNS[kind], text) is not None
 
 
 def plain_number(kind: FieldType, text: str) -> str:
-    """Return the text of a field with its exponent of ten (``1.5EX-2``) worked out."""
+    """Return the text of a field with its exponent of ten (``1.5EX-2``) evaluated."""
     if kind != "decimal_ex" or "EX" not in text.upper():
         return text
     return format(Decimal(text.upper().replace("EX", "E")), "f")

@@ -1,4 +1,4 @@
-"""The words that a definition is made of: quantities, kinds of fields, rules and predicates."""
+"""Words of a definition: quantities, kinds of fields, rules and predicates."""
 
 from __future__ import annotations
 

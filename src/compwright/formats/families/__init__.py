@@ -1,1 +1,1 @@
-"""The shapes of compensation tables, a folder per family behind one protocol."""
+"""Shapes of compensation tables, a folder per family behind one protocol."""

@@ -1,9 +1,9 @@
-"""Whether the tables of a state acted, where its files switch them off at the end or say nothing of
-it.
+"""Whether the tables of a state were active, if its files end with them switched off or do not
+state it.
 
-The answer speaks of what the files leave open: a table that they end with switched on acted, and a
-table between axes that they switch off slept where the leadscrew table of its axis was on. One
-answer never means two mechanisms.
+The job's answer (`active`) holds only for what the files leave open. A table that the files end
+with switched on was active. A table between axes that they switch off was not active if the
+leadscrew table of its axis was on: one answer never covers two mechanisms.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from compwright.foundations.errors import Fault
 
 @dataclass(frozen=True, slots=True)
 class Activity:
-    """``said``: what the job answers (None: nothing). ``asking``: the answer is needed, because
-    readings hang on it. ``carried_out``: all values of programs count, as the answer says or
-    because that was asked before.
+    """``stated``: the job's answer (None: no answer). ``asking``: the answer is required, because
+    measurements depend on it. ``carried_out``: all values of programs count, by the answer or
+    because it was checked before.
     """
 
     stated: bool | None = None
@@ -29,11 +29,11 @@ class Activity:
     def resolve(
         self, label: str, switches: str, word: str | None, place: FoundValue | None, notes: Notes
     ) -> bool | None:
-        """Return whether a table that is not zero acted; None where neither the files nor the job
-        say it, and nobody asks.
+        """Return whether a table that is not zero was active; None if neither the files nor the job
+        state it, and the answer is not required.
 
-        ``word``: what the files end with at ``switches`` (``yes``, ``no``, None: nothing), at
-        ``place``.
+        ``word``: the last value of ``switches`` in the files (``yes``, ``no``, None: not in them),
+        at ``place``.
         """
         if word == "yes":
             if self.stated is False:

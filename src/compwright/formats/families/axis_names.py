@@ -1,8 +1,8 @@
-"""The names of one machine axis in the control's files: its place (AX1), the machine's name for it
-(X1), the channel's (X).
+"""Names of one machine axis in the control's files: by index (AX1), the machine's name (X1), the
+channel's name (X).
 
 Where the files list the names (SINUMERIK: MD10000, MD20080 with MD20070), all of them are one axis:
-the one that the job asks for under any of them. Without the list each name is an axis of its own.
+the one that the job names by any of them. Without the list each name is an axis of its own.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ _PLACE = re.compile(r"AX([0-9]{1,2})")
 def axis_names(
     definition: Definition, texts: Iterable[ReadText], wanted: Sequence[str] = ()
 ) -> AxisNames:
-    """Return the names that the files list; ``asked``: the addresses that a job or the command line
-    names.
+    """Return the names that the files list; ``wanted``: the addresses in a job or on the command
+    line.
 
     Raises InputError where the files give one name to two axes, UsageError where two addresses are
     one axis.
@@ -93,7 +93,7 @@ def _machine(
 def _channel(
     definition: Definition, found: Mapping[str, Mapping[str, Sequence[Occurrence]]]
 ) -> dict[str, str]:
-    """Return the channel's names, as far as they mean the same machine axis wherever they stand."""
+    """Return the channel's names that mean the same machine axis everywhere in the files."""
     meant: dict[str, set[str]] = {}
     for index, occurrences in found.get("channel_axis", {}).items():
         used = {

@@ -1,4 +1,4 @@
-"""Tables on their way into files: each with its axis and the address by which it is written."""
+"""Tables to be written, each with its axis and the address used in the files."""
 
 from __future__ import annotations
 
@@ -21,8 +21,7 @@ def paired(
     compensations: Sequence[AxisCompensation],
     axes: Sequence[tuple[str, Axis]],
 ) -> list[AxisTable]:
-    """Return the tables with the axes (address as it is written, axis) that they belong to, in the
-    order of the tables.
+    """Return the tables with their axes (address in the files, axis), in the order of the tables.
 
     Raises UsageError for every table without an axis, and for two of one axis.
     """
@@ -54,8 +53,8 @@ def paired(
 
 
 def with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[AxisTable]:
-    """Return the tables with those of gantry partners, which are the same: on one axis alone a
-    table racks the bridge.
+    """Return the tables with equal ones for gantry partners: a table on one axis alone racks the
+    bridge.
     """
     result = {address: (address, axis, compensation) for address, axis, compensation in pairs}
     for _, axis, compensation in pairs:
@@ -67,5 +66,5 @@ def with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[Ax
 
 
 def sound(tables: Sequence[AxisTable]) -> list[AxisTable]:
-    """Return the tables that can be written at all: two points and more, finite, ascending."""
+    """Return the tables that can be written: two points or more, finite, ascending."""
     return [each for each in tables if each[2].positions.size >= 2 and not limits.unsound(each[2])]

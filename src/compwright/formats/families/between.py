@@ -1,5 +1,5 @@
-"""Corrections between axes (squareness, straightness): what is asked of a control, and what it
-answers. What the control does with them is its family's.
+"""Corrections between axes (squareness, straightness): request to a control, and its answer. Each
+family decides what its control does with them.
 """
 
 from __future__ import annotations
@@ -21,20 +21,20 @@ _NO_SHIFT = 2e-6
 
 
 class FileReading(Protocol):
-    """Reads control files. ``written``: compwright wrote them just now, so that a contradiction is
-    a fault of its own.
+    """Reads control files. ``written``: compwright has just written them, so a contradiction is
+    compwright's own fault.
     """
 
     def __call__(self, files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
-        """Return what the files say. Raises CompwrightError."""
+        """Return the state in the files. Raises CompwrightError."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BetweenRequest:
-    """What shall be added between axes.
+    """Corrections between axes that are to be added.
 
     ``axes``: those of the job by name; ``tabled``: the names of those that get a table of their own
-    in ``tables``. ``base``: the control's own files with ``tables`` in their place. ``found``: the
+    in ``tables``. ``base``: the control's own files with ``tables`` replaced. ``found``: the
     control's own files as they were found.
     """
 
@@ -49,13 +49,12 @@ class BetweenRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Between:
-    """What a control does with corrections between axes.
+    """A control's answer to corrections between axes.
 
-    ``files``: those of ``BetweenRequest.base`` that change, and new ones; None: no file holds them.
-    ``held``: the corrections that the files hold, as they hold them; None: all, as planned.
-    ``sheets``: what is typed in. ``remarks``: what is to be said; ``steps``: title, text and
-    evidence of steps of the card. ``quantum``: to what the values in the files are rounded, mm or
-    deg; 0: they hold what was planned.
+    ``files``: files of ``BetweenRequest.base`` that change, and new ones; None: no file holds them.
+    ``held``: the corrections as the files hold them; None: all, as planned. ``sheets``: entry
+    sheets. ``remarks``: findings; ``steps``: title, text and evidence of steps of the card.
+    ``quantum``: rounding of the values in the files, mm or deg; 0: they hold what was planned.
     """
 
     files: tuple[ControlFile, ...] | None = None
@@ -67,8 +66,9 @@ class Between:
 
 
 def label(entry: PlannedCross) -> Sentence:
-    """Return what is corrected, as people read it: a squareness, or the slope of the deviation that
-    was measured. An angle above 90° lets the output axis deviate to -.
+    """Return a name for the corrected error: a squareness, or the slope of the measured deviation.
+
+    For an angle above 90° the output axis deviates towards -.
     """
     squareness = entry.squareness * 1e6
     if entry.source == "circle":
@@ -77,12 +77,12 @@ def label(entry: PlannedCross) -> Sentence:
 
 
 def together(first: Sequence[ControlFile], then: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
-    """Return the files of both, those of ``then`` in place of others of their name."""
+    """Return the files of both; those of ``then`` replace others of the same name."""
     return tuple({file.name: file for file in (*first, *then)}.values())
 
 
 def in_turn(answers: Iterable[Between]) -> Between:
-    """Return answers that are in no file as one."""
+    """Return several answers without files as one."""
     every = list(answers)
     return Between(
         sheets=tuple(sheet for one in every for sheet in one.sheets),
@@ -92,8 +92,8 @@ def in_turn(answers: Iterable[Between]) -> Between:
 
 
 def typed_in(entry: PlannedCross, sheet: ControlFile, sentence: Sentence, text: str) -> Between:
-    """Return the answer of a control into which ``sheet`` is typed: neither form nor sign are
-    confirmed.
+    """Return the answer of a control into which ``sheet`` is typed: form and sign are
+    unconfirmed.
     """
     title = f"{entry.output} over {entry.input}: type in"
     return Between(
@@ -113,12 +113,12 @@ def not_held(entry: PlannedCross, why: str) -> Between:
 
 
 def instead(definition: Definition, planned: Iterable[PlannedCross]) -> Between:
-    """Return the answer of a control without tables between axes: what its definition knows
-    instead.
+    """Return the answer of a control without tables between axes: the alternative in its
+    definition.
 
-    Its text may name the angle that kinematics have to take away (``{squareness}``, rad), the axes
-    (``{input}`` and ``{output}``, lower case), and what that also moves (``{shift}``): the line of
-    the angle runs through machine zero, the correction is zero at the reference.
+    The text may contain the angle to be removed by kinematics (``{squareness}``, rad), the axes
+    (``{input}`` and ``{output}``, lower case), and the shift this also causes (``{shift}``): the
+    line of the angle runs through machine zero, the correction is zero at the reference.
     """
     return in_turn(
         not_held(entry, print_form(definition.between_axes.instead, _named(entry)))

@@ -1,5 +1,5 @@
-"""What a definition, its options and what the control's own files say settle together, the same way
-for every family.
+"""A definition bound to its options and to the contents of the control's files, for every
+family.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from compwright.records.correction import Assumption, ControlState
 
 
 class Bound:
-    """A definition bound to its options and to a ``state``: what the control's own files said;
-    nothing before they are read.
+    """A definition with its options and a ``state``: the contents of the control's own files; empty
+    before they are read.
 
     Raises UsageError for a wrong option, or one that contradicts the control's files.
     """
@@ -36,29 +36,29 @@ class Bound:
         self.options = resolve_options(definition, given, state, strict=strict)
 
     def in_state(self, state: ControlState | None, *, strict: bool = False) -> Self:
-        """Return the control with the options that its own files answer taken from them.
+        """Return the control with options taken from its own files where these answer them.
 
-        ``strict``: every option was given by somebody, not taken from defaults. Raises UsageError
-        where an option that was given contradicts the files.
+        ``strict``: every option was given by the user, not by default. Raises UsageError where a
+        given option contradicts the files.
         """
         return type(self)(self.definition, self.given, state, strict=strict)
 
     def address(self, axis: Axis) -> tuple[str, Assumption | None]:
-        """Return how the control names an axis, and what had to be assumed for that.
+        """Return the control's address of an axis, and the assumption made to find it.
 
         Raises UsageError for an address that the control cannot have.
         """
         return normal_address(self.definition, axis)
 
     def options_of(self, axis: Axis | None, *, unit_needed: bool = True) -> Mapping[str, object]:
-        """Return the options of an axis: its own over the controller's, which alone count for an
-        axis that no job knows. ``unit_needed`` as `axis_options`. Raises UsageError.
+        """Return the options of an axis; its own override the controller's, which alone count for
+        an axis without a job. ``unit_needed`` as in `axis_options`. Raises UsageError.
         """
         return axis_options(self.definition, self.options, axis, unit_needed=unit_needed)
 
     def grid_there(self, axis: Axis) -> tuple[float, ...]:
-        """Return the nodes (ascending, mm or deg) of the table that the control's own files hold
-        for an axis, whether it acts or not; none where they hold none.
+        """Return the nodes (ascending, mm or deg) of the table in the control's own files, active
+        or not; empty if they hold none.
         """
         address, _ = self.address(axis)
         existing = self.state.axes.get(address)
@@ -67,7 +67,7 @@ class Bound:
         return self.state.facts_of(address).grid
 
     def scale_of(self, axis: Axis) -> NumberScale:
-        """Return how numbers of an axis are written; choices are those that its options ask for."""
+        """Return the number scale of an axis, with the choices that its options set."""
         options = self.options_of(axis)
         choices = {
             name: binding.values[binding.written(options)]

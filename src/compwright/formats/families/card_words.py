@@ -1,4 +1,4 @@
-"""What the cards of several families say in the same words."""
+"""Texts that the cards of several families share."""
 
 from __future__ import annotations
 
@@ -45,9 +45,9 @@ REFERENCING = {
 class CardRequest:
     """A table that was written, for the card.
 
-    ``table``: as it was read back; ``facts``: what the files that hold it say of the axis.
-    ``check_at``: positions at which the axis can be measured, mm or deg, ascending. ``files``: all
-    that were written.
+    ``table``: as it was read back; ``facts``: facts of the axis in the written files. ``check_at``:
+    positions at which the axis can be measured, mm or deg, ascending. ``files``: all that were
+    written.
     """
 
     axis: Axis
@@ -59,11 +59,11 @@ class CardRequest:
 
 @dataclass(frozen=True, slots=True)
 class AxisCard:
-    """What the card says about one table.
+    """Contents of the card for one table.
 
     ``values``: by field of the card's texts: points, start, end, spacing and backlash in the
-    control's unit, numbers, names of files, the check of the sign. ``numbered``: which section has
-    which number, for the drawing; None where points have no numbers that an engineer sets.
+    control's unit, numbers, names of files, the check of the sign. ``numbered``: the number of each
+    section, for the drawing; None where points have no numbers that an engineer sets.
     """
 
     values: Mapping[str, str]
@@ -71,7 +71,7 @@ class AxisCard:
 
 
 def typed(value: float) -> str:
-    """Return a number as it is typed at a control: digits and a point, never an exponent."""
+    """Return a number in the form typed at a control: digits and a point, never an exponent."""
     return np.format_float_positional(float(f"{value:.10g}"), trim="-")
 
 
@@ -105,8 +105,8 @@ def table_values(
 
 
 def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, str]:
-    """Return the two of the positions ``where`` (mm or deg, ascending) between which the table
-    changes the distance most: there the sign shows best.
+    """Return the two of the positions ``where`` (mm or deg, ascending) whose distance the table
+    changes most: the sign shows best there.
     """
     if compensation.positions.size < 2:
         return {}
@@ -122,8 +122,10 @@ def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, s
 
 
 def named_files(control: Bound, axis: Axis, files: Sequence[ControlFile]) -> dict[str, str]:
-    """Return how the texts of the card call the definition's files for an axis, where that is not
-    their own name; ``files``: all that were written.
+    """Return the names of the definition's files for an axis where they differ from their own
+    names.
+
+    ``files``: all that were written.
     """
     definition = control.definition
     written = loading_order(definition, files)
@@ -147,7 +149,7 @@ def named_files(control: Bound, axis: Axis, files: Sequence[ControlFile]) -> dic
 
 
 def _new_names(control: Bound, axis: Axis) -> set[str]:
-    """Return what new files of ``axis`` and of all axes of the state are called."""
+    """Return the names of new files of ``axis`` and of all axes of the state."""
     return {
         name
         for address in (control.address(axis)[0], *control.state.axes)
@@ -157,13 +159,13 @@ def _new_names(control: Bound, axis: Axis) -> set[str]:
 
 
 def file_stem(control: Bound, address: str) -> str:
-    """Return what stands in the names of new files for an axis at ``address``."""
+    """Return the part of new file names that stands for an axis at ``address``."""
     return control.state.facts_of(address).machine_name or address
 
 
 def numbered_files(definition: Definition, axis: Axis) -> dict[str, str]:
-    """Return how the definition's files are called for an axis, whether they are written or not,
-    by field of the card's texts.
+    """Return the names of the definition's files for an axis, written or not, by field of the
+    card's texts.
     """
     address, _ = normal_address(definition, axis)
     named = {"axis": address, "system": str(axis.encoder.system - 1)}

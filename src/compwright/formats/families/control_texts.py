@@ -1,4 +1,4 @@
-"""The texts of a control's files: containers opened, files beside them laid over what they hold."""
+"""Texts of a control's files: containers opened, files given with a container laid over it."""
 
 from __future__ import annotations
 
@@ -45,8 +45,9 @@ _KEPT = 16
 def gathered_files(
     definition: Definition, files: Sequence[ControlFile], wanted: Sequence[str] = ()
 ) -> Gathered:
-    """Return what files say, by axis and measuring system; ``asked`` and errors as `axis_names`,
-    InputError too for files that cannot be read.
+    """Return the contents of files by axis and measuring system.
+
+    ``wanted`` and errors as in `axis_names`; also InputError for files that cannot be read.
     """
     reader, faults = text_reader(definition), list[Fault]()
     whole = texts_of(definition, files, faults)
@@ -59,8 +60,8 @@ def gathered_files(
 def all_names(
     definition: Definition, files: Sequence[ControlFile], addresses: Sequence[str]
 ) -> set[str]:
-    """Return every name that ``files``, which were read before, give to the axes at ``addresses``,
-    those themselves among them.
+    """Return every name that ``files`` (already read) give to the axes at ``addresses``, with these
+    addresses.
     """
     reader, faults = text_reader(definition), list[Fault]()
     texts = [
@@ -77,9 +78,9 @@ def texts_of(
 ) -> tuple[ControlFile, ...]:
     """Return the texts of a control's files, containers opened.
 
-    Files that lie beside a container were loaded over it, whatever their order: an entry of which
-    they speak is blank in its texts, and so are values behind the end of a table that they hold.
-    What is wrong with a container goes to ``faults``.
+    Files next to a container were loaded over it, whatever their order. So the texts of the
+    container are blank for every entry in those files, and for values after the end of a table in
+    them. Faults of a container go to ``faults``.
     """
     found, wrong = _texts_of(definition, tuple(files))
     faults.extend(wrong)
@@ -107,8 +108,9 @@ def _texts_of(
 
 
 def is_listing(definition: Definition, file: ControlFile) -> bool:
-    """Return whether a file is a listing that a program made for people: its values stand with
-    decimal commas, all of them, and no control takes it.
+    """Return whether a file is a listing that a program printed for people.
+
+    All its values have decimal commas, which no control accepts.
     """
     return (
         "files" in definition.options
@@ -119,8 +121,9 @@ def is_listing(definition: Definition, file: ControlFile) -> bool:
 
 
 def _listed(files: Sequence[ControlFile], definition: Definition) -> tuple[ControlFile, ...]:
-    """Return files with points in the place of the commas of listings, and without the entries that
-    a listing does not know (``n/a``) and another file does.
+    """Return files with decimal points instead of the commas of listings.
+
+    Entries without a value in a listing (``n/a``) are removed if another file has them.
     """
     pointed = [
         replace(file, content=_COMMA.sub(rb"\1.\2", file.content))
@@ -135,8 +138,8 @@ def _listed(files: Sequence[ControlFile], definition: Definition) -> tuple[Contr
 
 
 def _assigned_names(files: Sequence[ControlFile]) -> list[tuple[bytes, int]]:
-    """Return the last word before each value that files give, reversed and in small letters, with
-    the index of its file, sorted: the words that end alike stand together.
+    """Return the last word before each value in the files, reversed and in lower case, with the
+    index of its file; sorted, so that words with the same ending are together.
     """
     return sorted(
         {
@@ -167,7 +170,7 @@ def _without_unknown(
 
 
 class _Over:
-    """What files beside a container say in place of it."""
+    """Entries in files next to a container, which replace those of the container."""
 
     def __init__(self, definition: Definition, names: AxisNames, texts: Iterable[ReadText]) -> None:
         self.definition = definition
@@ -177,7 +180,7 @@ class _Over:
         self.ended = {self._table(one) for one in assigned if self._holds(one, _ROWS.values())}
 
     def blanked(self, file: ControlFile, text: ReadText) -> ControlFile:
-        """Return a text of the container with blanks in place of the lines that do not count."""
+        """Return a text of the container with blanks instead of the replaced lines."""
         spans = [
             (min(token.start for token in tokens), max(token.end for token in tokens))
             for one in text.occurrences
@@ -198,7 +201,7 @@ class _Over:
         return self._key(one) in self.keys or (row and self._table(one) in self.ended)
 
     def _counts(self, one: Occurrence) -> bool:
-        """Whether a line is of one axis or table, and no name of an axis."""
+        """Return whether a line belongs to one axis or table, and is not an axis name."""
         of_one = "axis" in one.tokens or "table" in one.tokens
         return of_one and not self._holds(one, NAMES)
 
@@ -209,7 +212,7 @@ class _Over:
         return entry_key(self.definition, one, self.names)
 
     def _table(self, one: Occurrence) -> tuple[str, str, str]:
-        """Return the table of which a line speaks."""
+        """Return the table that a line belongs to."""
         of = [one.tokens[name].text if name in one.tokens else "" for name in ("system", "table")]
         return self._key(one)[1], of[0].lstrip("0"), of[1].lstrip("0")
 

@@ -1,7 +1,7 @@
-"""Axes that move together by what the control's own files say, against what the job says of them.
+"""Axes that move together by the control's own files, compared with the job.
 
 A table on one of them alone racks the machine. The job names the synchronised axis (``gantry``), or
-says that the axis moves alone where a program or the PLC switches the coupling.
+states that the axis moves alone where a program or the PLC switches the coupling.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _WHOLE = re.compile(r"[+-]?[0-9]{1,9}(?:\.0*)?")
 
 
 def whole_number(text: str) -> int | None:
-    """Return a whole number as a parameter holds it; None for anything else."""
+    """Return the whole number in a parameter; None for other text."""
     text = text.strip()
     return int(float(text)) if _WHOLE.fullmatch(text) else None
 
@@ -33,11 +33,11 @@ def whole_number(text: str) -> int | None:
 class Coupling:
     """One axis that ``follows`` another by a parameter of the control's files.
 
-    ``leads``: the addresses of the leading axis; several where the files leave open which one is
-    meant, none where they do not say it. ``parameter``: the parameter with its value;
-    ``file``, ``place``: where it stands. ``switched``: a program or the PLC switches it.
-    ``unlike``: why a table for both is no answer; empty where both move alike. ``drive``: only the
-    drive follows, without a position of its own, so that the leading axis needs no other table.
+    ``leads``: the addresses of the leading axis; several if the files leave it open, empty if they
+    do not state it. ``parameter``: the parameter with its value; ``file``, ``place``: its place.
+    ``switched``: a program or the PLC switches it. ``unlike``: why one table for both does not
+    help; empty if both move alike. ``drive``: only the drive follows, without a position of its
+    own, so that the leading axis needs no other table.
     """
 
     leads: tuple[str, ...]
@@ -66,11 +66,11 @@ class Coupling:
 
 
 def check_couplings(couplings: Sequence[Coupling], axes: Mapping[str, Axis], notes: Notes) -> None:
-    """Hold what the files couple against the job; ``axes``: those of the job by address.
+    """Compare the couplings in the files with the job; ``axes``: those of the job by address.
 
-    A synchronised axis that the job does not name is asked for. A coupling that a table for both
-    axes does not answer is a fault. A synchronised axis may be among ``axes`` itself, where it gets
-    a table of its own.
+    The user has to name a synchronised axis that is missing in the job. A coupling for which one
+    table for both axes does not help is a fault. A synchronised axis may be among ``axes`` itself;
+    then it gets a table of its own.
     """
     led = {axis.gantry for axis in axes.values()}
     for address, axis in axes.items():
@@ -97,7 +97,7 @@ def check_couplings(couplings: Sequence[Coupling], axes: Mapping[str, Axis], not
 
 
 def followers(couplings: Sequence[Coupling], address: str) -> tuple[str, ...]:
-    """Return the axes that move as the axis at ``address`` does."""
+    """Return the axes that move with the axis at ``address``."""
     found = (one.follows for one in couplings if address in one.leads and not one.unlike)
     return tuple(dict.fromkeys(found))
 
@@ -143,7 +143,9 @@ def _ask_for_followers(
 
 
 def _other_leader(address: str, axis: Axis, couplings: Sequence[Coupling]) -> Iterator[Fault]:
-    """Yield where the synchronised axis of the job follows another axis, or moves otherwise."""
+    """Yield a fault if the synchronised axis of the job follows another axis, or moves
+    differently.
+    """
     for coupling in couplings:
         if axis.gantry != coupling.follows:
             continue
@@ -157,7 +159,7 @@ def _other_leader(address: str, axis: Axis, couplings: Sequence[Coupling]) -> It
 
 @dataclass(frozen=True, slots=True)
 class CouplingParameter:
-    """A parameter that may couple axes: its ``words`` with its value, and where it stands."""
+    """A parameter that may couple axes: ``words`` with its value, and its place."""
 
     words: str
     file: str
@@ -172,7 +174,7 @@ class CouplingParameter:
         unlike: str = "",
         drive: bool = False,
     ) -> Coupling:
-        """Return what it couples."""
+        """Return the coupling by this parameter."""
         return Coupling(
             leads=leads,
             follows=follows,
@@ -187,7 +189,9 @@ class CouplingParameter:
 
 @dataclass(frozen=True, slots=True)
 class CouplingStatement(CouplingParameter):
-    """A parameter that a pattern finds in a text, with the match; blanks in its words joined."""
+    """Match of a pattern in a text: a parameter that may couple axes; blanks in its words
+    joined.
+    """
 
     match: re.Match[str]
 

@@ -1,4 +1,4 @@
-"""Which entry of the control a line speaks of, whatever name the line has for its axis."""
+"""Which entry of the control a line sets, independent of the name used for its axis."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NAMES = ("machine_axis", "channel_axis", "channel_machine_axis")
 
 
 def entry_key(definition: Definition, occurrence: Occurrence, names: AxisNames) -> Key:
-    """Return which entry a line is; ``names``: those of the axes."""
+    """Return the key of the entry in a line; ``names``: the axis names."""
     tokens = occurrence.tokens
     axis = tokens.get("axis")
     address = "" if axis is None else names.address(normal_text(definition, axis.text))
@@ -26,12 +26,12 @@ def entry_key(definition: Definition, occurrence: Occurrence, names: AxisNames) 
 
 
 def which_fields(definition: Definition, statement: str) -> list[str]:
-    """Return the fields that say which entry a statement is, apart from the axis."""
+    """Return the fields that identify the entry of a statement, apart from the axis."""
     return [name for name in definition.statements[statement].fields if name in _WHICH]
 
 
 def value_of(occurrence: Occurrence) -> str:
-    """Return the value of an entry as it stands."""
+    """Return the value of an entry as written."""
     which = ("axis", *_WHICH)
     return next(token.text for name, token in occurrence.tokens.items() if name not in which)
 

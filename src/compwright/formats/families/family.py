@@ -1,5 +1,5 @@
-"""What every family of controls answers: one protocol, bound to a definition, its options and what
-the control's own files say.
+"""Interface of all families of controls, bound to a definition, its options and the contents of the
+control's own files.
 
 A family is a shape of compensation data (a grid, whole steps by section, columns in the user's own
 tables), never a maker. The single controls differ by their definitions.
@@ -49,21 +49,20 @@ OwnLimits = Callable[[Axis, AxisCompensation, Capacity, str], Sequence[Fault]]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Listing:
-    """What a family finds in a control's files without making a state of them.
+    """Information in a control's files that does not need a state to be built.
 
-    ``entered`` (files, and further ones of the machine that may say what its axes are called):
-    everything that files enter, whether it acts or not, by what tells each value from all others;
-    raises InputError. ``whereabouts`` (one of the entries, all of them, what the files say where
-    that could be read): the addresses of the axes that it belongs to, and the position of a value
-    of a table as the files count it. ``names``: the address of each axis, and what says so, by the
-    name that the files give to it alone; raises InputError. ``alone``: the addresses that may be
-    read alone where one odd axis spoils the whole. ``idle``: whether what was read of other axes
-    tells that nothing acts on the one at an address. ``carried_out``: files without the programs
-    that were not carried out, where the job says so (``active: no``), and findings that name these;
-    raises InputError where that cannot be. ``shown``: the control as it reads files that are only
-    shown: what no reading depends on may be assumed, and is reported. ``drafted``: as it reads
-    files for the draft of a job: what no reading of its tests can depend on keeps no axis out;
-    None: as shown.
+    ``entered`` (files, and further ones of the machine that may name its axes): every value in the
+    files, active or not, by a unique key; raises InputError. ``whereabouts`` (one of the entries,
+    all of them, the state if it could be read): the addresses of the axes that it belongs to, and
+    the position of a table value in the files' coordinates. ``names``: for each axis name, the
+    axis' address and its evidence; raises InputError. ``alone``: the addresses that can be read
+    alone if one faulty axis spoils the whole. ``idle``: whether the readings of other axes show
+    that nothing is active on the axis at an address. ``carried_out``: files without the programs
+    that were not executed by the job's answer (``active: no``), and findings that name these;
+    raises InputError if that is impossible. ``shown``: the control for files that are only
+    displayed: what no measurement depends on may be assumed, and is reported. ``drafted``: the
+    control for the draft of a job: doubts that cannot affect a measurement exclude no axis; None:
+    as ``shown``.
     """
 
     entered: Callable[[Definition, Sequence[ControlFile], Sequence[ControlFile]], Entries] = (
@@ -85,7 +84,7 @@ class Listing:
 
 
 class Family(Bound, ABC):
-    """One control's compensation."""
+    """The compensation of one control."""
 
     listing: ClassVar[Listing] = Listing()
     #: The number without which tables cannot be read, where their control has one.
@@ -102,20 +101,22 @@ class Family(Bound, ABC):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """Return what a control does with ``files``.
+        """Return the state of a control with ``files``.
 
-        ``axes`` (where a job knows them) give kind, measuring system and direction of the reference
-        return, and limit the reading to these axes; otherwise every axis in the files is read, or
-        only ``address``, and the options ``reference`` and ``reference_return`` are listed in
-        ``assumed``. ``activity``: what a job says of whether the tables acted. The axes of the
-        result stand under the address as `Family.address` gives it. Raises InputError with every
-        fault that was found (file and line), UsageError for a wrong option or address, and for what
-        only the user can answer.
+        ``axes`` (from a job) give kind, measuring system and direction of the reference return, and
+        limit the reading to these axes. Without them every axis in the files is read, or only
+        ``address``, and the options ``reference`` and ``reference_return`` are listed in
+        ``assumed``. ``activity``: the job's answer whether the tables were active. The axes of the
+        result have the addresses of `Family.address`. Raises InputError with every fault (file and
+        line), UsageError for a wrong option or address, and for questions that only the user can
+        answer.
         """
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
-        """Yield what a job has to say of an axis that is to get a table; the place is the key or
-        the option. ``files``: the control's own files are given, and may say it; ``given``: the
+        """Yield the missing answers for an axis that is to get a table; the place is the key or the
+        option.
+
+        ``files``: the control's own files are given, and may hold the answer; ``given``: the
         options that the job gives to any of its axes.
         """
         del given
@@ -129,9 +130,9 @@ class Family(Bound, ABC):
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """Return the limits of one axis' table in mm or deg.
 
-        ``one_curve``: the job asks for one table and a backlash value, even where the control could
-        hold a pair. What the control's own files answer counts. Raises UsageError for an address
-        that the control cannot have, CapacityError where it can hold nothing.
+        ``one_curve``: the job requires one table and a backlash value, even if the control could
+        hold a pair. Options answered by the control's own files count. Raises UsageError for an
+        address that the control cannot have, CapacityError if it can hold nothing.
         """
 
     @abstractmethod
@@ -145,28 +146,28 @@ class Family(Bound, ABC):
         axes.
 
         ``axes`` holds the axis of every compensation. ``files``: the control's own, to be patched.
-        Same input, same bytes: no dates, no order by chance. Raises UsageError for a compensation
+        Same input, same bytes: no dates, no random order. Raises UsageError for a compensation
         without an axis, CapacityError with everything that the control cannot hold exactly: all
-        limits are checked here again (`checked`), whatever was checked before.
+        limits are checked here again (`checked`), even if they were checked before.
         """
 
     @abstractmethod
     def card(self, request: CardRequest) -> AxisCard:
-        """Return what the card says about a table that was written."""
+        """Return the card's contents for a table that was written."""
 
     @abstractmethod
     def between(self, request: BetweenRequest) -> Between:
-        """Return what the control does with corrections between axes, by the state that is bound.
+        """Return the control's answer to corrections between axes, for the state that is bound.
 
-        What it cannot hold is said, and what would help; nothing of that is written. Raises
-        CompwrightError where its files cannot be read.
+        A correction that it cannot hold is reported, with what would help, and not written. Raises
+        CompwrightError if its files cannot be read.
         """
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
     ) -> tuple[ControlFile, ...]:
-        """Return second forms of compensations that were written already: sheets to type in,
-        programs that enter the same values. ``compensations`` belong to ``axes`` one by one.
+        """Return second forms of compensations that were already written: entry sheets, or programs
+        that enter the same values. ``compensations`` belong to ``axes`` one by one.
         """
         del compensations, axes
         return ()
@@ -177,10 +178,10 @@ class Family(Bound, ABC):
         own: Sequence[ControlFile],
         axes: Sequence[Axis],
     ) -> Delivery:
-        """Return what the control loads, and what brings back what was in it.
+        """Return the files that the control loads, and those that restore its old contents.
 
-        ``files``: what was written for ``axes``, the control's ``own`` ones patched among them.
-        Raises UsageError for a form of files that these have not.
+        ``files``: those written for ``axes``, with the control's ``own`` ones patched. Raises
+        UsageError for a form of files that is not available.
         """
         del own, axes
         return Delivery(tuple(files))
@@ -212,7 +213,7 @@ def _paired(
 
 
 def no_limits(_: Axis, __: AxisCompensation, ___: Capacity, ____: str) -> Sequence[Fault]:
-    """Return no fault: a family without limits of its own."""
+    """Return no faults: for a family without limits of its own."""
     return ()
 
 
@@ -238,10 +239,10 @@ def checked(
     axes: Sequence[Axis],
     own_limits: OwnLimits = no_limits,
 ) -> tuple[list[AxisTable], list[Fault]]:
-    """Return the tables with those of gantry partners, and the limits that they break.
+    """Return the tables with those of gantry partners, and the broken limits.
 
-    ``own_limits``: what breaks limits that only one family has, of endless axes too; with the axis
-    in words. Raises UsageError for a table without an axis.
+    ``own_limits``: faults by limits that only one family has, those of endless axes included; with
+    the axis in words. Raises UsageError for a table without an axis.
     """
     tables = with_partners(control.definition, _paired(control, compensations, axes))
     faults = [
@@ -253,10 +254,10 @@ def checked(
 def _broken(
     control: Family, axis: Axis, compensation: AxisCompensation, own_limits: OwnLimits
 ) -> tuple[Fault, ...]:
-    """Return what keeps the control from holding a compensation, apart from single values that
-    are not exact.
+    """Return the faults for which the control cannot hold a compensation, apart from single values
+    that are not exact.
 
-    Names the limit, by how much it is broken and what would help.
+    Each names the limit, the excess and what would help.
     """
     label = f"axis {axis.name} ({compensation.address})"
     unsound = limits.unsound(compensation)

@@ -1,4 +1,4 @@
-"""Gantry axes: a table acts on the leading and on the synchronised axis alone, so both need the
+"""Gantry axes: a table corrects only the leading or only the synchronised axis, so both need the
 same one.
 """
 
@@ -28,11 +28,11 @@ def find_partners(
     of_job: bool,
     single: Collection[str] = (),
 ) -> None:
-    """Note where the two axes of a gantry differ, and where two axes look like one although the job
-    does not say so.
+    """Note differences between the two axes of a gantry, and two axes that look like a gantry which
+    the job does not name.
 
-    ``partners``: synchronised axis by leading axis; ``read``: what was read, by address; ``asked``:
-    a job names these axes; ``single``: those that are in no gantry by the files.
+    ``partners``: synchronised axis by leading axis; ``read``: the compensations read, by address;
+    ``of_job``: a job names these axes; ``single``: those that are in no gantry by the files.
     """
     compare_partners(partners, read, notes)
     if not of_job:
@@ -48,15 +48,15 @@ def find_partners(
 def compare_partners(
     partners: Mapping[str, str], read: Mapping[str, AxisCompensation], notes: Notes
 ) -> None:
-    """Note where the two axes of a gantry differ; arguments as `find_partners`."""
+    """Note differences between the two axes of a gantry; arguments as in `find_partners`."""
     for leading, partner in partners.items():
         if leading in read and partner in read and not _same(read[leading], read[partner]):
             notes.find("CW-S030", "warning", partner=partner, leading=leading)
 
 
 def note_twin(address: str, other: str, notes: Notes, *, single: bool = False) -> None:
-    """Note that an axis of the job and another one hold the same table; ``single``: the files say
-    that the axis is in no gantry.
+    """Note that an axis of the job and another one hold the same table; ``single``: by the files
+    the axis is in no gantry.
     """
     if single:
         notes.find("CW-S031.single", "info", address, axis=address, other=other)
@@ -74,8 +74,8 @@ def _same(one: AxisCompensation, other: AxisCompensation) -> bool:
 
 
 def _table(gathered: Gathered, address: str) -> set[tuple[tuple[int, Decimal], ...]]:
-    """Return the values of an axis' tables by index, for each measuring system; one of zeros says
-    nothing and is left out.
+    """Return the values of an axis' tables by index, for each measuring system; a table of zeros is
+    left out.
     """
     tables = set()
     keys: list[Key] = [key for key in gathered.rows if key[0] == address]

@@ -1,4 +1,6 @@
-"""What no control can hold, whatever its family: wrong numbers, too many points, the wrong ends."""
+"""Limits that no control can exceed, whatever its family: invalid numbers, too many points, wrong
+ends.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,7 @@ SAME_TURN = 1e-6
 
 
 def unsound(compensation: AxisCompensation) -> str:
-    """Return what makes a table no table at all, in words; empty for a sound one."""
+    """Return why a table is invalid, in words; empty for a valid one."""
     positions = compensation.positions
     if (
         not positions.shape == compensation.positive.shape == compensation.negative.shape
@@ -88,7 +90,9 @@ def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> li
 
 
 def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """The table of an endless axis spans one turn and closes; another one does not repeat."""
+    """Yield a fault if the table of an endless axis does not span one turn and close, or if another
+    table repeats.
+    """
     period = capacity.period
     if period is None:
         if compensation.period is None:
@@ -169,8 +173,8 @@ def spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> I
 
 
 def ends(definition: Definition, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """The table must mean the same outside its range as the control makes of it, or be zero at that
-    end.
+    """Yield a fault if a table's correction outside its range differs from the control's, unless it
+    is zero at that end.
     """
     faults: list[Fault] = []
     if not compensation.positions.size:
@@ -196,7 +200,7 @@ def ends(definition: Definition, compensation: AxisCompensation, label: str) -> 
 
 
 def kind(axis: Axis, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault for a table in mm on an axis in degrees, or the other way round."""
+    """Return a fault for a table in mm on an axis in degrees, or the reverse."""
     if compensation.kind is axis.kind:
         return []
     message = f"{label}: the table and the axis differ in kind"

@@ -1,4 +1,4 @@
-"""The families that there are, by the shape of their tables: a new one is entered here."""
+"""List of the families, by the shape of their tables: a new one is entered here."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ RULES: Mapping[str, ShapeRules] = {
 
 
 def family_of(definition: Definition) -> type[Family]:
-    """Return the family of a control: that of its shape, with tables between axes where it binds
+    """Return the family of a control: that of its shape, with tables between axes if it binds
     them.
     """
     return PairsFamily if has_cross(definition) else _FAMILIES[definition.layout.shape]

@@ -1,5 +1,5 @@
-"""The limits of an axis in the control's files against the job's travel: both in machine
-coordinates, or the table lies wrong.
+"""Compares an axis' limits in the control's files with the job's travel: both must be in machine
+coordinates, or the table is in the wrong place.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ def check_travel(
     notes: Notes,
     refuse: Callable[[str, str, str], None],
 ) -> None:
-    """Hold the job's travel against the ``limits`` of the axis (low, high; mm or deg), which the
+    """Compare the job's travel with the ``limits`` of the axis (low, high; mm or deg), which the
     control calls ``names``.
 
-    A travel outside them goes to ``refuse`` (message, expected, found), one that reaches beyond
-    them is a doubt; where the upper one is not above the lower one none are set.
+    A travel outside them goes to ``refuse`` (message, expected, found), one that only partly
+    exceeds them is a doubt; if the upper limit is not above the lower one, none are set.
     """
     low, high = limits
     if not low < high:
@@ -57,9 +57,7 @@ def check_travel(
 def check_limits(
     gathered: Gathered, address: str, axis: Axis, facts: AxisFacts, notes: Notes
 ) -> None:
-    """Hold the limits among the ``facts`` of an axis against its travel; an endless axis has
-    none.
-    """
+    """Compare the limits in the ``facts`` of an axis with its travel; an endless axis has none."""
     if axis.modulo is not None or facts.turn is not None or facts.limits is None:
         return
     places = gathered.found("limit_high", address, None)

@@ -1,1 +1,1 @@
-"""What every definition has to pass."""
+"""Checks that every definition has to pass."""

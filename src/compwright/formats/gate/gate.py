@@ -1,5 +1,5 @@
-"""The gate over a definition: its sample can be read, hand-worked corrections come out, what is
-written is read back.
+"""Checks of a definition: its sample can be read, hand-worked corrections come out, and written
+files are read back.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ AGREEMENT = 1e-6
 
 
 def check_definition(definition: Definition) -> tuple[Fault, ...]:
-    """Return what a definition gets wrong; nothing when it passes.
+    """Return the faults of a definition; empty if it passes.
 
-    Its keys were checked when it was loaded. Here: there are hand-worked expectations that show
-    more than zeros at nodes, and each holds; the sample can be read; its tables can be written,
-    give the same bytes twice and are read back as the same numbers; a table beyond any limit is
-    refused; the card knows all its fields.
+    Its keys were checked when it was loaded. Checked here: there are hand-worked expectations that
+    show more than zeros at nodes, and each holds; the sample can be read; its tables can be
+    written, give the same bytes twice and are read back as the same numbers; a table beyond any
+    limit is refused; the card has all its fields.
     """
     faults: list[Fault] = []
     shown: list[AxisCompensation] = []
@@ -65,8 +65,9 @@ def disagreements(
     correction: Callable[[FloatArray, Direction], FloatArray],
     says: str,
 ) -> Iterator[Fault]:
-    """Yield a fault for each hand-worked correction of an expectation that ``correction`` (mm or
-    deg, at positions arriving in a direction) does not give. ``says``: the sentence, {} its place.
+    """Yield a fault for each hand-worked correction of an expectation that differs from
+    ``correction`` (mm or deg, at positions approached in a direction). ``says``: the sentence, {}
+    its place.
     """
     expectation = definition.expect[index]
     for row, direction, expected, found in _worked_by_hand(expectation, correction):
@@ -84,8 +85,8 @@ def disagreements(
 def _worked_by_hand(
     expectation: Expectation, correction: Callable[[FloatArray, Direction], FloatArray]
 ) -> Iterator[tuple[int, Direction, float, float]]:
-    """Yield row, direction, expected and found correction of each that was worked by hand, in the
-    unit of the expectation.
+    """Yield row, direction, expected and found correction of each hand-worked value, in the unit of
+    the expectation.
     """
     factor = TO_INSIDE[expectation.unit][1]
     for row, point in enumerate(expectation.at):
@@ -100,8 +101,8 @@ def _worked_by_hand(
 def largest_difference(
     expectation: Expectation, correction: Callable[[FloatArray, Direction], FloatArray]
 ) -> float:
-    """Return by how much ``correction`` differs most from what was worked by hand, in the unit of
-    the expectation.
+    """Return the largest difference between ``correction`` and the hand-worked values, in the unit
+    of the expectation.
     """
     pairs = _worked_by_hand(expectation, correction)
     return max(abs(found - expected) for _, _, expected, found in pairs)
@@ -126,8 +127,10 @@ def read_expectation(definition: Definition, expectation: Expectation) -> AxisCo
 
 
 def _unproven(definition: Definition, shown: Sequence[AxisCompensation]) -> Iterator[str]:
-    """Yield what the expectations leave open; ``shown``: what was read for each of them. Zeros show
-    no sign, nodes alone not what acts between and beyond them, equal directions no backlash.
+    """Yield what the expectations do not prove; ``shown``: the values read for each of them.
+
+    Zeros show no sign, nodes alone not the correction between and beyond them, equal directions no
+    backlash.
     """
     pairs = [
         (compensation, point)
@@ -198,7 +201,7 @@ def _axis_of(state: ControlState, compensation: AxisCompensation) -> Axis:
 
 
 def same_compensation(one: AxisCompensation, other: AxisCompensation) -> bool:
-    """Return whether two compensations are the same numbers, exactly."""
+    """Return whether two compensations have exactly the same numbers."""
     return (
         np.array_equal(one.positions, other.positions)
         and np.array_equal(one.positive, other.positive)

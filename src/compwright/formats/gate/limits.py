@@ -1,5 +1,5 @@
-"""Every limit of a definition, tried by breaking it: a table beyond it has to be refused by the
-writer.
+"""Every limit of a definition, tested by exceeding it: the writer has to refuse a table beyond
+it.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ _MOST_POINTS = 20_000
 def unenforced_limits(
     control: Family, axis: Axis, compensation: AxisCompensation
 ) -> Iterator[Fault]:
-    """Yield a fault for every limit that the writer lets pass. ``compensation``: a sound table of
-    ``axis``.
+    """Yield a fault for every limit that the writer does not enforce. ``compensation``: a valid
+    table of ``axis``.
     """
     capacity = control.capacity(axis)
     for name, broken, its_axis in _broken(control.definition, axis, compensation, capacity):
@@ -125,7 +125,7 @@ def _with_value(table: AxisCompensation, node: int, value: float) -> AxisCompens
 
 
 def _longer(table: AxisCompensation, capacity: Capacity) -> AxisCompensation:
-    """Return a table of zeros with more points than there is room for, on the same grid."""
+    """Return a table of zeros with more points than allowed, on the same grid."""
     step = float(table.positions[1] - table.positions[0])
     count = int(capacity.max_points or 0) + 2
     positions = table.positions[0] + step * np.arange(count)

@@ -1,1 +1,1 @@
-"""The text of control files: bytes to statements and back; the one patcher."""
+"""Text of control files: bytes to statements and back, and patches."""

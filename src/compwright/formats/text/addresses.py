@@ -1,4 +1,4 @@
-"""How the control names an axis."""
+"""Address of an axis in the control's files."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from compwright.records.correction import Assumption
 
 
 def normal_text(definition: Definition, address: str) -> str:
-    """Return an address as the engine compares it: one spelling for each axis (``ax1`` -> ``AX1``,
-    ``00`` -> ``0``).
+    """Return an address in its normal form: one spelling for each axis (``ax1`` -> ``AX1``, ``00``
+    -> ``0``).
 
     Raises UsageError when the control cannot have such an axis.
     """
@@ -38,10 +38,10 @@ def normal_text(definition: Definition, address: str) -> str:
 
 
 def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption | None]:
-    """Return the control's address of an axis, and what had to be assumed to find it.
+    """Return the control's address of an axis, and the assumption made to find it.
 
-    Where the control counts its axes and the job gives only an axis letter, the number is the
-    letter's place in the row of the definition (such as XYZABCUVW). Raises UsageError when the
+    If the control numbers its axes and the job gives only an axis letter, the number is the
+    letter's index in the list of the definition (such as XYZABCUVW). Raises UsageError when the
     control cannot name the axis.
     """
     letters = definition.addresses.letters

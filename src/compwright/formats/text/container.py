@@ -2,11 +2,11 @@
 
 The container (``@@MMCIBN.``) is a relative of tar: a header of 512 bytes, the content, zeros up to
 the next multiple of 512, member after member up to the end of the file; the first member is a list
-of all others. Every header of two real archives fits (versions 000 and 002). The texts stand in it
-as the control exports them, uncompressed. What lies in the folder of active data is what the
-control loads; programs, definitions and drive data are no state: nobody knows whether a program
-ran. No byte of a header of version 002 changes with the contents, so that contents that were edited
-are not noticed here; a control may refuse such an archive, so that none is ever written.
+of all others. Every header of two real archives fits (versions 000 and 002). The texts are in it as
+the control exports them, uncompressed. The control loads the folder of active data; programs,
+definitions and drive data are no state: it is unknown whether a program ran. No byte of a header of
+version 002 changes with the contents, so edited contents are not noticed here; a control may refuse
+such an archive, so none is ever written.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ _KEPT = 8
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """One member: its folder and name as the container shows them, its kind as it stands there, the
+    """One member: its folder and name as the container shows them, its kind as written there, the
     seconds of its date, and where its ``size`` bytes begin.
     """
 
@@ -70,8 +70,8 @@ class Member:
 
 @dataclass(frozen=True, slots=True)
 class Container:
-    """What a container holds. ``state``: the texts that the control loads, in its order, each named
-    after its container; ``programs``: every other member that is a text.
+    """Contents of a container. ``state``: the texts that the control loads, in its order, each
+    named after its container; ``programs``: every other member that is a text.
     """
 
     state: tuple[ControlFile, ...]
@@ -84,8 +84,8 @@ def is_container(file: ControlFile) -> bool:
 
 
 def unpacked(files: Sequence[ControlFile], faults: list[Fault]) -> tuple[ControlFile, ...]:
-    """Return the files with the texts of every container in its place, before all others, which
-    were loaded over it; one that cannot be opened goes to ``faults``.
+    """Return the files with every container replaced by its texts, which come before all others,
+    because these were loaded over it. A container that cannot be opened goes to ``faults``.
     """
     result: list[ControlFile] = []
     for file in sorted(files, key=is_container, reverse=True):
@@ -99,15 +99,17 @@ def unpacked(files: Sequence[ControlFile], faults: list[Fault]) -> tuple[Control
 
 
 def unknown_container(content: bytes) -> str:
-    """Return what a file is whose container is known by its first bytes but cannot be opened; empty
-    where it is none of them.
+    """Return the type of a file whose container is known by its first bytes but cannot be opened;
+    empty for other files.
     """
     return next((words for start, words in OTHERS.items() if content.startswith(start)), "")
 
 
 @lru_cache(maxsize=_KEPT)
 def programs_setting(file: ControlFile, words: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the programs in a container that set something whose name holds one of ``words``."""
+    """Return the programs in a container that set a variable whose name contains one of
+    ``words``.
+    """
     container = opened(file)[0] if words else None
     named = "|".join(map(re.escape, words))
     sets = re.compile(rf"^[^;\n]*(?:{named})[^;=\n]*=(?!=)".encode(), re.IGNORECASE | re.MULTILINE)
@@ -117,8 +119,8 @@ def programs_setting(file: ControlFile, words: tuple[str, ...]) -> tuple[str, ..
 
 @lru_cache(maxsize=_KEPT)
 def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
-    """Return what a container holds; None, and why, for one that is damaged, cut short, or in which
-    it cannot be told what counts.
+    """Return the contents of a container; None, and the reason, for one that is damaged, cut short,
+    or ambiguous.
     """
     faults: list[Fault] = []
     members = list(_members(file, faults))
@@ -160,7 +162,7 @@ def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
 
 
 def _members(file: ControlFile, faults: list[Fault]) -> Iterator[Member]:
-    """Yield every member, the list of contents first; stops at the first header that is none."""
+    """Yield every member, the list of contents first; stop at the first invalid header."""
     place, content, behind = 0, file.content, "at its beginning"
     while place < len(content):
         header = content[place : place + _BLOCK]
@@ -200,7 +202,7 @@ def _members(file: ControlFile, faults: list[Fault]) -> Iterator[Member]:
 
 
 def _not_listed(file: ControlFile, members: Sequence[Member]) -> Iterator[Fault]:
-    """Yield what the list of contents names and the container does not hold: it was cut short
+    """Yield the members in the list of contents that are missing: the container was cut short
     between two members.
     """
     contents, *rest = members
@@ -217,7 +219,7 @@ def _not_listed(file: ControlFile, members: Sequence[Member]) -> Iterator[Fault]
 
 
 def _text(header: bytes, field: slice) -> bytes:
-    """Return a field of a header without what fills it up."""
+    """Return a field of a header without its padding."""
     return header[field].partition(b"\x00")[0].strip(b" ")
 
 

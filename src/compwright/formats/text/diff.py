@@ -1,5 +1,5 @@
-"""What changes between two sets of control files, entry by entry: old value, new value, and how
-much stays as it is.
+"""Differences between two sets of control files, entry by entry: old value, new value, and the
+number of unchanged lines.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _KEPT = 32
 @dataclass(frozen=True, slots=True)
 class EntryChange:
     """One entry as the control writes it; ``address`` None: the line names no axis. ``old`` /
-    ``new`` None: not there.
+    ``new`` None: not present.
     """
 
     entry: str
@@ -39,8 +39,8 @@ class EntryChange:
 
 @dataclass(frozen=True, slots=True)
 class FileDiff:
-    """All changes in the order of the new files, then what is gone; ``untouched``: lines of the old
-    files that stay as they are.
+    """All changes in the order of the new files, then removed entries; ``untouched``: unchanged
+    lines of the old files.
     """
 
     changes: tuple[EntryChange, ...]
@@ -49,8 +49,8 @@ class FileDiff:
 
 @dataclass(frozen=True, slots=True)
 class DiffEntry:
-    """One value of a statement: its axis, its text. ``label`` returns what the control writes up to
-    the value: of a whole backup few are asked for.
+    """One value of a statement: its axis, its text. ``label`` returns the control's text up to the
+    value; a function, because few labels of a whole backup are needed.
     """
 
     label: Callable[[], str]
@@ -65,10 +65,10 @@ _KeyedEntry = tuple[tuple[str, ...], DiffEntry]
 def compare_files(
     definition: Definition, old: Sequence[ControlFile], new: Sequence[ControlFile]
 ) -> FileDiff:
-    """Return the difference of what two sets of files enter. Files that hold a table by rows are
-    compared row by row.
+    """Return the difference between the entries of two sets of files. Files that hold a table by
+    rows are compared row by row.
 
-    Both sets were read before: what cannot be read here is left out.
+    Both sets were read before: entries that cannot be read here are left out.
     """
     old, new = unpacked(old, []), unpacked(new, [])
     before, after = dict(entries_of(definition, old)), dict(entries_of(definition, new))
@@ -98,8 +98,8 @@ def _untouched(old: Sequence[ControlFile], new: Sequence[ControlFile]) -> int:
 
 
 def entries_of(definition: Definition, files: Sequence[ControlFile]) -> Iterator[_KeyedEntry]:
-    """Yield the values of all statements, each with what tells it from all others: its scope and
-    its statement first.
+    """Yield the values of all statements, each with its unique key: its scope and its statement
+    first.
     """
     reader = text_reader(definition)
     for file in unpacked(files, []):
@@ -133,7 +133,7 @@ def _sheet_entries(file: ControlFile) -> Iterator[_KeyedEntry]:
 
 def _values(definition: Definition, occurrence: Occurrence, row: int) -> Iterator[_KeyedEntry]:
     """Yield the values of a statement, the ``row``-th of its kind in its file: a bare number is
-    known by that alone.
+    identified by that alone.
     """
     statement = definition.statements[occurrence.statement]
     tokens = occurrence.tokens
@@ -155,8 +155,8 @@ def _values(definition: Definition, occurrence: Occurrence, row: int) -> Iterato
 
 
 def _label(statement: Statement, occurrence: Occurrence, field: str, row: int) -> str:
-    """Return the line up to its value, of a bit its number too; its file and the row where it
-    starts with the value.
+    """Return the line up to its value, of a bit its number too; file and row if the line starts
+    with the value.
     """
     values = {name: token.text for name, token in occurrence.tokens.items()}
     marked = {**values, **{name: "\0" for name in statement.fields if name not in _IDENTITY}}

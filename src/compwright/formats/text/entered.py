@@ -1,5 +1,5 @@
-"""Everything that a control's files enter, whether compwright knows it or not: each value by the
-control's own name of it, so that order, line ends, blanks and block numbers say nothing.
+"""All values in a control's files, known to compwright or not: each by the control's own name, so
+that order, line ends, blanks and block numbers do not matter.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ _SECTION = re.compile(r"[ \t]*\[([^\]]+)\][ \t]*")
 
 @dataclass(frozen=True, slots=True)
 class Entered:
-    """One value. ``name``: as the control writes it up to the value; ``group``: what many such
-    entries are counted by; ``axis``: the address that the entry names, empty where it names none.
+    """One value. ``name``: the control's text up to the value; ``group``: under which many such
+    entries are counted; ``axis``: the address that the entry names, empty if it names none.
 
-    ``acts``: it belongs to a compensation of an axis, or decides its unit, kind or zero;
-    ``meaning``: in words, empty where it is not known.
+    ``relevant``: it belongs to a compensation of an axis, or decides its unit, kind or zero;
+    ``meaning``: in words, empty if unknown.
     """
 
     name: str
@@ -45,14 +45,14 @@ class Entered:
 
 @dataclass(frozen=True, slots=True)
 class EnteredChange:
-    """One entry that differs; None: it is not there."""
+    """One entry that differs; None: it is not present."""
 
     old: Entered | None
     new: Entered | None
 
     @property
     def entry(self) -> Entered:
-        """The entry as it is, or was."""
+        """The new entry, or the old one if it was removed."""
         found = self.new or self.old
         if found is None:
             raise ValueError
@@ -63,7 +63,8 @@ Entries = Mapping[str, Entered]
 
 
 def changes(old: Entries, new: Entries) -> tuple[EnteredChange, ...]:
-    """Return what differs, in the order of the new files, then what is in the old ones only.
+    """Return the differences, in the order of the new files, then entries that only the old ones
+    have.
 
     Numbers are the same whatever their decimals; TRUE is 1.
     """
@@ -76,14 +77,14 @@ def changes(old: Entries, new: Entries) -> tuple[EnteredChange, ...]:
 
 
 def same_text(first: str, second: str) -> bool:
-    """Return whether two values are one: equal as text, as numbers, or as truth."""
+    """Return whether two values are equal as text, as numbers, or as truth values."""
     truth = {"TRUE": "1", "FALSE": "0"}
     one, other = (truth.get(text.upper(), text) for text in (first, second))
     return one == other or same_value(one, other)
 
 
 def texts_of(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
-    """Return the texts among files, those of containers in their place, named without the
+    """Return the texts in files, containers replaced by their texts, which are named without the
     container. Raises InputError for one that cannot be opened.
     """
     faults: list[Fault] = []
@@ -93,8 +94,8 @@ def texts_of(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
 
 
 def by_statements(definition: Definition, files: Sequence[ControlFile]) -> dict[str, Entered]:
-    """Return the entries of files: those of the definition's statements by these, every other line
-    ``name = value`` by its name, within its section; the rest line by line.
+    """Return the entries of files: by the definition's statements; other lines ``name = value`` by
+    name within their section; the rest line by line.
     """
     found: dict[str, Entered] = {}
     texts = texts_of(files)

@@ -1,9 +1,9 @@
-"""The typed-entry sheet: what an engineer types in at the control, as CSV that people and programs
-can read.
+"""The typed-entry sheet: values that an engineer types in at the control, as CSV for people and
+programs.
 
 Comment lines ``# key: value``; columns point, position, value, unit; comma and decimal point. Point
 data have their number as point, parameters their name and no position. ``# value: error`` or ``#
-value: correction`` says what the control is assumed to expect.
+value: correction`` states what the control is assumed to expect.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class EntrySheet:
 
 @lru_cache(maxsize=KEPT_SHEETS)
 def is_entry_sheet(file: ControlFile) -> bool:
-    """Return whether a file is a typed-entry sheet: its first line that is no comment is the
+    """Return whether a file is a typed-entry sheet: its first line other than comments is the
     sheet's header.
     """
     for line in file.content[:100_000].decode("latin-1").removeprefix("\xef\xbb\xbf").splitlines():
@@ -65,9 +65,7 @@ def is_entry_sheet(file: ControlFile) -> bool:
 
 
 def read_sheet(file: ControlFile, faults: list[Fault]) -> EntrySheet | None:
-    """Return a sheet; None when something is wrong with it, which goes to ``faults`` with its
-    line.
-    """
+    """Return a sheet; None with faults, each with its line, in ``faults``."""
     sheet, found = _read(file)
     faults.extend(found)
     return sheet
@@ -80,7 +78,7 @@ def _read(file: ControlFile) -> tuple[EntrySheet | None, tuple[Fault, ...]]:
 
 
 def parse_sheet(file: ControlFile, faults: list[Fault]) -> EntrySheet | None:
-    """Return a sheet that was not read before; as `read_sheet`."""
+    """Return a sheet, without the cache of `read_sheet`."""
     try:
         text = file.content.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -1,4 +1,4 @@
-"""Statements of several files -> what they say about each axis and measuring system."""
+"""Statements of several files -> values of each axis and measuring system."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _TRUTH = {"TRUE": "1", "FALSE": "0"}
 
 @dataclass(frozen=True, slots=True)
 class FoundValue:
-    """One value as it stands in a file; ``number`` is the place of the file among those given."""
+    """One value as written in a file; ``number`` is the index of the file among those given."""
 
     text: str
     occurrence: Occurrence
@@ -34,9 +34,7 @@ class FoundValue:
 
 @dataclass(slots=True)
 class Gathered:
-    """Everything by its key. ``singles[key][quantity]`` and ``rows[key]`` in the order of the
-    files.
-    """
+    """All values by key. ``singles[key][quantity]`` and ``rows[key]`` in the order of the files."""
 
     definition: Definition
     singles: dict[Key, dict[str, list[FoundValue]]] = field(default_factory=dict)
@@ -55,14 +53,14 @@ class Gathered:
         return self.names.address(normal_text(self.definition, text))
 
     def spelled(self, address: str) -> str:
-        """Return how the files write an axis; the address itself where they do not."""
+        """Return the name of an axis as the files write it; the address itself if they do not."""
         return self.spellings.get(address, [address])[0]
 
     def addresses(self) -> list[str]:
         """Return the addresses that the files name, in the order of their first appearance.
 
-        Where the control counts measuring systems, what is said of the axis as a whole (that it is
-        rotary) does not name it.
+        If the control numbers measuring systems, settings of the axis as a whole (such as its kind)
+        do not count as naming it.
         """
         counted = any(
             "system" in statement.fields for statement in self.definition.statements.values()
@@ -81,8 +79,8 @@ class Gathered:
         )
 
     def found(self, quantity: str, address: str, system: str | None) -> list[FoundValue]:
-        """Return every place where a quantity stands: for this system, else for the axis, else for
-        the whole machine.
+        """Return every place of a quantity: for this system, else for the axis, else for the whole
+        machine.
         """
         for key in ((address, system), (address, None), (None, None)):
             places = self.singles.get(key, {}).get(quantity)
@@ -96,7 +94,7 @@ def gather(
 ) -> Gathered:
     """Sort the statements of all files by axis and measuring system.
 
-    ``names``: which of the names that stand there are one axis; None: each is one of its own.
+    ``names``: which of the names in the files are one axis; None: each is one of its own.
     """
     result = Gathered(definition, names=names or AxisNames())
     table_statement = definition.bindings[curves(definition)[0]].statement
@@ -136,7 +134,7 @@ def _key(gathered: Gathered, occurrence: Occurrence) -> Key:
 
 
 def _text(definition: Definition, binding: Binding, occurrence: Occurrence) -> str:
-    """Return the value as it stands; a truth value in words as its number."""
+    """Return the value as written; a truth value in words as its number."""
     text = occurrence.tokens[binding.field].text
     if definition.statements[occurrence.statement].fields.get(binding.field) == "truth":
         return _TRUTH.get(text.upper(), text)
@@ -144,7 +142,7 @@ def _text(definition: Definition, binding: Binding, occurrence: Occurrence) -> s
 
 
 def first_set(places: Sequence[FoundValue]) -> list[FoundValue]:
-    """Return the places of the first parameter set (0), where a quantity has several."""
+    """Return the places of the first parameter set (0), if a quantity has several."""
     return [
         place
         for place in places

@@ -1,4 +1,4 @@
-"""In which order a control takes its files."""
+"""Order in which a control loads its files."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _VALUES = ("value", "cross_value")
 
 
 def loading_order(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
-    """Return the names of files in the order in which a control takes them all: a whole
-    archive before the files that lie over it, values before the switches that protect them.
+    """Return the names of files in the order in which a control loads them all: a whole archive
+    before the files over it, values before the switches that protect them.
     """
 
     def holds(file: ControlFile, quantity: str) -> bool:

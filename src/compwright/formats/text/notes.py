@@ -1,5 +1,5 @@
-"""What is collected while files are read, and the sentences that several readers say: each finding
-code is made in one place.
+"""Collects findings, assumptions and questions while files are read, and makes the findings that
+several readers share: each code in one place.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ CORRECT_TRAVEL: Final = (
 
 @dataclass(slots=True)
 class Notes:
-    """What is collected while files are read."""
+    """Findings, assumptions, questions and faults collected while files are read."""
 
     faults: list[Fault] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
@@ -51,7 +51,7 @@ class Notes:
     open_answers: int = 0
 
     def take(self, other: Notes) -> None:
-        """Take over what was noted elsewhere, except faults."""
+        """Add the contents of other notes, except faults."""
         self.findings.extend(other.findings)
         self.questions.extend(other.questions)
         self.contradictions.extend(other.contradictions)
@@ -60,44 +60,44 @@ class Notes:
             self.assume(note.fact, note.value, note.evidence)
 
     def ask_contradicted(self) -> None:
-        """An answer that no table needed, and that the files contradict, is asked about."""
+        """Add questions for an answer that no table needed, and that the files contradict."""
         if not self.open_answers:
             for fault in self.contradictions:
                 self.ask(fault)
 
     def ask(self, question: Fault) -> None:
-        """Note a question once."""
+        """Add a question once."""
         if question not in self.questions:
             self.questions.append(question)
 
     def assume(self, fact: str, value: str, evidence: str) -> None:
-        """Note an assumption once."""
+        """Add an assumption once."""
         note = Assumption(fact, value, evidence)
         if note not in self.assumed:
             self.assumed.append(note)
 
     def find(self, name: str, severity: str, axis: str = "", /, **values: object) -> None:
-        """Note a finding (`Finding.of`); ``axis``: the address of the one that it is about, or its
-        label, behind which more may follow (``axis AX1, measuring system 2``).
+        """Add a finding (`Finding.of`); ``axis``: the address of its axis, or its label, after
+        which more may follow (``axis AX1, measuring system 2``).
         """
         about = (axis.removeprefix("axis ").partition(",")[0],) if axis else ()
         grave: Severity = "warning" if severity == "warning" else "info"
         self.findings.append(Finding.of(name, grave, about, **values))
 
     def counted_as(self, label: str, name: str, value: str) -> None:
-        """Note that a quantity is not in the files, what it was counted as, what hangs on it."""
+        """Note that a quantity is not in the files, its assumed value, and what depends on it."""
         self.find("CW-S005", "warning", label, label=label, quantity=name, value=value)
 
     def switched_off(self, label: str, what: str) -> None:
-        """Note that a table of the files corrects nothing; ``what`` says by what it is off."""
+        """Note that a table of the files corrects nothing; ``what``: by what it is off."""
         self.find("CW-S007", "info", label=label, switch=what)
 
     def no_table(self, label: str, *, off: bool = False) -> None:
-        """Note that no file holds a table of an axis; ``off``: the files say that none acts."""
+        """Note that no file holds a table of an axis; ``off``: by the files none is active."""
         self.find("CW-S008", "info" if off else "warning", label, label=label)
 
     def taken_for(self, axis: str, address: str) -> None:
-        """Note which axis of the control an axis of the job was taken for."""
+        """Note the axis of the control that was assumed for an axis of the job."""
         self.find("CW-S010", "warning", axis=axis, address=address)
 
     def refuse(
@@ -126,7 +126,7 @@ class Notes:
         self.once(fault)
 
     def once(self, fault: Fault) -> None:
-        """Note a fault once."""
+        """Add a fault once."""
         if fault not in self.faults:
             self.faults.append(fault)
 
@@ -135,5 +135,5 @@ class Notes:
         self.find("CW-S009", "warning", label=label, what=what, why=why)
 
     def idle_file(self, sentence: Sentence) -> None:
-        """Note that a table file and what the control loads do not fit."""
+        """Note a table file that does not fit the files that the control loads."""
         self.findings.append(Finding("CW-S012", "warning", sentence))

@@ -1,4 +1,4 @@
-"""Files that lie beside those of a control and say nothing of it: lists of its hardware, notes."""
+"""Files in a folder that are no data of the control: lists of its hardware, notes."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ _DATA = re.compile(
 
 
 def says_nothing(definition: Definition, file: ControlFile) -> bool:
-    """Return whether a file is a text of which no line is a statement of the control, or looks like
-    data of any.
+    """Return whether a file is a text without any statement of the control, or line that looks like
+    data.
 
-    A file that was damaged in part, or that stands in other characters, is none of these; nor is
-    any of a control to which every line is a command, known or not.
+    Not a file that is damaged in part or has another character set; nor any file of a control on
+    which every line is a command, known or not.
     """
     if any(_of_commands(kind) for kind in definition.texts.values()):
         return False
@@ -35,7 +35,7 @@ def says_nothing(definition: Definition, file: ControlFile) -> bool:
 
 
 def _of_commands(kind: TextKind) -> bool:
-    """Return whether every line of a text may act: no word tells which ones are read."""
+    """Return whether every line of a text may be a command: no word marks the relevant ones."""
     return not (kind.other_lines_refused or kind.claims_at_start or kind.claims_anywhere)
 
 
@@ -47,9 +47,11 @@ def _numbered(definition: Definition) -> bool:
 def without_others(
     definition: Definition, files: Sequence[ControlFile]
 ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
-    """Return ``files`` without those of a folder that say nothing of the control, and the finding
-    that names them (CW-S084). A file that was named itself stays, and all do where nothing is left,
-    and of a control that does not number its blocks: there any line may be a command.
+    """Return ``files`` without those of a folder that are no data of the control, and the finding
+    that names them (CW-S084).
+
+    A file that was named itself stays. All files stay if none would be left, and for a control that
+    does not number its blocks: there any line may be a command.
     """
     if not _numbered(definition):
         return tuple(files), ()

@@ -1,8 +1,8 @@
-"""The control's own files, changed in place: what differs, and nothing else.
+"""The control's own files, changed in place: only what differs.
 
 Values keep their decimal places, signs and blanks as far as the new ones allow; rows are added
-behind the last one, as a copy of that line; rows that the new table does not use become zero. A
-line that changes loses its checksum.
+after the last one, as a copy of that line; rows that the new table does not use become zero. A
+changed line loses its checksum.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class TablePlaces:
-    """Where a table stands: its rows by index, and its single values by quantity.
+    """Places of a table: its rows by index, and its single values by quantity.
 
     ``value``: the quantity of a row's value; ``named``: the fields that every line of the table has
     (axis and system, or table).
@@ -39,7 +39,7 @@ class TablePlaces:
 
 
 class OwnFiles(Patches):
-    """The changes by what they mean. ``gathered``: what the files say."""
+    """Changes to the control's files by meaning. ``gathered``: the contents of the files."""
 
     def __init__(
         self, definition: Definition, files: Sequence[ControlFile], gathered: Gathered
@@ -50,7 +50,7 @@ class OwnFiles(Patches):
 
     def put(self, quantity: str, places: Sequence[FoundValue], text: str) -> bool:
         """Set a single value where it counts (everywhere, or the first or last of each file); False
-        where it stands nowhere.
+        if it has no place.
         """
         binding = self.definition.bindings[quantity]
         by_file: dict[int, list[FoundValue]] = {}
@@ -64,11 +64,11 @@ class OwnFiles(Patches):
     def put_table(
         self, places: TablePlaces, rows: Sequence[str], singles: Mapping[str, str]
     ) -> None:
-        """Set a table that the files hold already: values by index, single values by quantity, all
+        """Set a table that is already in the files: values by index, single values by quantity, all
         as text.
 
-        What is missing is put behind the last row, or behind the last line of the table where there
-        is no row.
+        Missing rows and values are put after the last row, or after the last line of the table if
+        there is no row.
         """
         field = self.definition.bindings[places.value].field
         for index, founds in places.rows.items():
@@ -87,7 +87,7 @@ class OwnFiles(Patches):
         self._add(anchor, added)
 
     def put_behind(self, places: TablePlaces, number: int, quantity: str, text: str) -> None:
-        """Put a single value on a line of its own behind everything of a table in one file."""
+        """Put a single value on a line of its own after all lines of a table in one file."""
         lines = [
             found
             for group in (*places.rows.values(), *places.singles.values())
@@ -145,10 +145,10 @@ class OwnFiles(Patches):
 
 
 def styled(old: str, new: str) -> str:
-    """Return a number as the file writes its own: at least as many decimal places as before and as
-    it needs, its plus sign.
+    """Return a number in the style of the file: at least as many decimal places as before and as it
+    needs, with its plus sign.
 
-    Anything else than a number is taken as it stands.
+    Other text is returned unchanged.
     """
     try:
         value = Decimal(new)

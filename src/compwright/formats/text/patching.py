@@ -1,6 +1,6 @@
 """Changes to files as (start, end, bytes) on the original: every other byte stays.
 
-A fresh file is a patch of a skeleton: one way for both.
+A fresh file is a patch of a skeleton, so both cases share the code.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ class BytesPlace:
 
 
 def set_field(occurrence: Occurrence, field: str, text: str) -> tuple[BytesChange, ...]:
-    """Return the changes that put ``text`` into a field of a statement; a line checksum no longer
-    fits and goes.
+    """Return the changes that put ``text`` into a field of a statement; a line checksum is removed,
+    because it would be wrong.
     """
     token = occurrence.tokens[field]
     changes = [BytesChange(token.start, token.end, text.encode("ascii"))]
@@ -48,8 +48,8 @@ def set_field(occurrence: Occurrence, field: str, text: str) -> tuple[BytesChang
 def apply_changes(original: bytes, changes: Iterable[BytesChange]) -> bytes:
     """Return the original with all changes made; everything else stays byte for byte.
 
-    Insertions at one place keep their order. Raises ValueError for changes that overlap or reach
-    outside.
+    Insertions at one place keep their order. Raises ValueError for changes that overlap or are
+    outside of the text.
     """
     parts: list[bytes] = []
     place = 0
@@ -64,9 +64,9 @@ def apply_changes(original: bytes, changes: Iterable[BytesChange]) -> bytes:
 
 
 class Patches:
-    """Collects the changes to files, which are counted by their place among those given.
+    """Collects the changes to files, which are identified by their index among those given.
 
-    What replaces the same bytes twice counts by its last text.
+    If the same bytes are replaced twice, the last text counts.
     """
 
     def __init__(self, dialect: Dialect, files: Sequence[ControlFile]) -> None:
@@ -78,22 +78,22 @@ class Patches:
         self._inserted: dict[int, list[BytesChange]] = {}
 
     def replace(self, number: int, *changes: BytesChange) -> None:
-        """Put other bytes in the place of some."""
+        """Replace some bytes by others."""
         replaced = self._replaced.setdefault(number, {})
         replaced.update({(change.start, change.end): change for change in changes})
 
     def insert(self, number: int, place: int, text: str) -> None:
-        """Put text before the byte ``place``, behind what was put there already."""
+        """Insert text before the byte ``place``, after text inserted there before."""
         change = BytesChange(place, place, text.encode("latin-1"))
         self._inserted.setdefault(number, []).append(change)
 
     def text(self, number: int, token: Token) -> str:
-        """Return what stands at a token with the changes so far."""
+        """Return the text of a token with the changes so far."""
         change = self._replaced.get(number, {}).get((token.start, token.end))
         return token.text if change is None else change.content.decode("latin-1")
 
     def line(self, number: int, place: int) -> BytesPlace:
-        """Return the line in which the byte ``place`` lies."""
+        """Return the line that contains the byte ``place``."""
         content = self.files[number].content
         before = [
             found + len(end) for end in self._ends if (found := content.rfind(end, 0, place)) >= 0
@@ -106,7 +106,7 @@ class Patches:
         self, number: int, occurrence: Occurrence, texts: Mapping[str, str], *, end: str = ""
     ) -> str:
         """Return the line of a statement with other texts in some of its fields; up to the field
-        ``end`` where that is said.
+        ``end`` if that is given.
         """
         line = self.line(number, occurrence.tokens[next(iter(texts))].start)
         stop = occurrence.tokens[end].end if end else line.end
@@ -120,7 +120,8 @@ class Patches:
     def add_lines(
         self, number: int, place: int, lines: Iterable[str], *, before: bool = False
     ) -> None:
-        """Put lines behind (or ``before``) the line in which the byte ``place`` lies, with its end.
+        """Add lines after (or ``before``) the line that contains the byte ``place``, with its line
+        end.
 
         A last line without an end gets one, and the new last line has none.
         """
@@ -134,12 +135,12 @@ class Patches:
                 self.insert(number, line.next, text + end if found else end + text)
 
     def cut_line(self, number: int, place: int) -> None:
-        """Take out the line in which the byte ``place`` lies."""
+        """Remove the line that contains the byte ``place``."""
         line = self.line(number, place)
         self.replace(number, BytesChange(line.start, line.next, b""))
 
     def changed(self) -> set[int]:
-        """Return the files that change, by their place."""
+        """Return the files that change, by their index."""
         return {*self._replaced, *self._inserted}
 
     def patched(self, numbers: Iterable[int]) -> tuple[ControlFile, ...]:
@@ -169,7 +170,7 @@ def fresh_file(
     """Return a fresh file of a definition as a patch of its skeleton: ``rows`` between its header
     and its footer.
 
-    ``named``: the fields that these have.
+    ``named``: values of the fields in header and footer.
     """
     newline = definition.dialect.newline
     header, footer = (

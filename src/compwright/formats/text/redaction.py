@@ -1,5 +1,5 @@
-"""A control's text without what is somebody's: statements that are read stay with their numbers,
-and so do lines of numbers and keywords; remarks, programs and names do not.
+"""A control's text without private data: statements that are read keep their numbers, and so do
+lines of numbers and keywords; remarks, programs and names are removed.
 """
 
 from __future__ import annotations
@@ -46,8 +46,8 @@ _LETTERS: Final = re.compile(r"[A-Za-z0-9]{4,}")
 
 @dataclass(slots=True)
 class RedactedText:
-    """The text of a copy; ``renamed``: names in it by what they were; ``words``: the keywords in
-    it, in small letters.
+    """The text of a copy; ``renamed``: old name -> new name; ``words``: its keywords, in lower
+    case.
     """
 
     file: ControlFile
@@ -58,7 +58,7 @@ class RedactedText:
 def redacted_text(
     reader: TextReader, file: ControlFile, read: ReadText, kept: KeptLines, cuts: Cuts
 ) -> RedactedText:
-    """Return a copy of a control's text without what is somebody's.
+    """Return a copy of a control's text without private data.
 
     ``read``: the statements in it; ``kept``: other lines that may stay. File names in it lose their
     folders.
@@ -106,9 +106,7 @@ class _Redactor:
         return code + self.remark(line.text[end:])
 
     def remark(self, text: str) -> str:
-        """Return what stands in the place of a remark with its mark. What stands behind its end
-        goes with it.
-        """
+        """Return the replacement of a remark with its mark. Text after its end is removed too."""
         mark = next((mark for mark in self.kind.comment_marks if text.startswith(mark)), "")
         if mark != OPEN:
             return f"{mark} {self.cuts.remark(text[len(mark) :])}".rstrip() if mark else ""
@@ -118,7 +116,7 @@ class _Redactor:
         return f"({self.cuts.remark(inside)}){behind}"
 
     def statement(self, line: TextLine, code: str, statements: Sequence[Occurrence]) -> str:
-        """Return a line with statements; names in it that may be somebody's get others."""
+        """Return a line with statements; names in it that may be private are replaced."""
         tokens = sorted(self._tokens(line, code, statements), key=lambda one: one[0].start)
         made, end = [], 0
         for token, kind in tokens:
@@ -166,7 +164,7 @@ class _Redactor:
         return new
 
     def other(self, code: str) -> str:
-        """Return a line that no statement of ours stands on."""
+        """Return a line without known statements."""
         bare = code.strip()
         if self._stays(bare):
             return self.literal(code)
@@ -207,8 +205,8 @@ def _path(text: str) -> tuple[str, str, str]:
 
 
 def same_statements(old: ReadText, new: ReadText, renamed: dict[str, str]) -> bool:
-    """Whether two texts say the same: the same statements in the same order, with the same tokens,
-    but for names that got others.
+    """Return whether two texts have the same statements in the same order, with the same tokens
+    apart from replaced names.
     """
     return _comparable(old, renamed) == _comparable(new, {})
 
@@ -248,7 +246,7 @@ _SHEET_CELL: Final = re.compile(
 
 
 def redacted_sheet(content: bytes, cuts: Cuts) -> bytes:
-    """Return a typed-entry sheet without what is somebody's. The sheet is UTF-8 text."""
+    """Return a typed-entry sheet without private data. The sheet is UTF-8 text."""
     text = content.decode("utf-8")
     lines = re.split(r"(\r\n|\r|\n)", text)
     return "".join(

@@ -1,7 +1,7 @@
 """Numbers in the control's text <-> neutral quantities: unit, sign and decimal places, exactly.
 
-Decimal arithmetic on the way in, whole counts of the last decimal place on the way out: what is
-written is read back as the same number.
+Reading uses decimal arithmetic, writing whole counts of the last decimal place, so a number that is
+written is read back unchanged.
 """
 
 from __future__ import annotations
@@ -31,13 +31,13 @@ EXACTNESS = 1e-3
 
 
 class NotHeld(ValueError):  # noqa: N818 - it says what is the matter, and never leaves the room
-    """A quantity that the control's text cannot say exactly."""
+    """A quantity that the control's text cannot hold exactly."""
 
 
 @dataclass(frozen=True, slots=True)
 class NumberScale:
-    """How the numbers of one axis are written: ``choices`` are the neutral values on which signs
-    depend.
+    """Unit, sign and decimal places of the numbers of one axis. ``choices``: the neutral values on
+    which signs depend.
     """
 
     definition: Definition
@@ -63,7 +63,7 @@ class NumberScale:
         return float(self._step(quantity) * self.factor(quantity))
 
     def range(self, quantity: str) -> tuple[float, float]:
-        """Return the range of the neutral quantity in mm or deg; of an error, with the sign of the
+        """Return the range of the neutral quantity in mm or deg; for an error, with the sign of the
         correction.
         """
         binding = self.definition.measure(quantity)
@@ -72,7 +72,7 @@ class NumberScale:
         return (-high, -low) if self.sign(quantity) == "error" else (low, high)
 
     def sign(self, quantity: str) -> Sign:
-        """Return what the number in the text is."""
+        """Return the meaning (sign) of the number in the text."""
         binding = self.definition.measure(quantity)
         if binding.sign_option is not None:
             return cast("Sign", self.options[binding.sign_option])
@@ -123,6 +123,6 @@ class NumberScale:
 
 
 def in_range(measure: Measure, scale: NumberScale, value: Decimal) -> bool:
-    """Return whether a neutral value that was read lies in the range of its quantity."""
+    """Return whether a neutral value that was read is in the range of its quantity."""
     low, high = scale.range(measure.quantity)
     return low <= value <= high

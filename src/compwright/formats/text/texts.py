@@ -1,8 +1,8 @@
 """Bytes of a control's file -> the statements in it, each token with its byte span.
 
-Characters are taken one for one as bytes, so that comments in any 8-bit character set survive and
-spans fit the original. A line that claims to be one of ours but cannot be read is a fault; where
-the definition says so, every line has to be read.
+Characters are read one byte each, so that comments in any 8-bit character set survive and spans fit
+the original. A line that looks like a known statement but cannot be read is a fault; if the
+definition states it, every line has to be readable.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class TextLine:
 
 @dataclass(frozen=True, slots=True)
 class ReadText:
-    """What a file says: ``number`` is its place among the files that were given; ``sections`` the
+    """Contents of a file: ``number`` is its index among the files that were given; ``sections`` the
     names of all sections in it.
     """
 
@@ -71,8 +71,8 @@ class ReadText:
 
 
 def no_text(content: bytes) -> str:
-    """Return what a file is that is no text of a control: one of two bytes a character (by its byte
-    order mark, or where every second byte of its beginning is 0), or binary.
+    """Return the type of a file that cannot be a control's text: two bytes per character (by its
+    byte order mark, or if every second byte of its beginning is 0), or binary.
     """
     head = content[:_HEAD]
     halves = head[::2], head[1::2]
@@ -89,12 +89,12 @@ def no_text(content: bytes) -> str:
 
 @lru_cache(maxsize=KEPT_READERS)
 def text_reader(definition: Definition) -> TextReader:
-    """Return the reader of a definition: its forms are compiled once."""
+    """Return the reader of a definition; cached, with its forms compiled once."""
     return TextReader(definition)
 
 
 class TextReader:
-    """Reads files by one definition; `text_reader` gives the one that is in use already."""
+    """Reads files by one definition; `text_reader` returns the cached one."""
 
     def __init__(self, definition: Definition) -> None:
         self.definition = definition
@@ -109,15 +109,15 @@ class TextReader:
         self.newline = re.compile(ends)
 
     def read(self, file: ControlFile, faults: list[Fault], number: int = 0) -> ReadText | None:
-        """Return the statements of a file, or None when it cannot be read at all; what is wrong
-        goes to ``faults``.
+        """Return the statements of a file, or None when it cannot be read at all; faults go to
+        ``faults``.
         """
         text, found = _read(self, file)
         faults.extend(found)
         return None if text is None else replace(text, number=number)
 
     def parse(self, file: ControlFile, faults: list[Fault]) -> ReadText | None:
-        """Return the statements of a file that was not read before; as `read`."""
+        """Return the statements of a file, without the cache of `read`."""
         if BINARY.search(file.content):
             faults.append(
                 Fault(
@@ -188,8 +188,10 @@ class _KindReader:
         self.seen_sections: list[str] = []
 
     def _concerning(self) -> re.Pattern[str] | None:
-        """Return what every line holds that is a statement with a word in it, or claims to be one;
-        None where other lines are refused too. An archive has a thousand lines beside each of them.
+        """Return the words in every line that is a statement with one of them, or looks like one;
+        None if other lines are refused too.
+
+        Used to skip lines quickly: an archive has a thousand others for each of them.
         """
         if self.numbered or self.kind.other_lines_refused:
             return None
@@ -199,7 +201,7 @@ class _KindReader:
         return re.compile("|".join(map(re.escape, sorted(words))) or "(?!)", flags)
 
     def _passed_over(self, code: str) -> bool:
-        """Return whether a line is of no concern here."""
+        """Return whether a line is irrelevant here."""
         if self.concerning is None or self.concerning.search(code) is not None:
             return False
         return all(matcher.match(code) is None for matcher in self.wordless)
@@ -298,11 +300,11 @@ class _KindReader:
         self._fault(line, "cannot be read" + _hint(code), expected=expected, found=_shown(code))
 
     def _here(self, matcher: Matcher) -> bool:
-        """Whether a statement counts in the section in which the reading is."""
+        """Return whether a statement counts in the current section."""
         return matcher.section is None or matcher.section.fullmatch(self.section) is not None
 
     def _ours(self, piece: str) -> bool:
-        """Whether a piece of a line would be a statement if it stood alone."""
+        """Return whether a piece of a line would be a statement if it were alone."""
         known = line_number(piece) in self.kind.claims_at_start
         return known or any(
             form.fullmatch(piece) for matcher in self.matchers for form in matcher.forms
@@ -338,8 +340,8 @@ class _KindReader:
         yield Occurrence(matcher.statement.name, self.file, line.number, tokens, place, checksum)
 
     def _concerns_us(self, probe: str) -> bool:
-        """Whether the line could be a statement here: a key of the same name in another section is
-        not ours.
+        """Return whether the line could be a statement here: a key of the same name in another
+        section is another key.
         """
         similar = [matcher for matcher in self.matchers if matcher.head and matcher.head in probe]
         return not similar or any(self._here(matcher) for matcher in similar)
@@ -354,8 +356,8 @@ class _KindReader:
     def _ending(
         self, lines: Sequence[TextLine], last: int, occurrences: Sequence[Occurrence]
     ) -> Iterator[Finding]:
-        """A file that stops without its end mark may have been cut short; in the middle of a number
-        it cannot be trusted.
+        """Check the end of a file: without its end mark it may have been cut short; if it ends
+        within a number, it cannot be trusted.
         """
         final = lines[last - 1] if last else None
         marked = final is not None and self._code(final).strip(" \t").upper() in self.kind.ends_with
@@ -404,9 +406,7 @@ class _KindReader:
 
 
 def mark_before_statement(kind: TextKind, text: str) -> str:
-    """Return what stands before a statement that is said in a comment; empty for all other
-    lines.
-    """
+    """Return the mark before a statement that is given in a comment; empty for all other lines."""
     marks = (mark + word for mark in kind.comment_marks for word in (BY_HAND, AS_IT_IS))
     return next((mark for mark in marks if text.startswith(mark)), "")
 
@@ -431,7 +431,7 @@ def _nearest(matchers: Sequence[Matcher], probe: str) -> str:
 
 
 def _shown(text: str) -> str:
-    """Return a piece of a line that is safe to show."""
+    """Return a piece of a line in a form that is safe to show."""
     shown = text.strip(" \t\r")[:60]
     return repr(shown) if shown else "an empty line"
 

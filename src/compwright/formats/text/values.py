@@ -1,6 +1,4 @@
-"""The value that counts: which of several places in the files holds it, and what holds where none
-does.
-"""
+"""The value that counts: which of several places in the files, and the default if there is none."""
 
 from __future__ import annotations
 
@@ -25,7 +23,7 @@ def name_of(definition: Definition, quantity: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Values:
-    """The values of one axis or one table, which ``label`` names in messages."""
+    """The values of one axis or one table; ``label``: its name in messages."""
 
     definition: Definition
     label: str
@@ -38,11 +36,11 @@ class Values:
     def one(
         self, quantity: str, places: Sequence[FoundValue], *, quiet: bool = False
     ) -> FoundValue | None:
-        """Return the place that counts: within a file the first, the last, or any where all have to
-        be the same, as the binding says; several files have to agree.
+        """Return the place that counts: within a file the first, the last, or any if all have to be
+        the same, as the binding states; several files have to agree.
 
-        None where there is none, and where they contradict, which is a fault at the file and line
-        of the second. Unless ``quiet``, repetitions are told.
+        None if there is none, and if they contradict, which is a fault at file and line of the
+        second. Unless ``quiet``, repetitions are noted.
         """
         if len(places) < 2:
             return places[0] if places else None
@@ -72,7 +70,7 @@ class Values:
         return first
 
     def word(self, quantity: str, found: FoundValue | None) -> str | None:
-        """Return the neutral word of a choice; None where it stands nowhere.
+        """Return the neutral word of a choice; None without a place.
 
         A text that the definition does not know is a fault at its line.
         """
@@ -94,8 +92,10 @@ class Values:
         return word
 
     def known_word(self, binding: Choice, text: str) -> str | None:
-        """Return what a text of a choice means, in whatever case; None where the definition does
-        not say it. A number that stands for a word may be rounded.
+        """Return the meaning of a choice's text, whatever its case; None if the definition does not
+        know it.
+
+        A number that represents a word may be rounded.
         """
         for known, word in binding.values.items():
             if same_value(known, text):
@@ -106,10 +106,11 @@ class Values:
         return None
 
     def absent(self, quantity: str, meaning: str = "", *, tell: bool = True) -> str | None:
-        """Return what counts where a quantity stands in no file, and tell it as its rule says:
-        nothing, in the list of what was assumed, or with a warning too.
+        """Return the default of a quantity that is in no file, and report it as its rule states:
+        not at all, in the list of assumptions, or with a warning too.
 
-        None without a rule. ``meaning``: what the name means, in words; not ``tell``: silently.
+        None without a rule. ``meaning``: the meaning of the name, in words; not ``tell``: no
+        report.
         """
         absent = self.definition.bindings[quantity].when_absent
         if absent is None:
@@ -126,7 +127,7 @@ class Values:
 
 
 def _nearly(known: str, text: str) -> bool:
-    """Whether two texts are fractions that differ by their rounding alone."""
+    """Return whether two texts are fractions that differ only by their rounding."""
     if "." not in known:
         return False
     try:

@@ -1,1 +1,1 @@
-"""Columns in tables of the user's own making."""
+"""Columns in the user's own exported tables."""

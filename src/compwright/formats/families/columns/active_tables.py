@@ -1,4 +1,4 @@
-"""Which of the tables act, and for the motion of which axis."""
+"""Which tables are active, and for the motion of which axis."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from compwright.records.axis import Axis
 def activate(
     sources: Sources, tables: Sequence[UserTable], axes: Sequence[Axis], faults: list[Fault]
 ) -> None:
-    """Settle which table acts for the motion of which axis: by the active line of assignments, or
-    by the tables' names where no such table was given.
+    """Assign each table to the axis whose motion it is active for: by the active line of
+    assignments, or by the tables' names if there is no table of assignments.
     """
     values = [table for table in tables if table.kind == "values"]
     lines = [table for table in tables if table.kind == "assignments"]
@@ -146,9 +146,7 @@ def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]
 def _named_axis(
     sources: Sources, table: UserTable, axes: Sequence[Axis], faults: list[Fault]
 ) -> str | None:
-    """Return the moving axis by the names of the table: that of its first line and that of its file
-    must not contradict.
-    """
+    """Return the moving axis by the table's names; its first line and its file name must agree."""
     definition = sources.definition
     names = [
         name for name in (table.name, table.file.rpartition(".")[0]) if field_matches("name", name)

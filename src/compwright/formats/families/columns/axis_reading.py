@@ -1,4 +1,4 @@
-"""What the files say of one axis: its sheet, its own column of its own table, its parameters."""
+"""One axis in the files: its sheet, its own column of its own table, its parameters."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class ColumnAxisReader:
 
     @property
     def spoken_of(self) -> bool:
-        """Whether a file says what the control does to this axis by itself."""
+        """Whether a file holds the axis' correction over itself."""
         given = any((self.address, name) in self.sources.given for name in ("backlash", "slope"))
         return (
             given
@@ -67,13 +67,13 @@ class ColumnAxisReader:
 
     @property
     def idle(self) -> tuple[float, ...]:
-        """The nodes of a table that does not act, mm or deg."""
+        """Nodes of a table that is not active, mm or deg."""
         if self.curves is None or self.facts["enabled"]:
             return ()
         return tuple(float(node) for node in self.curves[0])
 
     def read(self) -> AxisCompensation:
-        """Return what acts on the axis; what is wrong goes to the notes."""
+        """Return the active compensation of the axis; faults go to the notes."""
         kind = self.values.kind(self.address)
         scale = self.values.scale(self.address)
         enabled = self._enabled()
@@ -110,8 +110,8 @@ class ColumnAxisReader:
     # --- the table
 
     def _curves(self) -> tuple[FloatArray, FloatArray, FloatArray, float | None] | None:
-        """Return nodes, the curve of each direction and the period; None where the axis has no
-        table, or a faulty one.
+        """Return nodes, the curve of each direction and the period; None without a table, or with a
+        faulty one.
         """
         missing = self.sources.missing.get(self.address)
         if missing is not None and (self.address in self.wanted or not self.wanted):
@@ -220,13 +220,13 @@ class ColumnAxisReader:
     # --- parameters
 
     def _found(self, quantity: str) -> FoundValue | None:
-        """Return a parameter; several files have to agree."""
+        """Return a parameter; several files must agree."""
         given = self.sources.given.get((self.address, quantity), [])
         return self.parameters.one(quantity, given, quiet=True)
 
     def _enabled(self) -> bool:
-        """Return whether the table acts: by the parameter or the active line, else by what the job
-        says of it.
+        """Return whether the table is active: by the parameter or the active line, else by the
+        job.
         """
         found = self._found("enabled") if "enabled" in self.definition.bindings else None
         if (
@@ -273,8 +273,9 @@ class ColumnAxisReader:
         return self._answer(word, found)
 
     def _zeros(self, found: FoundValue | None) -> bool:
-        """Return whether a table of zeros acts. Nothing hangs on it, but the linear error acts
-        where it does not.
+        """Return whether a table of zeros is active.
+
+        It corrects nothing, but if it is not active, the linear error is.
         """
         slope = self._found("slope")
         if found is not None or self.sources.starred:
@@ -312,7 +313,7 @@ class ColumnAxisReader:
         return active
 
     def _assume_switch(self, value: str, evidence: str) -> None:
-        """List what a switch that no file holds was taken as."""
+        """List the assumed value of a switch that no file holds."""
         self.notes.assume(f"{self.label}: {self._switch}", value, f"in no file; {evidence}")
 
     @property
@@ -321,8 +322,10 @@ class ColumnAxisReader:
         return self.parameters.name("enabled") if known else "the active line of the .CMA"
 
     def _answer(self, word: str | None, found: FoundValue | None) -> bool:
-        """Return whether tables that are not zero act: what the files say (``word``), else the job;
-        listed where nobody does.
+        """Return whether tables that are not zero are active: by the files (``word``), else by the
+        job.
+
+        The assumption is listed if neither states it.
         """
         place = found if found is not None and found.occurrence.tokens else None
         active = self.activity.resolve(self.label, self._switch, word, place, self.notes)
@@ -332,7 +335,7 @@ class ColumnAxisReader:
         return active is not False
 
     def _column_elsewhere(self) -> bool:
-        """Whether a table that acts for another axis' motion has a column for this one: the bit
+        """Return whether a table for another axis' motion has a column for this axis: the bit
         selects that one too.
         """
         column = self.sources.column_of(self.address)
@@ -342,7 +345,7 @@ class ColumnAxisReader:
         )
 
     def _others_act(self) -> bool:
-        """Whether the motion of another axis corrects this one: the same bit selects such a
+        """Return whether the motion of another axis corrects this one: the same bit selects such a
         column.
         """
         column = self.sources.column_of(self.address)

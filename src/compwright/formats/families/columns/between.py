@@ -1,9 +1,10 @@
-"""Corrections between axes as columns of the table of the moving axis: filled in where the user's
-own table has the column and its rows can hold them, else typed in by the engineer. The sign of such
-a table is unconfirmed either way.
+"""Corrections between axes as columns of the table of the moving axis.
 
-A column acts on an axis only while tables are selected for that axis, and then its linear error is
-dead: an axis that the linear error corrects gets no column, and that is said.
+They are filled in if the user's own table has the column and its rows can hold them, else typed in
+by the engineer. The sign of such a table is unconfirmed either way.
+
+A column corrects an axis only while tables are selected for that axis, and then its linear error is
+not active. So an axis with a linear error gets no column, with a remark.
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ _CHECK = (
 
 
 def columns_between(family: Family, request: BetweenRequest) -> Between:
-    """Return the column of every correction, or why it cannot act."""
+    """Return the column of every correction, or why it cannot be active."""
     files = tuple(file for file in request.base if not is_entry_sheet(file))
     own = files
     held: list[PlannedCross] = []
@@ -67,7 +68,7 @@ def columns_between(family: Family, request: BetweenRequest) -> Between:
 
 
 def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Between:
-    """Return the remark on a correction that is in the user's own table."""
+    """Return the remark on a correction in the user's own table."""
     entry, form = filled.entry, _form(family, request, filled.entry)
     rows = _rows(entry, form)
     where = f"{filled.file}, column {filled.column}"
@@ -89,7 +90,7 @@ def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Be
 
 
 def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: str) -> Between:
-    """Return the column as it is typed in; ``why``: the reason for which no file can hold it."""
+    """Return the column to be typed in; ``why``: the reason for which no file can hold it."""
     form = _form(family, request, entry)
     rows = _rows(entry, form)
     where = f"the table (.COM) of {entry.input}, column of {entry.output}"
@@ -109,8 +110,8 @@ def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: st
 
 
 def _form(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
-    """Return what the values of a column are: the table is the moving axis' own, and so is what its
-    values mean.
+    """Return the meaning of a column's values (error or correction): it is that of the moving axis'
+    table.
     """
     return str(family.options_of(request.axes.get(entry.input))["table_values"])
 
@@ -124,8 +125,8 @@ def _selected(family: Family, entry: PlannedCross) -> str:
 
 
 def _by_line(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
-    """Return why a column cannot act on its axis: the linear error of that axis acts, now or by
-    this job; empty where it can.
+    """Return why a column cannot correct its axis: the linear error of that axis is active, now or
+    after this job; empty if it can.
     """
     axis, linear = request.axes.get(entry.output), _parameter(family, "slope")
     if axis is None:
@@ -144,13 +145,13 @@ def _by_line(family: Family, request: BetweenRequest, entry: PlannedCross) -> st
 
 
 def _parameter(family: Family, quantity: str) -> str:
-    """Return the control's name of a parameter; empty where it has none."""
+    """Return the control's name of a parameter; empty if it has none."""
     known = quantity in family.definition.bindings
     return name_of(family.definition, quantity) if known else ""
 
 
 def _rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:
-    """Return positions and values of a column, mm or deg; ``form``: what the values are."""
+    """Return positions and values of a column, mm or deg; ``form``: the meaning of the values."""
     sign = -1.0 if form == "error" else 1.0
     added = entry.added
     return [

@@ -1,5 +1,5 @@
-"""What one axis of a control with tables of the user's own making (HEIDENHAIN) can hold, and what
-breaks its limits.
+"""Capacity of one axis of a control with tables of the user's own making (HEIDENHAIN), and faults
+of tables beyond it.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ def by_line(options: Mapping[str, object]) -> bool:
 def columns_capacity(control: Family, axis: Axis) -> Capacity:
     """Return the limits of one axis in mm or deg.
 
-    Raises UsageError for a wrong option of the axis, CapacityError where the control has no such
-    table or parameter at all.
+    Raises UsageError for a wrong option of the axis, CapacityError if the control has no such table
+    or parameter.
     """
     definition, state, own = control.definition, control.state, control.options_of(axis)
     address, _ = control.address(axis)
@@ -74,7 +74,7 @@ def columns_capacity(control: Family, axis: Axis) -> Capacity:
 
 
 def spacings(options: Mapping[str, object]) -> tuple[float, ...] | None:
-    """Return the only spacings there are by the option spacing_rule, mm or deg; None: any."""
+    """Return the allowed spacings by the option spacing_rule, mm or deg; None: any."""
     if options.get("spacing_rule") != "power_of_two":
         return None
     return tuple(float(2**power * SMALLEST_SPACING) for power in range(MOST_DOUBLINGS + 1))
@@ -143,9 +143,7 @@ def _assumed(
 def broken_limits(
     control: Family, axis: Axis, compensation: AxisCompensation, capacity: Capacity
 ) -> Iterator[Fault]:
-    """Yield what keeps the control from holding a compensation beside numbers of points, curves and
-    ends.
-    """
+    """Yield the broken limits of a compensation other than numbers of points, curves and ends."""
     label, unit = f"axis {axis.name} ({compensation.address})", axis.kind.unit
     if compensation.interpolation != "linear" or compensation.others:
         yield Fault(
@@ -167,7 +165,7 @@ def broken_limits(
 def _line_faults(
     label: str, axis: Axis, compensation: AxisCompensation, capacity: Capacity
 ) -> Iterator[Fault]:
-    """The linear parameter and a table exclude each other."""
+    """Yield a fault for a linear parameter together with a table: they exclude each other."""
     if capacity.line is not None and compensation.positions.size:
         message = f"{label}: the linear parameter and a table exclude each other"
         yield Fault(
@@ -269,8 +267,8 @@ def _turn_faults(label: str, compensation: AxisCompensation, capacity: Capacity)
 
 
 def card_values(control: Family, axis: Axis, compensation: AxisCompensation) -> dict[str, str]:
-    """Return what the card says beside the general values: the table in words, the axis' number,
-    its bit, its parameters.
+    """Return the card's values in addition to the general ones: the table in words, the axis'
+    number, its bit, its parameters.
     """
     own = control.options_of(axis)
     address, _ = control.address(axis)

@@ -29,8 +29,8 @@ def couplings_of(
     wanted: Sequence[str],
     known: Collection[str],
 ) -> Iterator[Coupling]:
-    """Yield which axes follow another one; ``numbers``: how the control counts its axes; ``asked``:
-    those under work; ``known``: those that the job names.
+    """Yield which axes follow another one; ``numbers``: the control's axis numbers; ``wanted``:
+    axes under work; ``known``: axes that the job names.
     """
     last = {found.match[1]: found for found in statements_in(files, _LINE, _REMARK)}
     for index, found in last.items():

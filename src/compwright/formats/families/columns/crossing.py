@@ -1,5 +1,6 @@
-"""A correction between axes -> the column of the bent axis in the user's own table of the moving
-axis: only cells of that column change, on the grid that is there.
+"""Correction between axes -> column of the bent axis in the user's own table of the moving axis.
+
+Only cells of that column change; the grid stays.
 """
 
 from __future__ import annotations
@@ -27,8 +28,8 @@ from compwright.records.plan import PlannedCross
 
 @dataclass(frozen=True, slots=True)
 class Filled:
-    """What the user's table holds of a correction: ``file`` and ``column`` for people, and the
-    correction as it stands there, over all rows.
+    """A correction in the user's table: ``file`` and ``column`` for messages, and the correction as
+    the table holds it, over all rows.
     """
 
     file: str
@@ -37,12 +38,12 @@ class Filled:
 
 
 def values_quantum(family: Family) -> float:
-    """Return to what the values of a column are rounded, mm or deg (the number is the same)."""
+    """Return the rounding of a column's values; the number is the same in mm and deg."""
     return float(Decimal(1).scaleb(-family.definition.measure("value").digits))
 
 
 class CrossFiller(Patches):
-    """Fills columns of the tables among ``files``, one correction after the other."""
+    """Fills columns of the tables in ``files``, one correction after the other."""
 
     def __init__(
         self, family: Family, axes: Mapping[str, Axis], files: Sequence[ControlFile]
@@ -56,8 +57,9 @@ class CrossFiller(Patches):
         self.values = TableValues(family, self.sources, self.by_address, notes)
 
     def fill(self, entry: PlannedCross) -> Filled:
-        """Note the changes of one correction. Raises NotHeld, with the reason, where the user's
-        files have no place for it.
+        """Record the changes for one correction.
+
+        Raises NotHeld, with the reason, if the user's files have no place for it.
         """
         added = entry.added
         table, column = self._place(added)
@@ -99,7 +101,7 @@ class CrossFiller(Patches):
         return any(bit.text == "0" for bit in self.sources.given.get((address, "enabled"), []))
 
     def _gentle(self, table: UserTable, rows: FloatArray, total: FloatArray) -> None:
-        """Raise NotHeld where neighbours would differ by more than the control takes."""
+        """Raise NotHeld if neighbouring values would differ by more than the control allows."""
         rule = self.family.definition.limit_number("spacing_per_step")
         if rule is not None and np.any(np.abs(np.diff(total)) > np.diff(rows) / rule):
             raise NotHeld(f"neighbouring values of {table.file} would differ too much")
@@ -120,8 +122,10 @@ class CrossFiller(Patches):
 
 
 def _on_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArray:
-    """Return what is added at the rows of a table, mm or deg (k,). A straight line goes on to the
-    ends of the table; where a curve bends there has to be a row. Raises NotHeld.
+    """Return the correction at the rows of a table, mm or deg (k,).
+
+    A straight line is extended to the ends of the table; a curve must have its bends at rows.
+    Raises NotHeld.
     """
     if not np.array_equal(added.positive, added.negative):
         raise NotHeld(f"a column of {file} serves both directions, the correction has one each")

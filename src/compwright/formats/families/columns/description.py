@@ -1,4 +1,4 @@
-"""What newer controls say of a table's columns between its first line and their names.
+"""Descriptions of a table's columns that newer controls put between its first line and the names.
 
     BEGIN X.COM MM Version: 'Update:110.24'       BEGIN X.COM MM
     #STRUCTBEGIN                                  TableDescription (
@@ -34,8 +34,8 @@ _SETTING = re.compile(r"[ \t]*([A-Za-z-]+)[ \t]*:?=[ \t]*\"?([^\"]*?)\"?[ \t]*,?
 
 @dataclass(frozen=True, slots=True)
 class TableDescription:
-    """The columns that a table describes, by name in capitals; ``key`` names the one that numbers
-    the rows. ``lines``: how many lines it takes; None: it has no end.
+    """The columns that a table describes, by name in capitals; ``key`` names the column with the
+    row number. ``lines``: number of lines of the description; None: it has no end.
     """
 
     columns: Mapping[str, Described] = field(default_factory=dict)
@@ -43,12 +43,14 @@ class TableDescription:
     lines: int | None = 0
 
     def of(self, name: str) -> Described | None:
-        """Return what is said of a column, None where nothing is."""
+        """Return the description of a column, None without one."""
         return self.columns.get(name.upper())
 
     def fits(self, titles: Sequence[tuple[str, int]]) -> bool:
-        """Return whether the names of the columns, each at its character, stand as far apart as
-        their widths say, wherever these are said; False where nothing is said.
+        """Return whether the distances of the column names (name, character) agree with the
+        described widths.
+
+        False if no width is described.
         """
         gaps = [
             (
@@ -62,8 +64,9 @@ class TableDescription:
 
 
 def read_description(lines: Sequence[str]) -> TableDescription:
-    """Return the description with which ``lines`` begin, those behind the first line of a table;
-    an empty one where there is none.
+    """Return the description at the beginning of ``lines``, which follow the first line of a table.
+
+    Empty if there is none.
     """
     first = lines[0].strip().upper() if lines else ""
     if first == _STRUCT:
@@ -114,9 +117,7 @@ def _object(lines: Sequence[str]) -> TableDescription:
 def _with_attribute(
     column: Described, word: str, text: str, form: Literal["struct", "object"]
 ) -> Described:
-    """Return a column with one more thing said of it; words that decide nothing here are left
-    out.
-    """
+    """Return a column with one more attribute; irrelevant attributes are left out."""
     yes = text.upper() == "TRUE"
     if word == "WIDTH" and re.fullmatch("[0-9]{1,4}", text):
         return replace(column, width=int(text), blanks=1 if form == "struct" else 0)

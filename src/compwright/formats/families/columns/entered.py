@@ -87,7 +87,7 @@ def whereabouts(
     entries: Mapping[str, Entered],
     _: ControlState | None,
 ) -> tuple[tuple[str, ...], float | None]:
-    """Return the axes that a value belongs to (that whose column it is, that which moves), and the
+    """Return the axes that a value belongs to (the axis of its column, the moving axis), and the
     position of a row.
     """
     by_grid = "datum" in definition.fields  # columns are then named by number

@@ -1,4 +1,4 @@
-"""What is entered for one axis, as text."""
+"""Entries for one axis, as text."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from compwright.records.correction import AxisCompensation
 
 
 class ColumnEntry:
-    """What is entered for one axis, as text."""
+    """Entries for one axis, as text."""
 
     def __init__(self, control: Family, axis: Axis, compensation: AxisCompensation) -> None:
         self.definition = control.definition
@@ -44,8 +44,9 @@ class ColumnEntry:
         return rows
 
     def parameters(self) -> dict[str, str]:
-        """Return the parameters by quantity. Beside a table the linear one is 0: nothing counts
-        twice, whichever of them acts.
+        """Return the parameters by quantity.
+
+        With a table the linear parameter is 0, so nothing counts twice whichever of them is active.
         """
         straight = column_scale(self.definition, AxisKind.LINEAR, self.options)
         texts = {
@@ -73,10 +74,10 @@ class ColumnEntry:
 def _one_turn(
     axis: Axis, compensation: AxisCompensation
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return nodes and curves as the table holds them: those of an endless axis from 0 to 360
+    """Return nodes and curves in the form of the table: those of an endless axis from 0 to 360
     degrees, wherever its reference is.
 
-    Raises NotHeld when no node lies at 0 degrees.
+    Raises NotHeld when no node is at 0 degrees.
     """
     nodes, positive, negative = compensation.positions, compensation.positive, compensation.negative
     if axis.modulo is None or not nodes.size:

@@ -1,4 +1,4 @@
-"""Columns in tables of the user's own making, which come out of the control and go back into it."""
+"""Columns in the user's own tables, which are exported from the control and loaded again."""
 
 from __future__ import annotations
 
@@ -113,5 +113,5 @@ class ColumnsFamily(Family):
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
     ) -> tuple[ControlFile, ...]:
-        """See `Family.sheets`: what is written without any file of the user's own."""
+        """See `Family.sheets`: the files that are written without any file of the user's own."""
         return self.write(compensations, axes)

@@ -1,5 +1,5 @@
 """One axis' curve -> its column of the user's table: cells of that column, rows in the table's own
-style, datum and spacing of its first line.
+style, datum and spacing in its first line.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class TableFiller:
         self.number = names.index(self.table.file)
 
     def fill(self) -> None:
-        """Note all changes. Raises NotHeld and CapacityError for what the table cannot take."""
+        """Record all changes. Raises NotHeld and CapacityError for what the table cannot take."""
         self._suits()
         positions = self._positions()
         others = self.table.others(self.column, POSITION, SECOND)
@@ -101,8 +101,8 @@ class TableFiller:
         return [float(position) for position in positions or ()]
 
     def _on_the_grid(self, positions: Sequence[float], others: Sequence[str]) -> np.ndarray:
-        """Return, for every row, the node whose value it gets; the table's grid serves other axes
-        and has to stay.
+        """Return for every row the node whose value it gets; the table's grid serves other axes and
+        stays.
         """
         nodes = self.entry.nodes
         slack = EXACTNESS * self.entry.scale.quantum("node_position")
@@ -135,7 +135,7 @@ class TableFiller:
         return np.clip(np.arange(len(positions)) - first, 0, nodes.size - 1)
 
     def _head(self, grid: FloatArray) -> None:
-        """Set datum and spacing in the first line, where the table has them there."""
+        """Set datum and spacing in the first line, if the table has them there."""
         if not self.sources.numbered:
             return
         spacing = float(grid[1] - grid[0])
@@ -156,8 +156,8 @@ class TableFiller:
                 self.patches.replace(self.number, BytesChange(cell.start, cell.end, text.encode()))
 
     def _rows(self, grid: FloatArray, held: np.ndarray) -> None:
-        """Fill the rows that there are and add those that are missing; ``held`` (k,): the node
-        whose value a row gets.
+        """Fill the existing rows and add the missing ones; ``held`` (k,): the node whose value a
+        row gets.
         """
         rows = self.table.rows
         content = self.patches.files[self.number].content
@@ -175,9 +175,7 @@ class TableFiller:
         self.patches.add_lines(self.number, rows[-1].start, added)
 
     def _cells(self, position: float, node: int, row: Row | None) -> dict[str, str]:
-        """Return the cells of a row; a cell that says the same number already keeps its
-        characters.
-        """
+        """Return the cells of a row; a cell with the same number keeps its characters."""
         entry = self.entry
         cells = {
             self.column: signed(self.table, entry.value(float(entry.positive[node])), self.column)
@@ -197,8 +195,8 @@ class TableFiller:
         }
 
     def _two_columns(self) -> bool:
-        """Whether the second curve is written: asked for, or filled already (then equal to the
-        first: both readings agree).
+        """Return whether the second curve is written: if required, or if the column is filled
+        already (then equal to the first, so that both readings agree).
         """
         if self.table.column(SECOND) is None:
             return False
@@ -208,8 +206,8 @@ class TableFiller:
 
 
 def signed(table: UserTable, text: str, column: str) -> str:
-    """Return a number with a plus sign where the column writes one, or its table where it is
-    blank.
+    """Return a number with a plus sign if the column, or for a blank column its table, writes
+    one.
     """
     if text.startswith("-"):
         return text

@@ -21,7 +21,7 @@ from compwright.records.correction import ControlFile
 def find_sources(
     definition: Definition, files: Sequence[ControlFile], axes: Sequence[Axis], faults: list[Fault]
 ) -> Sources:
-    """Return the files sorted; everything that is wrong with one of them, or between them, goes to
+    """Return the files sorted; faults of single files and contradictions between them go to
     ``faults``.
     """
     sources = Sources(definition, AxisNumbers(definition, axes))

@@ -1,5 +1,5 @@
-"""Lines of tables and lists of parameters in which nobody is named: the columns and their
-descriptions, rows, and parameters by their number.
+"""Lines of tables and parameter lists that name nobody: columns, their descriptions, rows, and
+parameters by number.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Parameters as lines of text, bit masks among them -> what they say of each axis."""
+"""Parameters as lines of text, including bit masks -> values of each axis."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _MASK = re.compile(r"%([01]{1,32})|([0-9]{1,9})")
 def take_parameters(
     sources: Sources, reader: TextReader, file: ControlFile, number: int, faults: list[Fault]
 ) -> None:
-    """Take the parameters of a text into the sources; ``number``: its place among the files."""
+    """Add the parameters of a text to the sources; ``number``: its index among the files."""
     known = len(faults)
     text = reader.read(file, faults, number)
     sources.findings.extend(text.findings if text is not None else ())
@@ -109,15 +109,15 @@ def _take_mask(sources: Sources, place: Occurrence, file: int, faults: list[Faul
 
 
 def ambiguous(text: str) -> bool:
-    """Whether bits without ``%`` could be meant as bits or as a decimal number, and these differ
-    (``11``: 3 or 11).
+    """Return whether digits without ``%`` mean different numbers as bits and as decimal (``11``: 3
+    or 11).
     """
     return re.fullmatch("[01]{1,32}", text) is not None and int(text, 2) != int(text)
 
 
 def mask_of(text: str) -> int | None:
-    """Return a bit mask (``%00011`` or ``3``) as a number, bit 0 the first axis; None when it is
-    none.
+    """Return a bit mask (``%00011`` or ``3``) as a number, bit 0 the first axis; None for other
+    text.
     """
     match = _MASK.fullmatch(text)
     if match is None:

@@ -1,10 +1,10 @@
-"""Controls whose tables stand in files of the user's own making (HEIDENHAIN): what the files say ->
-compensation.
+"""Controls with tables in files of the user's own making (HEIDENHAIN): files -> compensation.
 
-A table belongs to the axis that moves; each of its columns is what that motion does to one axis:
-its own column to itself, another axis' column to that one (facts of the manuals: TNC 407 technical
-manual p153, MANUALplus 620 p716 and p718). What is typed in at the control stands in entry sheets.
-Parameters (backlash, linear error, which of line and table acts) stand in sheets or lines.
+A table belongs to the axis that moves; each of its columns is the correction of one axis by that
+motion: its own column corrects itself, another axis' column corrects that one (facts of the
+manuals: TNC 407 technical manual p153, MANUALplus 620 p716 and p718). Entry sheets hold what is
+typed in at the control. Parameters (backlash, linear error, which of line and table is active) are
+in sheets or lines.
 """
 
 from __future__ import annotations
@@ -51,10 +51,11 @@ def read_columns(
     address: str | None = None,
     activity: Activity = Activity(),  # noqa: B008 - frozen
 ) -> ControlState:
-    """Return what a control does with ``files``; arguments and errors as `Family.read`.
+    """Return the compensation in ``files``; arguments and errors as `Family.read`.
 
-    ``facts`` hold, for every axis of the result: ``enabled`` (its table acts), ``own_column`` and
-    ``second_column`` (its own table among the files has a column for it, and one for travel in -).
+    ``facts`` hold, for every axis of the result: ``enabled`` (its table is active), ``own_column``
+    and ``second_column`` (its own table among the files has a column for it, and one for travel
+    towards -).
     """
     require_files(files)
     known = {control.address(axis)[0]: axis for axis in axes}
@@ -189,8 +190,8 @@ class _ColumnStateReader:
         return tuple(found)
 
     def _off(self, address: str) -> bool:
-        """Whether the files, or the job where these leave it open, say that no table acts on an
-        axis.
+        """Return whether the files, or the job where these leave it open, state that no table is
+        active on an axis.
         """
         bits = self.sources.given.get((address, "enabled"), [])
         if bits:
@@ -198,9 +199,7 @@ class _ColumnStateReader:
         return self.activity.stated is False and not self.sources.starred
 
     def _general(self, compensations: Mapping[str, AxisCompensation]) -> None:
-        """Note what concerns all axes: what was not given, what is not active, and what had to be
-        assumed.
-        """
+        """Note findings about all axes: missing files, inactive tables, assumptions."""
         sources = self.sources
         for file, address in sources.assumed.items():
             self.notes.assume(

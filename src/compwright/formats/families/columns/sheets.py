@@ -20,7 +20,7 @@ _UNITS = {"mm": Decimal(1), "um": Decimal("0.001"), "deg": Decimal(1), "mm/m": D
 
 
 def take_sheet(sources: Sources, file: ControlFile, number: int, faults: list[Fault]) -> None:
-    """Take what a sheet says into the sources; ``number``: its place among the files."""
+    """Add the contents of a sheet to the sources; ``number``: its index among the files."""
     sheet = read_sheet(file, faults)
     address = None if sheet is None else _address(sources, sheet, faults)
     if sheet is None or address is None:
@@ -70,7 +70,7 @@ def _address(sources: Sources, sheet: EntrySheet, faults: list[Fault]) -> str | 
 def _rows(
     sources: Sources, address: str, sheet: EntrySheet, number: int, faults: list[Fault]
 ) -> list[SheetPoint]:
-    """Take the parameters of a sheet into the sources and return its points."""
+    """Add the parameters of a sheet to the sources and return its points."""
     definition = sources.definition
     names = {name_of(definition, name): name for name in PARAMETERS if name in definition.bindings}
     points: list[SheetPoint] = []
@@ -90,7 +90,7 @@ def _rows(
 
 
 def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
-    """A sheet that says how many points it has is checked: a lost last line would otherwise go
+    """Check the number of points against the count in the sheet: a lost last line would go
     unnoticed.
     """
     text = sheet.comments.get("points")

@@ -1,5 +1,5 @@
-"""What the files of a control with tables of its own hold: entry sheets, tables, the line that is
-active, parameters, by axis.
+"""Contents of the files of a control with its own tables: entry sheets, tables, the active line,
+parameters, by axis.
 """
 
 from __future__ import annotations
@@ -28,8 +28,10 @@ _ASSIGNED_COLUMN = re.compile(r"([0-9]{1,3})(?:=F\(\))?", re.IGNORECASE)
 
 
 class AxisNumbers:
-    """How the control counts its axes, from 1. A job's ``axis_number`` goes over the letters, and
-    so does a synchronised axis that the job names by its number (AX4).
+    """The control's axis numbers, from 1.
+
+    A job's ``axis_number`` overrides the letters; so does a synchronised axis that the job names by
+    its number (AX4).
     """
 
     def __init__(self, definition: Definition, axes: Sequence[Axis]) -> None:
@@ -49,26 +51,28 @@ class AxisNumbers:
         self.by_number: Mapping[int, str] = {**letters, **numbers}
 
     def address(self, number: int) -> str:
-        """Return the address of an axis; its number where nobody says which axis that is."""
+        """Return the address of an axis; its number if the axis is unknown."""
         return self.by_number.get(number, str(number))
 
     def follower(self, number: int, known: Collection[str]) -> str:
-        """Return the name of an axis that follows another one: AX and its number where nobody says
-        which axis it is, and its letter is that of a rotary axis which the job does not know.
+        """Return the name of an axis that follows another one.
+
+        AX and its number if the axis is unknown, or if its letter is that of a rotary axis which
+        the job does not name.
         """
         letter = self.address(number)
         assumed = self.by_number.get(number) == letter and number not in self.stated
         return f"AX{number}" if assumed and letter in "ABC" and letter not in known else letter
 
     def number(self, address: str) -> int | None:
-        """Return the number of an axis, from 1; None where nobody says it."""
+        """Return the number of an axis, from 1; None if unknown."""
         return next((number for number, known in self.by_number.items() if known == address), None)
 
 
 @dataclass(frozen=True, slots=True)
 class SheetPoint:
-    """A point of an entry sheet, position in mm or deg, value in mm or deg as it stands there (an
-    error or a correction).
+    """A point of an entry sheet: position and value in mm or deg; the value is an error or a
+    correction, as in the sheet.
     """
 
     position: Decimal
@@ -78,11 +82,11 @@ class SheetPoint:
 
 @dataclass(slots=True)
 class Sources:
-    """What the files hold. ``tables``: by the moving axis, those that act; ``idle``: those that the
-    active line does not name.
+    """Contents of the files. ``tables``: the active ones, by the moving axis; ``idle``: those that
+    the active line does not name.
 
-    ``given``: parameters by axis and quantity, in the unit of the quantity; what a sheet gives has
-    no tokens. ``missing``: the axis -> the table that the active line names and that was not given.
+    ``given``: parameters by axis and quantity, in the unit of the quantity; those of a sheet have
+    no tokens. ``missing``: axis -> table that the active line names and that was not given.
     ``active``: that line.
     """
 
@@ -109,8 +113,8 @@ class Sources:
 
     @property
     def starred(self) -> bool:
-        """Whether a mark in the table of assignments says that its tables act; where axes have
-        numbers a parameter says it.
+        """Whether a mark in the table of assignments makes its tables active; on controls with axis
+        numbers a parameter does.
         """
         return not self.numbered and self.active is not None
 
@@ -119,8 +123,8 @@ class Sources:
         return f"{self.numbers.number(address)}=F()" if self.numbered else address
 
     def axis_of(self, column: str, *, assigned: bool = False) -> str:
-        """Return the axis of a column in a table of values (or of assignments); its own name where
-        it is no axis'.
+        """Return the axis of a column in a table of values or of assignments; the column's name if
+        it is not an axis'.
         """
         match = (
             (_ASSIGNED_COLUMN if assigned else _COLUMN).fullmatch(column) if self.numbered else None
@@ -134,7 +138,7 @@ class Sources:
         return name if table is not None and table.column(name) is not None else None
 
     def mentioned(self) -> tuple[str, ...]:
-        """Return every axis of which a file says something."""
+        """Return every axis that a file mentions."""
         moved = [
             self.axis_of(column.name) for table in self.tables.values() for column in table.columns
         ]

@@ -1,5 +1,5 @@
-"""A table that a control exports, as it stands in its file: columns, rows, cells in fixed widths,
-every cell with its place; and what a cell may become.
+"""A table as a control exports it: columns, rows, cells in fixed widths, each cell with its place;
+and rules for changing a cell.
 """
 
 from __future__ import annotations
@@ -41,9 +41,9 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Described:
-    """What is said of one column. ``width`` in characters, without the ``blanks`` behind it that
-    it leaves out; ``decimals`` behind the point; ``least`` and ``most``: the values that it takes,
-    as they stand. None: not said.
+    """Description of one column. ``width`` in characters, without the ``blanks`` that follow;
+    ``decimals`` after the point; ``least`` and ``most``: range of values, as text. None: not
+    described.
     """
 
     width: int | None = None
@@ -55,7 +55,7 @@ class Described:
     inch: bool = False
 
     def refuses(self, text: str) -> str:
-        """Return why a cell of this column cannot hold ``text``; empty where it can."""
+        """Return why a cell of this column cannot hold ``text``; empty if it can."""
         if self.read_only:
             return "is read only by the table's own description"
         if self.width is not None and len(text) > self.width:
@@ -76,11 +76,11 @@ class Described:
 
 @dataclass(frozen=True, slots=True)
 class TableColumn:
-    """A column. Cells stand from ``low`` up to ``high`` (characters of the line; None: to its end),
-    flush with one of them.
+    """A column. Cells reach from ``low`` up to ``high`` (characters of the line; None: to its end),
+    aligned with one of them.
 
-    ``edge``: the character at which cells begin (``flush`` left) or behind which they end (right);
-    ``flush`` "free": blanks alone separate the cells. ``told``: what the table itself says of it.
+    ``edge``: the character at which cells begin (``flush`` left) or after which they end (right);
+    ``flush`` "free": only blanks separate the cells. ``described``: its description in the table.
     """
 
     name: str
@@ -91,7 +91,7 @@ class TableColumn:
     described: Described | None = None
 
     def check(self, text: str, file: str) -> None:
-        """Raise NotHeld when ``text`` is not what a cell of this column takes."""
+        """Raise NotHeld when a cell of this column cannot hold ``text``."""
         why = (
             self.described.refuses(text)
             if self.described is not None and self.name != ROW_NUMBER
@@ -103,7 +103,7 @@ class TableColumn:
 
 @dataclass(frozen=True, slots=True)
 class UserTable:
-    """A table as it stands in a file. ``head``: the fields of its first line, with ``name`` and
+    """A table as written in a file. ``head``: the fields of its first line, with ``name`` and
     ``unit``.
     """
 
@@ -144,7 +144,7 @@ def is_number(text: str) -> bool:
 
 
 def set_cell(table: UserTable, line: str, name: str, text: str) -> str:
-    """Return a line of the table with ``text`` in a column: every other column keeps its place and
+    """Return a line of the table with ``text`` in a column; every other column keeps its place and
     its characters.
 
     Raises NotHeld when the text does not fit the width of the column.
@@ -181,8 +181,8 @@ def set_cell(table: UserTable, line: str, name: str, text: str) -> str:
 def cell_changes(
     table: UserTable, row: Row, line: str, cells: Mapping[str, str]
 ) -> list[BytesChange]:
-    """Return the changes that put texts into cells of a row, by column name; ``line`` is the row's
-    text as it stands.
+    """Return the changes that put texts into cells of a row, by column name; ``line``: the row's
+    text.
 
     Raises NotHeld when a text does not fit its column.
     """

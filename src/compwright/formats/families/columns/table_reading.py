@@ -1,4 +1,4 @@
-"""The text of a table that a control exports: one header of columns, rows of cells in fixed widths,
+"""Text of a table that a control exports: one header of columns, rows of cells in fixed widths,
 every cell with its place.
 
     BEGIN X .COM MM DATUM:-400 DIST:16
@@ -7,9 +7,8 @@ every cell with its place.
     END X .COM
 
 Newer controls describe the columns before their names (`columns.description`). No manual shows such
-a file as text: nothing here is taken for certain that the file itself does not show. Cells may be
-blank, so that a cell belongs to the column over or under which it stands; what could stand in
-either of two columns is refused.
+a file as text: only what the file itself shows is taken for certain. Cells may be blank, so a cell
+belongs to the column above or below it; a cell that fits two columns is refused.
 """
 
 from __future__ import annotations
@@ -48,16 +47,14 @@ _KINDS = ("COM", "CMA", "CMO")
 
 
 def is_user_table(file: ControlFile) -> bool:
-    """Return whether a file is such a table: its first line that is not blank begins with BEGIN."""
+    """Return whether a file is such a table: its first non-blank line begins with BEGIN."""
     lines = file.content[:10_000].decode("latin-1").splitlines()
     first = next((line for line in lines if line.strip()), "")
     return first.split()[:1] != [] and first.split()[0].upper() == "BEGIN"
 
 
 def is_other_table(file: ControlFile) -> bool:
-    """Return whether a table is of another kind than those that hold or assign compensation: tools,
-    pallets, datums.
-    """
+    """Return whether a table neither holds nor assigns compensation: tools, pallets, datums."""
     first = next((line for line in file.content[:10_000].splitlines() if line.strip()), b"")
     match = _KIND.match(first.decode("latin-1"))
     return match is not None and match[1].upper() not in _KINDS
@@ -66,9 +63,7 @@ def is_other_table(file: ControlFile) -> bool:
 def read_table_text(
     definition: Definition, file: ControlFile, faults: list[Fault]
 ) -> UserTable | None:
-    """Return the table in a file; None when something is wrong with it, which goes to ``faults``
-    with its line.
-    """
+    """Return the table in a file; None with faults, each with its line, in ``faults``."""
     table, found = _read(text_reader(definition), file)
     faults.extend(found)
     return table
@@ -81,7 +76,7 @@ def _read(reader: TextReader, file: ControlFile) -> tuple[UserTable | None, tupl
 
 
 def parse_table(reader: TextReader, file: ControlFile, faults: list[Fault]) -> UserTable | None:
-    """Return a table that was not read before; as `read_table_text`."""
+    """Return a table, without the cache of `read_table_text`."""
     return _ColumnTableReader(reader, file, faults).read()
 
 
@@ -164,7 +159,7 @@ class _ColumnTableReader:
         return None
 
     def _closed(self, line: TextLine, name: str, ending: str) -> None:
-        """The last line may name its table; another name is the end of another table."""
+        """Check the last line: it may name its table; another name is the end of another table."""
         named = "".join(word.text for word in _words(line)[1:])
         if named and named.upper() != f"{name}.{ending}".upper():
             self._fault(
@@ -245,8 +240,10 @@ class _ColumnTableReader:
     def _assigned(
         self, titles: Sequence[Token], lines: Sequence[TextLine]
     ) -> tuple[list[list[int]] | None, str]:
-        """Return, for every row, the column of each word; None where that is not sure. And how
-        cells stand: left, right, free.
+        """Return the column of each word in every row, and the alignment of cells: left, right,
+        free.
+
+        None if the columns are ambiguous.
         """
         words = [_words(line) for line in lines]
         tabs = any("\t" in line.text for line in lines)

@@ -28,8 +28,8 @@ _INCH = Decimal("25.4")
 
 
 def fitting_rule(options: Mapping[str, object], text: str) -> Decimal | None:
-    """Return the spacing in mm or deg that the first line of a table says; None when it is not one
-    by the option spacing_rule.
+    """Return the spacing in a table's first line, mm or deg; None if the option spacing_rule
+    forbids it.
     """
     if not is_number(text):
         return None
@@ -50,22 +50,23 @@ _LETTERS = frozenset("XYZUVWABC")
 
 
 def kind_by_letter(address: str) -> AxisKind:
-    """Return the kind that an axis of this name usually has: A, B and C turn."""
+    """Return the usual kind of an axis of this name: A, B and C are rotary."""
     return AxisKind.ROTARY if address.upper() in ("A", "B", "C") else AxisKind.LINEAR
 
 
 def column_scale(
     definition: Definition, kind: AxisKind, options: Mapping[str, object]
 ) -> NumberScale:
-    """Return how numbers of an axis are written: table values as its option ``table_values``
-    says.
+    """Return the number scale of an axis; its option ``table_values`` sets the meaning of table
+    values.
     """
     return NumberScale(definition, kind, options, {"table_form": str(options[TABLE_VALUES])})
 
 
 class TableValues:
-    """Reads the numbers of tables by the axis that moves; what is wrong goes to the notes.
-    ``axes``: what a job knows of them.
+    """Reads the numbers of tables by the axis that moves; faults go to the notes.
+
+    ``axes``: those of the job.
     """
 
     def __init__(
@@ -78,8 +79,8 @@ class TableValues:
         self.notes = notes
 
     def own_options(self, address: str) -> Mapping[str, object]:
-        """Return the options of an axis: its own over the controller's; what its entry sheet says
-        of values goes over both.
+        """Return the options of an axis; its own override the controller's, and its entry sheet's
+        meaning of values overrides both.
         """
         axis = self.axes.get(address)
         options = self.control.options if axis is None else self.control.options_of(axis)
@@ -87,14 +88,14 @@ class TableValues:
         return options if sheet is None else {**options, TABLE_VALUES: sheet.comments["value"]}
 
     def scale(self, address: str, kind: AxisKind | None = None) -> NumberScale:
-        """Return how the numbers of an axis are read; ``kind``: of what its table corrects, where
-        that is not the axis itself.
+        """Return the number scale of an axis; ``kind``: of the axis that its table corrects, if
+        that is another.
         """
         return column_scale(self.definition, kind or self.kind(address), self.own_options(address))
 
     def kind(self, address: str) -> AxisKind:
-        """Return whether an axis is linear or rotary: by the job, by the units of its sheet, else
-        by its letter.
+        """Return whether an axis is linear or rotary: by the job, else the units of its sheet, else
+        its letter.
         """
         units = self.sources.units.get(address, set())
         by_sheet = AxisKind.ROTARY if "deg" in units else AxisKind.LINEAR
@@ -119,16 +120,14 @@ class TableValues:
         return known
 
     def stated_kind(self, address: str) -> AxisKind | None:
-        """Return the kind of an axis where its entry sheet says it, or its letter does (DIN 66217:
-        X, Y, Z, U, V and W are linear, A, B and C rotary).
+        """Return the kind of an axis if its entry sheet or its letter states it (DIN 66217: X, Y,
+        Z, U, V and W are linear, A, B and C rotary).
         """
         known = bool(self.sources.units.get(address)) or address.upper() in _LETTERS
         return self.kind(address) if known else None
 
     def positions(self, table: UserTable, address: str) -> tuple[Decimal, ...] | None:
-        """Return the positions of a table's rows in mm or deg; None when something is wrong with
-        them.
-        """
+        """Return the positions of a table's rows in mm or deg; None with faults."""
         kind = self.kind(address)
         scale = self.scale(address, kind)
         found = (
@@ -141,8 +140,10 @@ class TableValues:
         return self._checked(table, [position * factor for position in found], scale)
 
     def _uneven(self, table: UserTable, found: Sequence[Decimal]) -> None:
-        """The control wants points that are equally spaced (MANUALplus 620 technical manual
-        p715); what it does with others is not known: they are read as they stand.
+        """Note points that are not equally spaced; they are read as written.
+
+        The control requires equal spacing (MANUALplus 620 technical manual p715); what it does with
+        others is not known.
         """
         steps = {after - before for before, after in itertools.pairwise(found)}
         if len(steps) > 1:
@@ -151,7 +152,7 @@ class TableValues:
             )
 
     def _listed(self, table: UserTable, scale: NumberScale) -> list[Decimal] | None:
-        """Return the positions that stand in the rows, in the unit of the table."""
+        """Return the positions listed in the rows, in the unit of the table."""
         positions = []
         for row in table.rows:
             cell = row.cells.get(POSITION)
@@ -163,7 +164,7 @@ class TableValues:
         return positions if len(positions) == len(table.rows) else None
 
     def _spaced(self, table: UserTable, address: str) -> list[Decimal] | None:
-        """Return the positions by datum and spacing of the first line, in the unit of the table."""
+        """Return the positions by datum and spacing in the first line, in the unit of the table."""
         datum, step = table.head["datum"], table.head["spacing"]
         options = self.own_options(address)
         inch = table.head["unit"].text.upper() == "INCH"
@@ -207,8 +208,8 @@ class TableValues:
         """Return the corrections (k,) of a column in mm or deg; None for a blank column or a faulty
         one.
 
-        A blank cell between two others lies on the straight line between them; at an end of the
-        table it is a fault.
+        A blank cell between two others is interpolated linearly; at an end of the table it is a
+        fault.
         """
         cells = [row.cells.get(name) for row in table.rows]
         if not any(cells):
@@ -251,8 +252,8 @@ class TableValues:
     def turned(
         self, address: str, positions: FloatArray, values: FloatArray, file: str
     ) -> tuple[FloatArray, FloatArray, float | None]:
-        """Return nodes, values and period of a table: of a rotary axis only 0 to 360 degrees act,
-        again in every turn.
+        """Return nodes, values and period of a table: on a rotary axis only 0 to 360 degrees are
+        active, repeated every turn.
         """
         axis = self.axes.get(address)
         if self.kind(address) is AxisKind.LINEAR:

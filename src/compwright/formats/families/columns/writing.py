@@ -1,5 +1,5 @@
-"""Compensation -> the user's own exported tables and parameters, patched in place; what has no
-place there -> entry sheets.
+"""Compensation -> the user's own exported tables and parameters, patched in place; the rest ->
+entry sheets.
 
 No manual shows the text of these files, so none is invented: only cells of the axis' own column
 change, rows are added in the table's own style, and one bit of a mask that was read. Everything
@@ -36,10 +36,10 @@ def write_columns(
 ) -> tuple[ControlFile, ...]:
     """Return the files that put the compensations (address, axis, table) into the control.
 
-    The user's own ``files`` come back patched, all of them but old entry sheets, so that the set is
-    complete; for what they have no place for there is one entry sheet per axis. Raises InputError
-    for files that cannot be read, CapacityError with everything that cannot be written exactly,
-    UsageError where a value that would be replaced is in no file.
+    All the user's own ``files`` come back patched, except old entry sheets, so that the set is
+    complete; one entry sheet per axis holds what they have no place for. Raises InputError for
+    files that cannot be read, CapacityError with everything that cannot be written exactly,
+    UsageError if a value to be replaced is in no file.
     """
     if files:
         _refuse_unsaid_backlash(control, pairs, files)
@@ -68,8 +68,8 @@ def write_columns(
 def _refuse_unsaid_backlash(
     control: Family, pairs: Sequence[AxisTable], files: Sequence[ControlFile]
 ) -> None:
-    """A backlash is written over what stands in the control: where no file says that, it would be
-    lost from the total.
+    """Refuse to write a backlash if the present one is in no file: it would be missing in the
+    total.
     """
     given = find_sources(control.definition, files, [axis for _, axis, _ in pairs], []).given
     name = name_of(control.definition, "backlash")
@@ -108,8 +108,8 @@ class _OwnTables(Patches):
         self.values = TableValues(control, self.sources, axes, notes)
 
     def put(self, address: str, axis: Axis, compensation: AxisCompensation) -> ControlFile | None:
-        """Note the changes for one axis and return the sheet with what has no place in the user's
-        files; None: nothing is left.
+        """Record the changes for one axis; return the sheet for the rest, None if nothing is
+        left.
         """
         entry = ColumnEntry(self.control, axis, compensation)
         points: list[SheetRow] = []
@@ -149,7 +149,7 @@ class _OwnTables(Patches):
         return write_sheet(print_form(file.name, {"axis": address}), comments, rows)
 
     def _parameter(self, address: str, quantity: str, text: str) -> bool:
-        """Note the change of a parameter in the user's files; False where it is not in them."""
+        """Record the change of a parameter in the user's files; False if it is not in them."""
         given = self.sources.given.get((address, quantity), [])
         found = [place for place in given if place.occurrence.tokens]
         for place in found:
@@ -174,9 +174,9 @@ class _OwnTables(Patches):
         self._set(place, f"%{changed:b}" if ambiguous(new) else new)
 
     def _woken(self, address: str, *, awake: bool) -> None:
-        """Refuse to change the bit of an axis on which tables of other axes act, or would.
+        """Refuse to change the bit of an axis if tables of other axes correct it, or would.
 
-        The bit selects every table that corrects the axis, not its own alone. Raises NotHeld.
+        The bit selects every table that corrects the axis, not only its own. Raises NotHeld.
         """
         column = self.sources.column_of(address)
         others = [

@@ -1,6 +1,4 @@
-"""What the files say about one axis -> its compensation, with every assumption and doubt on the
-way.
-"""
+"""One axis in the files -> its compensation, with every assumption and doubt."""
 
 from __future__ import annotations
 
@@ -40,10 +38,10 @@ _DECIMALS = 6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisSource:
-    """One axis of the files. ``axis``: as a job knows it, None without a job.
+    """One axis of the files. ``axis``: the job's axis, None without a job.
 
-    ``rows``: those of its table where they do not name their axis; None where the text does that.
-    ``elsewhere``: other tables of the control act on it, so that it needs none of its own.
+    ``rows``: those of its table if they do not name their axis; None if the text does.
+    ``elsewhere``: other tables of the control correct it, so that it needs none of its own.
     """
 
     address: str
@@ -61,7 +59,7 @@ class AxisReading:
 
 
 class GridAxisReader:
-    """Reads one axis of the files ``gathered``."""
+    """Reads one axis from the ``gathered`` files."""
 
     def __init__(
         self,
@@ -93,7 +91,7 @@ class GridAxisReader:
         self.options = self._resolved(options)
 
     def read(self) -> AxisReading:
-        """Return what acts on the axis; what is wrong goes to the notes."""
+        """Return the active compensation of the axis; faults go to the notes."""
         kind = self._kind()
         stated, max_points = self._stated_values(), self.values.single("max_points")
         has_table = bool(self.rows) or any(
@@ -137,7 +135,7 @@ class GridAxisReader:
         return self.axis.reference_return
 
     def _stated_values(self) -> dict[str, Fact]:
-        """Return what the files say of quantities that settle options, or that the card names."""
+        """Return the values in the files that answer options, or that the card names."""
         unit = self._unit()
         stated: dict[str, Fact] = {} if unit is None else {"length_unit": unit}
         for quantity in ("max_points", "gantry_type"):
@@ -147,11 +145,10 @@ class GridAxisReader:
         return stated
 
     def _facts(self, kind: AxisKind, stated: Mapping[str, Fact], *, enabled: bool) -> AxisFacts:
-        """Return what the files say of the axis itself: its kind, its letter, its software limits
-        (mm or deg).
+        """Return the facts of the axis in the files: kind, letter, software limits (mm or deg).
 
-        Angles in another unit than degrees are a fault on a rotary axis: its table would be written
-        in degrees.
+        An angle unit other than degrees is a fault on a rotary axis: its table would be written in
+        degrees.
         """
         word = self.values.stated_word("rotary")
         names, order, joints = (
@@ -202,7 +199,7 @@ class GridAxisReader:
         return round(limits[0] * factor, _DECIMALS), round(limits[1] * factor, _DECIMALS)
 
     def _unit(self) -> str | None:
-        """Return in what the files say that lengths stand, mm or inch."""
+        """Return the unit of lengths by the files, mm or inch."""
         return next(
             (word for word in map(self.values.stated_word, SAYING) if word is not None), None
         )
@@ -218,7 +215,7 @@ class GridAxisReader:
         return choice.found(asking=self.axis is not None)
 
     def _resolved(self, options: Mapping[str, object]) -> Mapping[str, object]:
-        """Return the options with what the files themselves answer."""
+        """Return the options with those that the files answer."""
         resolved = dict(options)
         for name, rule in self.definition.options.items():
             if rule.settled_by is not None and isinstance(
@@ -255,7 +252,7 @@ class GridAxisReader:
         return self.axis.kind
 
     def _scale(self, kind: AxisKind, *, has_table: bool) -> NumberScale | None:
-        """Return how numbers are read; None when a sign depends on a choice that cannot be read."""
+        """Return the number scale; None when a sign depends on a choice that cannot be read."""
         choices: dict[str, str] = {}
         if has_table and "table_form" in self.definition.bindings:
             word = self.values.choice("table_form")
@@ -293,7 +290,7 @@ class GridAxisReader:
         return self.values.stated_word("enabled") != "no"
 
     def _table_enabled(self) -> bool:
-        """Return whether a table acts: by the files or, where it is not zero and they leave it
+        """Return whether a table is active: by the files or, if it is not zero and they leave it
         open, by the job.
         """
         found = self.values.single("enabled")
@@ -338,8 +335,8 @@ class GridAxisReader:
         return table
 
     def _idle_nodes(self, scale: NumberScale) -> tuple[float, ...]:
-        """Return the nodes of a table that does not act, mm or deg; none where it is odd, which
-        stops nothing as long as it is off.
+        """Return the nodes of a table that is not active, mm or deg; empty for an invalid one,
+        which stops nothing while it is off.
         """
         quiet = replace(self.values, notes=Notes())
         singles = {
@@ -352,8 +349,8 @@ class GridAxisReader:
         return () if table is None else tuple(float(node) for node in table.positions)
 
     def _backlash(self, scale: NumberScale, *, has_table: bool) -> tuple[float, float]:
-        """Return the backlash value beside the table, and the constant correction that takes its
-        place where there is no table.
+        """Return the backlash value, and the constant correction that replaces it where there is no
+        table.
         """
         if "backlash" not in self.definition.bindings:
             return 0.0, 0.0
@@ -385,7 +382,7 @@ class GridAxisReader:
         return 0.0, 0.0 if has_table else float(value) / 2.0
 
     def _backlash_factor(self) -> Decimal:
-        """Return the factor on the backlash of the first parameter set; 1 where the files hold
+        """Return the factor on the backlash of the first parameter set; 1 if the files hold
         none.
         """
         places = first_set(self.values.places("backlash_factor"))

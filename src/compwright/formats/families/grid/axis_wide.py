@@ -1,8 +1,7 @@
-"""What acts on an axis beside its tables, and what decides how they are read: gantries, modulo
-ranges, limits, further functions.
+"""Settings of an axis as a whole: gantries, modulo ranges, limits, further functions.
 
-What keeps its place and acts alike during the test and afterwards is left alone and named; what
-would make a table wrong is refused with the parameter.
+A function that stays the same during the test and afterwards is left alone and reported; one that
+would make a table wrong is refused with its parameter.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ _FOLLOWS = 10
 
 
 class AxisWideReader:
-    """Reads what concerns one axis as a whole."""
+    """Reads settings of one axis as a whole."""
 
     def __init__(self, gathered: Gathered, address: str, notes: Notes) -> None:
         self.gathered = gathered
@@ -34,8 +33,8 @@ class AxisWideReader:
         self.notes = notes
 
     def facts(self, own: AxisFacts, axis: Axis | None, partners: Mapping[str, str]) -> AxisFacts:
-        """Return the facts of an axis, its ``own`` and further ones; what else acts on it goes to
-        the notes. ``partners``: synchronised axis by leading axis.
+        """Return the facts of an axis: its ``own`` and those of the axis as a whole; other active
+        functions go to the notes. ``partners``: synchronised axis by leading axis.
         """
         turn = self._turn()
         limits = own.limits if turn is None else (turn.start, turn.start + turn.length)
@@ -58,7 +57,7 @@ class AxisWideReader:
         )
 
     def _paired(self) -> tuple[tuple[str, ...], str | None]:
-        """Return which axes follow this one in a gantry (MD37100), and which one leads it."""
+        """Return the axes that follow this one in a gantry (MD37100), and the one that leads it."""
         kind = self._kind(self.address)
         if not kind:
             return (), None
@@ -87,18 +86,18 @@ class AxisWideReader:
         return Turn(begin, length or _WHOLE_TURN, start is not None)
 
     def last(self, quantity: str, address: str | None = None) -> FoundValue | None:
-        """Return the last place where something is said of an axis as a whole."""
+        """Return the last place of a setting of an axis as a whole."""
         places = self.gathered.singles.get((address or self.address, None), {}).get(quantity, ())
         return places[-1] if places else None
 
     def number(self, quantity: str) -> float | None:
-        """Return a number that is said of the axis as a whole."""
+        """Return a number set for the axis as a whole."""
         found = self.last(quantity)
         return None if found is None else float(found.text)
 
     def gantry(self, partners: Mapping[str, str]) -> None:
-        """A table on one axis of a gantry alone racks the bridge: MD37100 and the job must say the
-        same.
+        """Check that MD37100 and the job agree: a table on one axis of a gantry alone racks the
+        bridge.
         """
         kind = self._kind(self.address)
         if kind is None or not kind:
@@ -137,8 +136,8 @@ class AxisWideReader:
         return None if found is None else int(found.text)
 
     def other_functions(self) -> str:
-        """Name what else acts on the axis and stays as it is; return it in words, to hold two
-        states against each other.
+        """Note the other active functions of the axis, which stay unchanged; return them in words,
+        to compare two states.
         """
         functions = self._temperature()
         for (address, system), places in sorted(self.gathered.singles.items(), key=str):

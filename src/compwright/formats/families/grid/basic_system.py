@@ -1,8 +1,7 @@
-"""The basic system of a control, inch or metric, in which all lengths of linear axes stand in its
-files.
+"""Basic system of a control, inch or metric: the unit of all lengths of linear axes in its files.
 
-A number (SINUMERIK's MD10240, LinuxCNC's LINEAR_UNITS) says it, or a word on a line of its own.
-Where both stand in the files they have to agree.
+A number (SINUMERIK's MD10240, LinuxCNC's LINEAR_UNITS) states it, or a word on a line of its own.
+If the files hold both, they must agree.
 """
 
 from __future__ import annotations
@@ -22,8 +21,9 @@ _USERS_LENGTHS = 1 << 0 | 1 << 1 | 1 << 11 | 1 << 12
 
 
 def basic_system(gathered: Gathered, notes: Notes) -> str | None:
-    """Return mm or inch, as the files say it; None where they do not. Files that say both are
-    refused, and an inch that is none.
+    """Return mm or inch by the files; None if they do not state it.
+
+    Contradicting files are refused, and an inch of another length.
     """
     by_word = _places(gathered)
     if "unit_word" in gathered.definition.bindings and {"mm", "inch"} <= by_word.keys():
@@ -58,7 +58,7 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
 
 
 def _places(gathered: Gathered) -> dict[str, FoundValue]:
-    """Return the first place that says it, by what it says."""
+    """Return the first place that states each basic system."""
     definition = gathered.definition
     places: dict[str, FoundValue] = {}
     values = Values(definition, "basic system", Notes())

@@ -1,4 +1,4 @@
-"""Values by index over an even grid: start, end and spacing stand once."""
+"""Values by index over an even grid: start, end and spacing are given once."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class ByIndex(TableShape):
     repeats = True
 
     def read(self, source: TableSource) -> GridTable | None:
-        """See `TableShape.read`. Memory that nobody has written, all zero, is no table."""
+        """See `TableShape.read`. Memory that was never written, all zero, is no table."""
         if not source.rows and not source.singles:
             return None
         if is_blank(source):
@@ -81,8 +81,8 @@ class ByIndex(TableShape):
         return table_of(positions, sound) if len(sound) == len(pairs) else None
 
     def write(self, text: TableText) -> WrittenTable:
-        """See `TableShape.write`. Nodes that are not equally spaced are a fault; the grid that is
-        there keeps its text, however many decimal places it has.
+        """See `TableShape.write`. Nodes that are not equally spaced are a fault; an existing grid
+        keeps its text, with all its decimal places.
         """
         positions, scale = text.compensation.positions, text.scale
         rows = tuple({"index": str(index), **text.values(index)} for index in range(positions.size))
@@ -108,7 +108,7 @@ class ByIndex(TableShape):
 
 
 def _stays(text: TableText) -> bool:
-    """Return whether a table stands on exactly the grid that the files hold."""
+    """Return whether a table has exactly the grid in the files."""
     if not set(_GRID) <= text.there.keys():
         return False
     start, end, step = (text.scale.read(name, text.there[name]) for name in _GRID)
@@ -124,9 +124,7 @@ def _stays(text: TableText) -> bool:
 
 
 def is_blank(source: TableSource) -> bool:
-    """Return whether everything that was found is zero, the grid too: memory that nobody has
-    written.
-    """
+    """Return whether all values are zero, the grid too: memory that was never written."""
     values = [
         row.occurrence.tokens[name].text for row in source.rows for name in source.value_fields
     ]
@@ -169,8 +167,8 @@ def indexed(source: TableSource) -> dict[int, FoundValue] | None:
 
 @dataclass(frozen=True, slots=True)
 class _Grid:
-    """Start, spacing, and the number of spacings that count. ``beyond``: the point behind them
-    holds the value of the last one, and may be used by the control or not.
+    """Start, spacing, and the number of spacings that count. ``beyond``: one more point follows
+    with the value of the last one; the control may use it or not.
     """
 
     start: Decimal
@@ -180,8 +178,10 @@ class _Grid:
 
 
 def _steps(source: TableSource, values: Mapping[int, FoundValue]) -> _Grid | None:
-    """Return the grid. Where its end lies between two points it is not known whether the control
-    goes on to the second one: both must hold the same value.
+    """Return the grid.
+
+    If its end lies between two points, it is not known whether the control goes on to the second
+    one: both must hold the same value.
     """
     start, end, step = (source.position(name, source.singles[name]) for name in _GRID)
     if start is None or end is None or step is None:
@@ -219,7 +219,7 @@ def _steps(source: TableSource, values: Mapping[int, FoundValue]) -> _Grid | Non
 
 def _alike(source: TableSource, values: Mapping[int, FoundValue], inside: int) -> bool:
     """Return whether the last point inside and the first one beyond the end hold the same value, or
-    all points hold nothing.
+    all points are zero.
     """
     held = [
         [Decimal(row.occurrence.tokens[name].text) for name in source.value_fields]
@@ -235,7 +235,7 @@ def _alike(source: TableSource, values: Mapping[int, FoundValue], inside: int) -
 def _complete(source: TableSource, values: Mapping[int, FoundValue], grid: _Grid) -> bool:
     """Return whether there is a value for each node.
 
-    Values behind the end are memory that the control does not use, such as an older, longer table
+    Values after the end are memory that the control does not use, such as an older, longer table
     (SINUMERIK FB2 09/2009, 6FC5397-1BP20-0BA0, p362 and p370: values greater than k are ignored).
     """
     steps = grid.steps

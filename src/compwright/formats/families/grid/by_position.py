@@ -1,4 +1,4 @@
-"""Rows that name their position."""
+"""Rows that give their position."""
 
 from __future__ import annotations
 

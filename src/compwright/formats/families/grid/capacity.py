@@ -1,4 +1,4 @@
-"""What one axis of the control can hold, from the definition, the options and the control's own
+"""Capacity of one axis of the control, from the definition, the options and the control's own
 files.
 """
 
@@ -66,13 +66,13 @@ class GridLimits:
         )
 
     def points_option(self) -> str:
-        """Return the option that says how many points the control is set to hold."""
+        """Return the option with the number of points that the control is set to hold."""
         options = self.definition.options.items()
         return next(name for name, option in options if option.settled_by == "max_points")
 
     def _period(self) -> float | None:
-        """Return the turn of an endless axis whose table repeats; on a linear axis modulo has no
-        meaning.
+        """Return the turn of an endless axis whose table repeats; None on a linear axis, where
+        modulo has no meaning.
         """
         if self.axis.counts_turns:
             return self.axis.modulo
@@ -81,8 +81,8 @@ class GridLimits:
         return self.axis.modulo if self.axis.kind is AxisKind.ROTARY else None
 
     def _turn_unsaid(self) -> list[Assumption]:
-        """Return what is taken for granted of the turn of an endless axis: that the control wraps
-        it, and where its turn begins.
+        """Return the assumptions on the turn of an endless axis: that the control wraps it, and
+        where its turn begins.
         """
         turn = self.facts.turn
         if (
@@ -99,8 +99,8 @@ class GridLimits:
         ]
 
     def _spacings(self, quantum: float) -> tuple[float, ...] | None:
-        """Return the spacings of an endless axis whose reference is not where its range begins;
-        None: no such rule.
+        """Return the allowed spacings of an endless axis whose reference is not at the start of its
+        range; None: no such rule.
         """
         period, turn = self._period(), self.facts.turn
         if period is None or RANGE_QUANTITY not in self.definition.bindings:

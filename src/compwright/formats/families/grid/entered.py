@@ -1,4 +1,4 @@
-"""What the files of a control with tables by index or position enter: LinuxCNC."""
+"""Values in the files of a control with tables by index or position: LinuxCNC."""
 
 from __future__ import annotations
 

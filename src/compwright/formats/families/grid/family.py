@@ -1,7 +1,7 @@
-"""Tables on one axis: values by index over an even grid, or rows that name their position.
+"""Tables on one axis: values by index over an even grid, or rows that give their position.
 
-How positions and values stand in a file is a shape (`tables`), one module each. `pairs` extends
-this family by tables between axes; nothing here knows of it.
+The form of positions and values in a file is a shape (`tables`), one module each. `pairs` extends
+this family by tables between axes; nothing here depends on it.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ class GridFamily(Family):
     def _own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
-        """Return what is wrong with the table of an endless axis that can repeat."""
+        """Return the faults of the table of an endless axis that can repeat."""
         del axis
         repeats = shape_of(self.definition).repeats
         return limits.turn(capacity, compensation, label) if repeats else ()

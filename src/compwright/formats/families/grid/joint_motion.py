@@ -1,4 +1,4 @@
-"""How a joint homes, and which steps of its correction the control never applies."""
+"""Homing of a joint, and steps of its correction that the control never applies."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ Homing = Literal["", "relative", "absolute"]
 def homing_of(
     values: GridAxisValues, factor: float
 ) -> tuple[Homing, tuple[float, Direction] | None]:
-    """Return what homing makes of the correction, and the place (mm or deg) and direction at which
-    it counts as zero. ``factor``: mm or deg per unit of the files.
+    """Return how homing changes the correction, and the place (mm or deg) and direction at which it
+    counts as zero. ``factor``: mm or deg per unit of the files.
 
     A switch sets the motor offset to the commanded position less the correction that is applied
     there; an encoder's index that resets its counter, an absolute encoder, and homing in place
-    before the first motion leave the correction as it is (homing.c).
+    before the first motion leave the correction unchanged (homing.c).
     """
     if "home_offset" not in values.definition.bindings:
         return "", None
@@ -49,7 +49,7 @@ def homing_of(
 
 
 def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool:
-    """Whether a switch is on; ``others``: so is any number but 0."""
+    """Return whether a switch is on; ``others``: any number other than 0 counts as on."""
     found = values.single(name)
     if found is None:
         return False
@@ -58,11 +58,11 @@ def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool
 
 
 def unapplied_steps(values: GridAxisValues, factor: float) -> tuple[float, float] | None:
-    """Return the steps of the correction that the control never applies, mm or deg: above the first
-    number, not above the second; None where the files do not say it.
+    """Return the range of steps of the correction that the control never applies, mm or deg: above
+    the first number, up to the second; None if the files do not state it.
 
-    From its standstill the ramp takes a step at once up to ``least``; it starts for one above
-    ``most`` (control.c, ``compute_screw_comp``).
+    From rest the ramp takes a step up to ``least`` at once; it starts for a step above ``most``
+    (control.c, ``compute_screw_comp``).
     """
     if "max_acceleration" not in values.definition.bindings or not any(
         values.single(name) is not None for name in ("servo_period", "max_acceleration")

@@ -1,4 +1,4 @@
-"""Axes that the control drives by joints, as its own files name them."""
+"""Axes that the control drives by joints, as named in its own files."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ _REMARK = re.compile(r"^[ \t]*[#;][^\r\n]*", re.MULTILINE)
 
 
 def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
-    """Yield the joints that a negative HOME_SEQUENCE brings home together, where no line of the
-    kinematics says which axis each of them is: they may be those of one axis.
+    """Yield the joints that a negative HOME_SEQUENCE homes together, if no line of the kinematics
+    states their axes: they may belong to one axis.
     """
     if any(True for _ in statements_in(files, _LETTERED, _REMARK)):
         return
@@ -52,11 +52,11 @@ def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
 
 
 def joint_letters(kinematics: str, order: str, count: str) -> str:
-    """Return the letter of each joint; nothing where the files leave that to the letters' places.
+    """Return the axis letter of each joint; empty if the default order of letters holds.
 
-    ``kinematics``: its name with what it is given (``coordinates=XYYZ`` counts before all else);
-    ``order``: the machine's axes, of a kinematics with letters of its own (XYZBC), where there are
-    as many as joints, ``count``.
+    ``kinematics``: its name with its arguments (``coordinates=XYYZ`` has priority); ``order``: the
+    machine's axes, used for kinematics with letters of its own (XYZBC) if there are as many as
+    joints, ``count``.
     """
     given = re.search(r"coordinates=\"?([A-Za-z]+(?:[ \t]+[A-Za-z]+(?![\w=]))*)", kinematics)
     if given is not None:
@@ -67,8 +67,8 @@ def joint_letters(kinematics: str, order: str, count: str) -> str:
 
 
 def sure_joints(kinematics: str, order: str, count: str) -> str:
-    """Return the letter of each joint as `joint_letters`, and those of the kinematics without
-    letters of its own where all other lines fit them; nothing where it is not sure.
+    """Return the letter of each joint as `joint_letters`, and those of kinematics without letters
+    of its own if all other lines agree with them; empty if that is uncertain.
     """
     letters = joint_letters(kinematics, order, count)
     name = kinematics.split(maxsplit=1)[0].lower() if kinematics.strip() else ""

@@ -1,6 +1,4 @@
-"""New files of a control: the skeletons of its definition with single values set and rows put
-in.
-"""
+"""New files of a control: the skeletons of its definition with single values and rows filled in."""
 
 from __future__ import annotations
 
@@ -18,9 +16,9 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class AxisText:
-    """What goes into the control for one axis, as text: rows by field, single values by quantity.
+    """Contents of the control for one axis, as text: rows by field, single values by quantity.
 
-    ``named``: the fields that every line of it has.
+    ``named``: the fields that all its lines have.
     """
 
     address: str
@@ -41,10 +39,10 @@ class NewFile:
     def made(
         self, placed: Collection[str], switches: Sequence[str], faults: list[Fault]
     ) -> ControlFile | None:
-        """Return the file; None when nothing is left for it.
+        """Return the file; None if it would be empty.
 
-        ``placed``: quantities that stand in the control's own files and are left out. ``switches``:
-        lines before the end of a file without rows.
+        ``placed``: quantities in the control's own files, which are left out. ``switches``: lines
+        before the end of a file without rows.
         """
         rows = self._rows(placed)
         left = rows is not None
@@ -70,7 +68,7 @@ class NewFile:
         return made.patched([0])[0] if left or not placed else None
 
     def _rows(self, placed: Collection[str]) -> list[str] | None:
-        """Return the rows that the file holds; None: no table of this axis."""
+        """Return the rows of the file; None: no table of this axis."""
         if self.file.rows is None or curves(self.definition)[0] in placed:
             return None
         form = self.definition.statements[self.file.rows].form

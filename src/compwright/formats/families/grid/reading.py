@@ -1,7 +1,7 @@
-"""A control's own files -> the compensation that acts in it, for every axis that they name.
+"""A control's own files -> the active compensation, for every axis that they name.
 
-Missing is not zero: a grid without values, a table that is switched on but was not given, an axis
-that no file names are errors. What had to be assumed is listed.
+Missing is not zero: a grid without values, a table that is switched on but was not given, and an
+axis that no file names are errors. Assumptions are listed.
 """
 
 from __future__ import annotations
@@ -61,8 +61,10 @@ _CORRECTING = ("backlash", "enabled", "cross_axis_enabled", "dynamic_backlash", 
 
 
 class GridReader:
-    """Reads the files of one control; arguments and errors as `Family.read`. What is read beside
-    the axes' own tables is an extension's: the methods without an underscore are its hooks.
+    """Reads the files of one control; arguments and errors as `Family.read`.
+
+    An extension reads anything in addition to the axes' own tables: the methods without an
+    underscore are its hooks.
     """
 
     #: What the user gives instead of a container that cannot be opened.
@@ -112,7 +114,7 @@ class GridReader:
             self.notes.taken_for(axis.name, name)
 
     def read(self) -> ControlState:
-        """Return what the control does with the files. Raises InputError and UsageError."""
+        """Return the state of the control with the files. Raises InputError and UsageError."""
         named = self.named()
         if not self.wanted and not named and not self.between():
             self._tell_no_axis()
@@ -159,26 +161,24 @@ class GridReader:
         return list(dict.fromkeys((*self.spoken_of, *self.tables.named())))
 
     def between(self) -> Collection[str]:
-        """Return the axes of which the files only tell what they do to another one, or have done to
-        them.
-        """
+        """Return the axes that the files mention only in tables between axes."""
         return ()
 
     def couplings(self) -> Sequence[Coupling]:
-        """Return what couples axes beside gantries and the letters of joints."""
+        """Return the couplings of axes other than gantries and letters of joints."""
         return tuple(joined_joints(self.files)) if _JOINTS in self.definition.statements else ()
 
     def elsewhere(self, address: str) -> bool:
-        """Return whether further tables act on an axis, so that it needs none of its own."""
+        """Return whether further tables correct an axis, so that it needs none of its own."""
         del address
         return False
 
     def cross(self) -> tuple[CrossCompensation, ...]:
-        """Return what one axis does to another."""
+        """Return the corrections between axes."""
         return ()
 
     def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
-        """Return which of an axis' tables stay beside whatever is written for it."""
+        """Return those of an axis' tables that stay whatever is written for it."""
         del compensation
         return ()
 
@@ -187,13 +187,13 @@ class GridReader:
         return PairTables()
 
     def active_lines(self) -> dict[str, FoundValue]:
-        """Return, by the name that they give to the axis, a line that corrects something: a value
-        that is not zero, or a switch on.
+        """Return, by the axis name in it, a line that corrects something: a value that is not zero,
+        or a switch that is on.
         """
         return _active_lines(self.gathered)
 
     def axis(self, address: str, axis: Axis | None) -> AxisReading:
-        """Return what acts on one axis, and the facts about it."""
+        """Return the active compensation of one axis, and the facts about it."""
         self._one_name(address, axis)
         source = AxisSource(
             address=address,
@@ -211,8 +211,8 @@ class GridReader:
         return replace(own, facts=facts)
 
     def _one_name(self, address: str, axis: Axis | None) -> None:
-        """Refuse an axis on which lines of another name may act too: X1 beside AX1, and no list
-        says which of them are one.
+        """Refuse an axis if active lines under another name may belong to it: X1 and AX1, and no
+        list of names says which of them are one axis.
         """
         if axis is None or "machine_axis" not in self.definition.bindings:
             return
@@ -238,7 +238,7 @@ class GridReader:
         )
 
     def _same_systems(self, readings: Mapping[str, AxisReading]) -> None:
-        """Both axes of a gantry are written for one measuring system."""
+        """Check that both axes of a gantry are written for the same measuring system."""
         for leading, partner in self.partners.items():
             used = [
                 readings[address].facts.encoder_system
@@ -287,7 +287,7 @@ class GridReader:
         return read
 
     def _loaded(self, files: Sequence[ControlFile]) -> list[ControlFile]:
-        """Return the files without those that the control never opens, which are named."""
+        """Return the files without those that the control never opens; these are reported."""
         aside = never_loaded(self.definition, files)
         if "table_file" in self.definition.bindings:
             self.notes.faults.extend(changed_at_run_time(files))
@@ -298,7 +298,7 @@ class GridReader:
         return [file for file in files if file.name not in aside]
 
     def _refuse_unknown(self, files: Sequence[ControlFile]) -> None:
-        """Refuse containers that are known by their first bytes only, and say what helps."""
+        """Refuse containers that are known by their first bytes only, with what helps."""
         for file in files:
             what = "" if is_container(file) else unknown_container(file.content)
             if len(_COLUMNS.findall(file.content)) > _FEW:
@@ -320,8 +320,8 @@ class GridReader:
         raise_all(InputError, self.notes.faults)
 
     def _tell_sources(self, files: Sequence[ControlFile]) -> None:
-        """Name listings, and the programs in archives that load or switch tables: they were not
-        run here.
+        """Note listings, and the programs in archives that load or switch tables: they were not
+        executed here.
         """
         kinds = self.definition.texts.values()
         words = tuple(sorted({claim for kind in kinds for claim in kind.claims_anywhere}))
@@ -333,7 +333,7 @@ class GridReader:
                 self.notes.find("CW-S070", "info", file=file.name, programs=named)
 
     def _spoken_of(self) -> list[str]:
-        """Return the addresses that lines or sections name."""
+        """Return the addresses in lines or sections."""
         found = self.gathered.addresses()
         for name in self.gathered.sections:
             for matcher in self.reader.matchers.values():
@@ -388,7 +388,7 @@ class GridReader:
         )
 
     def _tell_of_files(self) -> None:
-        """Note what concerns the files as a whole, and what a job would have said."""
+        """Note findings about the files as a whole, and facts that a job would have given."""
         self.tables.tell_idle(self.wanted)
         for text in self.texts:
             variants = [occurrence.line for occurrence in text.occurrences if occurrence.variant]

@@ -1,5 +1,5 @@
-"""Which of two measuring systems of an axis is in use: what the job says, else what the control's
-files show, else a question.
+"""Which of two measuring systems of an axis is in use: by the job, else by the control's files,
+else a question.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from compwright.foundations.errors import Fault
 
 
 class SystemChoice:
-    """Chooses the measuring system of one axis, as it is counted in the files (from 0)."""
+    """Chooses the measuring system of one axis, as numbered in the files (from 0)."""
 
     def __init__(self, gathered: Gathered, address: str, notes: Notes) -> None:
         self.gathered = gathered
@@ -24,8 +24,8 @@ class SystemChoice:
         self.systems = gathered.systems(address)
 
     def stated(self, wanted: int, *, by_job: bool) -> str:
-        """Return the system that somebody named; a control that has it not, or holds its table
-        elsewhere, is a fault.
+        """Return the given system; it is a fault if the control does not have it, or holds its
+        table under another.
         """
         chosen = str(wanted - 1)
         if (count := self._count()) is not None and wanted > count:
@@ -48,9 +48,7 @@ class SystemChoice:
         return chosen
 
     def _check_tables(self, chosen: str, *, by_job: bool) -> None:
-        """The system that somebody named has to be that of which the files hold a table, and should
-        be the one that they switch on.
-        """
+        """Check that the files hold a table of the given system, and switch it on."""
         number = int(chosen) + 1
         tables = [system for system in self.systems if self._rows(system)]
         active = [system for system in tables if self._switch(system) is not False]
@@ -87,8 +85,8 @@ class SystemChoice:
             )
 
     def found(self, *, asking: bool) -> str:
-        """Return the system that the files show to be in use. ``asking``: where they do not, that
-        is a question.
+        """Return the system in use by the files. ``asking``: if they do not show it, add a
+        question.
         """
         count = self._count()
         if count == 1 or len(self.systems) == 1:
@@ -163,8 +161,8 @@ class SystemChoice:
         return int(places[-1].text) if places else None
 
     def _switch(self, system: str) -> bool | None:
-        """Return whether the files end with the table of a system switched on; None where they do
-        not say it.
+        """Return whether the files end with the table of a system switched on; None if they do not
+        state it.
         """
         places = self.gathered.singles.get((self.address, system), {}).get("enabled", ())
         binding = self.gathered.definition.bindings.get("enabled")
@@ -173,7 +171,7 @@ class SystemChoice:
         return binding.values.get(places[-1].text) != "no"
 
     def _written(self, system: str) -> bool:
-        """Return whether a system's table holds anything but zeros."""
+        """Return whether a system's table holds anything other than zeros."""
         fields = [
             self.gathered.definition.bindings[quantity].field
             for quantity in curves(self.gathered.definition)

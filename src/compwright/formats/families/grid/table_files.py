@@ -1,6 +1,4 @@
-"""Files whose rows do not say to which axis they belong: another file names them, or their own name
-does.
-"""
+"""Files whose rows do not name their axis: another file names them, or their own file name does."""
 
 from __future__ import annotations
 
@@ -52,7 +50,7 @@ _HIDDEN_PIN = re.compile(
 
 
 class TableFiles:
-    """The files of a set that hold nothing but a table; none where every row names its axis."""
+    """The files of a set that hold only a table; empty if every row names its axis."""
 
     def __init__(self, gathered: Gathered, texts: Sequence[ReadText], notes: Notes) -> None:
         self.gathered = gathered
@@ -75,14 +73,15 @@ class TableFiles:
         return _address_between(self.definition, before, after, file)
 
     def alone(self) -> bool:
-        """Whether one table file was given and nothing else: then the axis that was asked for is
-        meant.
+        """Whether one table file is all that was given: then it belongs to the axis that was
+        given.
         """
         return len(self.texts) == len(self.tables) == 1
 
     def rows(self, address: str, *, spoken_of: bool) -> list[FoundValue] | None:
-        """Return the rows of an axis; None where rows name their axis themselves. ``spoken_of``:
-        other lines name the axis, and would name its file.
+        """Return the rows of an axis; None if rows name their axis themselves.
+
+        ``spoken_of``: other lines name the axis, and would name its file.
         """
         if "table_file" not in self.definition.bindings:
             return None
@@ -111,7 +110,7 @@ class TableFiles:
         return rows
 
     def _named_by(self, address: str) -> list[ReadText]:
-        """Return the file that other lines name for an axis; one that is missing is a fault."""
+        """Return the file that other lines name for an axis; a missing one is a fault."""
         named = self.gathered.found("table_file", address, None)
         if not named:
             return []
@@ -133,7 +132,7 @@ class TableFiles:
         return matching
 
     def tell_idle(self, wanted: Collection[str]) -> None:
-        """Note the table files that no axis names, among those of the axes asked for."""
+        """Note the table files that no axis names, among those of the axes under work."""
         binding = self.definition.bindings.get("table_file")
         named = {
             _base_name(occurrence.tokens[binding.field].text.strip())
@@ -147,9 +146,11 @@ class TableFiles:
 
 
 def never_loaded(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
-    """Return the names of files that are no tables and that the control never opens: others tell
-    what it loads, and name none of these. A machine's folder holds many (its HAL files, its tools).
-    One that would tell what is loaded, were it not damaged, is not among them.
+    """Return the names of files other than tables that the control never opens: the files that
+    state what it loads name none of these.
+
+    A machine's folder holds many (its HAL files, its tools). A damaged file that would otherwise
+    state what is loaded is not among them.
     """
     binding = definition.bindings.get("table_file")
     if binding is None:
@@ -173,8 +174,8 @@ def never_loaded(definition: Definition, files: Sequence[ControlFile]) -> list[s
 
 
 def offset_at_run_time(files: Sequence[ControlFile], axes: Collection[str]) -> Iterator[Fault]:
-    """Yield the lines of HAL files that add an external offset to one of ``axes`` (letters; other
-    names may be any).
+    """Yield the lines of HAL files that add an external offset to one of ``axes`` (letters; an axis
+    with another name may be any).
     """
     letters = {name.upper() for name in axes}
     known = bool(letters) and all(len(name) == 1 for name in letters)
@@ -197,8 +198,8 @@ def offset_at_run_time(files: Sequence[ControlFile], axes: Collection[str]) -> I
 
 
 def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
-    """Yield the lines of HAL files that change what corrects a joint while the control runs: the
-    value of the INI does not act then.
+    """Yield the lines of HAL files that change the correction of a joint while the control runs:
+    then the value in the INI is not active.
     """
     known = "a HAL file changes the backlash of a joint while the control runs"
     hidden = (
@@ -224,7 +225,7 @@ def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
 
 
 def _letters_of(file: ControlFile) -> ControlFile:
-    """Return a file without the bytes that no text holds."""
+    """Return a file without the bytes that cannot be text."""
     return replace(file, content=BINARY.sub(b"", file.content))
 
 

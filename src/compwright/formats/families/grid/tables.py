@@ -1,8 +1,8 @@
-"""One table on one axis: what was found of it in the files, what it means, and its text.
+"""One table on one axis: its places in the files, its meaning, and its text.
 
-A shape (`shapes`) puts these together. A control whose files hold a table in another way gets a
-shape of its own: a `TableShape` in a module beside `by_index`, a name in the schema's ``Shape`` and
-an entry in `shapes`. Nothing else of the house knows how positions and values stand in a file.
+A shape (`shapes`) combines these. A control whose files hold a table in another way gets a shape of
+its own: a `TableShape` in a module next to `by_index`, a name in the schema's ``Shape`` and an
+entry in `shapes`. No other code depends on the form of positions and values in a file.
 """
 
 from __future__ import annotations
@@ -47,9 +47,8 @@ class WrittenTable:
 
 @dataclass(slots=True)
 class TableSource:
-    """What was found for one table. ``label`` names it in messages; ``singles``: start, end and
-    spacing. ``ends_at_point``: its end
-    has to be a point, as that of an endless axis.
+    """Places of one table in the files. ``label``: its name in messages; ``singles``: start, end
+    and spacing. ``ends_at_point``: its end has to be a point, as for an endless axis.
     """
 
     label: str
@@ -67,7 +66,7 @@ class TableSource:
     def fault(
         self, message: str, found: FoundValue | None = None, *, expected: str = "", what: str = ""
     ) -> None:
-        """Note a fault, at the line of ``found`` or else of the first thing that was found."""
+        """Note a fault, at the line of ``found`` or else of the first place of the table."""
         place = found or next(iter((*self.rows, *self.singles.values())), None)
         self.notes.faults.append(
             Fault(
@@ -117,9 +116,9 @@ class TableSource:
 
 @dataclass(frozen=True, slots=True)
 class TableText:
-    """The numbers of one table as text; what the text cannot say exactly goes to ``faults``.
+    """The numbers of one table as text; numbers that the text cannot hold exactly go to ``faults``.
 
-    ``there``: the text of the grid that the files hold, by quantity; empty where they hold none.
+    ``there``: the text of the existing grid in the files, by quantity; empty if there is none.
     """
 
     compensation: AxisCompensation
@@ -142,7 +141,7 @@ class TableText:
             return "0"
 
     def values(self, index: int) -> dict[str, str]:
-        """Return the values of a node by the field in which they stand."""
+        """Return the values of a node by their field."""
         definition, position = self.scale.definition, float(self.compensation.positions[index])
         sides = (self.compensation.positive, self.compensation.negative)
         return {
@@ -152,7 +151,7 @@ class TableText:
 
 
 class TableShape(ABC):
-    """How positions and values of a table stand in a file.
+    """The form of positions and values of a table in a file.
 
     ``spacing``: which nodes it can hold. ``repeats``: the table of an endless axis can repeat.
     """
@@ -163,8 +162,8 @@ class TableShape(ABC):
 
     @abstractmethod
     def read(self, source: TableSource) -> GridTable | None:
-        """Return the table that was found; None when there is none, or when something is wrong with
-        it (then ``source`` has faults).
+        """Return the table; None if there is none, or if it is invalid (then ``source`` has
+        faults).
         """
 
     @abstractmethod

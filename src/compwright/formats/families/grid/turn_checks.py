@@ -1,4 +1,4 @@
-"""Whether the job and the control's files mean the same turn of an endless axis."""
+"""Checks that the job and the control's files agree on the turn of an endless axis."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from compwright.records.correction import AxisCompensation
 
 
 def check_modulo(values: GridAxisValues, axis: Axis | None) -> None:
-    """Job and control must mean the same: an axis with ends, or one that turns endlessly by the
-    same range.
+    """Check that job and control agree: an axis with ends, or an endless axis with the same
+    range.
     """
     found = values.single("modulo", quiet=False)
     if found is None:
@@ -45,8 +45,8 @@ def check_modulo(values: GridAxisValues, axis: Axis | None) -> None:
 
 
 def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
-    """The turn of an endless axis is that of the control; a job that gives it ends would leave the
-    rest of the turn behind.
+    """Check that the turn of an endless axis is that of the control; a job with ends would leave
+    out the rest of the turn.
     """
     length = values.single("modulo_range")
     turn = float(length.text) if length is not None else None
@@ -75,8 +75,8 @@ def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
 def period_of(
     values: GridAxisValues, axis: Axis | None, rows: Sequence[FoundValue], table: GridTable
 ) -> float:
-    """Return the period of a table that repeats: it follows itself without a step only if both ends
-    are equal.
+    """Return the period of a table that repeats: both ends must be equal, so that it repeats
+    without a step.
     """
     if table.positive[0] != table.positive[-1] or table.negative[0] != table.negative[-1]:
         first, last = rows[0].occurrence, rows[-1].occurrence
@@ -102,8 +102,8 @@ def period_of(
 
 
 def _check_beginning(values: GridAxisValues, table: GridTable) -> None:
-    """A repeating table that does not begin where the control's range begins: whether it is found
-    there is not known.
+    """Check that a repeating table begins where the control's range begins; it is not known whether
+    the control would find another one.
     """
     found = values.single("modulo_start")
     start = float(found.text) if found is not None else 0.0
@@ -123,8 +123,8 @@ def _check_beginning(values: GridAxisValues, table: GridTable) -> None:
 
 
 def check_turn(axis: Axis, compensation: AxisCompensation, notes: Notes) -> None:
-    """The job and the control's files must mean the same turn; a table that does not fit the job's
-    axis is told.
+    """Check that the job and the control's files agree on the turn; note a table that does not fit
+    the job's axis.
     """
     for table in (compensation, *compensation.others):
         if table.positions.size == 0:

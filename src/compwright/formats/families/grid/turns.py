@@ -1,5 +1,5 @@
-"""The table of an endless axis over the control's own modulo range: the same turn, told from where
-that range begins.
+"""The table of an endless axis over the control's modulo range: the same turn, starting where that
+range begins.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ _DECIMALS = 9
 def in_range_of(
     compensation: AxisCompensation, start: float, name: str, faults: list[Fault]
 ) -> AxisCompensation:
-    """Return a table that repeats, told from ``start`` (deg): every node keeps its place on the
+    """Return a table that repeats, starting at ``start`` (deg): every node keeps its place on the
     circle and its values.
 
-    Whether the control would find its way into a table that lies elsewhere is not known. Where no
-    node lies on ``start`` that is a fault, which names a spacing that would do.
+    It is not known whether the control would find a table with another start. If no node is at
+    ``start``, that is a fault, which names a possible spacing.
     """
     period, positions = compensation.period, compensation.positions
     if period is None or positions.size < 2:
@@ -73,7 +73,7 @@ def _rolled(curve: FloatArray, shift: int) -> FloatArray:
 
 
 def _common(period: float, offset: float) -> float:
-    """Return the largest angle of which both are multiples, deg."""
+    """Return the largest common divisor of two angles, deg."""
     one, other = (Fraction(round(value * 1e6), 10**6) for value in (period, offset))
     while other:
         one, other = other, one % other
@@ -81,9 +81,7 @@ def _common(period: float, offset: float) -> float:
 
 
 def over_travel(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
-    """Return the table of one turn again and again, as far as the travel of an axis that counts its
-    turns goes.
-    """
+    """Return the table of one turn, repeated over the travel of an axis that counts its turns."""
     turn, positions = compensation.period, compensation.positions
     if not axis.counts_turns or turn is None or positions.size < 2:
         return compensation
@@ -110,8 +108,8 @@ def over_travel(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
 
 
 def most_points_of_turn(axis: Axis, rows: int) -> int:
-    """Return how many points one turn may have, both ends counted, so that ``rows`` hold the whole
-    travel. Raises CapacityError where not even two do.
+    """Return how many points one turn may have, both ends counted, so that ``rows`` cover the whole
+    travel. Raises CapacityError if two points do not fit.
     """
     low, high = axis.travel
     sections = int((rows - _EXTRA_ROWS) * float(axis.modulo or 0.0) / (high - low))
@@ -135,8 +133,8 @@ def most_points_of_turn(axis: Axis, rows: int) -> int:
 def spacings_from(
     reference: float, start: float, period: float, quantum: float
 ) -> tuple[float, ...] | None:
-    """Return the spacings (deg) with which nodes lie on the reference and on the beginning of the
-    range; None: any that divides.
+    """Return the spacings (deg) for which nodes lie on the reference and on the start of the range;
+    None: any that divides the turn.
     """
     offset = float(np.mod(reference - start, period))
     if min(offset, period - offset) <= quantum / 2:

@@ -1,5 +1,5 @@
-"""Tables on one axis -> files: the control's own ones where they have a place for them, else those
-of the definition.
+"""Tables on one axis -> files: the control's own ones if they have a place for them, else those of
+the definition.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ from compwright.records.correction import AxisCompensation, ControlFile
 
 @dataclass(frozen=True, slots=True)
 class AxisToWrite:
-    """One axis to be written. ``options``: its own over the controller's; ``faults``: what its text
-    cannot say.
+    """One axis to be written. ``options``: its own over the controller's; ``faults``: values that
+    its text cannot hold.
     """
 
     address: str
@@ -61,8 +61,8 @@ class GridWriter:
         )
 
     def written(self, tables: Sequence[AxisTable], faults: list[Fault]) -> tuple[ControlFile, ...]:
-        """Return the files of tables within the limits; what the text cannot say exactly goes to
-        ``faults``.
+        """Return the files of tables within the limits; values that the text cannot hold exactly go
+        to ``faults``.
         """
         fresh: list[ControlFile] = []
         for address, axis, compensation in tables:
@@ -72,18 +72,18 @@ class GridWriter:
         return (*self._own_files([address for address, _, _ in tables]), *fresh)
 
     def axis(self, work: AxisToWrite) -> list[ControlFile]:
-        """Put one axis into the control's own files and return new files with what has no place
-        there.
+        """Put one axis into the control's own files; return new files with values that have no
+        place there.
         """
         text = self._text(work)
         self.make_room(work)
         return self.new_files(self.files_for("one_curve"), text, self._put(text, work), (), work)
 
     def make_room(self, work: AxisToWrite) -> None:
-        """Take away what would act beside a new table."""
+        """Remove what would be active in addition to a new table."""
 
     def speaking(self, addresses: Collection[str]) -> set[int]:
-        """Return which of the control's own files say something of the axes."""
+        """Return those of the control's own files that mention the axes."""
         if self.own is None:
             return set()
         singles, rows = self.own.gathered.singles, self.own.gathered.rows
@@ -99,7 +99,7 @@ class GridWriter:
         return {place.number for group in own_values for place in group}
 
     def _own_files(self, addresses: Sequence[str]) -> tuple[ControlFile, ...]:
-        """Return the control's own files that say something of the axes, with all changes made."""
+        """Return the control's own files that mention the axes, with all changes made."""
         if self.own is None:
             return ()
         gathered, speaking = self.own.gathered, self.speaking(addresses)
@@ -110,8 +110,8 @@ class GridWriter:
         return self.own.patched(speaking)
 
     def _turned(self, work: AxisToWrite) -> AxisCompensation:
-        """Return the table of an endless axis over the control's own range: from its beginning,
-        once around.
+        """Return the table of an endless axis over the control's own range: from its start, once
+        around.
         """
         compensation, axis = over_travel(work.compensation, work.axis), work.axis
         if compensation.period is None or RANGE_QUANTITY not in self.definition.bindings:
@@ -155,7 +155,7 @@ class GridWriter:
         return replace(text, singles={**text.singles, "repeats": repeats})
 
     def text(self, work: AxisToWrite, scale: NumberScale, table: WrittenTable) -> AxisText:
-        """Return a table with the single values beside it."""
+        """Return a table with its single values."""
         spelled = work.address if self.own is None else self.own.gathered.spelled(work.address)
         named = {"axis": spelled, "system": str(work.axis.encoder.system - 1)}
         definition, singles = self.definition, dict(table.singles)
@@ -198,7 +198,9 @@ class GridWriter:
         switches: Sequence[str],
         work: AxisToWrite,
     ) -> list[ControlFile]:
-        """Return new files with what is not ``placed`` yet; ``switches``: see `NewFile.made`."""
+        """Return new files with the values that are not ``placed`` yet; ``switches``: see
+        `NewFile.made`.
+        """
         made = [
             NewFile(self.definition, file, text).made(placed, switches, work.faults)
             for file in files
@@ -206,8 +208,8 @@ class GridWriter:
         return [file for file in made if file is not None]
 
     def put_backlash(self, text: AxisText) -> set[str]:
-        """Put the backlash, for whose factor 1 is taken, where it has a place in the control's own
-        files; return the quantities that have.
+        """Put the backlash, with factor 1, into the control's own files where it has a place there;
+        return the quantities that have.
         """
         if self.own is None or "backlash" not in text.singles:
             return set()
@@ -221,14 +223,18 @@ class GridWriter:
     def own_values(
         self, text: AxisText, *, whole: bool = False
     ) -> Mapping[str, Sequence[FoundValue]]:
-        """Return what the control's own files say of the measuring system, or ``whole`` axis."""
+        """Return the values in the control's own files for the measuring system, or for the
+        ``whole`` axis.
+        """
         if self.own is None:
             return {}
         key = (text.address, None if whole else text.named["system"])
         return self.own.gathered.singles.get(key, {})
 
     def _put(self, text: AxisText, work: AxisToWrite) -> set[str]:
-        """Put what has a place in the control's own files there; return these quantities."""
+        """Put values into the control's own files where they have a place there; return these
+        quantities.
+        """
         if self.own is None:
             return set()
         own_values, placed = self.own_values(text), self.put_backlash(text)
@@ -256,11 +262,11 @@ class GridWriter:
         return placed | {value, *names}
 
     def _switch_on(self, switches: Sequence[FoundValue], table: TablePlaces) -> None:
-        """Make the table act where the files end with it switched off; a load sequence counts by
+        """Make the table active if the files end with it switched off; a load sequence counts by
         its last value.
 
-        In a file that holds the values too the switch is off before them, as in a maker's program,
-        and on behind them: a table that is on is protected, and the control would take none of the
+        In a file that also holds the values the switch is off before them, as in a maker's program,
+        and on after them: a table that is on is protected, and the control would take none of the
         values.
         """
         if self.own is None or not switches:
@@ -284,9 +290,10 @@ class GridWriter:
     def _reserve(
         self, places: Sequence[FoundValue], count: int, options: Mapping[str, object]
     ) -> None:
-        """Reserve the points where the files say fewer than the table has: what the option
-        promises, or where none were reserved as many as it has; files that say less would take the
-        room away again when they are loaded.
+        """Reserve the points if the files reserve fewer than the table has: as many as the option
+        states, or, if none were reserved, as many as the table has.
+
+        Files with a smaller number would remove the memory again when they are loaded.
         """
         promised = options.get("points")
         needed = promised if isinstance(promised, int) else count
@@ -295,7 +302,7 @@ class GridWriter:
 
 
 def _first_few(faults: list[Fault], address: str) -> list[Fault]:
-    """One wrong rounding spoils every row: three of them say it."""
+    """Return the first three faults: one wrong rounding gives one for every row."""
     rest = len(faults) - 3
     more = Fault(
         message=f"axis {address}: {rest} more values like these",
@@ -309,7 +316,7 @@ def _spelled(
     singles: Mapping[str, Sequence[FoundValue]],
     address: str,
 ) -> str:
-    """Return how the files write the axis."""
+    """Return the axis name as the files write it."""
     found = [place for places in (*rows.values(), *singles.values()) for place in places]
     if found and "axis" in found[0].occurrence.tokens:
         return found[0].occurrence.tokens["axis"].text

@@ -1,4 +1,4 @@
-"""What the files say of an axis against what the job says of it."""
+"""Comparison of an axis in the files with the job."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ SAME_PLACE = 1e-6
 
 
 def check_wrapping(values: IncrementAxisValues, kind: AxisKind) -> None:
-    """Whether the axis is endless, and its turn: the job and the files must say the same."""
+    """Check that the job and the files agree whether the axis is endless, and on its turn."""
     wraps, bits = values.wraps(), values.own.get(known.KIND)
     if kind is not AxisKind.ROTARY or values.axis is None or wraps is None or bits is None:
         return
@@ -37,8 +37,8 @@ def check_wrapping(values: IncrementAxisValues, kind: AxisKind) -> None:
 
 
 def check_travel_limits(values: IncrementAxisValues, kind: AxisKind) -> None:
-    """Hold 1321 and 1320, the limits of the stroke, against the job's travel; where 1320 is not
-    above 1321 none are set.
+    """Compare 1321 and 1320, the stroke limits, with the job's travel; if 1320 is not above 1321,
+    no limits are set.
     """
     if values.axis is None or (kind is AxisKind.ROTARY and values.wraps() is not False):
         return
@@ -59,10 +59,10 @@ def check_travel_limits(values: IncrementAxisValues, kind: AxisKind) -> None:
 def check_reference(
     values: IncrementAxisValues, kind: AxisKind, reference: float, *, unanswered: bool
 ) -> None:
-    """Compare 1240 with the job's reference, and say what a reference beside zero rests on.
+    """Compare 1240 with the job's reference, and note the evidence of a reference other than zero.
 
     ``reference``: the position from which the points are counted, mm or deg. ``unanswered``: there
-    is a table, and nobody said that it is so.
+    is a table, and the user did not confirm that the points are counted from there.
     """
     given = values.found("reference_coordinate")
     where = values.length("reference_coordinate", kind)
@@ -83,7 +83,7 @@ def check_reference(
 
 
 def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
-    """Yield what is asked of an axis whose reference position is not machine zero (1240), unless
+    """Yield the question for an axis whose reference position is not machine zero (1240), unless
     the ``answer`` is that the points are counted from it.
     """
     if axis.reference == 0 or answer == "reference":
@@ -111,8 +111,9 @@ def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
 
 
 def check_return(values: IncrementAxisValues, *, two: bool) -> None:
-    """Hold 1006#5 against the job. It decides the sign of 3627, so two sets are refused; one set
-    differs by a constant only.
+    """Compare 1006#5 with the job.
+
+    It decides the sign of 3627, so two sets are refused; one set differs by a constant only.
     """
     home, bits, axis = values.returning(), values.own.get(known.KIND), values.axis
     if home is None or bits is None or axis is None or home is axis.reference_return:
@@ -136,8 +137,8 @@ def check_return(values: IncrementAxisValues, *, two: bool) -> None:
 
 
 def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
-    """An axis in diameter programming: the job and 1006#3 must agree, else everything may be wrong
-    by 2. Raises UsageError where no file says it.
+    """Check that the job and 1006#3 agree on diameter programming: else everything may be wrong by
+    a factor of 2. Raises UsageError if no file states it.
     """
     if kind is AxisKind.ROTARY:
         return

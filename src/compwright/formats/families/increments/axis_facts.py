@@ -1,4 +1,4 @@
-"""What the files of a control with increments by section say of one axis, as records."""
+"""Facts of one axis of a control with increments by section, as records."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _UNTOLD_HELP = "straightness: available in the options of the controller"
 
 
 def facts_of(values: IncrementAxisValues) -> AxisFacts:
-    """Return what the files say of an axis."""
+    """Return the facts of an axis in the files."""
     increments = _increments(values)
     kind, wraps = values.kind(quiet=True), values.wraps()
     unit = detection_unit(values.own, kind)
@@ -80,8 +80,8 @@ def facts_of(values: IncrementAxisValues) -> AxisFacts:
 
 
 def name_of(values: IncrementAxisValues) -> str | None:
-    """Return what the control calls the axis: the letter of 1020 and, where there are more, the
-    characters of 1025 and 1026, all by their codes.
+    """Return the control's name of the axis: the letter of 1020 and further characters of 1025 and
+    1026, all by their codes.
     """
     code = values.integer("axis_name")
     if code is None or not ord("A") <= code <= ord("Z"):
@@ -94,7 +94,9 @@ def name_of(values: IncrementAxisValues) -> str | None:
 def with_neighbours(
     facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]
 ) -> AxisFacts:
-    """Return the facts with what acts beside the table and is left alone."""
+    """Return the facts with the functions that are active in addition to the table and left
+    alone.
+    """
     every = tuple(functions(own))
     alone = left_alone(every, options)
     by_option = {OPTION_OF.get(each.words): each.description for each in every}
@@ -144,16 +146,16 @@ def _rapid_feed(values: IncrementAxisValues) -> float | None:
 
 
 def _length(values: IncrementAxisValues, quantity: str) -> float | None:
-    """Return 3624 or 3625, mm or deg; None where it cannot be read, which is told where the table
-    is.
+    """Return 3624 or 3625, mm or deg; None if it cannot be read, which is reported with the
+    table.
     """
     length = replace(values, notes=Notes()).length(quantity, values.kind(quiet=True))
     return None if length is None else float(length)
 
 
 def _coordinate(values: IncrementAxisValues, quantity: str, kind: AxisKind) -> float | None:
-    """Return a machine coordinate, mm or deg; None where it has no decimal point, which says that
-    its unit is not known.
+    """Return a machine coordinate, mm or deg; None without a decimal point: then its unit is
+    unknown.
     """
     found = values.found(quantity)
     if found is None or "." not in found.text:

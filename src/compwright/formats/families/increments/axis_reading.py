@@ -41,8 +41,8 @@ _NO_POINTS = np.empty(0)
 
 @dataclass(frozen=True, slots=True)
 class IncrementReader:
-    """Reads one axis. ``points``: the pitch data of all axes by number; ``options``: the axis'.
-    ``checks_travel``: its software limits are held against the job's travel.
+    """Reads one axis. ``points``: the pitch data of all axes by number; ``options``: those of the
+    axis. ``checks_travel``: its software limits are compared with the job's travel.
     """
 
     values: IncrementAxisValues
@@ -51,9 +51,7 @@ class IncrementReader:
     checks_travel: bool = True
 
     def read(self) -> AxisCompensation | None:
-        """Return what acts on the axis; None where something is wrong (then the notes have
-        faults).
-        """
+        """Return the active compensation of the axis; None with faults in the notes."""
         values = self.values
         kind = values.kind()
         self._check_neighbours(kind)
@@ -94,7 +92,7 @@ class IncrementReader:
     def _with_counted(
         self, kind: AxisKind, sections: IncrementSections | None, table: AxisCompensation
     ) -> AxisCompensation:
-        """Return the table with the functions beside it that the options let count."""
+        """Return the table with the additional functions that the options make counted."""
         functions = counted(self.values, kind, self.options, self._increments)
         unit = float(self._unit(kind)) * self._sign("pitch_sign")
         nodes = table.positions
@@ -120,7 +118,9 @@ class IncrementReader:
         return replace(table, others=tuple(others))
 
     def _check_neighbours(self, kind: AxisKind) -> None:
-        """Refuse or tell what acts on the axis beside its table, and what its files leave open."""
+        """Refuse or note functions that are active in addition to the table, and open questions of
+        the files.
+        """
         values, own, notes = self.values, self.values.own, self.values.notes
         notes.faults.extend((*own.contradictions(), *parameter_checks.refusals(own)))
         if values.axis is not None or values.does_anything():
@@ -144,7 +144,9 @@ class IncrementReader:
         backlash: float,
         period: float | None = None,
     ) -> AxisCompensation:
-        """``curves``: positions, and the correction in travel + and -, all (n,) mm or deg."""
+        """Return the compensation. ``curves``: positions, and the correction in travel towards +
+        and -, all (n,) mm or deg.
+        """
         positions, positive, negative = curves
         return AxisCompensation(
             address=self.values.own.address,
@@ -188,8 +190,8 @@ class IncrementReader:
         return float(active_backlash(values, value) * self._unit(kind))
 
     def rapid_more(self) -> float | None:
-        """Return by how much the backlash at rapid traverse is more than that at cutting feed, mm
-        or deg; None where the files leave open whether it is.
+        """Return the backlash at rapid traverse minus that at cutting feed, mm or deg; None if the
+        files leave it open.
         """
         rapid, separate = self.values.integer("backlash_rapid"), self.values.separate_rapid()
         more = 0 if rapid is None else rapid - (self.values.integer("backlash") or 0)
@@ -198,7 +200,7 @@ class IncrementReader:
         return float(more * self._unit(self.values.kind(quiet=True))) if separate else 0.0
 
     def _increments(self, numbers: range) -> FloatArray | None:
-        """Return the increments (k,) of some numbers; None where one is missing or too large."""
+        """Return the increments (k,) of some numbers; None if one is missing or too large."""
         notes, label = self.values.notes, self.values.label
         missing = [number for number in numbers if number not in self.points]
         if missing:
@@ -235,8 +237,8 @@ class IncrementReader:
         return np.array(counts, dtype=np.float64)
 
     def _offset(self, sections: IncrementSections, kind: AxisKind) -> float:
-        """Return 3627, mm or deg: the value at the reference against its return direction, which
-        goes on the curve that is not the zero state's.
+        """Return 3627, mm or deg: the value at the reference against its return direction, added to
+        the curve that is not zero there.
         """
         values = self.values
         count = values.integer("negative_offset")

@@ -1,4 +1,4 @@
-"""The single values that the files hold of one axis of a control with increments by section."""
+"""Single values of one axis of a control with increments by section."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ def thousandths(definition: Definition) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class IncrementAxisValues(Values):
-    """``own``: parameters beside those of the table; ``axis``: what the job knows of the axis, None
-    without a job; ``known_kind``: given for files that do not say it.
+    """Single values of one axis. ``own``: parameters other than those of the table; ``axis``: the
+    job's axis, None without a job; ``known_kind``: given for files that do not state it.
     """
 
     gathered: Gathered
@@ -37,24 +37,24 @@ class IncrementAxisValues(Values):
     known_kind: AxisKind | None = None
 
     def found(self, quantity: str) -> FoundValue | None:
-        """Return where a quantity stands, for this axis or for the whole machine."""
+        """Return the place of a quantity, for this axis or for the whole machine."""
         if quantity not in self.definition.bindings:
             return None
         return self.one(quantity, self.gathered.found(quantity, self.own.address, None))
 
     def integer(self, quantity: str) -> int | None:
-        """Return a whole number; None where the files do not hold it."""
+        """Return a whole number; None if it is not in the files."""
         found = self.found(quantity)
         return None if found is None else int(Decimal(found.text))
 
     def yes(self, quantity: str) -> bool | None:
-        """Return a yes or no; None where the files do not hold it."""
+        """Return a yes or no; None if it is not in the files."""
         word = self.word(quantity, self.found(quantity))
         return None if word is None else word == "yes"
 
     def length(self, quantity: str, kind: AxisKind) -> Decimal | None:
         """Return a length in mm or deg: M metric, I inch, P the machine's unit; without a point in
-        the control's own small unit. One that needs a point and has none is a fault.
+        the control's own small unit. A length that needs a point and has none is a fault.
         """
         found = self.found(quantity)
         if found is None:
@@ -86,21 +86,25 @@ class IncrementAxisValues(Values):
         return number * (Decimal("0.0001") if inch else Decimal("0.001"))
 
     def in_inches(self, key: str, kind: AxisKind) -> bool:
-        """Whether a length is in inches: M metric, I inch, P the machine's unit; angles never."""
+        """Return whether a length is in inches: M metric, I inch, P the machine's unit; angles
+        never.
+        """
         machine = bool(self.own.bit(known.INCH, 0))
         return kind is AxisKind.LINEAR and {"M": False, "I": True}.get(key.upper(), machine)
 
     def separate_rapid(self) -> bool | None:
-        """Whether rapid traverse has a backlash of its own (1800#4), by the path of the axis."""
+        """Return whether rapid traverse has a backlash of its own (1800#4), by the path of the
+        axis.
+        """
         return self.own.bit(known.BACKLASH_BITS, 4)
 
     def does_anything(self) -> bool:
-        """Whether the axis has a table that is on, or a backlash value."""
+        """Return whether the axis has an active table or a backlash value."""
         first, last = self.integer("first_number"), self.integer("last_number")
         return bool((self.integer("magnification") and first != last) or self.integer("backlash"))
 
     def kind(self, *, quiet: bool = False) -> AxisKind:
-        """Return linear or rotary: from the job, else the files, else linear, which is noted unless
+        """Return linear or rotary: by the job, else the files, else linear, which is noted unless
         ``quiet``.
         """
         place = self.found("rotary")
@@ -133,8 +137,8 @@ class IncrementAxisValues(Values):
         return AxisKind(word or guess)
 
     def turn(self, kind: AxisKind) -> float:
-        """Return the travel per turn of a rotary axis, deg: 3625, else 1260, else what the job
-        says, else 360.
+        """Return the travel per turn of a rotary axis, deg: 3625, else 1260, else the job's, else
+        360.
         """
         turn = self.length("turn", kind)
         if turn:
@@ -145,15 +149,15 @@ class IncrementAxisValues(Values):
         return 360.0 if self.axis is None or self.axis.modulo is None else float(self.axis.modulo)
 
     def wraps(self) -> bool | None:
-        """Whether a rotary axis is endless: 1006#0 = 1 with 1006#1 = 0; None where 1006 is not in
-        the files or it is linear.
+        """Return whether a rotary axis is endless: 1006#0 = 1 with 1006#1 = 0; None if 1006 is not
+        in the files or the axis is linear.
         """
         bits = self.own.get(known.KIND)
         return not bits.bit(1) if bits is not None and bits.bit(0) else None
 
     def returning(self) -> Direction | None:
-        """Return the direction of the reference return that the files say (1006#5); None where 1006
-        is not in them.
+        """Return the direction of the reference return in the files (1006#5); None if 1006 is not
+        there.
         """
         negative = self.own.bit(known.KIND, 5)
         if negative is None:

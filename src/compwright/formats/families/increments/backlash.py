@@ -1,5 +1,5 @@
-"""Backlash at cutting feed (1851) and at rapid traverse (1852, where 1800#4 of the axis' path is
-1): which of them acts, and how both are written.
+"""Backlash at cutting feed (1851) and at rapid traverse (1852, if 1800#4 of the axis' path is 1):
+which of them is active, and how both are written.
 
 Source: FANUC B-64120EN/01 page 116, 21i B-63090EN/02 page 97.
 """
@@ -14,10 +14,9 @@ from compwright.records.axis import Axis
 
 
 def active_backlash(values: IncrementAxisValues, feed: int) -> int:
-    """Return the backlash, detection units, that acts at the motion of the axis' test; ``feed``:
-    1851.
+    """Return the active backlash at the motion of the axis' test, detection units; ``feed``: 1851.
 
-    Where the files do not say it there is a fault; where the two differ a finding.
+    If the files leave it open, that is a fault; if the two differ, a finding.
     """
     rapid, separate = values.integer("backlash_rapid"), values.separate_rapid()
     at_rapid = values.axis is not None and values.axis.motion == "rapid"
@@ -61,8 +60,9 @@ def active_backlash(values: IncrementAxisValues, feed: int) -> int:
 
 
 def both_backlashes(axis: Axis, facts: IncrementFacts, count: int) -> dict[str, int]:
-    """Return 1851, and 1852 where it may act, for a table whose backlash is ``count`` detection
-    units at the motion of the axis' test; the difference of the two stays as ``facts`` say it.
+    """Return 1851, and 1852 where it may be active, for a table whose backlash is ``count``
+    detection units at the motion of the axis' test. The difference of the two stays as in
+    ``facts``.
     """
     rapid, feed = facts.backlash_rapid, facts.backlash or 0
     if rapid is None or facts.separate_rapid is False:
@@ -73,7 +73,7 @@ def both_backlashes(axis: Axis, facts: IncrementFacts, count: int) -> dict[str, 
 
 
 def backlash_words(facts: IncrementFacts) -> str:
-    """Return what a card says of 1852; empty where no file holds it."""
+    """Return the card's text on 1852; empty if no file holds it."""
     if facts.backlash_rapid is None:
         return ""
     active = {

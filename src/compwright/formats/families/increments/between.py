@@ -1,9 +1,10 @@
-"""Corrections between axes by straightness compensation: in the control's own files where they hold
-its parameters at rest, else as a sheet to type in. Numbers and signs are from memory, none is
-confirmed by a page.
+"""Corrections between axes by straightness compensation: in the control's own files if they hold
+its parameters at zero, else as an entry sheet. Numbers and signs are from memory, none is confirmed
+by a page.
 
 Two points of the moving axis' numbers, the amounts absolute in detection units of the compensated
-axis: a straight line. A curve, an axis without a table and a second pair are said instead.
+axis: a straight line. A curve, an axis without a table and a second pair are not written, with a
+remark.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ from compwright.words.sentences import say
 
 
 def straightness_between(family: Family, request: BetweenRequest) -> Between:
-    """Return the parameters of one straight line, where the job says that the control has them."""
+    """Return the parameters of one straight line, if the job states that the control has them."""
     if family.options.get("straightness") != "available":
         return instead(family.definition, request.planned)
     (entry, *others) = request.planned
@@ -54,8 +55,9 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
 
 
 def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Between | None:
-    """Return the files with one straight line in parameters that they hold and that are at rest;
-    None where it has no place there, or is not exactly what is wanted.
+    """Return the files with one straight line in parameters that they hold with value 0.
+
+    None if it has no place there, or would not be exact.
     """
     added, bent = entry.added, request.axes.get(entry.output)
     places = free_pair(Parameters(request.base, family.definition.parameters), added.input)
@@ -109,8 +111,8 @@ def _patched(
 def _rows(
     family: Family, request: BetweenRequest, entry: PlannedCross, state: ControlState | None
 ) -> list[tuple[str, str, str]] | None:
-    """Return parameter, value and meaning; None where one straight line over a table does not say
-    it. ``state``: what the tables of this run say.
+    """Return parameter, value and meaning of each row; None if one straight line over a table
+    cannot hold the correction. ``state``: the state with the tables of this run.
     """
     added, bent = entry.added, request.axes.get(entry.output)
     table = None if state is None else state.axes.get(added.input)

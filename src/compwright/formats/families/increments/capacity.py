@@ -1,4 +1,4 @@
-"""What one axis of a control with increments by section (FANUC) can hold."""
+"""Capacity of one axis of a control with increments by section (FANUC)."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MIN_SECTIONS = 2
 
 
 class IncrementLimits:
-    """The limits of one axis' table. ``assumed``: what they rest on; ``shares``: other axes have
+    """The limits of one axis' table. ``assumed``: their assumptions; ``shares``: other axes use
     some of its numbers too.
     """
 
@@ -44,10 +44,10 @@ class IncrementLimits:
         self.assumed = [assumption] if assumption is not None else []
 
     def capacity(self) -> Capacity:
-        """Return them in mm or deg.
+        """Return the limits in mm or deg.
 
-        Raises UsageError for a wrong option of the axis, or where nobody says its detection unit or
-        which numbers are free.
+        Raises UsageError for a wrong option of the axis, or if its detection unit or the free
+        numbers are unknown.
         """
         definition, axis, scale = self.definition, self.axis, self.scale
         raise_all(UsageError, list(points_question(axis, self.options.get("points_from"))))
@@ -92,18 +92,20 @@ class IncrementLimits:
         )
 
     def _most_points(self, gap: int) -> int:
-        """Return how many nodes a table may have in ``gap`` numbers. The one that is there fits."""
+        """Return how many nodes a table may have in ``gap`` numbers; at least those of the existing
+        table.
+        """
         return max(2, self._nodes(gap), 0 if self.shares else len(self.there))
 
     def _nodes(self, numbers: int) -> int:
-        """Return how many nodes ``numbers`` in a row give: sections have numbers, and a table that
-        starts or ends at the reference needs one more.
+        """Return the number of nodes for ``numbers`` in a row: sections have numbers, and a table
+        that starts or ends at the reference needs one more.
         """
         axis = self.axis
         return numbers + (axis.travel[0] < axis.reference < axis.travel[1])
 
     def _own_points(self) -> int:
-        """Return how many nodes the longest row gives that the axis claims and nobody else has."""
+        """Return the number of nodes in the longest row of numbers that only this axis claims."""
         highest = self.definition.limit_number("max_number") or 0
         rows = (
             longest_gap(min(claimed.stop - 1, highest), self.used, claimed.start)
@@ -121,8 +123,9 @@ class IncrementLimits:
         self.assumed.append(Assumption(f"axis {self.axis.name}: {fact}", value, evidence))
 
     def _wave(self, limit: int, gap: int) -> Wave | None:
-        """Return what a second table holds, where the control has it and none is there: on a
-        rotary axis, because the only page that describes it speaks of a worm.
+        """Return the capacity of a second table, if the control has it and none exists.
+
+        Only on a rotary axis: the only page that describes it is about a worm.
         """
         has = self.options.get("cyclic") == "available" and not self.facts.waved
         if self.axis.kind is not AxisKind.ROTARY or not has:
@@ -132,14 +135,15 @@ class IncrementLimits:
         return Wave(unit=unit, increment=limit, room=gap, step=step)
 
     def _may_incline(self) -> bool:
-        """Whether a line of inclination compensation may be written: the control has it, and no
-        other one is there.
+        """Return whether a line of inclination compensation may be written: the control has it, and
+        there is no other line.
         """
         return self.options.get("inclination") == "available" and not self.facts.inclined
 
     def _free_numbers(self) -> int:
-        """Return how many numbers in a row are free. Those of which no file says what they hold are
-        not: say how many are left, or ask where there are none.
+        """Return how many numbers in a row are free; numbers whose contents no file states are not.
+
+        Raises UsageError if too few are left for a table.
         """
         highest = self.definition.limit_number("max_number") or 0
         gap = longest_gap(highest, self.used, first_point(self.options))
@@ -174,8 +178,8 @@ class IncrementLimits:
         return gap
 
     def _least_spacing(self) -> tuple[float, str]:
-        """Return the smallest interval for the largest feed: that of the option, and the rapid
-        traverse of the control's files.
+        """Return the smallest interval for the largest feed: the option's, and the rapid traverse
+        in the control's files.
         """
         rule = self.definition.limit("feed_per_spacing")
         if rule is None or rule.number is None:

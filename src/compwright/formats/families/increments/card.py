@@ -1,4 +1,4 @@
-"""What the card says of whole steps by section."""
+"""Contents of the card for whole steps by section."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _PARAMETERS = {
 def increment_values(
     family: Family, axis: Axis, compensation: AxisCompensation, facts: AxisFacts
 ) -> dict[str, str]:
-    """Return the values of the card of one axis; ``facts``: what the written files say of it."""
+    """Return the card's values of one axis; ``facts``: facts of the axis in the written files."""
     scale, own = family.scale_of(axis), increments_of(facts)
     names = ("reference_number", "first_number", "last_number", "magnification")
     words = {name: getattr(own, name) for name in names}
@@ -57,13 +57,15 @@ def increment_values(
 
 
 def _feed_backlash(count: str, facts: AxisFacts) -> str:
-    """Return 1851: what the files hold; ``count``, that of the table, where they say nothing."""
+    """Return 1851 as in the files; else ``count``, that of the table."""
     held = increments_of(facts).backlash
     return count if held is None else str(held)
 
 
 def _neighbours(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
-    """Yield what is said of functions beside the table; ``facts``: what the written files say."""
+    """Yield remarks on functions in addition to the table; ``facts``: of the axis in the written
+    files.
+    """
     before = increments_of(family.state.facts_of(family.address(axis)[0]))
     now = increments_of(facts)
     old = {point.number for each in before.hung for point in each.points or ()}
@@ -90,8 +92,8 @@ def _neighbours(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
 
 
 def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
-    """Return what has to stand beside the grid and 1851: second set, turn, backlash at rapid
-    traverse; the turn of an axis without ends as the written files (``facts``) hold it.
+    """Return the parameters needed in addition to the grid and 1851: second set, turn, backlash at
+    rapid traverse. ``facts``: of the axis in the written files, with the turn of an endless axis.
     """
     words = {}
     if "bidirectional" in family.definition.bindings:

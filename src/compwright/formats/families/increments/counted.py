@@ -1,5 +1,5 @@
-"""Functions beside the table that are counted, because an option says so: inclination and the
-second (cyclic) table.
+"""Functions in addition to the table that an option makes counted: inclination and the second
+(cyclic) table.
 
 Inclination: three straight lines through four point numbers, in detection units, put out at the
 points and added to the pitch data (FANUC B-63522EN/02 page 222); zero at the reference, held
@@ -41,7 +41,7 @@ _EVIDENCE = {
 
 
 class _NotCountedError(Exception):
-    """A parameter that keeps a function from being counted: how it is, and what would help."""
+    """A parameter for which a function cannot be counted: its state, and what would help."""
 
     def __init__(self, value: ParameterValue, how: str, expected: str) -> None:
         super().__init__(how)
@@ -56,7 +56,7 @@ def counted(
     options: Mapping[str, object],
     increments: Increments,
 ) -> Counted:
-    """Return what is counted beside the table of an axis, by its options."""
+    """Return the functions of an axis that its options make counted."""
     wanted = [
         (OPTION_OF[each.words], each)
         for each in functions(values.own)
@@ -86,10 +86,10 @@ class Counted:
     def curves(
         self, sections: IncrementSections | None, nodes: FloatArray, zero: float, scale: float
     ) -> Iterator[Curve]:
-        """Yield what they add, in the sign of the pitch data.
+        """Yield the corrections by these functions, in the sign of the pitch data.
 
         ``nodes``: those of the table, mm or deg; ``zero``: the reference position; ``scale``: mm or
-        deg per detection unit, with that sign. What cannot be counted is a fault.
+        deg per detection unit, with that sign. A function that cannot be counted is a fault.
         """
         try:
             if "inclination" in self.functions:

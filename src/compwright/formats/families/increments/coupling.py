@@ -1,10 +1,9 @@
 """Axes of a FANUC that move together, by its parameters.
 
-8311 (axis synchronous control, simple synchronous control, twin table), 1817#6 (tandem control,
-the master has the odd servo number 1023), 8180, 8183 and 8186 (synchronous, composite and
-superimposed control of several paths) and 5660 to 5667 (flexible synchronous control) hold numbers
-of axes; 8200#0 with 8211 and 8212 is angular axis control. How sure each is stands in the
-definition.
+8311 (axis synchronous control, simple synchronous control, twin table), 1817#6 (tandem control, the
+master has the odd servo number 1023), 8180, 8183 and 8186 (synchronous, composite and superimposed
+control of several paths) and 5660 to 5667 (flexible synchronous control) hold numbers of axes;
+8200#0 with 8211 and 8212 is angular axis control. The definition gives the evidence of each.
 """
 
 from __future__ import annotations
@@ -32,7 +31,7 @@ _UNLIKE = {
 
 
 def couplings_of(parameters: Parameters, addresses: Sequence[str]) -> tuple[Coupling, ...]:
-    """Return what couples the axes of a control; ``addresses``: those that its files name.
+    """Return the couplings of axes of a control; ``addresses``: the axes in its files.
 
     A number that names none of them may mean any: then no axis is worked on.
     """
@@ -47,7 +46,7 @@ def couplings_of(parameters: Parameters, addresses: Sequence[str]) -> tuple[Coup
 
 
 def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
-    """Yield what 8311, 8180, 8183 and 8186 of an axis couple with the axis whose number they
+    """Yield the couplings by 8311, 8180, 8183 and 8186 of an axis with the axis whose number they
     hold.
     """
     for value in parameters.of(known.MASTERS):
@@ -128,7 +127,7 @@ def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
 
 
 def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
-    """Yield the axes of angular axis control; every linear axis where 8211 or 8212 names none."""
+    """Yield the axes of angular axis control; every linear axis if 8211 or 8212 names none."""
     unlike = "angular axis control moves it together with another axis"
     for value in parameters.of([known.ANGULAR]):
         if not value.bit(_ANGULAR_BIT):
@@ -149,7 +148,7 @@ def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupl
 def _named(
     parameters: Parameters, value: ParameterValue, addresses: Sequence[str]
 ) -> tuple[str, ...]:
-    """Return the axes that a number which belongs to a path, or to the machine, may mean."""
+    """Return the axes that a number of a path, or of the machine, may mean."""
     return tuple(each for each in addresses if AxisParameters(parameters, each).named_by(value))
 
 

@@ -1,4 +1,4 @@
-"""The detection unit of an axis, by its files and by the job: the two must not contradict."""
+"""Detection unit of an axis, by its files and by the job; the two must agree."""
 
 from __future__ import annotations
 
@@ -24,7 +24,9 @@ _SAME_UNIT = 1e-4
 
 @dataclass(frozen=True, slots=True)
 class DetectionUnit:
-    """Detection unit in mm or deg, the parameters that say it, in words, and the first of them."""
+    """Detection unit in mm or deg; the parameters that state it, in words, and the first of
+    them.
+    """
 
     size: float
     evidence: str
@@ -32,14 +34,13 @@ class DetectionUnit:
 
 
 def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
-    """Return the least command increment / CMR; None where the files do not say it, or in a way
-    that is not known.
+    """Return least command increment / CMR; None if the files do not state it in a known coding.
 
-    1820 = 2 x CMR from 1 to 96, 100 + 1/CMR from 101 to 127 (B-63950EN/02 page 106,
-    B-63943EN-1/02 page 109). The least command increment is 0.001 mm or deg by IS-B (0.01 by IS-A,
-    0.0001 by IS-C), a tenth of that in inches on an inch machine (1001#0). 1013 by axis says the
-    system, on older series 1004; which of its bits mean IS-D and IS-E no page says. What diameter
-    programming (1006#3) makes of it is not known.
+    1820 = 2 x CMR from 1 to 96, 100 + 1/CMR from 101 to 127 (B-63950EN/02 page 106, B-63943EN-1/02
+    page 109). The least command increment is 0.001 mm or deg by IS-B (0.01 by IS-A, 0.0001 by
+    IS-C), a tenth of that in inches on an inch machine (1001#0). 1013 by axis states the system, on
+    older series 1004; no page says which of its bits mean IS-D and IS-E. The effect of diameter
+    programming (1006#3) is not known.
     """
     multiplier, system = own.get(known.MULTIPLIER), own.system
     power = None if system is None else _power(system)
@@ -57,7 +58,7 @@ def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
 
 
 def _command_multiplier(setting: int) -> tuple[Fraction, str]:
-    """Return the CMR that a setting of 1820 means, as a number and in words."""
+    """Return the CMR of a setting of 1820, as a number and in words."""
     if setting in _DIVIDED:
         return Fraction(1, setting - 100), f"1/{setting - 100}"
     return Fraction(setting, 2), f"{setting / 2:g}"
@@ -65,7 +66,7 @@ def _command_multiplier(setting: int) -> tuple[Fraction, str]:
 
 def _power(system: ParameterValue) -> int | None:
     """Return the power of ten of the least command increment by 1013 or 1004; None for a system
-    that no page at hand explains.
+    that no available page explains.
     """
     stated = tuple(
         bit for bit in range(4 if system.number == known.SYSTEM else 2) if system.bit(bit)
@@ -74,8 +75,8 @@ def _power(system: ParameterValue) -> int | None:
 
 
 def _unread(own: AxisParameters, kind: AxisKind) -> ParameterValue | None:
-    """Return the parameter because of which the files do not tell the detection unit although they
-    hold its coding.
+    """Return the parameter that leaves the detection unit unknown although the files hold its
+    coding.
     """
     multiplier, system, bits = own.get(known.MULTIPLIER), own.system, own.get(known.KIND)
     if system is not None and _power(system) is None:
@@ -87,7 +88,8 @@ def _unread(own: AxisParameters, kind: AxisKind) -> ParameterValue | None:
 
 
 def two_systems(own: AxisParameters) -> str:
-    """Return in words that 1013 and 1004 name different increment systems; empty where they do not.
+    """Return a text if 1013 and 1004 name different increment systems, else an empty one.
+
     1013 is the one that counts.
     """
     system, number = own.get(known.SYSTEM), known.SYSTEM_OF_MACHINE
@@ -104,10 +106,10 @@ def two_systems(own: AxisParameters) -> str:
 def resolved_options(
     values: IncrementAxisValues, options: Mapping[str, object]
 ) -> Mapping[str, object]:
-    """Return the options of an axis over the controller's; its files say the detection unit where
-    the job does not, and must not contradict it.
+    """Return the options of an axis over the controller's, with the detection unit of its files.
 
-    Raises UsageError for a wrong option, and where nobody says the unit.
+    A detection unit in the job must not contradict the files. Raises UsageError for a wrong option,
+    and if the unit is unknown.
     """
     axis, kind = values.axis, values.kind(quiet=True)
     stated = detection_unit(values.own, kind)
@@ -131,8 +133,8 @@ def resolved_options(
 
 
 def _silent(values: IncrementAxisValues, kind: AxisKind) -> bool:
-    """Whether nothing hangs on a detection unit that nobody says: the axis does nothing, or its
-    files are contradictory, which comes before a question. Raises UsageError.
+    """Return whether an unknown detection unit has no effect: nothing is active on the axis, or its
+    files are contradictory, which is reported first. Raises UsageError.
     """
     if values.axis is None:
         return not values.does_anything()

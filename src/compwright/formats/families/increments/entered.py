@@ -55,8 +55,8 @@ _WORDS = {
 
 @dataclass(frozen=True, slots=True)
 class _Known:
-    """What a parameter is in words, and whether it acts on an axis, points to the shared numbers,
-    or decides a unit, a kind or the zero.
+    """A parameter in words. ``relevant``: it corrects an axis, refers to the shared numbers, or
+    decides a unit, a kind or the zero.
     """
 
     words: str
@@ -64,7 +64,9 @@ class _Known:
 
 
 def _known(definition: Definition) -> dict[int, _Known]:
-    """Return every parameter that the definition or the family reads, and what acts unread."""
+    """Return every parameter that the definition or the family reads, and those that are active
+    unread.
+    """
     found: dict[int, _Known] = {}
     for name, statement in definition.statements.items():
         match = _NUMBER.match(statement.form)
@@ -94,7 +96,9 @@ def entered(
 
 @lru_cache(maxsize=_KEPT)
 def _of_text(definition: Definition, file: ControlFile) -> Mapping[str, Entered]:
-    """Return every value of a text. A comparison asks for the same texts several times."""
+    """Return every value of a text; cached, because a comparison needs the same texts several
+    times.
+    """
     known = _known(definition)
     found: dict[str, Entered] = {}
     lines = re.split(r"[\r\n]+", file.content.decode("latin-1"))

@@ -1,4 +1,4 @@
-"""Compensation -> what has to be entered for one axis of a control with increments by section
+"""Compensation -> parameters and points of one axis of a control with increments by section
 (FANUC): numbers and places.
 """
 
@@ -51,16 +51,15 @@ OFFSETS = (-32767, 32767)
 
 @dataclass(frozen=True, slots=True)
 class Entries:
-    """What goes into the control for one axis: parameters by quantity, as text, a length as mm or
-    deg, and increments by point number.
+    """Contents of the control for one axis: parameters by quantity, as text, a length as mm or deg,
+    and increments by point number.
 
     ``cleared``: numbers that the axis no longer uses. ``interval``: that of the points, mm or deg.
-    ``switches``: whether 3605#0 has to change for it, as far as the control's files say. ``inch``:
-    what they say of its unit (1001#0). ``kept``: interval, reference and numbers are those that the
-    control has now, so that what hangs on them stays as it is; False: they move. ``moved``: numbers
-    by which other functions hang on the grid, and what they have to be under the new one.
-    ``beside``: parameters of a line or a second table of our own, as text; their points are among
-    ``points``.
+    ``switches``: whether 3605#0 has to change for it, by the control's files. ``inch``: its unit by
+    the files (1001#0). ``kept``: interval, reference and numbers are the existing ones, so that
+    functions that depend on them stay valid; False: they move. ``moved``: numbers that other
+    functions use to refer to the grid, and their new values. ``added``: parameters of compwright's
+    own inclination line or second table, as text; their points are among ``points``.
     """
 
     address: str
@@ -78,11 +77,11 @@ class Entries:
 
 
 def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, ...]:
-    """Return what has to be entered for each axis; the axes get point numbers apart from each other
-    and from all others'.
+    """Return the entries of each axis; the axes get point numbers apart from each other and from
+    all others'.
 
-    Raises UsageError where nobody says which numbers are free, CapacityError with everything that
-    the control cannot hold.
+    Raises UsageError if the free numbers are unknown, CapacityError with everything that the
+    control cannot hold.
     """
     start = _first_point(family, tables)
     faults: list[Fault] = []
@@ -126,10 +125,10 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
 
 
 def _first_point(family: Family, tables: Sequence[AxisTable]) -> int:
-    """Return the lowest point number for axes that say none themselves: the controller's option,
-    else the lowest of the axes'. One axis' is enough: the others follow on from it.
+    """Return the lowest point number for axes without one: the controller's option, else the lowest
+    of the axes'. One axis' is enough: the others follow on from it.
 
-    Raises UsageError where neither the control's files nor the job say which numbers are free.
+    Raises UsageError if neither the control's files nor the job state which numbers are free.
     """
     if family.options.get("first_point") is not None:
         return first_point(family.options)
@@ -140,7 +139,7 @@ def _first_point(family: Family, tables: Sequence[AxisTable]) -> int:
 
 
 def free_numbers_question(definition: Definition) -> Fault:
-    """Return what is asked where neither files nor options say which point numbers are free."""
+    """Return the question if neither files nor options state which point numbers are free."""
     return Fault(
         message=(
             f"{definition.id}: the free point numbers are unknown. All axes share one "
@@ -160,8 +159,8 @@ def free_numbers_question(definition: Definition) -> Fault:
 
 
 class _WholeNumbers:
-    """One axis' table as whole numbers. ``rapid``: the facts of the axis whose difference between
-    both backlashes it has.
+    """One axis' table as whole numbers. ``rapid``: the facts of the axis from which it takes the
+    difference between both backlashes.
     """
 
     def __init__(
@@ -186,8 +185,10 @@ class _WholeNumbers:
         self.others = 0 if existing is None else len(existing.others)
 
     def entries(self, used: Sequence[range], start: int) -> Entries:
-        """Return what is entered; ``start``: the lowest number for an axis that has none and says
-        none itself. Raises NotHeld.
+        """Return the entries; ``start``: the lowest number for an axis that has none and states
+        none.
+
+        Raises NotHeld.
         """
         steps, interval = self._grid()
         home = self.compensation.reference_return
@@ -249,9 +250,7 @@ class _WholeNumbers:
     def _added_functions(
         self, steps: FloatArray, place: NumberPlace, used: Sequence[range], start: int
     ) -> InclinationAndCyclic:
-        """Return the straight line and the second table beside the table that are not in the
-        control yet.
-        """
+        """Return the inclination line and the second table that are not in the control yet."""
         parameters: dict[int, str] = {}
         points: dict[int, int] = {}
         sign = -1 if self.options.get("pitch_sign") == "-" else 1
@@ -344,8 +343,8 @@ class _WholeNumbers:
             )
 
     def _magnification(self, differences: Sequence[FloatArray]) -> int:
-        """Return the magnification that the control has now, if it divides every increment and
-        keeps it within the limit; else the smallest one that does.
+        """Return the existing magnification, if it divides every increment and keeps it within the
+        limit; else the smallest one that does.
         """
         steps = np.concatenate(differences).astype(np.int64)
         limit = increment_limit(self.options)
@@ -365,7 +364,7 @@ class _WholeNumbers:
     def _kept(
         self, low: int, high: int, interval: float, used: Sequence[range], *, two: bool
     ) -> NumberPlace | None:
-        """Return the numbers that the axis has now, where the table stands on its sections."""
+        """Return the existing numbers of the axis, if the table has exactly its sections."""
         now = self.facts.interval
         if now is None or abs(now - interval) > _ON_GRID * interval:
             return None
@@ -446,8 +445,10 @@ class _WholeNumbers:
 
 
 def magnifications(definition: Definition, facts: IncrementFacts) -> tuple[int, ...]:
-    """Return the magnifications that may be chosen, ascending: only the one that is there where
-    something else hangs on the table, because whether it counts for that is not known.
+    """Return the magnifications that may be chosen, ascending.
+
+    Only the existing one if another function depends on the table: it is not known whether the
+    magnification counts for it.
     """
     if facts.hung and facts.magnification:
         return (facts.magnification,)
@@ -455,15 +456,16 @@ def magnifications(definition: Definition, facts: IncrementFacts) -> tuple[int, 
 
 
 def length_step(scale: NumberScale, facts: IncrementFacts) -> Decimal:
-    """Return the last digit of a length of an axis (its ``scale``), mm or deg; of the linear axes
-    of a control in inches a tenth of it, in inches.
+    """Return the last digit of a length of an axis (its ``scale``), mm or deg.
+
+    For linear axes of a control in inches: a tenth of it, in inches.
     """
     step = Decimal(repr(scale.quantum("table_spacing")))
     return step * INCH / 10 if scale.kind is AxisKind.LINEAR and facts.inch else step
 
 
 def first_point(options: Mapping[str, object]) -> int:
-    """Return the lowest point number that may be used; 0 where the control's files say which are
+    """Return the lowest point number that may be used; 0 if the control's files state which are
     free.
     """
     given = options.get("first_point")

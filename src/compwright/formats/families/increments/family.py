@@ -65,14 +65,14 @@ def _names(control: Family, files: Sequence[ControlFile]) -> Mapping[str, tuple[
 
 
 def _idle(state: ControlState, address: str) -> bool:
-    """Return whether nothing acts on an axis: every reading tells the facts of all."""
+    """Return whether nothing is active on an axis; every reading holds the facts of all axes."""
     facts = state.facts_of(address)
     return not (facts.enabled or increments_of(facts).backlash)
 
 
 def _shown(control: Family) -> Family:
-    """Return the control that counts functions beside the table by their best-known meaning, which
-    is listed.
+    """Return the control that counts functions in addition to the table by their best-known
+    meaning, which is listed.
     """
     both = {"inclination", "cyclic"} & control.definition.options.keys()
     options = {**control.options, **dict.fromkeys(both, "available")}
@@ -109,7 +109,7 @@ class IncrementsFamily(Family):
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
         """See `Family.questions`: also the first free point number, which one axis gives for all,
-        and from where points are counted.
+        and the position from which points are counted.
         """
         yield from super().questions(axis, files=files, given=given)
         if not files and self.options.get("first_point") is None and "first_point" not in given:
@@ -146,8 +146,8 @@ class IncrementsFamily(Family):
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
     ) -> tuple[ControlFile, ...]:
-        """See `Family.sheets`. Raises UsageError for a program that an inch machine would take
-        otherwise.
+        """See `Family.sheets`. Raises UsageError for a program that an inch machine would read
+        differently.
         """
         own = [
             (self.address(axis)[0], axis, table)

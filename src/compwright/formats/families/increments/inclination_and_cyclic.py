@@ -1,10 +1,10 @@
-"""What compwright writes beside a table of whole increments: a straight line (inclination
-compensation) and a table that repeats over a short period (second cyclic table).
+"""Functions that compwright writes in addition to a table of whole increments: a straight line
+(inclination compensation) and a table with a short period (second cyclic table).
 
 The line has two points and two amounts, given twice because there is room for three lines (FANUC
 B-63522EN/02 page 222). The second table's first number is its reference point and holds 0, those
-behind it own the sections of one period (A-78868E page 6). Unconfirmed: the sign of both, which is
-taken to be that of the pitch data.
+behind it own the sections of one period (A-78868E page 6). Unconfirmed: the sign of both, assumed
+to be that of the pitch data.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class InclinationAndCyclic:
 
 def line_parameters(numbers: Sequence[int], amounts: Sequence[int]) -> dict[int, str]:
     """Return the parameters of the line through two point numbers with their amounts, detection
-    units. Raises NotHeld for amounts that the control does not have.
+    units. Raises NotHeld for amounts beyond the control's range.
     """
     low, high = AMOUNTS
     if not all(low <= amount <= high for amount in amounts):
@@ -51,8 +51,8 @@ def line_parameters(numbers: Sequence[int], amounts: Sequence[int]) -> dict[int,
 def second_table(
     totals: FloatArray, interval: str, used: Sequence[range], start: int, highest: int
 ) -> InclinationAndCyclic:
-    """Return a second table of ``totals`` (k,), detection units at the ends of the sections of one
-    period, in the first numbers from ``start`` on that nobody uses. Raises NotHeld.
+    """Return a second table of ``totals`` (k,), detection units at the section ends of one period,
+    in the first unused numbers from ``start`` on. Raises NotHeld.
 
     ``interval``: the width of its sections, as text.
     """
@@ -72,5 +72,5 @@ def second_table(
 
 
 def repeats_alone(other: AxisCompensation, table: AxisCompensation) -> bool:
-    """Return whether a table beside another one repeats over a period of its own."""
+    """Return whether an additional table repeats with a period of its own."""
     return other.period is not None and other.period != table.period

@@ -1,6 +1,4 @@
-"""What a control's own files say of the sections of one axis, which nothing outside of this family
-looks into.
-"""
+"""Facts in the control's own files about the sections of one axis; used only by this family."""
 
 from __future__ import annotations
 
@@ -11,9 +9,11 @@ from compwright.records.facts import AxisFacts
 
 @dataclass(frozen=True, slots=True)
 class PointNumber:
-    """A number of an axis' sections to which another function points: ``size`` bytes of a file from
-    ``start`` on. ``label`` names it with its value; ``parameter`` is its name where it belongs to
-    the axis alone, else empty.
+    """A number of an axis' sections that another function refers to: ``size`` bytes of a file from
+    ``start`` on.
+
+    ``label`` names it with its value; ``parameter`` is its name if it belongs to the axis alone,
+    else empty.
     """
 
     number: int
@@ -26,8 +26,8 @@ class PointNumber:
 
 @dataclass(frozen=True, slots=True)
 class Hung:
-    """What acts beside a table and hangs on the numbers of its sections; ``points``: which, None
-    where that is not known.
+    """A function that is active in addition to a table and depends on the numbers of its sections;
+    ``points``: which, None if unknown.
     """
 
     label: str
@@ -36,19 +36,19 @@ class Hung:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IncrementFacts:
-    """What whole steps by section mean for one axis; None: no file says it.
+    """Whole steps by section of one axis; None: no file states it.
 
     ``reference_number``, ``first_number``, ``last_number``: the numbers of its sections in the
-    array that all axes share, ``negative_first`` that of the set for travel in -, which counts with
-    ``two_sets``. ``negative_offset``, ``backlash``, ``backlash_rapid``: detection units.
+    array that all axes share, ``negative_first`` that of the set for travel towards -, which counts
+    with ``two_sets``. ``negative_offset``, ``backlash``, ``backlash_rapid``: detection units.
     ``separate_rapid``: rapid traverse has a backlash of its own. ``inch``: the machine counts in
-    inches. ``rapid_feed``: mm/min or deg/min. ``unread``: numbers of which no file says what they
-    hold. ``interval``: the width of its sections, mm or deg. ``hung``: what acts beside the table
-    by its numbers and is left alone. ``first_stage``: the part of the backlash that comes out at
-    once where the rest follows on the way, detection units. ``inclined``: the line of
-    inclination compensation that is there, in words; empty: none. ``waved``: the second table, the
-    same. ``turn``: the travel of one turn that its table has, deg. ``foreign``: the numbers of
-    second tables, wherever they lie: none of them is free for a table.
+    inches. ``rapid_feed``: mm/min or deg/min. ``unread``: numbers whose contents no file states.
+    ``interval``: the width of its sections, mm or deg. ``hung``: functions in addition to the table
+    that depend on its numbers and are left alone. ``first_stage``: the part of the backlash that is
+    output at once if the rest follows on the way, detection units. ``inclined``: the existing line
+    of inclination compensation, in words; empty: none. ``waved``: the second table, the same.
+    ``turn``: the travel of one turn that its table has, deg. ``foreign``: the numbers of second
+    tables, wherever they are: none of them is free for a table.
     """
 
     reference_number: int | None = None
@@ -74,8 +74,8 @@ class IncrementFacts:
 
     @property
     def claimed(self) -> tuple[range, ...]:
-        """The numbers that the axis claims: one set, or two of the same length; none where its
-        first is its last. A full turn that leaves the reference's own number out keeps it.
+        """The numbers that the axis claims: one set, or two of the same length; empty if its first
+        is its last. A full turn without the reference's own number claims that too.
         """
         first, last = self.first_number, self.last_number
         if first is None or last is None or first >= last:
@@ -89,6 +89,6 @@ class IncrementFacts:
 
 
 def increments_of(facts: AxisFacts) -> IncrementFacts:
-    """Return what the files say of the sections of an axis; nothing where they do not name it."""
+    """Return the facts in the files about the sections of an axis; empty if they do not name it."""
     own = facts.of_family
     return own if isinstance(own, IncrementFacts) else IncrementFacts()

@@ -1,4 +1,4 @@
-"""Lengths as the files of a control with increments by section write them."""
+"""Lengths in the form used in the files of a control with increments by section."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from compwright.formats.families.increments.axis_values import INCH
 
 
 def length_text(value: Decimal, *, inch: bool = False, whole: bool = False) -> str:
-    """Return a length, mm or deg, as the control's own files write it: with a decimal point and at
-    least one decimal (``50.0``), or ``whole`` in thousandths, of an inch in ten thousandths.
+    """Return a length, mm or deg, in the form of the control's own files: with a decimal point and
+    at least one decimal (``50.0``), or ``whole`` in thousandths, of an inch in ten thousandths.
     """
     if inch:
         value /= INCH

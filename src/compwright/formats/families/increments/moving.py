@@ -1,5 +1,5 @@
-"""A grid that moves, and what hangs on its numbers: the numbers move with it, or the new table is
-refused by the parameter's name.
+"""A grid that moves, and functions that depend on its numbers: the numbers move with it, or the new
+table is refused with the parameter's name.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ _HELP = (
 def moved_numbers(
     axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float, magnification: int
 ) -> tuple[tuple[PointNumber, int], ...]:
-    """Return the numbers that other functions have to name so that they mean the same positions
-    under the new grid; none where it does the same over the travel as the old one.
+    """Return the numbers by which other functions mean the same positions under the new grid; empty
+    if the new grid is equal to the old one over the travel.
 
     ``place``, ``interval`` (mm or deg), ``magnification``: those of the new table. Raises NotHeld
     with the first function that the new grid would change.
@@ -39,8 +39,9 @@ def moved_numbers(
 
 
 def check_sets(facts: IncrementFacts, *, two: bool) -> None:
-    """Hold what hangs on a table against a change between one set of data and two. Raises NotHeld
-    with the first function: whether it acts beside both kinds is not known.
+    """Refuse a change between one set of data and two if a function depends on the table.
+
+    Raises NotHeld with the first function: it is not known whether it is active with both kinds.
     """
     for each in facts.hung if two is not facts.two_sets else ():
         mode = "bidirectional" if facts.two_sets else "single"
@@ -57,7 +58,9 @@ def _sets(*, two: bool) -> str:
 
 
 def _stays(axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float) -> bool:
-    """Whether every number keeps its position, and both grids end alike, or beyond the travel."""
+    """Return whether every number keeps its position, and both grids end alike, or beyond the
+    travel.
+    """
     if (facts.reference_number, facts.interval) != (place.reference, interval):
         return False
     if axis.modulo is not None:  # a full turn, with or without the reference's own number
@@ -74,8 +77,8 @@ def _stays(axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: floa
 
 
 def _check_kept(each: Hung, facts: IncrementFacts, magnification: int) -> None:
-    """What hangs on a table that is off may wake with it, and whether the magnification counts for
-    it is not known.
+    """Raise NotHeld if a function depends on a table that is off, or the magnification changes: its
+    effect with the new table would be unknown.
     """
     if not facts.magnification or facts.first_number == facts.last_number:
         raise NotHeld(

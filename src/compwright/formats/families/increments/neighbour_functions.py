@@ -1,10 +1,11 @@
-"""What acts on an axis of a FANUC beside its table and stays as it is: inclination, straightness,
-the second (cyclic) table, three-dimensional compensation.
+"""FANUC functions that are active in addition to the table and stay: inclination, straightness, the
+second (cyclic) table, three-dimensional compensation.
 
-What acted while a test was taken and acts the same afterwards cancels, whatever its sign and its
-unit: the new total is the old one less the error. So it is named and left alone, as long as the
-grid on which it hangs stays. Sources: inclination and straightness FANUC B-63522EN/02 page 222,
-cyclic table A-78868E pages 3 and 6; further pairs, three-dimensional compensation: unconfirmed.
+A function that was active during a test and stays the same afterwards cancels, whatever its sign
+and unit: the new total is the old one less the error. So it is reported and left alone, as long as
+the grid that it depends on stays. Sources: inclination and straightness FANUC B-63522EN/02 page
+222, cyclic table A-78868E pages 3 and 6; further pairs, three-dimensional compensation:
+unconfirmed.
 """
 
 from __future__ import annotations
@@ -33,10 +34,11 @@ OPTION_OF = {
 
 @dataclass(frozen=True, slots=True)
 class Function:
-    """A function that acts on the axis, or from it on another one: the parameters that say so.
+    """A function that corrects the axis, or another axis by its position, with the parameters that
+    set it.
 
-    ``points``: the parameters that name a number of the axis' own sections; None: which numbers it
-    hangs on is not known. ``moves``: it changes with the axis' own position.
+    ``points``: the parameters that name a number of the axis' own sections; None: the numbers that
+    it depends on are unknown. ``moves``: it changes with the axis' own position.
     """
 
     words: str
@@ -51,7 +53,7 @@ class Function:
 
 
 def functions(own: AxisParameters) -> Iterator[Function]:
-    """Yield everything that acts beside table and backlash, and stays."""
+    """Yield every function that is active in addition to table and backlash, and stays."""
     yield from _inclination(own)
     cyclic = _nonzero(own, known.CYCLIC)
     if cyclic and cyclic[0].number != known.CYCLIC_FACTOR:
@@ -65,7 +67,7 @@ def functions(own: AxisParameters) -> Iterator[Function]:
 
 
 def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list[Function]:
-    """Return those functions that compwright neither counts nor writes, by the options."""
+    """Return the functions that compwright neither counts nor writes, by the options."""
     return [
         function
         for function in every
@@ -74,8 +76,8 @@ def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list
 
 
 def hung(own: AxisParameters, every: Iterable[Function]) -> tuple[Hung, ...]:
-    """Return what hangs on the numbers of the axis' sections, counted or not, for whoever moves
-    them; ``every``: its functions.
+    """Return the functions that depend on the numbers of the axis' sections, counted or not, for
+    code that moves these numbers. ``every``: the axis' functions.
     """
     return tuple(
         Hung(
@@ -93,8 +95,8 @@ def hung(own: AxisParameters, every: Iterable[Function]) -> tuple[Hung, ...]:
 
 
 def across(own: AxisParameters, alone: Sequence[Function]) -> str:
-    """Return what moves the axis by the positions of others, in words that change with its values,
-    where that is left ``alone``; empty: nothing.
+    """Return the functions, left ``alone``, that correct the axis by the positions of others, in
+    words that change with their values; empty without any.
     """
     if all(each.words != _BENT for each in alone):
         return ""
@@ -129,8 +131,8 @@ def _inclination(own: AxisParameters) -> Iterator[Function]:
 
 
 def _straightness(own: AxisParameters) -> Iterator[Function]:
-    """Yield the pairs of axes that name the axis: as the one that moves, whose points are those of
-    its own sections, or as the one that is corrected.
+    """Yield the pairs of axes that contain the axis: as the moving one, whose sections have the
+    points, or as the corrected one.
     """
     for value in own.all.of(known.STRAIGHTNESS_MOVING):
         if not value.nonzero or not own.named_by(value):
@@ -159,7 +161,7 @@ def _straightness(own: AxisParameters) -> Iterator[Function]:
 
 
 def stays(function: Function) -> str:
-    """Return what is said of a function that is left as it is."""
+    """Return the remark on a function that is left unchanged."""
     if not function.moves:
         return (
             f"{function.description} is left as it is; it moves the axis by the position of another"

@@ -1,4 +1,4 @@
-"""Which section of an axis belongs to which point number, for the drawing on the card."""
+"""Point number of each section of an axis, for the drawing on the card."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from compwright.records.numbering import NumberedSections, Section
 def numbered_sections(
     family: Family, axis: Axis, facts: AxisFacts, table: AxisCompensation
 ) -> NumberedSections | None:
-    """Return them by what the written files say (``facts``, and the ``table`` that was read back);
-    None where those hold no table.
+    """Return the sections by number, from the written files (``facts``, and the ``table`` that was
+    read back); None if those hold no table.
     """
     increments = increments_of(facts)
     reference, first, last = (
@@ -57,7 +57,7 @@ def numbered_sections(
 def _held(
     family: Family, axis: Axis, facts: AxisFacts, table: AxisCompensation
 ) -> Mapping[int, int]:
-    """Return what the points of an axis with ends hold, by number, as read back."""
+    """Return the increments at the points of an axis with ends, by number, as read back."""
     scale, increments = family.scale_of(axis), increments_of(facts)
     unit = scale.quantum("value") * (increments.magnification or 0)
     sign = -1 if scale.options.get("pitch_sign") == "-" else 1

@@ -1,5 +1,5 @@
-"""Point numbers in an array that all axes share: an axis keeps its own, or gets the first block
-that is free.
+"""Point numbers in an array that all axes share: an axis keeps its own, or gets the first free
+block.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from compwright.records.correction import ControlState
 
 
 class NoRoom(ValueError):  # noqa: N818 - it says what is the matter, and never leaves the room
-    """No block of numbers is free that is long enough."""
+    """No free block of numbers is long enough."""
 
 
 @dataclass(frozen=True, slots=True)
 class NumberPlace:
     """Numbers of the reference, of the first and the last section, and of the first of the set for
-    travel in -, if there is one.
+    travel towards -, if there is one.
     """
 
     reference: int
@@ -48,14 +48,14 @@ def find_place(
     claimed: Sequence[range] = (),
     start: int,
 ) -> NumberPlace:
-    """Return where a table of nodes ``low`` to ``high`` (whole spacings from the reference, low <=
-    0 <= high) goes.
+    """Return the numbers for a table of nodes ``low`` to ``high`` (whole spacings from the
+    reference, low <= 0 <= high).
 
-    ``reference`` and ``negative``: the numbers that the axis has now of its reference and of the
-    first of its set for travel in -, kept where the table still fits there; ``claimed``: all
-    numbers that it has now, which come before those that are free for every axis, from ``start``
-    on; ``used``: numbers of other axes; ``two``: a second set of the same length follows. The first
-    number lies at or below the reference's, the last above it. Raises NoRoom.
+    ``reference`` and ``negative``: the existing numbers of the reference and of the first of the
+    set for travel towards -, kept if the table still fits there; ``claimed``: all existing numbers
+    of the axis, which have priority over those that are free for every axis, from ``start`` on;
+    ``used``: numbers of other axes; ``two``: a second set of the same length follows. The first
+    number is not above the reference's, the last one above it. Raises NoRoom.
     """
     first, last = min(low + 1, 0), max(high, 1)
     length = last - first + 1
@@ -89,11 +89,11 @@ def kept_place(
     two: bool,
     endless: bool,
 ) -> NumberPlace | None:
-    """Return the numbers that an axis has now where a table of nodes ``low`` to ``high`` (whole
-    spacings from the reference) stands on exactly its sections; None where it does not, or where
-    other axes use them too.
+    """Return the existing numbers of an axis if a table of nodes ``low`` to ``high`` (whole
+    spacings from the reference) has exactly its sections; None if it has not, or if other axes use
+    them too.
 
-    A second set that is not there yet gets the first numbers that are free.
+    A second set that does not exist yet gets the first free numbers.
     """
     reference, first, last = facts.reference_number, facts.first_number, facts.last_number
     if reference is None or first is None or last is None or first >= last:
@@ -115,8 +115,8 @@ def kept_place(
 
 
 def first_free(length: int, used: Sequence[range], start: int, highest: int) -> int | None:
-    """Return the first of ``length`` numbers in a row, from ``start`` on, that nobody uses; None
-    where there are none.
+    """Return the first of ``length`` unused numbers in a row, from ``start`` on; None if there are
+    none.
     """
     for begin in range(start, highest + 2 - length):
         if not any(begin < taken.stop and taken.start < begin + length for taken in used):
@@ -125,9 +125,7 @@ def first_free(length: int, used: Sequence[range], start: int, highest: int) -> 
 
 
 def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:
-    """Return the length of the longest row of numbers from ``start`` to ``highest`` that nobody
-    uses.
-    """
+    """Return the length of the longest row of unused numbers from ``start`` to ``highest``."""
     longest, place = 0, start
     for taken in sorted((one for one in used if len(one)), key=lambda one: one.start):
         longest = max(longest, min(taken.start, highest + 1) - place)
@@ -136,11 +134,10 @@ def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:
 
 
 def used_numbers(state: ControlState, without: Iterable[str]) -> list[range]:
-    """Return the point numbers that are not free for the axes ``without``.
+    """Return the point numbers that are not free, apart from those of the axes ``without``.
 
-    Those that other axes claim, a table that is switched off included; those that hold data,
-    whoever they belong to, unless the axes have them now; those of a second table, also where the
-    axes claim them.
+    Those that other axes claim, including for a table that is switched off; those that hold data,
+    unless the axes ``without`` own them; those of a second table, even if the axes claim them.
     """
     left_out = set(without)
     claims = {address: increments_of(facts).claimed for address, facts in state.facts.items()}

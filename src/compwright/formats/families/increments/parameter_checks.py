@@ -1,8 +1,7 @@
-"""What refuses an axis of a FANUC by its parameters, what points to the numbers that its table
-uses, and what has to be said.
+"""Checks of a FANUC axis by its parameters: refusals, references to its point numbers, and notes.
 
-What acts beside the table and stays is in `beside`; what acts on other axes only keeps its point
-numbers. Sources: `parameters` and docs/controllers/fanuc.md.
+Functions that are active in addition to the table and stay are in `neighbour_functions`; functions
+of other axes only reserve their point numbers. Sources: `parameters` and docs/controllers/fanuc.md.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ from compwright.records.axis import AxisKind
 
 
 def refusals(own: AxisParameters) -> Iterator[Fault]:
-    """Yield what makes the meaning of the axis' own data uncertain."""
+    """Yield a fault for each parameter that makes the meaning of the axis' own data uncertain."""
     totals = own.get(known.TOTALS)
     if totals is not None and totals.nonzero:
         yield totals.fault(
@@ -31,8 +30,8 @@ def refusals(own: AxisParameters) -> Iterator[Fault]:
 
 
 def pointed_numbers(parameters: Parameters) -> frozenset[int]:
-    """Return the point numbers to which inclination, straightness and cyclic compensation of any
-    axis point.
+    """Return the point numbers that inclination, straightness and cyclic compensation of any axis
+    refer to.
     """
     numbers = (*known.INCLINATION_POINTS, *known.STRAIGHTNESS_POINTS, *known.STRAIGHTNESS_MORE)
     values = parameters.of(numbers)
@@ -41,8 +40,10 @@ def pointed_numbers(parameters: Parameters) -> frozenset[int]:
 
 
 def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
-    """Yield a fault for a second table whose points are among the axis' own numbers: both would
-    hang on the same data. Inclination and straightness only name sections there.
+    """Yield a fault for a second table whose points are among the axis' own numbers: both would use
+    the same data.
+
+    Inclination and straightness only name sections there.
     """
     users = (
         value for value, others in own.all.second_tables if not set(numbers).isdisjoint(others)
@@ -56,7 +57,9 @@ def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
 
 
 def note_unconfirmed_bits(own: AxisParameters, notes: Notes) -> None:
-    """Note what is in use on the axis and left as it is, because its meaning is not confirmed."""
+    """Note functions that are in use on the axis and left unchanged, because their meaning is not
+    confirmed.
+    """
     bits = own.get(known.PITCH_BITS)
     names = [] if bits is None else [f"3605#{bit}" for bit in range(1, 8) if bits.bit(bit)]
     if bits is not None and names:
@@ -64,11 +67,11 @@ def note_unconfirmed_bits(own: AxisParameters, notes: Notes) -> None:
 
 
 def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
-    """Yield a fault for each parameter of a path that the axis' table hangs on, where the paths
+    """Yield a fault for each parameter of a path that the axis' table depends on, if the paths
     differ and 981 is in no file.
 
     Inches (1001#0) decide lengths and detection unit of a linear axis, the increment system (1004)
-    that of an axis without 1013; 1800#4 decides whether 1852 acts, where that is in the files.
+    that of an axis without 1013; 1800#4 decides whether 1852 is active, if that is in the files.
     """
     deciding = {
         known.INCH: (0,) if kind is AxisKind.LINEAR else (),

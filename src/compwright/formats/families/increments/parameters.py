@@ -1,10 +1,8 @@
-"""Parameters of a control with increments by section (FANUC) beside those that are written: what
-acts, points or decides.
+"""Parameters of a control with increments by section (FANUC) that are read and never written.
 
-A backup holds thousands of parameters. Those listed here act on an axis, point to the point numbers
-that all axes share, or decide a unit, a kind or a direction; they are read and never changed.
-Values belong to an axis (A), to a path (L) or to the machine. What acts and how sure that is:
-docs/controllers/fanuc.md.
+A backup holds thousands of parameters. Those listed here correct an axis, refer to the point
+numbers that all axes share, or decide a unit, a kind or a direction. Values belong to an axis (A),
+to a path (L) or to the machine. Meaning and evidence of each: docs/controllers/fanuc.md.
 """
 
 from __future__ import annotations
@@ -105,7 +103,7 @@ _BITS = re.compile("[01]{8}")
 @dataclass(frozen=True, slots=True)
 class ParameterValue:
     """One value: ``owner`` A (axis), L (path) or empty (the machine), ``index`` its number; ``key``
-    P, M (metric) or I (inch). It stands in the bytes of the file from ``start`` on.
+    P, M (metric) or I (inch). Its bytes in the file begin at ``start``.
     """
 
     number: int
@@ -119,22 +117,22 @@ class ParameterValue:
 
     @property
     def whose(self) -> tuple[str, int]:
-        """The kind and the number of what it belongs to."""
+        """The kind and the number of its owner."""
         return self.owner, self.index
 
     @property
     def nonzero(self) -> bool:
-        """Whether it is anything but zero."""
+        """Whether the value is not zero."""
         return bool(self.text.strip("-0."))
 
     @property
     def place(self) -> str:
-        """The parameter, its value, and where it stands."""
+        """The parameter, its value, and its place."""
         return f"{self.label} ({self.file}, line {self.line})"
 
     @property
     def label(self) -> str:
-        """The parameter as it is named on the control, and its value."""
+        """The parameter by its name on the control, and its value."""
         whose = {"A": f" of axis {self.index}", "L": f" of path {self.index}"}.get(self.owner, "")
         return f"parameter {self.number}{whose} = {self.text}"
 
@@ -144,7 +142,7 @@ class ParameterValue:
         return int(Decimal(self.text))
 
     def bit(self, bit: int) -> bool:
-        """Return one bit of eight, 0 the rightmost; a value that is no eight bits has none."""
+        """Return one bit of eight, 0 the rightmost; None if the value is not eight bits."""
         return bool(_BITS.fullmatch(self.text)) and self.text[7 - bit] == "1"
 
     def fault(self, message: str, expected: str = "") -> Fault:
@@ -165,9 +163,8 @@ class ParameterValue:
 class Parameters:
     """The parameters of all files that a series has.
 
-    ``rules``: what a definition says of each group. ``another``, ``unknown``: values that are not
-    zero, of numbers that are other parameters on this series, or of which nobody knows what they
-    are.
+    ``rules``: the definition's rule for each group. ``another``, ``unknown``: values that are not
+    zero, of numbers that are other parameters on this series, or whose meaning is unknown.
     """
 
     def __init__(self, files: Sequence[ControlFile], rules: Mapping[str, ParameterRule]) -> None:
@@ -185,8 +182,8 @@ class Parameters:
 
     @cached_property
     def second_tables(self) -> tuple[tuple[ParameterValue, range], ...]:
-        """The point numbers of the second (cyclic) tables that are set, whose data they hold, each
-        with the parameter of its first.
+        """Point numbers of the second (cyclic) tables that are set, each with the parameter of its
+        first.
         """
         ends = [
             (first, AxisParameters(self, str(first.index)).get(CYCLIC_LAST))
@@ -200,7 +197,7 @@ class Parameters:
 
     @cached_property
     def contradictions(self) -> tuple[tuple[ParameterValue, ParameterValue], ...]:
-        """Each value that differs from the first one of the same parameter and owner, after that
+        """Values that differ from the first one of the same parameter and owner, each with that
         first one.
         """
         found = []
@@ -213,15 +210,15 @@ class Parameters:
         return tuple(found)
 
     def of(self, numbers: Iterable[int]) -> list[ParameterValue]:
-        """Return all values of some parameters, whoever they belong to."""
+        """Return all values of some parameters, of any owner."""
         return [value for number in numbers for value in self.values.get(number, ())]
 
     def held(self, number: int) -> Mapping[tuple[str, int], ParameterValue]:
-        """Return the values of a parameter by what they belong to: the last one of each."""
+        """Return the values of a parameter by owner: the last one of each."""
         return self._held.get(number, {})
 
     def counts(self, number: int) -> bool:
-        """Whether a number is on this series the parameter that is meant."""
+        """Return whether a number has its usual meaning on this series."""
         return self._here[number] == "read"
 
     def _read(self, file: ControlFile) -> None:
@@ -247,64 +244,64 @@ class Parameters:
 
 @dataclass(frozen=True)
 class AxisParameters:
-    """The watched parameters as they hold for one axis."""
+    """The parameters of this list as they hold for one axis."""
 
     all: Parameters
     address: str
 
     @property
     def label(self) -> str:
-        """The axis as messages name it."""
+        """Name of the axis in messages."""
         return f"axis {self.address}"
 
     @property
     def index(self) -> int:
-        """The number of the axis; 0 where its address is none."""
+        """The number of the axis; 0 if its address is not a number."""
         return int(self.address) if self.address.isdigit() else 0
 
     @property
     def path(self) -> int | None:
-        """The path that the axis belongs to (981); None where the files do not say it."""
+        """The path of the axis (981); None if the files do not state it."""
         path = self.all.held(PATH_OF_AXIS).get(("A", self.index))
         return None if path is None else path.whole or None
 
     @property
     def system(self) -> ParameterValue | None:
-        """The increment system: by axis (1013), on series that have it of the machine (1004)."""
+        """The increment system: by axis (1013), on older series of the machine (1004)."""
         return self.get(SYSTEM) or self.get(SYSTEM_OF_MACHINE)
 
     def get(self, number: int) -> ParameterValue | None:
         """Return the value that holds for the axis: its own, else that of its path, else the
-        machine's; None where nothing says it.
+        machine's; None if there is none.
 
-        Without 981 the axis is taken to be in the first path, as in a control that has only one;
-        where the paths differ in what an axis' table hangs on, `rivals` tells it and the axis is
-        refused.
+        Without 981 the axis is assumed to be in the first path, as in a control that has only one.
+        If the paths differ in a parameter that an axis' table depends on, `rivals` reports it and
+        the axis is refused.
         """
         values = self.all.held(number)
         return next((values[whose] for whose in self._owners if whose in values), None)
 
     def another(self, number: int) -> ParameterValue | None:
-        """Return what stands for the axis under a number that is another parameter here."""
+        """Return the value for the axis under a number that is another parameter on this series."""
         values = {value.whose: value for value in self.all.another if value.number == number}
         return next((values[whose] for whose in self._owners if whose in values), None)
 
     def bit(self, number: int, bit: int) -> bool | None:
-        """Return one bit; None where nothing says it."""
+        """Return one bit; None if no file states it."""
         value = self.get(number)
         return None if value is None else value.bit(bit)
 
     def contradictions(self) -> Iterator[Fault]:
-        """Yield a fault for each parameter that holds for the axis and stands in the files twice
-        with different values.
+        """Yield a fault for each parameter of the axis that the files give twice with different
+        values.
         """
         for known, value in self.all.contradictions:
             if value.whose in self._owners:
                 yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
 
     def rivals(self, number: int, bits: Sequence[int]) -> list[ParameterValue]:
-        """Return the values of paths that could hold for an axis whose path nobody says (981) and
-        whose ``bits`` differ.
+        """Return the values of paths that may hold for an axis of unknown path (981) and whose
+        ``bits`` differ.
         """
         values = self.all.of([number])
         if self.path is not None or any(value.whose == ("A", self.index) for value in values):
@@ -314,11 +311,10 @@ class AxisParameters:
         return [paths[index] for index in sorted(paths)] if differ else []
 
     def named_by(self, value: ParameterValue) -> bool:
-        """Whether an axis number that stands in ``value`` means the axis: counted over the machine,
-        or within its own path.
+        """Return whether the axis number in ``value`` means the axis: counted over the machine, or
+        within its own path.
 
-        Whose path a further one is stands in 981 only: without it what the path says may mean any
-        axis.
+        Only 981 states the path of further axes: without it a number of a path may mean any axis.
         """
         paths = self.all.of([PATH_OF_AXIS])
         further = value.owner == "L" and value.index > 1 and not paths
@@ -337,8 +333,10 @@ class AxisParameters:
 
 
 def _values(number: int, rest: str, where: tuple[str, int, int]) -> list[ParameterValue]:
-    """Return the values of one line; pitch data (Q0, or a large number with neither Q1 nor owner)
-    and spindles have none here. ``where``: file, line, and the byte at which ``rest`` begins.
+    """Return the values of one line.
+
+    Pitch data (Q0, or a large number with neither Q1 nor owner) and spindles have none here.
+    ``where``: file, line, and the byte at which ``rest`` begins.
     """
     file, line, begin = where
     owner, index = "", 0

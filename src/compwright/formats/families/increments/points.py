@@ -1,5 +1,5 @@
-"""Point records of the array that all axes share: which lines are pitch data, and what number holds
-what.
+"""Point records of the array that all axes share: which lines are pitch data, and the value of each
+number.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ def point_rows(
     gathered).
 
     Q0 marks pitch data, Q1 parameters, of which a control has some above 10000 too. Records without
-    Q are pitch data where their file is a pitch file as a whole; where one file holds parameters
-    and pitch data together, only if every line from 10000 on has the form of a record and they hold
-    all numbers that some axis claims.
+    Q are pitch data if the whole file is a pitch file. In a file with parameters and pitch data
+    they are only if every line from 10000 on has the form of a record and they hold all numbers
+    that some axis claims.
     """
     forms = definition.statements["point"]
     marks = [
@@ -49,8 +49,8 @@ def point_rows(
 
 
 def _unmarked(file: ControlFile, *, with_parameters: bool) -> bool:
-    """Whether all records without Q of a file can be pitch data: nothing else stands in it, or
-    parameters ``beside`` them.
+    """Return whether all records without Q of a file can be pitch data: it holds nothing else, or
+    (``with_parameters``) also parameters.
     """
     found = False
     for line in file.content.decode("latin-1").replace("\r", "\n").split("\n"):
@@ -64,7 +64,7 @@ def _unmarked(file: ControlFile, *, with_parameters: bool) -> bool:
 
 
 def _claims(gathered: Gathered) -> Iterator[range]:
-    """Yield the numbers that the axes claim by 3621 and 3622, as far as they can be read."""
+    """Yield the numbers that the axes claim by 3621 and 3622, if these can be read."""
     for singles in gathered.singles.values():
         ends = [
             singles[name][-1].text for name in ("first_number", "last_number") if singles.get(name)
@@ -85,8 +85,9 @@ def point_number(row: FoundValue) -> int:
 def points_by_number(
     definition: Definition, gathered: Gathered, files: Sequence[ControlFile], notes: Notes
 ) -> dict[int, FoundValue]:
-    """Return the point records by number. The same number twice must say the same, and the control
-    must have it.
+    """Return the point records by number.
+
+    Repetitions of a number must agree, and the control must have the number.
     """
     highest = definition.limit_number("max_number") or 0
     points: dict[int, FoundValue] = {}

@@ -1,10 +1,10 @@
-"""Controls that store whole increments by section (FANUC): what the files say -> compensation.
+"""Controls that store whole increments by section (FANUC): files -> compensation.
 
-Every axis claims a range of numbers in one array that all axes share. Number n owns the section
-((n - r - 1) b, (n - r) b), r the number of the reference position, b the interval; the total at a
-node is the sum of the increments from the reference, positive to the right and with the opposite
-sign to the left (FANUC 0i-PB parameter manual B-63980EN/01 p100; numbering inferred from its
-listing). What is unconfirmed about it stands in the definition.
+Every axis claims a range of numbers in one array that all axes share. Number n owns the section ((n
+- r - 1) b, (n - r) b), r the number of the reference position, b the interval; the total at a node
+is the sum of the increments from the reference, positive to the right and with the opposite sign to
+the left (FANUC 0i-PB parameter manual B-63980EN/01 p100; numbering inferred from its listing). The
+definition lists what is unconfirmed.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ _COMPENSATION = {*GRID, "turn", "negative_first", "negative_offset", "bidirectio
 
 
 class StateReader:
-    """What a control does with ``files``; ``axes`` and ``address`` as in `Family.read`."""
+    """Reads the state of a control with ``files``; ``axes`` and ``address`` as in `Family.read`."""
 
     def __init__(
         self,
@@ -87,7 +87,7 @@ class StateReader:
         self.facts: dict[str, AxisFacts] = {}
 
     def read(self) -> ControlState:
-        """Return it. Errors as `Family.read`."""
+        """Return the state. Errors as `Family.read`."""
         named = [
             address
             for address in self.gathered.addresses()
@@ -130,7 +130,9 @@ class StateReader:
         )
 
     def names(self) -> dict[str, str]:
-        """Return what the files call each axis, by address; those without a name are left out."""
+        """Return the name of each axis in the files, by address; axes without a name are left
+        out.
+        """
         names = {
             address: name_of(self._values(address, Notes()))
             for address in self.gathered.addresses()
@@ -139,7 +141,7 @@ class StateReader:
         return {address: name for address, name in names.items() if name is not None}
 
     def _cross(self) -> Iterator[CrossCompensation]:
-        """Yield what straightness compensation adds between axes, where it is counted."""
+        """Yield the corrections between axes by straightness compensation, if it is counted."""
         if self.family.options.get("straightness") != "available":
             return
         faults = self.notes.faults
@@ -216,7 +218,7 @@ class StateReader:
             self.compensations[address] = compensation
 
     def _leave_alone(self, address: str) -> None:
-        """Tell what is odd about an axis that nobody asked for: it stops no work on another one."""
+        """Note faults of an axis that is not under work: they stop no work on another one."""
         notes = Notes()
         values = self._values(address, notes)
         facts = with_neighbours(facts_of(values), values.own, self.family.options)
@@ -231,15 +233,15 @@ class StateReader:
             self.notes.find("CW-S042", "warning", axis=address, reasons=dict.fromkeys(reasons))
 
     def _filled(self) -> frozenset[int]:
-        """Return the numbers that hold data: none of them is free for a new table, as those are not
-        to which another function points.
+        """Return the numbers that hold data, or that another function refers to: none of them is
+        free for a new table.
         """
         texts = {number: row.occurrence.tokens["value"].text for number, row in self.points.items()}
         return frozenset(number for number, text in texts.items() if text.strip("-0"))
 
     def _unknown(self) -> frozenset[int]:
-        """Return the numbers of which no file says what they hold, below the first free one that
-        the user states.
+        """Return the numbers whose contents no file states, below the first free one that the user
+        states.
 
         A pitch file that was cut, or not given, does not make numbers free.
         """
@@ -249,7 +251,7 @@ class StateReader:
         return frozenset(number for number in range(first) if number not in self.points)
 
     def _odd_partners(self) -> Iterator[Fault]:
-        """Both axes of a gantry are of one kind and have one detection unit."""
+        """Check that both axes of a gantry have the same kind and detection unit."""
         for axis in self.axes:
             if axis.gantry is None or axis.gantry not in self.facts:
                 continue
@@ -280,8 +282,8 @@ class StateReader:
                 )
 
     def _check_names(self) -> None:
-        """An axis of the job whose letter belongs to another axis of the control (1020) is not the
-        one that is meant.
+        """Check that the letter of a job's axis does not belong to another axis of the control
+        (1020).
         """
         for address, axis in self.wanted.items():
             own = self.facts.get(address, AxisFacts()).name
@@ -302,7 +304,9 @@ class StateReader:
                 )
 
     def _tell_unknown(self) -> None:
-        """Name once what stands under numbers of other series that nobody knows on this one."""
+        """Note once the values under numbers of other series whose meaning on this one is
+        unknown.
+        """
         definition, values = self.family.definition, self.parameters.unknown
         numbers = sorted({value.number for value in values})
         if numbers:
@@ -333,8 +337,8 @@ class StateReader:
 def _paired(
     facts: AxisFacts, address: str, couplings: Sequence[Coupling], unread: frozenset[int]
 ) -> AxisFacts:
-    """Return facts with the axes that move with it, and the numbers of which no file says what they
-    hold.
+    """Return facts with the axes that move with it, and the numbers whose contents no file
+    states.
     """
     return replace(
         facts,
@@ -347,7 +351,7 @@ def _paired(
 def read_texts(
     definition: Definition, files: Sequence[ControlFile], faults: list[Fault]
 ) -> list[ReadText]:
-    """Return the statements of all files, typed-entry sheets too; what cannot be read goes to
+    """Return the statements of all files, typed-entry sheets too; unreadable ones go to
     ``faults``.
     """
     require_files(files)
@@ -377,7 +381,7 @@ def read_texts(
 
 
 def _as_lines(file: ControlFile, format_id: str) -> ControlFile:
-    """Return a typed-entry sheet as the lines that say the same; other files as they are."""
+    """Return a typed-entry sheet as equivalent lines; other files unchanged."""
     if not is_entry_sheet(file):
         return file
     return ControlFile(file.name, parameter_lines(file, format_id, []))

@@ -1,5 +1,5 @@
-"""The lead of an axis' screw as its reference counter suggests it: an offer with its evidence,
-never taken in silence.
+"""Lead of an axis' screw, suggested by its reference counter: offered with its evidence, never
+taken without a message.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ class Lead:
 
 
 def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
-    """Return the travel between two marks of the encoder on the motor; None where the files do not
-    say it.
+    """Return the travel between two marks of the encoder on the motor; None if the files do not
+    state it.
 
     1821 counts detection units from one mark to the next: a turn of the motor, on a screw its lead
     (B-63943EN-1/02 page 109). With a separate detector (1815#1 = 1, from memory) it is the distance
-    of the marks of a scale and says nothing of a screw.
+    of the marks of a scale, and unrelated to a screw.
     """
     unit, counter = detection_unit(own, kind), own.get(known.REFERENCE_COUNTER)
     if unit is None or counter is None or own.bit(known.ENCODER, 1) is not False:
@@ -47,7 +47,7 @@ def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
 
 
 def tell_lead(values: IncrementAxisValues, kind: AxisKind) -> None:
-    """Say what the files suggest where the job names no period, or another one."""
+    """Note the suggested lead if the job names no period, or another one."""
     lead = screw_lead(values.own, kind)
     if values.axis is None or lead is None:
         return

@@ -1,4 +1,4 @@
-"""Where an axis' table lies, by its files: the numbers of its sections, and how wide they are."""
+"""Numbers and width of the sections of an axis' table, by its files."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class IncrementSections:
     """Numbers of the reference, the first and the last section, interval in mm or deg,
     magnification.
 
-    ``negative``: first number of the set for travel in -; None: one set for both directions.
+    ``negative``: first number of the set for travel towards -; None: one set for both directions.
     """
 
     reference: int
@@ -33,18 +33,18 @@ class IncrementSections:
 
     @property
     def numbers(self) -> range:
-        """The numbers of the sections, without those of the set for travel in -."""
+        """The numbers of the sections, without those of the set for travel towards -."""
         return range(self.first, self.last + 1)
 
     @property
     def second(self) -> range | None:
-        """The numbers of the set for travel in -."""
+        """The numbers of the set for travel towards -."""
         negative = self.negative
         return None if negative is None else range(negative, negative + len(self.numbers))
 
     def nodes(self, zero: float, *, round_turn: bool) -> FloatArray:
-        """Return the places of their ends, mm or deg, ``zero`` that of the reference; round a turn
-        from the reference on.
+        """Return the section ends, mm or deg, with the reference at ``zero``; round a turn from the
+        reference on.
         """
         begin = self.reference if round_turn else self.first - 1
         steps = np.arange(begin, self.last + 1) - self.reference
@@ -52,14 +52,12 @@ class IncrementSections:
         return places
 
     def goes_round(self, turn: float) -> bool:
-        """Whether they span a turn, deg, from the reference."""
+        """Return whether the sections span a turn, deg, from the reference."""
         return abs((self.last - self.reference) * self.interval - turn) < SAME_PLACE
 
 
 def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections | None:
-    """Return where the table lies; None where there is none, or where something is wrong (then the
-    notes have faults).
-    """
+    """Return the sections of the table; None without one, or with faults in the notes."""
     if values.yes("compensation_off"):
         _tell_off(values)
         return None
@@ -88,7 +86,9 @@ def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSecti
 
 
 def _tell_off(values: IncrementAxisValues) -> None:
-    """Stored pitch error compensation is off as a whole: no table of an axis under work can act."""
+    """Note that stored pitch error compensation is off as a whole: no table of an axis under work
+    can be active.
+    """
     number = values.name("compensation_off")
     values.notes.switched_off(values.label, f"{number}#0 is 1: pitch error compensation is off")
     if values.axis is not None:
@@ -106,16 +106,18 @@ def _tell_off(values: IncrementAxisValues) -> None:
 
 
 def order(values: IncrementAxisValues) -> str:
-    """Return how the three numbers of an axis have to lie, by the names of their parameters."""
+    """Return the required order of the three numbers of an axis, by the names of their
+    parameters.
+    """
     names = ("first_number", "reference_number", "last_number")
     return " <= ".join(values.name(name) for name in names)
 
 
 def repeats(values: IncrementAxisValues, kind: AxisKind, sections: IncrementSections) -> bool:
-    """Return whether the axis is endless: the job says so, or the table of a rotary axis starts at
-    the reference and spans a turn.
+    """Return whether the axis is endless: by the job, or the table of a rotary axis starts at the
+    reference and spans a turn.
 
-    Not where the files say that it has ends (1006#1): there a turn need not close.
+    Not if the files state that it has ends (1006#1): there a turn need not close.
     """
     ends = values.wraps() is False or sections.negative is not None
     if kind is not AxisKind.ROTARY or ends:
@@ -127,8 +129,8 @@ def repeats(values: IncrementAxisValues, kind: AxisKind, sections: IncrementSect
 
 
 def idle_nodes(values: IncrementAxisValues, kind: AxisKind) -> tuple[float, ...]:
-    """Return the nodes of a table that is switched off (3623 = 0), mm or deg; none where its
-    parameters are no table, or no job says where the reference is.
+    """Return the nodes of a table that is switched off (3623 = 0), mm or deg; empty if its
+    parameters are no table, or no job states where the reference is.
     """
     values = replace(values, notes=Notes())
     numbers = [values.integer(name) for name in GRID[:-1]]
@@ -175,8 +177,10 @@ def _checked(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections |
 def _next_to_reference(
     values: IncrementAxisValues, kind: AxisKind, sections: IncrementSections
 ) -> IncrementSections | None:
-    """A full turn whose first number is that behind the reference's: real controls live with it,
-    the manual has 3621 = 3620.
+    """Return a full turn that starts with the number after the reference's, with a warning: real
+    controls accept it, the manual has 3621 = 3620.
+
+    Any other order of the numbers is a fault, and None.
     """
     first, reference, last = sections.first, sections.reference, sections.last
     turn = values.turn(kind)
@@ -199,8 +203,8 @@ def _next_to_reference(
 
 
 def _negative_first(values: IncrementAxisValues, own: range, highest: int) -> int | None:
-    """Return the first number of the set for travel in -, None with one set (or without its number:
-    then there is a fault).
+    """Return the first number of the set for travel towards -; None with one set, or without its
+    number (then with a fault).
     """
     if not values.yes("bidirectional"):
         return None

@@ -1,4 +1,4 @@
-"""Whole steps as a sheet to type in, and as a program that enters the same values."""
+"""Whole steps as an entry sheet, and as a program that enters the same values."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ _PULSE = (
 
 
 def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlFile, ...]:
-    """Return the typed-entry sheets, and programs where the options ask for them.
+    """Return the entry sheets, and programs if the options require them.
 
-    ``own``: the tables of the axes that lead; those of gantry partners follow from them.
+    ``own``: the tables of leading axes; those of gantry partners are derived from them.
     """
     definition = family.definition
     names = {address: axis.name for address, axis, _ in own}

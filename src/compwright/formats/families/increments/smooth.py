@@ -1,9 +1,9 @@
-"""Smooth backlash: after a reversal a part of the backlash comes out at once and the rest on the
+"""Smooth backlash: after a reversal a part of the backlash is output at once and the rest on the
 way, between two distances.
 
-Behind the second distance the whole of 1851 (1852) has come out, so that a target further away from
-the reversal sees the plain backlash. Which of 1846 to 1849 is a distance and which a part is from
-memory: the largest of them is taken for the distance.
+After the second distance the whole of 1851 (1852) has been output, so that a target further away
+from the reversal sees the plain backlash. Which of 1846 to 1849 is a distance and which a part is
+from memory: the largest of them is taken for the distance.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class SmoothBacklash:
     values: tuple[ParameterValue, ...]
 
     def note(self, label: str, kind: AxisKind, unit: float, notes: Notes) -> None:
-        """Note what it does, and the fault where it may reach to targets of a test. ``unit``: the
+        """Note its effect, and the fault if it may reach to targets of a test. ``unit``: the
         detection unit.
         """
         farthest = max(self.values, key=lambda value: abs(value.whole))
@@ -45,20 +45,20 @@ class SmoothBacklash:
 
 
 def smooth_backlash(own: AxisParameters) -> SmoothBacklash | None:
-    """Return the smooth backlash of an axis; None where it has none."""
+    """Return the smooth backlash of an axis; None without one."""
     values = (own.get(number) for number in known.SMOOTH_BACKLASH)
     active = tuple(value for value in values if value is not None and value.nonzero)
     return SmoothBacklash(active) if active else None
 
 
 def first_stage(own: AxisParameters) -> int:
-    """Return the part that comes out at once (1848), detection units; 0 without."""
+    """Return the part that is output at once (1848), detection units; 0 without."""
     value = own.get(known.SMOOTH_FIRST)
     return 0 if value is None else value.whole
 
 
 def covers(backlash: int | None, stage: int) -> bool:
-    """Return whether the whole backlash holds the part that comes out at once: of its sign, and no
-    less.
+    """Return whether the whole backlash contains the part that is output at once: same sign, and
+    not smaller.
     """
     return stage == 0 or (backlash is not None and backlash * stage >= stage * stage)

@@ -1,11 +1,11 @@
-"""Straightness compensation that is counted, because an option says so: what the position of one
-axis does to another axis.
+"""Straightness compensation that an option makes counted: the correction of one axis by the
+position of another.
 
 Three pairs of axes (5711 to 5713 moving, 5721 to 5723 compensated), each with four numbers of the
 moving axis' points (5731, 5741, 5751 and on) and four amounts in detection units of the compensated
 axis (5761, 5771, 5781 and on); straight lines between them, zero at the reference, put out at the
 points (FANUC B-63522EN/02 page 222). Unconfirmed: the numbers, and that a positive amount moves the
-compensated axis in +.
+compensated axis towards +.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ _UNKNOWN = (
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """One pair of axes by their addresses: ``points`` and ``amounts`` (4,) as the files say them;
+    """One pair of axes by their addresses: ``points`` and ``amounts`` (4,) as in the files;
     ``place``: its parameter for messages.
     """
 
@@ -70,7 +70,7 @@ def row_of(pair: int, *, amounts: bool = False) -> range:
 def straightness_pairs(
     parameters: Parameters, addresses: list[str], faults: list[Fault]
 ) -> Iterator[Pair]:
-    """Yield the pairs that act; what cannot be counted is a fault by its parameter."""
+    """Yield the active pairs; one that cannot be counted is a fault with its parameter."""
     unknown = (value for value in parameters.of(_UNKNOWN) if value.nonzero)
     faults += [
         value.fault("a straightness compensation that compwright does not know is active", "0")
@@ -108,9 +108,10 @@ def _own(
 
 
 def free_pair(parameters: Parameters, moving: str) -> dict[int, ParameterValue] | None:
-    """Return the parameters of the first pair that the files hold whole and at rest for the path of
-    an axis, by what they are: 0 moving, 1 compensated, 2 to 5 points, 6 to 9 amounts; None where
-    there is none, or where an axis number may be counted within the path.
+    """Return the parameters of the first pair that the files hold complete and at zero for the path
+    of an axis, by role: 0 moving, 1 compensated, 2 to 5 points, 6 to 9 amounts.
+
+    None if there is none, or if an axis number may be counted within the path.
     """
     own = AxisParameters(parameters, moving)
     for pair in range(known.STRAIGHTNESS_PAIRS):

@@ -1,5 +1,5 @@
-"""What was typed in at a control with numbered parameters (FANUC): its sheet as the lines that say
-the same.
+"""Values typed in at a control with numbered parameters (FANUC): its entry sheet as equivalent
+lines.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from compwright.records.correction import ControlFile
 
 
 def parameter_lines(file: ControlFile, format_id: str, faults: list[Fault]) -> bytes:
-    """Return the sheet of a control with numbered parameters as the lines that say the same;
-    faults go to ``faults``.
+    """Return the entry sheet of a control with numbered parameters as equivalent lines; faults go
+    to ``faults``.
 
     Line k of the result is line k of the sheet, so that messages name the right place.
     """

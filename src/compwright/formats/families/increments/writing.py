@@ -1,5 +1,5 @@
-"""Compensation -> whole increments by section (FANUC): into the user's own backup where one was
-given, else minimal files.
+"""Compensation -> whole increments by section (FANUC): into the user's own backup if one was given,
+else minimal files.
 
 Only what belongs to the axis under work is written: its groups in lines that axes share, single
 bits, its own point numbers. Every other byte of a backup stays.
@@ -55,8 +55,8 @@ def write_increments(
 
 
 def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
-    """Yield a fault for what found no place in the control's own files, where nothing else proves
-    that the control has such a parameter.
+    """Yield a fault for each value without a place in the control's own files, if nothing else
+    proves that the control has such a parameter.
     """
     numbers = [name_of(definition, name) for name in left.parameters]
     numbers += [f"N{POINTS_FROM + number}" for number in left.points]
@@ -91,7 +91,9 @@ class _OwnFiles(Patches):
             self.rows.setdefault(point_number(row), []).append(row)
 
     def put(self, entry: Entries, faults: list[Fault]) -> Entries:
-        """Note the changes for one axis and return what has no place in the user's files."""
+        """Record the changes for one axis; return the values without a place in the user's
+        files.
+        """
         left = {
             name: value
             for name, value in entry.parameters.items()
@@ -134,7 +136,9 @@ class _OwnFiles(Patches):
         return replace(entry, parameters=left, points=missing, added=left_added)
 
     def _put_added(self, address: str, number: int, text: str) -> bool:
-        """Put a parameter beside the table where the files hold it for the axis."""
+        """Put a parameter of an added function where the files hold it for the axis; return whether
+        they do.
+        """
         names = [file.name for file in self.files]
         places = [
             value
@@ -158,7 +162,7 @@ class _OwnFiles(Patches):
         return bool(places)
 
     def _length_there(self, place: FoundValue, entry: Entries, value: Decimal) -> str:
-        """Return a length as the letter that stands there counts it: M mm, I inch, P the machine's
+        """Return a length in the unit of the letter in the file: M mm, I inch, P the machine's
         unit, deg for rotary axes.
         """
         key = place.occurrence.tokens["key"].text.upper()
@@ -167,14 +171,14 @@ class _OwnFiles(Patches):
         return length_text(value, inch=inch and entry.axis.kind is AxisKind.LINEAR, whole=whole)
 
     def _set(self, place: FoundValue, field: str, text: str) -> None:
-        """Change a field, unless it says the same already: a value that stays keeps its bytes."""
+        """Change a field, unless it has the same value already: then it keeps its bytes."""
         old = place.occurrence.tokens[field].text
         if ("." in old) != ("." in text) or Decimal(old) != Decimal(text):
             self.replace(place.number, *set_field(place.occurrence, field, text))
 
     def _insert(self, missing: Mapping[int, int]) -> None:
-        """Put points that the files do not hold behind the nearest lower one, in the style of that
-        line.
+        """Insert points that the files do not hold after the nearest lower one, in the style of
+        that line.
         """
         for number, value in sorted(missing.items()):
             below = [one for one in self.rows if one < number]
@@ -185,8 +189,8 @@ class _OwnFiles(Patches):
             self.add_lines(neighbour.number, place, [line], before=not below)
 
     def speaking(self, addresses: Collection[str]) -> tuple[ControlFile, ...]:
-        """Return the user's files that say something of the axes or hold point data, with all
-        changes made.
+        """Return the user's files that mention the axes or hold point data, with all changes
+        made.
         """
         speaking = {row.number for rows in self.rows.values() for row in rows} | self.changed()
         for (address, _), singles in self.gathered.singles.items():
@@ -196,8 +200,8 @@ class _OwnFiles(Patches):
 
 
 def _fresh(definition: Definition, left: Entries, taken: Collection[str]) -> Iterator[ControlFile]:
-    """Yield minimal files with what found no place in the user's own; they do not take the names of
-    those (``taken``).
+    """Yield minimal files with the values without a place in the user's own; ``taken``: file names
+    not to be used.
     """
     for file in definition.writing:
         lines = list(_point_lines(definition, left) if file.rows else _lines(definition, left))
@@ -249,8 +253,8 @@ def _point_lines(definition: Definition, entry: Entries) -> Iterator[str]:
 
 
 def write_programs(definition: Definition, entries: Sequence[Entries]) -> tuple[ControlFile, ...]:
-    """Return one program per axis that enters the same values while it runs (G10), as the
-    definition's optional files say.
+    """Return one program per axis that enters the same values when it runs (G10), by the
+    definition's optional files.
     """
     return tuple(
         _file(definition, file, entry, list(_program(definition, file, entry)))
@@ -280,8 +284,8 @@ def _program(definition: Definition, file: WrittenFile, entry: Entries) -> Itera
 
 
 def sheet_rows(definition: Definition, entry: Entries) -> Iterator[SheetRow]:
-    """Yield what an engineer types in: the parameters, then every point with the position of the
-    section's upper end.
+    """Yield the rows that an engineer types in: the parameters, then every point with the position
+    of the section's upper end.
     """
     for quantity, value in entry.parameters.items():
         number = name_of(definition, quantity)

@@ -1,4 +1,4 @@
-"""What the lists of one axis do to it: its table and its backlash."""
+"""Table and backlash in the lists of one axis."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from compwright.records.correction import AxisCompensation
 
 @dataclass(frozen=True, slots=True)
 class AxisList:
-    """What acts on an axis, whether its table does (None: it has none), and the nodes of one that
-    does not, mm or deg.
+    """The active compensation of an axis, whether its table is active (None: it has none), and the
+    nodes of an inactive table, mm or deg.
     """
 
     compensation: AxisCompensation
@@ -24,7 +24,7 @@ class AxisList:
 
 
 def read_axis(of: AxisStatements) -> AxisList:
-    """Return what the lists of an axis hold. What is wrong goes to the notes of ``of``."""
+    """Return the compensation in the lists of an axis. Faults go to the notes of ``of``."""
     table = TableReader(of).read()
     active = None
     if table is not None:

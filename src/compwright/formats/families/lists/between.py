@@ -1,4 +1,4 @@
-"""Corrections between axes into the list of the corrected axis, and how these are loaded."""
+"""Corrections between axes in the list of the corrected axis, and how to load them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _STRAIGHT = 1e-9
 
 def lists_between(family: Family, request: BetweenRequest) -> Between:
     """Return the lists with the tables between axes, and the steps that load them; or why the
-    control cannot hold them. Raises UsageError where nobody says what the values are.
+    control cannot hold them. Raises UsageError if the meaning of the values is not given.
     """
     signs = {entry.output: _sign(family, request, entry) for entry in request.planned}
     before = request.read(request.base)
@@ -49,7 +49,7 @@ def _values(family: Family, request: BetweenRequest, entry: PlannedCross) -> obj
 
 
 def _sign(family: Family, request: BetweenRequest, entry: PlannedCross) -> int:
-    """Return by what a correction is multiplied to be a value of the list."""
+    """Return the factor from a correction to a value of the list."""
     meaning = _values(family, request, entry)
     if meaning is None:
         message = (
@@ -79,7 +79,7 @@ def _write(
     before: ControlState,
     planned: Sequence[PlannedCross],
 ) -> None:
-    """Write what acted and what is added as one table. Raises CapacityError."""
+    """Write the existing correction plus the added one as one table. Raises CapacityError."""
     added = entry.added
     rivals = {each.input for each in before.cross if each.output == added.output} | {
         each.added.input for each in planned if each.added.output == added.output
@@ -141,7 +141,7 @@ def _sum(tables: Sequence[CrossCompensation], where: FloatArray) -> FloatArray:
 
 
 def _corners(positions: FloatArray, values: FloatArray) -> list[int]:
-    """Return the points between which straight lines are the curve: of a straight line the ends."""
+    """Return the points between which the curve is straight: for a straight line its ends."""
     kept = [0]
     for index in range(1, positions.size - 1):
         around = np.array([kept[-1], index + 1])
@@ -152,7 +152,7 @@ def _corners(positions: FloatArray, values: FloatArray) -> list[int]:
 
 
 def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> list[dict[str, str]]:
-    """Return how a table gets into the control: the sign first, then the data."""
+    """Return the steps that load a table: the sign first, then the data."""
     added = entry.added
     named = " and ".join(file.name for file in files)
     texts = {
@@ -173,7 +173,7 @@ def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> l
 
 
 def _checking(entry: PlannedCross, meaning: str) -> str:
-    """Return the experiment that shows what a value of the list does."""
+    """Return the experiment that shows the effect of a value in the list."""
     added = entry.added
     factor, unit = outside_factor(added.output_kind.unit), shown_unit(added.output_kind.unit)
     low, high = (float(value) for value in added.positive[[0, -1]])

@@ -33,8 +33,8 @@ _REMARK = re.compile(r"(?!)")  # without_remarks has taken them
 def couplings_of(
     files: Sequence[ControlFile], owners: Mapping[str, int], wanted: Sequence[str]
 ) -> tuple[Coupling, ...]:
-    """Return which axes follow another one; ``owners``: the number of the axis whose list a file
-    is, by its name; ``asked``: the axes under work.
+    """Return which axes follow another one; ``owners``: file name -> number of the axis whose list
+    it is; ``wanted``: the axes under work.
     """
     plain = [ControlFile(file.name, without_remarks(file.content)) for file in files]
     return (*_of_axes(plain, owners, wanted), *_of_channels(plain, wanted))

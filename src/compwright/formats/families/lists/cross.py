@@ -1,4 +1,4 @@
-"""The table by which another axis corrects one, as it stands in the list of the corrected axis."""
+"""Table by which another axis corrects this one, in the list of the corrected axis."""
 
 from __future__ import annotations
 
@@ -33,8 +33,10 @@ CROSS_STATEMENTS = (
 def read_cross(
     lists: AxisStatements, kind_of: Callable[[str], AxisKind]
 ) -> CrossCompensation | None:
-    """Return what another axis does to this one, mm or deg; None without an acting table, and
-    where nobody says what its values are, which is told. What is wrong goes to the notes.
+    """Return the correction of this axis by another one, mm or deg.
+
+    None without an active table, and if the meaning of its values is unknown, which is noted.
+    Faults go to the notes.
     """
     entries = _entries(lists)
     master = lists.one("cross_master")
@@ -77,13 +79,13 @@ def read_cross(
 
 
 def left_out(notes: Notes, label: str, why: str) -> None:
-    """Note a table between axes that is left as it is."""
+    """Note a table between axes that is left unchanged."""
     notes.find("CW-S050.list", "warning", label=label, why=why)
 
 
 def _entries(lists: AxisStatements) -> list[tuple[Decimal, Decimal]]:
-    """Return position and value of every entry, as they stand; empty without a table, and where
-    something is wrong with it, which goes to the notes.
+    """Return position and value of every entry, as written; empty without a table, and with faults,
+    which go to the notes.
     """
     given = [
         place for name in CROSS_STATEMENTS for place in lists.lists.places(lists.address, name)

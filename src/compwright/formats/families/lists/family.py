@@ -1,5 +1,5 @@
-"""Entries by index in one list per axis, whose header names the axis; beside them one table by
-which another axis corrects it.
+"""Entries by index in one list per axis, whose header names the axis; also one table by which
+another axis corrects it.
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ RULES = ShapeRules(
 def _own_limits(
     axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
 ) -> Sequence[Fault]:
-    """Return what is wrong with the table of an endless axis, and a fault for a value that the
-    type of the build does not hold.
+    """Return the faults of the table of an endless axis, and of values that the number type does
+    not hold.
     """
     faults = limits.turn(capacity, compensation, label)
     low, high = capacity.value_range
@@ -85,13 +85,13 @@ class ListsFamily(Family):
         return read_state(self, files, axes, address, activity)
 
     def unit_of(self, axis: Axis) -> str:
-        """Return what the list of an axis counts in (a word of its unit), new lists in tenths."""
+        """Return the unit of an axis' list (a word); new lists count in tenths."""
         address, _ = self.address(axis)
         return str(self.state.facts_of(address).stated.get("table_form", "tenths"))
 
     def scale_of(self, axis: Axis) -> NumberScale:
-        """Return how the numbers of an axis are written. Raises UsageError where its list counts in
-        increments and nobody says how long one is.
+        """Return the number scale of an axis. Raises UsageError if its list counts in increments of
+        unknown size.
         """
         options = self.options_of(axis)
         increment: object = TENTH
@@ -115,8 +115,8 @@ class ListsFamily(Family):
         return counted(NumberScale(self.definition, axis.kind, options, {}), options, increment)
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """See `Family.capacity`. The reversal goes into the two columns: which direction the
-        control's backlash acts in is not known.
+        """See `Family.capacity`. The reversal goes into the two columns: it is not known in which
+        direction the control adds its backlash.
         """
         del one_curve
         scale = self.scale_of(axis)

@@ -1,7 +1,7 @@
 """Value lists, axis parameter lists and the start-up list -> the statements that count for an axis.
 
-A list says in its header whose it is; without a header the start-up list does. Where there is a
-start-up list, a value list that it does not name is not loaded.
+The header of a list names its axis; without a header the start-up list does. If there is a start-up
+list, a value list that it does not name is not loaded.
 """
 
 from __future__ import annotations
@@ -29,20 +29,18 @@ _REMARK = re.compile(rb"/\*.*?(?:\*/|\Z)|#[^\r\n]*", re.DOTALL)
 
 
 def without_remarks(content: bytes) -> bytes:
-    """Return a file with blanks in the place of remarks, so that every other byte keeps its
-    place.
-    """
+    """Return a file with blanks in place of remarks, so that every other byte keeps its place."""
     return _REMARK.sub(lambda remark: re.sub(rb"[^\r\n]", b" ", remark[0]), content)
 
 
 @dataclass(slots=True)
 class ListsByAxis:
-    """All lists, sorted by axis: ``said[address][statement]`` in the order of the files.
+    """All lists, sorted by axis: ``statements[address][statement]`` in the order of the files.
 
-    ``files``: the places of the files of an axis among those given; ``start_up``: those of start-up
-    lists. ``unlisted``: axes whose lists stand under no start-up list, although one was given.
-    ``missing``: where the start-up list names a file that was not given, by axis. ``odd``: what is
-    wrong with the lists of one axis.
+    ``files``: the indices of an axis' files among those given; ``start_up``: those of start-up
+    lists. ``unlisted``: axes whose lists are not named in the given start-up list. ``missing``: by
+    axis, where the start-up list names a file that was not given. ``odd``: faults of the lists of
+    one axis.
     """
 
     definition: Definition
@@ -53,7 +51,7 @@ class ListsByAxis:
     missing: dict[str, FoundValue] = field(default_factory=dict)
 
     def places(self, address: str, statement: str) -> Sequence[FoundValue]:
-        """Return every place where a statement stands for an axis."""
+        """Return every place of a statement for an axis."""
         return self.statements.get(address, {}).get(statement, ())
 
     def name(self, statement: str) -> str:
@@ -63,7 +61,7 @@ class ListsByAxis:
         return f"{name_in_form(head)}[..]{tail.split()[0]}" if bracket else name_in_form(form)
 
     def value_files(self, address: str) -> set[int]:
-        """Return the places of the loaded value lists of an axis among the files."""
+        """Return the indices of the loaded value lists of an axis among the files."""
         return {
             found.number
             for name, places in self.statements.get(address, {}).items()
@@ -77,8 +75,8 @@ def _in_value_list(definition: Definition, statement: str) -> bool:
 
 
 def read_lists(definition: Definition, files: Sequence[ControlFile], notes: Notes) -> ListsByAxis:
-    """Return what the files say of each axis; lines that cannot be read, and lists that nobody can
-    tell an axis of, go to the faults of ``notes``.
+    """Return the statements of each axis; unreadable lines, and lists of an unknown axis, go to the
+    faults of ``notes``.
     """
     reader = text_reader(definition)
     texts: list[ReadText] = []
@@ -118,7 +116,9 @@ class _Sorter:
         self._check_count()
 
     def _check_count(self) -> None:
-        """Refuse what the start-up list names beyond its own number of lists: it is not loaded."""
+        """Refuse entries of the start-up list beyond its own number of lists: they are not
+        loaded.
+        """
         counts: Sequence[FoundValue] = self.lists.start_up.get(LISTED_COUNT, ())
         name = self.lists.name(LISTED_COUNT)
         for other in counts[1:]:
@@ -152,7 +152,7 @@ class _Sorter:
         return entries
 
     def sort(self, text: ReadText) -> None:
-        """Put the statements of one file under its axis."""
+        """Sort the statements of one file under its axis."""
         own = [each for each in text.occurrences if each.statement not in _START_UP]
         values = any(_in_value_list(self.lists.definition, each.statement) for each in own)
         indices = [i for i, name in self.names.items() if base_name(name.text) == _low(text)]
@@ -171,7 +171,7 @@ class _Sorter:
     def _address(
         self, text: ReadText, own: Sequence[Occurrence], indices: Sequence[int]
     ) -> str | None:
-        """Return whose list a file is, by its header and by the start-up list, which must agree."""
+        """Return the axis of a list, by its header and by the start-up list, which must agree."""
         headers = [
             FoundValue(each.tokens["axis"].text, each, text.number)
             for each in own
@@ -229,12 +229,12 @@ def _low(text: ReadText) -> str:
 
 
 def _value(occurrence: Occurrence) -> str:
-    """Return what a statement says."""
+    """Return the value of a statement."""
     tokens = occurrence.tokens
     return tokens["value" if "value" in tokens else "axis"].text
 
 
 def entries(places: Sequence[FoundValue]) -> Iterator[tuple[int, FoundValue]]:
-    """Yield the index of each of the places of an entry, with the place."""
+    """Yield index and place of each entry."""
     for found in places:
         yield int(found.occurrence.tokens["index"].text), found

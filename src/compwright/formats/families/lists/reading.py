@@ -1,7 +1,6 @@
-"""A control's own lists -> what acts in it, for every axis that they name.
+"""A control's own lists -> the active compensation, for every axis that they name.
 
-Missing is not zero. What had to be assumed is listed; what is odd about an axis that nobody asks
-for stops nothing.
+Missing is not zero. Assumptions are listed; faults of an axis that is not under work stop nothing.
 """
 
 from __future__ import annotations
@@ -43,7 +42,7 @@ def read_state(
     address: str | None,
     activity: Activity,
 ) -> ControlState:
-    """Return what a control does with ``files``; arguments and errors as `Family.read`."""
+    """Return the state of a control with ``files``; arguments and errors as `Family.read`."""
     return _ListStateReader(family, axes, address, activity).read(files)
 
 
@@ -118,7 +117,7 @@ class _ListStateReader:
         )
 
     def _couplings(self, lists: ListsByAxis, files: Sequence[ControlFile]) -> None:
-        """Hold what couples axes against the job."""
+        """Compare the couplings of axes with the job."""
         owners = {
             files[number].name: int(address)
             for address, numbers in lists.files.items()
@@ -157,7 +156,7 @@ class _ListStateReader:
         )
 
     def _axis(self, lists: ListsByAxis, address: str, axis: Axis | None) -> None:
-        """Read an axis that is asked for."""
+        """Read an axis under work."""
         reader = self._reader(lists, address, axis, self.notes, self.activity)
         own = read_axis(reader)
         self.compensations[address] = own.compensation
@@ -175,8 +174,8 @@ class _ListStateReader:
             self._check_turn(axis, self.compensations[address])
 
     def _unasked(self, lists: ListsByAxis, address: str) -> None:
-        """Read what another axis does to one that nobody asks for; where it is odd it is left out,
-        and said.
+        """Read the correction of an axis that is not under work by another one; with faults it is
+        left out, and noted.
         """
         own, notes = Notes(), Notes()
         activity = Activity(stated=self.activity.stated)
@@ -192,7 +191,7 @@ class _ListStateReader:
         self.cross.extend([between] if between is not None else [])
 
     def _twins(self, other: str, table: AxisCompensation) -> None:
-        """Note an axis that nobody asks for with the same table as one of the job."""
+        """Note an axis that is not under work with the same table as one of the job."""
         if not np.any(table.positive) and not np.any(table.negative):
             return
         for address, mine in self.compensations.items():
@@ -218,7 +217,7 @@ class _ListStateReader:
         return known or AxisKind.LINEAR
 
     def _check_turn(self, axis: Axis, table: AxisCompensation) -> None:
-        """Tell a table that ends on an endless axis, or repeats on one with ends."""
+        """Note a table that ends on an endless axis, or repeats on one with ends."""
         if table.positions.size == 0 or (axis.modulo is None) == (table.period is None):
             return
         self.notes.find("CW-S056", "warning", axis.address, axis=axis.address, period=table.period)

@@ -1,4 +1,4 @@
-"""What the lists say of one axis, statement by statement; every contradiction is noted once."""
+"""Statements of one axis in the lists; every contradiction is noted once."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from compwright.records.facts import Fact
 
 
 class AxisStatements:
-    """The statements of one axis. ``axis``: that of a job, None without one; ``said``: what later
-    readers of the lists need of it, by neutral name. What is wrong goes to ``notes``.
+    """The statements of one axis. ``axis``: that of a job, None without one; ``stated``: values
+    that later readers of the lists need, by neutral name. Faults go to ``notes``.
     """
 
     def __init__(
@@ -48,7 +48,7 @@ class AxisStatements:
         self.stated: dict[str, Fact] = {}
 
     def one(self, statement: str) -> FoundValue | None:
-        """Return what a statement says; said twice with two values it is a fault."""
+        """Return the place of a statement; two different values are a fault."""
         return self._agreed(statement, self.lists.places(self.address, statement))
 
     def _agreed(self, what: str, places: Sequence[FoundValue]) -> FoundValue | None:
@@ -62,7 +62,7 @@ class AxisStatements:
         return places[0] if places else None
 
     def needed(self, statement: str, given: FoundValue | None) -> FoundValue | None:
-        """Return what a statement says; it must be there, because ``beside`` is."""
+        """Return the place of a statement that is required because ``given`` is there."""
         found = self.one(statement)
         if found is None and not self.lists.places(self.address, statement):
             name = self.lists.name(statement)
@@ -73,15 +73,16 @@ class AxisStatements:
         return found
 
     def word(self, quantity: str) -> str | None:
-        """Return the neutral word of a choice, with what counts where the lists do not say it."""
+        """Return the neutral word of a choice, with its default if the lists do not hold it."""
         found = self.one(self.definition.bindings[quantity].statement)
         return self.values.word(quantity, found) if found else self.values.absent(quantity)
 
     def is_active(self, switch: str, manual: str, *, zero: bool, label: str) -> bool:
-        """Return whether a table acts by the switch of the axis and its own manual activation.
+        """Return whether a table is active, by the switch of the axis and its own manual
+        activation.
 
-        A switch in no list counts as on; one that is off is asked about where readings hang on
-        the answer. ``zero``: it holds nothing but zeros.
+        A switch in no list counts as on; if it is off, the job's answer is required where
+        measurements depend on it. ``zero``: the table holds only zeros.
         """
         on, by_hand = self.one(switch), self.one(manual)
         off = [
@@ -113,7 +114,7 @@ class AxisStatements:
         return True
 
     def any_place(self) -> FoundValue | None:
-        """Return some statement of the axis, for messages."""
+        """Return the place of any statement of the axis, for messages."""
         statements = self.lists.statements.get(self.address, {})
         return next((found for places in statements.values() for found in places), None)
 
@@ -126,7 +127,7 @@ class AxisStatements:
         return {index: found for index, found in agreed.items() if found is not None}
 
     def room(self, statement: str, default: int) -> int:
-        """Return how many entries there is room for; 0 means the default."""
+        """Return the number of entries that fit; 0 in the list means ``default``."""
         found = self.one(statement)
         number = int(found.text) if found is not None else 0
         if number:
@@ -142,7 +143,7 @@ class AxisStatements:
         *,
         needed: bool = True,
     ) -> None:
-        """Every entry must be there, and none beyond the last one."""
+        """Check that every entry is there, and none beyond the last one."""
         name = self.lists.name(column)
         missing = count - sum(index < count for index in rows) if needed else 0
         if missing:
@@ -163,7 +164,7 @@ class AxisStatements:
     def check_ascending(
         self, places: Sequence[Decimal], setpoints: Mapping[int, FoundValue], otherwise: FoundValue
     ) -> None:
-        """Refuse the first of some positions that does not lie above the one before it."""
+        """Refuse the first of some positions that is not above the one before it."""
         for index in range(1, len(places)):
             if places[index] <= places[index - 1]:
                 message = f"the positions do not ascend at entry {index}"

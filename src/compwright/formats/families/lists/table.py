@@ -1,4 +1,4 @@
-"""The table of an axis as its list holds it -> corrections by position."""
+"""The table of an axis in its list -> corrections by position."""
 
 from __future__ import annotations
 
@@ -55,14 +55,14 @@ class ListTable:
 
 
 class TableReader:
-    """Reads the table of one axis; what is wrong goes to its notes."""
+    """Reads the table of one axis; faults go to its notes."""
 
     def __init__(self, of: AxisStatements) -> None:
         self.of = of
 
     def read(self) -> ListTable | None:
-        """Return the table of the list, whether it acts or not; None where there is none, or
-        where it cannot be read.
+        """Return the table of the list, active or not; None if there is none, or if it cannot be
+        read.
         """
         of, before = self.of, len(self.of.notes.faults)
         rows = {column: of.rows(column) for column in COLUMNS}
@@ -96,15 +96,13 @@ class TableReader:
         return None if len(of.notes.faults) > before else table
 
     def _note_limits(self) -> None:
-        """Note what the list counts in and its room for entries: they hold for an empty table
-        too.
-        """
+        """Keep the unit of the list and its room for entries: they hold for an empty table too."""
         if self.of.one("unit") is not None and (word := self.of.word("table_form")) is not None:
             self.of.stated["table_form"] = word
         self.of.room("max_points", 0)
 
     def _needed_word(self, quantity: str, given: FoundValue | None) -> str | None:
-        """Return the word of a choice that must be there."""
+        """Return the word of a required choice."""
         statement = self.of.definition.bindings[quantity].statement
         return None if self.of.needed(statement, given) is None else self.of.word(quantity)
 
@@ -134,8 +132,9 @@ class TableReader:
         )
 
     def scale(self, word: str | None, place: FoundValue | None) -> NumberScale | None:
-        """Return how the numbers of a table are read, by the word of its unit; None where nobody
-        says how long an increment is, which is asked.
+        """Return the number scale of a table, by the word of its unit.
+
+        None, with a question, if the size of an increment is unknown.
         """
         increment: object = TENTH
         if word == "increments":
@@ -211,7 +210,7 @@ class TableReader:
     def _listed(
         self, setpoints: Mapping[int, FoundValue], count: int, place: FoundValue | None
     ) -> list[Decimal]:
-        """Return the positions where every entry has its setpoint."""
+        """Return the positions if every entry has its setpoint."""
         self.of.complete(setpoints, count, "setpoint", place)
         result = [Decimal(setpoints[index].text) for index in range(count) if index in setpoints]
         start = self.of.one("start")
@@ -225,7 +224,7 @@ class TableReader:
     def _even(
         self, setpoints: Mapping[int, FoundValue], count: int, step: Decimal, interval: FoundValue
     ) -> list[Decimal]:
-        """Return the positions at equal spacing; setpoints beside it must say the same."""
+        """Return the positions at equal spacing; setpoints in the list must agree with them."""
         start = self.of.needed("start", interval)
         if start is None:
             return []
@@ -240,9 +239,7 @@ class TableReader:
         return result
 
     def _one_column(self, rows: Mapping[str, Mapping[int, FoundValue]]) -> None:
-        """A table for both directions uses the column of +; another one beside it must be the
-        same.
-        """
+        """Return the column of + for both directions; a column of - must be the same."""
         for index, found in rows["negative"].items():
             first = rows["positive"].get(index)
             if first is not None and not same_value(first.text, found.text):
@@ -262,7 +259,7 @@ class TableReader:
         return value
 
     def _check_type(self, found: FoundValue) -> None:
-        """Hold a number against the type of the values, where somebody says it."""
+        """Check a number against the type of the values, if that is given."""
         kind = str(self.of.options.get("value_type"))
         most = VALUE_TYPES.get(kind)
         number = Decimal(found.text)
@@ -280,7 +277,7 @@ class TableReader:
     def _period(
         self, positions: Sequence[Decimal], curves: Sequence[Sequence[Decimal]], count: float
     ) -> float | None:
-        """Return the turn of a table that repeats: first and last entry are one place."""
+        """Return the turn of a table that repeats: first and last entry are one position."""
         place = self.of.one("modulo")
         if self.of.word("repeats") != "yes" or place is None:
             return None

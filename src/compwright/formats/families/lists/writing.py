@@ -1,8 +1,8 @@
 """Tables -> lists: the control's own, changed in place, or new ones by the same changes on their
 skeleton.
 
-A value keeps its line; where the entries change in number, place or form, the old ones go and the
-new ones stand where the first of them stood. Every other byte stays.
+A value keeps its line. If the entries change in number, place or form, the old ones are removed and
+the new ones are put at the place of the first of them. Every other byte stays.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _CROSS_COLUMNS = ("cross_setpoint", "cross_correction")
 
 
 class ListsWriter:
-    """Changes to the lists of a control. Raises InputError where they cannot be read."""
+    """Changes to the lists of a control. Raises InputError if they cannot be read."""
 
     def __init__(self, definition: Definition, files: Sequence[ControlFile]) -> None:
         self.definition = definition
@@ -54,7 +54,7 @@ class ListsWriter:
     def put_table(
         self, address: str, table: AxisCompensation, scale: NumberScale, faults: list[Fault]
     ) -> None:
-        """Put the table of an axis into its list; a number that the list cannot hold goes to
+        """Put the table of an axis into its list; numbers that the list cannot hold go to
         ``faults``.
         """
         label = f"axis {address}"
@@ -86,7 +86,7 @@ class ListsWriter:
             self._put(self.lists.places(address, "backlash"), "0")
 
     def _words(self, address: str) -> dict[str, str]:
-        """Return the unit of a new list, and that every table has two columns."""
+        """Return the unit of a new list, and two columns for every table."""
         bindings = self.definition
         unit = self.lists.places(address, "unit")
         return {
@@ -119,7 +119,7 @@ class ListsWriter:
     # --- where a table stands
 
     def _home(self, address: str) -> None:
-        """Make a list for an axis that has none, and name it in the start-up list."""
+        """Create a list for an axis that has none, and name it in the start-up list."""
         if self.lists.value_files(address):
             return
         file = self.definition.writing[0]
@@ -140,7 +140,7 @@ class ListsWriter:
         return name
 
     def _announce(self, address: str, name: str) -> None:
-        """Name a new list in the start-up list, where there is one."""
+        """Name a new list in the start-up list, if there is one."""
         start_up = self.lists.start_up
         listed = [*start_up.get(LISTED_AXIS, ()), *start_up.get(LISTED_FILE, ())]
         if not listed:
@@ -156,8 +156,8 @@ class ListsWriter:
             self._put([place], str(int(place.text) + 1))
 
     def _interval(self, address: str, counts: Sequence[int]) -> int:
-        """Return the interval where the axis' own list has one and the positions allow it; else 0:
-        every entry has its setpoint.
+        """Return the interval if the axis' own list has one and the positions allow it; else 0:
+        every entry gets its setpoint.
         """
         own = self.lists.places(address, "interval")
         steps = set(np.diff(counts).tolist())
@@ -208,8 +208,8 @@ class ListsWriter:
         new: Mapping[Entry, str],
         known: Sequence[str],
     ) -> bool:
-        """Return whether the entries of a list stand where the new ones are to stand: then values
-        change in their lines.
+        """Return whether the existing entries are at the places of the new ones: then values change
+        in their lines.
         """
         old = {
             (column, index): found
@@ -230,7 +230,7 @@ class ListsWriter:
     def _anchor(
         self, address: str, names: Sequence[str], places: Sequence[FoundValue]
     ) -> FoundValue:
-        """Return the line before the first entry of a table, else behind what its list says of it,
+        """Return the line before the first entry of a table, else the last line about the table,
         else the last line of the list.
         """
         if places:
@@ -247,19 +247,19 @@ class ListsWriter:
         return print_form(self.definition.statements[statement].form, fields)
 
     def _put(self, places: Sequence[FoundValue], text: str) -> bool:
-        """Set a value wherever it stands; False where it stands nowhere."""
+        """Set a value at all its places; False if it has none."""
         for place in places:
             if not same_value(place.text, text):
                 self.patches.replace(place.number, *set_field(place.occurrence, "value", text))
         return bool(places)
 
     def _make_act(self, address: str, switch: str, manual: str) -> None:
-        """Switch on a table where the lists end with it off."""
+        """Switch on a table if the lists end with it off."""
         self._put(self.lists.places(address, switch), "1")
         self._put(self.lists.places(address, manual), "0")
 
     def _take_out(self, found: FoundValue) -> None:
-        """Take out an old entry with its line; a remark over several lines stays."""
+        """Remove an old entry with its line; a remark over several lines stays."""
         line = self.patches.line(found.number, _start(found))
         content = self.patches.files[found.number].content
         raw = content[line.start : line.end]
@@ -280,7 +280,7 @@ def _start(found: FoundValue) -> int:
 def _texts(
     scale: NumberScale, quantity: str, values: FloatArray, label: str, faults: list[Fault]
 ) -> list[str]:
-    """Return numbers as whole counts; what is none goes to ``faults``."""
+    """Return numbers as whole counts; other numbers go to ``faults``."""
     texts = []
     for value in values:
         try:

@@ -1,1 +1,1 @@
-"""Tables between axes beside those of a grid: an axis over itself, or over another."""
+"""Tables between axes in addition to those of a grid: an axis over itself, or over another."""

@@ -1,5 +1,5 @@
-"""What is known of the contents of a commissioning archive: values that stand in two of its members
-must agree, and nothing else in the container speaks of them.
+"""Consistency of a commissioning archive: values in two of its members must agree; nothing else in
+the container checks them.
 """
 
 from __future__ import annotations
@@ -28,7 +28,9 @@ _SHOWN = 2
 
 @lru_cache(maxsize=8)
 def contradictions(file: ControlFile) -> tuple[Fault, ...]:
-    """Return where two members of an archive give one variable two values, with both lines."""
+    """Return the faults of variables with two values in two members of an archive, with both
+    lines.
+    """
     container, _ = opened(file)
     seen: dict[str, tuple[str, str, int]] = {}
     faults = []
@@ -67,8 +69,8 @@ def _assigned(content: bytes) -> dict[str, tuple[str, int]]:
 
 
 def compared(gathered: Gathered, address: str, system: str, unit: str) -> str:
-    """Return the three values of an axis that are compared with the control's display: the largest
-    and the smallest of its table, and the backlash; as the archive names them, in ``unit``.
+    """Return the three values of an axis to be compared with the control's display, as in the
+    archive, in ``unit``: the largest and the smallest of its table, and the backlash.
     """
     definition = gathered.definition
     rows = gathered.rows.get((address, system), [])

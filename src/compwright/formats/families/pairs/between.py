@@ -1,4 +1,4 @@
-"""Corrections between axes in free tables of their own, and how these get into the control."""
+"""Corrections between axes in free tables of their own, and how to load them."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _OWN = "own files/"
 
 def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Between:
     """Return the tables between axes with the steps that load them, or why the control has no room
-    for them. ``small``: what is written is delivered in small files.
+    for them. ``small``: the result is delivered in small files.
     """
     before = request.read(request.base)
     try:
@@ -52,8 +52,8 @@ def _written(
 ) -> tuple[ControlFile, ...]:
     """Return the files of the base that change, and new ones under names that no file of it has.
 
-    A new file may be called like one that a former round left in the control: it must not stand in
-    for that one.
+    A new file may have the same name as one that a former round left in the control: it must not
+    replace that one.
     """
     marked = [replace(file, name=_OWN + file.name) for file in request.base]
     taken = {file.name for file in request.base}
@@ -71,7 +71,7 @@ def _written(
 
 
 def _named(family: Family, entry: PlannedCross, new: Sequence[ControlFile], *, small: bool) -> str:
-    """Return the names of the files that hold a new table, as they are delivered."""
+    """Return the names of the delivered files that hold a new table."""
     if not small:
         return " and ".join(file.name for file in new)
     form = next(file.name for file in family.definition.writing if file.when == "cross")
@@ -85,10 +85,10 @@ def _steps(
     before: ControlState,
     after: ControlState,
 ) -> list[dict[str, str]]:
-    """Return how the new tables between two axes get into the control: sign first, then the data,
-    the switches last.
+    """Return the steps that load the new tables between two axes: sign first, then the data, the
+    switches last.
 
-    Tables of the same axes that were there before are none of ours, and stay as they are.
+    Existing tables of the same axes belong to others, and stay unchanged.
     """
     added = entry.added
     pair, others = (added.input, added.output), before.tables.used

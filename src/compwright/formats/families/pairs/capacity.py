@@ -1,4 +1,4 @@
-"""What an axis can hold in a pair of tables over itself, one for each direction."""
+"""Capacity of a pair of tables of an axis over itself, one for each direction."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ from compwright.records.facts import PairTables
 
 
 class PairLimits(GridLimits):
-    """The limits of one axis' pair of tables, which stand in the place of one table and backlash. A
-    gantry needs a pair for each of its axes.
+    """The limits of one axis' pair of tables, which replace one table and backlash. A gantry needs
+    a pair for each of its axes.
     """
 
     def capacity(self) -> Capacity:
@@ -81,7 +81,7 @@ class PairLimits(GridLimits):
         return assumed
 
     def _points(self, addresses: Sequence[str]) -> int | None:
-        """Return how many points each of the tables may have; None: as many as are needed."""
+        """Return how many points each of the tables may have; None: any number."""
         tables = self.control.state.tables
         taken = self._tables(addresses, tables)
         fixed = self.definition.limit_number("cross_points")
@@ -105,9 +105,7 @@ class PairLimits(GridLimits):
         return taken
 
     def _room(self, address: str) -> float:
-        """Return what CEC_MAX_SUM leaves beside the tables by which other axes correct this one, mm
-        or deg.
-        """
+        """Return the part of CEC_MAX_SUM that the tables from other axes leave, mm or deg."""
         state = self.control.state
         facts = state.facts_of(address).pairs
         if facts.max_sum is None:

@@ -1,5 +1,5 @@
-"""What one axis does to another (squareness, straightness) -> tables beside whatever acts
-already.
+"""Corrections between axes (squareness, straightness) -> tables in addition to the existing
+ones.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ from compwright.records.correction import AxisCompensation, ControlFile, CrossCo
 def write_cross(
     control: Family, cross: Sequence[CrossCompensation], files: Sequence[ControlFile] = ()
 ) -> tuple[ControlFile, ...]:
-    """Return the files that add ``cross`` to what the control does: those of ``files`` that change,
-    and new ones.
+    """Return the files that add ``cross`` to the existing corrections: those of ``files`` that
+    change, and new ones.
 
-    Each entry goes into free tables of its own (one for both directions, or one for each) beside
-    whatever acts already; values are what is added to the output axis, mm or deg. Two points are a
-    ramp. With tables of the same run, the state of ``control`` and ``files`` are what writing them
-    returned, so that no index is taken twice. Raises UsageError for an axis over itself,
-    CapacityError with everything that the control cannot hold, too few free indices in
-    ``cec_tables`` among it.
+    Each entry goes into free tables of its own (one for both directions, or one for each) in
+    addition to the existing ones; values are what is added to the output axis, mm or deg. Two
+    points are a ramp. With tables of the same run, the state of ``control`` and ``files`` are those
+    returned by writing them, so that no index is taken twice. Raises UsageError for an axis over
+    itself, CapacityError with everything that the control cannot hold, including too few free
+    indices in ``cec_tables``.
     """
     definition, state = control.definition, control.state
     if not available(control.options):
@@ -98,9 +98,7 @@ def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> li
 
 
 def _beyond_sum(writer: CecWriter, entry: CrossCompensation) -> list[Fault]:
-    """Return the fault of a table with which the sum on its output axis would reach beyond
-    CEC_MAX_SUM.
-    """
+    """Return the fault of a table if the sum on its output axis would exceed CEC_MAX_SUM."""
     output = writer.tables.axis(entry.output)
     state = writer.control.state
     facts = state.facts_of(output).pairs

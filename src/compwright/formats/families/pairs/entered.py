@@ -1,5 +1,5 @@
-"""Every assignment of a SINUMERIK's files: machine and setting data, tables, whatever else an
-archive sets, by variable, index and axis; X1 and AX1 are one axis where MD10000 says so.
+"""Every assignment of a SINUMERIK's files (machine and setting data, tables, all others in an
+archive), by variable, index and axis; X1 and AX1 are one axis if MD10000 states it.
 """
 
 from __future__ import annotations
@@ -83,8 +83,8 @@ _SILENT = ("$MA_POS_LIMIT",)
 def entered(
     definition: Definition, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()
 ) -> dict[str, Entered]:
-    """Return every assignment of the files; what is assigned last counts. ``naming``: further files
-    that may list the names of the axes.
+    """Return every assignment of the files; the last one counts. ``naming``: further files that may
+    list the names of the axes.
     """
     sheets = [file for file in files if is_entry_sheet(file)]
     lines = list(_lines([file for file in files if file not in sheets]))
@@ -115,8 +115,8 @@ def _lines(files: Sequence[ControlFile]) -> Iterator[tuple[str, int, str]]:
 
 
 def _units(lines: Sequence[tuple[str, int, str]]) -> Iterator[Entered]:
-    """Yield the unit in which the files say that their numbers stand, once; each file that says
-    another one than most of them by its name.
+    """Yield the unit of numbers stated in most files, once; and by name each file that states
+    another unit.
     """
     units_stated = [
         (file, number, match[1].upper())
@@ -134,7 +134,7 @@ def _units(lines: Sequence[tuple[str, int, str]]) -> Iterator[Entered]:
 
 
 def _named(lines: Iterator[str]) -> Iterator[tuple[str, str]]:
-    """Yield the machine's name of each axis, and its place."""
+    """Yield the machine's name of each axis, and its index."""
     for line in lines:
         if _NAMES not in line.upper():
             continue
@@ -169,8 +169,8 @@ def _meaning(group: str) -> str:
 def whereabouts(
     _: Definition, entry: Entered, entries: Mapping[str, Entered], __: ControlState | None
 ) -> tuple[tuple[str, ...], float | None]:
-    """Return the axes that a value belongs to, and the position of a value of a table, in the unit
-    of its file.
+    """Return the axes that a value belongs to, and the position of a table value, in the unit of
+    its file.
     """
     index = entry.name.partition("[")[2].rstrip("]").split(",")
     if entry.group == "$AA_ENC_COMP" and len(index) == 3:

@@ -1,5 +1,5 @@
-"""Tables between axes beside those of a grid: an axis over itself, one table for each direction, or
-over another one.
+"""Tables between axes in addition to those of a grid: an axis over itself, one table for each
+direction, or over another one.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ _LISTING = "a listing with decimal commas, which the control does not take"
 
 
 def _shown(control: Family) -> Family:
-    """Return the control that shows tables between axes as corrections where their sign is not
+    """Return the control that shows tables between axes as corrections if their sign is not
     given.
     """
     if control.options.get("cec_sign", "") is not None:
@@ -77,7 +77,7 @@ def _drafted(control: Family) -> Family:
 
 
 def _alone(control: Family, files: Sequence[ControlFile]) -> Sequence[str]:
-    """Return every axis: each line names its own, and each has its own table."""
+    """Return every axis: each line names its own axis, and each axis has its own table."""
     return PairsReader(_shown(control), files, (), None, Activity()).named()
 
 
@@ -139,18 +139,18 @@ class PairsFamily(GridFamily):
         return Delivery(tuple(files), small.back())
 
     def _small_files(self, own: Sequence[ControlFile]) -> bool:
-        """Return whether what is written into the control's ``own`` files is delivered in small
-        ones.
-        """
+        """Return whether changes to the control's ``own`` files are delivered in small ones."""
         form = self.options.get("files")
         if any(self._unpatched(file) for file in own) or form == "patched":
             return form != "patched"
         return bool(own) and (form == "small" or any(map(self._holds_others, own)))
 
     def _holds_others(self, file: ControlFile) -> bool:
-        """Return whether a file holds tables behind several switches: loaded whole, it would assign
-        again those that are on, which the control protects. Tables between axes, such as one for
-        each direction, have the switch of the axis that they correct.
+        """Return whether a file holds tables behind several switches.
+
+        Loaded whole, it would assign again tables that are on, which the control protects. Tables
+        between axes, such as one for each direction, share the switch of the axis that they
+        correct.
         """
         own, output = self._statements_of("value"), self._statements_of("cross_output")
         between = self._statements_of("cross_value")
@@ -180,7 +180,7 @@ class PairsFamily(GridFamily):
         return {self.definition.bindings[name].statement for name in quantities}
 
     def _check_form(self, own: Sequence[ControlFile]) -> None:
-        """Refuse to patch what the control would not take."""
+        """Refuse to patch files that the control would not take."""
         if self.options.get("files") != "patched":
             return
         reasons = {file.name: why for file in own if (why := self._unpatched(file))}
@@ -226,8 +226,9 @@ class PairsFamily(GridFamily):
         return pairs_between(self, request, small=self._small_files(request.found))
 
     def _named_files(self, axis: Axis, files: Sequence[ControlFile]) -> dict[str, str]:
-        """Return how the card calls the files: of one table on an axis, and of those over itself
-        that it empties; of a pair the one may stand in a new file, the other in the control's own.
+        """Return the names of the files on the card: of one table on an axis, and of those over
+        itself that it empties; of a pair one table may be in a new file, the other in the control's
+        own.
         """
         names, written = named_files(self, axis, files), [file.name for file in files]
         table, emptied = names.get("file_1", ""), names.get("file_3", "")
@@ -245,8 +246,8 @@ class PairsFamily(GridFamily):
         return names
 
     def _around_emptied(self, axis: Axis) -> dict[str, str]:
-        """Return what the card says around tables of an axis over itself in whose place one table
-        goes: on, they are protected, and would keep their values.
+        """Return the card's text on an axis' tables over itself that one table replaces: while on,
+        they are protected, and would keep their values.
         """
         address = self.address(axis)[0]
         allowed = allowed_tables(self.definition, self.options_of(axis))

@@ -1,4 +1,4 @@
-"""What the lines of tables between axes say, value by value, and whether a table acts."""
+"""Lines of tables between axes, value by value, and whether a table is active."""
 
 from __future__ import annotations
 
@@ -30,25 +30,25 @@ _SWITCHES = "SD41300 $SN_CEC_TABLE_ENABLE, MD32710 $MA_CEC_ENABLE"
 
 @dataclass(frozen=True, slots=True)
 class Units:
-    """In what the numbers of tables and machine data stand. ``inch``: the basic system; ``kind``:
-    that of an axis by its address.
+    """Units of the numbers in tables and machine data. ``inch``: the basic system; ``kind``: kind
+    of an axis by its address.
     """
 
     inch: bool
     kind: Callable[[str], AxisKind]
 
     def basic(self, address: str) -> float:
-        """Return mm or deg in the unit in which the machine data of an axis stand."""
+        """Return mm or deg per unit of the machine data of an axis."""
         linear = self.kind(address) is not AxisKind.ROTARY
         return MILLIMETRES_PER_INCH if self.inch and linear else 1.0
 
     def may_be_inch(self, pair: Pair) -> bool:
-        """Return whether nobody knows the unit of a table of these axes."""
+        """Return whether the unit of a table of these axes is unknown."""
         return self.inch and any(self.kind(one) is not AxisKind.ROTARY for one in pair)
 
 
 class SingleValues:
-    """Reads single values of the files ``gathered``."""
+    """Reads single values of the ``gathered`` files."""
 
     def __init__(self, gathered: Gathered, notes: Notes) -> None:
         self.gathered = gathered
@@ -56,14 +56,16 @@ class SingleValues:
         self.notes = notes
 
     def values(self, label: str) -> Values:
-        """Return the values of one table or axis, which ``label`` names."""
+        """Return the values of one table or axis, named by ``label``."""
         return Values(self.definition, label, self.notes)
 
     def word(
         self, label: str, quantity: str, found: FoundValue | None, *, tell: bool = True
     ) -> str | None:
-        """Return the neutral word of a choice, or what counts when it is absent, which is listed
-        (``tell``). A value that is not known is a fault.
+        """Return the neutral word of a choice, or its default if it is absent, which is listed
+        (``tell``).
+
+        An unknown value is a fault.
         """
         if found is None:
             return self.values(label).absent(quantity, tell=tell)
@@ -79,7 +81,7 @@ class SingleValues:
 
 @dataclass(frozen=True, slots=True)
 class _Switch:
-    """How the files end with one switch: ``word`` None where they do not say it."""
+    """Last state of one switch in the files: ``word`` None if they do not hold it."""
 
     quantity: str
     owner: str
@@ -89,10 +91,10 @@ class _Switch:
 
 @dataclass(frozen=True, slots=True)
 class _Leadscrew:
-    """What the files say of an axis' leadscrew tables.
+    """Leadscrew tables of an axis in the files.
 
-    ``on``: they end with one switched on. ``word``: how they end of those that are not zero
-    (``yes``, ``no``, ``unsaid``; empty: there is none).
+    ``on``: one is switched on at the end. ``word``: last state of those that are not zero (``yes``,
+    ``no``, ``unsaid``; empty: there is none).
     """
 
     on: bool
@@ -121,8 +123,8 @@ class TableLines(SingleValues):
         return self.pair[0] == self.pair[1]
 
     def on(self) -> bool:
-        """Return whether the files end with the table switched on, itself and the sum on its output
-        axis; nothing is noted.
+        """Return whether the files end with both switches of the table on: its own, and that of the
+        sum on its output axis. Nothing is noted.
         """
         output = self.pair[1]
         ends = (
@@ -132,8 +134,10 @@ class TableLines(SingleValues):
         return all(self._ends_on(quantity, last(quantity, places)) for quantity, places in ends)
 
     def known_on(self) -> bool:
-        """Return whether the files, or the job where they do not say it, tell that the table is
-        on; where nobody asks, what they do not say counts as on.
+        """Return whether the table is known to be on, by the files or, if they do not state it, by
+        the job.
+
+        If no answer is required, a missing switch counts as on.
         """
         output = self.pair[1]
         ends = (
@@ -150,10 +154,12 @@ class TableLines(SingleValues):
         return values.known_word(binding, found.text) == "yes"
 
     def is_active(self, *, under_work: bool, stays: bool) -> bool:
-        """Return whether no file switches the table off, itself or the sum on its output axis;
-        values of an unknown unit are refused. ``asked``: its output axis is asked for. ``stays``:
-        its index is not one to be written; then nothing depends on whether one that no file
-        switches off was active.
+        """Return whether no file switches the table off, by its own switch or by that of the sum on
+        its output axis.
+
+        Values of an unknown unit are refused. ``under_work``: its output axis is under work.
+        ``stays``: its index is not to be written; then nothing depends on whether a table that no
+        file switches off was active.
         """
         owner = f"axis {self.pair[1]}"
         on_axis = of_axis(self.gathered, self.pair[1])
@@ -178,8 +184,8 @@ class TableLines(SingleValues):
         return active is not False
 
     def to_millimetres(self) -> tuple[float, float]:
-        """Return by what positions and values are multiplied to stand in mm or deg: MD32711 = 0 of
-        the output axis says that lengths are in inch.
+        """Return the factors of positions and values to mm or deg: MD32711 = 0 of the output axis
+        means that lengths are in inch.
         """
         metric = last("cross_metric", of_axis(self.gathered, self.pair[1]))
         if metric is None or self._ends_on("cross_metric", metric):
@@ -213,8 +219,8 @@ class TableLines(SingleValues):
         self.notes.find("CW-S034", severity, self.pair[1], label=label, switches=switches)
 
     def _was_active(self, ends: list[_Switch]) -> bool | None:
-        """Return whether a table of an axis over itself acted, by the leadscrew table beside it and
-        what the job says; None where neither files nor job say it.
+        """Return whether a table of an axis over itself was active, by the leadscrew table of that
+        axis and the job; None if neither files nor job state it.
         """
         words = [end.word for end in ends]
         word = "no" if "no" in words else None if None in words else "yes"
@@ -226,10 +232,10 @@ class TableLines(SingleValues):
         return self.activity.resolve(owner, _SWITCHES, word, place, self.notes)
 
     def _slept(self, owner: str, word: str | None, place: FoundValue | None) -> bool:
-        """Return whether the table slept beside the leadscrew table of its axis.
+        """Return whether the table was not active because the leadscrew table of its axis was.
 
-        One that is switched off in another file than that with its values is switched off by no
-        program that loads it.
+        If the switch is in another file than the values, no program that loads the values switched
+        it off.
         """
         screw, stated = self._leadscrew(), self.activity.stated
         dumped = place is not None and place.number not in {
@@ -272,7 +278,7 @@ class TableLines(SingleValues):
         )
 
     def _leadscrew(self) -> _Leadscrew:
-        """Return what the files say of the leadscrew tables of the output axis."""
+        """Return the leadscrew tables of the output axis in the files."""
         address, fields = self.pair[1], value_fields(self.definition)
         tables = {
             system: rows

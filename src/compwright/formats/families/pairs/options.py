@@ -1,5 +1,5 @@
-"""What the options say of tables between axes: whether there are any, which may be written, what
-their values mean.
+"""Options for tables between axes: whether there are any, which may be written, the meaning of
+their values.
 """
 
 from __future__ import annotations
@@ -36,12 +36,12 @@ def holds_two_curves(options: Mapping[str, object], compensation: AxisCompensati
 
 
 def sign_known(control: Family) -> bool:
-    """Return whether somebody said what a value means."""
+    """Return whether the meaning of a value is given."""
     return "cec_sign" not in control.definition.options or control.options["cec_sign"] is not None
 
 
 def sign_question(why: str, moved: str = "the axis") -> Fault:
-    """Return what is asked where nobody said what the values of tables mean; ``why`` that matters,
+    """Return the question if the meaning of table values is not given; ``why`` it matters,
     ``moved``: what a value moves.
     """
     return Fault(
@@ -62,8 +62,8 @@ def sign_question(why: str, moved: str = "the axis") -> Fault:
 
 
 def allowed_tables(definition: Definition, options: Mapping[str, object]) -> tuple[int, ...]:
-    """Return the option ``cec_tables``. Raises UsageError when it holds something else than indices
-    of tables that the control has.
+    """Return the option ``cec_tables``. Raises UsageError unless it holds indices of tables that
+    the control has.
     """
     given = options.get("cec_tables", ())
     if not isinstance(given, (tuple, list)) or not all(isinstance(index, int) for index in given):
@@ -92,7 +92,7 @@ def allowed_tables(definition: Definition, options: Mapping[str, object]) -> tup
 
 
 def reserving(definition: Definition, points: int, which: str) -> str:
-    """Return how the control gets room for ``points`` in tables (``which``, in words)."""
+    """Return the instruction to reserve memory for ``points`` in tables (``which``, in words)."""
     fixed = definition.limit_number("cross_points")
     if fixed is None:
         return (
@@ -103,15 +103,15 @@ def reserving(definition: Definition, points: int, which: str) -> str:
 
 
 def free_tables(allowed: Sequence[int], in_use: Mapping[int, Pair], address: str) -> list[int]:
-    """Return the indices that may hold the tables of an axis over itself: its own ones first, then
-    free ones, as allowed.
+    """Return the indices for the tables of an axis over itself: its own ones first, then free ones,
+    as allowed.
     """
     own = [index for index in allowed if in_use.get(index) == (address, address)]
     return [*own, *(index for index in dict.fromkeys(allowed) if index not in in_use)]
 
 
 def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[int, ...]) -> Fault:
-    """Return the fault of an axis that finds too few tables."""
+    """Return the fault of an axis with too few tables."""
     return Fault(
         message=(
             f"axis {name}: {format_id} needs {needed} CEC tables that are free or "
@@ -135,7 +135,7 @@ def unit_unknown(
     control: Family, label: str, output: str, kinds: Iterable[AxisKind]
 ) -> Iterator[Fault]:
     """Yield why a table between axes of these ``kinds`` that corrects ``output`` is not written:
-    its values are in inch, or the control works in inch and no file says their unit.
+    its values are in inch, or the control works in inch and no file states their unit.
     """
     metric = control.state.facts_of(output).pairs.metric
     unknown = metric is None and control.options.get("units") == "inch"
@@ -152,9 +152,9 @@ def unit_unknown(
 
 
 def scale_of_pairs(control: Family, kind: AxisKind) -> NumberScale:
-    """Return how numbers of such a table are read and written, as if it were one on one axis.
+    """Return the number scale of such a table, as if it were one on one axis.
 
-    Where the sign is not known its structure can be read all the same.
+    If the sign is not known, its structure can still be read.
     """
     options = control.options
     if not sign_known(control):

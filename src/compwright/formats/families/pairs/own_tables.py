@@ -1,4 +1,4 @@
-"""Tables between axes in the control's own files, as far as writing beside them has to know."""
+"""Tables between axes in the control's own files, for writing in addition to them."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ from compwright.foundations.errors import Fault
 
 
 class OwnTables:
-    """The tables of one control. ``own``: its files, None where none are patched.
+    """The tables of one control. ``own``: its files, None if none are patched.
 
-    ``allowed``: indices that may be written; ``in_use``: input and output axis of every table that
-    there is; ``kept``: the indices that are ours now; ``stay``: those over an axis itself that stay
-    as they are.
+    ``allowed``: indices that may be written; ``in_use``: input and output axis of every existing
+    table; ``kept``: the indices of compwright's own tables; ``stay``: those over an axis itself
+    that stay unchanged.
     """
 
     def __init__(self, control: Family, own: OwnFiles | None) -> None:
@@ -43,7 +43,7 @@ class OwnTables:
         self.kept: set[int] = set()
 
     def _used(self) -> dict[int, Pair]:
-        """Return input and output axis of every table that the files hold."""
+        """Return input and output axis of every table in the files."""
         return {
             index: (self._axis_in(places, "cross_input"), self._axis_in(places, "cross_output"))
             for index, places in self.places.items()
@@ -55,13 +55,13 @@ class OwnTables:
         return self.axis(found[-1].text) if found else ""
 
     def axis(self, name: str) -> str:
-        """Return the one name of an axis."""
+        """Return the canonical name of an axis."""
         if self.own is None:
             return normal_text(self.definition, name)
         return self.own.gathered.axis(name)
 
     def spelling(self, address: str) -> str:
-        """Return how the files write an axis."""
+        """Return the name of an axis as the files write it."""
         return address if self.own is None else self.own.gathered.spelled(address)
 
     def places_of(self, index: int, quantity: str) -> Sequence[FoundValue]:
@@ -69,7 +69,7 @@ class OwnTables:
         return self.places.get(index, {}).get(quantity, ())
 
     def unnamed(self, index: int, quantity: str) -> list[FoundValue]:
-        """Return the places of one table where ``()`` stands in the place of the axis."""
+        """Return the places of one table with ``()`` instead of the axis."""
         statements, bindings = self.definition.statements, self.definition.bindings
         own = name_in_form(statements[bindings[quantity].statement].form)
         before = statements[bindings["cross_other"].statement].form.partition("{")[0]
@@ -81,11 +81,11 @@ class OwnTables:
         ]
 
     def axis_places(self, output: str, quantity: str) -> Sequence[FoundValue]:
-        """Return the places of a quantity of all tables on one axis together."""
+        """Return the places of a quantity that all tables on one axis share."""
         return () if self.own is None else of_axis(self.own.gathered, output).get(quantity, ())
 
     def factors(self, changed: Collection[int]) -> Iterator[Fault]:
-        """Yield where one of these tables, which change, is what another one is multiplied by."""
+        """Yield where one of these tables, which change, multiplies another one."""
         for index in self.places:
             for place in self.places_of(index, "cross_multiplier")[-1:]:
                 if index in changed or int(place.text) - 1 not in changed or self.quiet(index):
@@ -103,12 +103,12 @@ class OwnTables:
                 )
 
     def quiet(self, index: int) -> bool:
-        """Whether the files hold nothing but zeros in a table."""
+        """Return whether a table in the files holds only zeros."""
         return index in self.places and is_zero(self.places[index])
 
     def off(self, index: int, output: str = "") -> bool:
-        """Whether the files end with a table switched off: by SD41300, or by MD32710 of its output
-        axis where that is given.
+        """Return whether the files end with a table switched off: by SD41300, or by MD32710 of its
+        output axis if that is given.
         """
         ends = [self.places_of(index, "cross_table_enabled")]
         if output:
@@ -116,7 +116,7 @@ class OwnTables:
         return any(places and same_value(places[-1].text, "0") for places in ends)
 
     def table_places(self, index: int) -> TablePlaces:
-        """Return where a table stands."""
+        """Return the places of a table."""
         places = self.places.get(index, {})
         singles = {name: places[name] for name in DATA if name in places and name != "cross_value"}
         unnamed = [found for name in BETWEEN for found in self.unnamed(index, name)]
@@ -128,7 +128,7 @@ class OwnTables:
         )
 
     def first_values(self, indices: Collection[int]) -> dict[int, int]:
-        """Return the line of the first value of these tables by the number of the file."""
+        """Return the line of the first value of these tables, by the index of the file."""
         first: dict[int, int] = {}
         for index in indices:
             for row in self.places_of(index, "cross_value"):
@@ -137,8 +137,8 @@ class OwnTables:
         return first
 
     def check_protected(self, index: int, output: str, faults: list[Fault]) -> None:
-        """Refuse a file that has a table switched on before its values: the control would take none
-        of them when it is loaded.
+        """Refuse a file that switches a table on before its values: the control would take none of
+        them when it is loaded.
         """
         for switches in (
             self.places_of(index, "cross_table_enabled"),

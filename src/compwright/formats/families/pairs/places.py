@@ -1,4 +1,4 @@
-"""Where tables between axes stand in the control's files: by index and quantity."""
+"""Places of tables between axes in the control's files: by index and quantity."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ Places = Mapping[str, Sequence[FoundValue]]
 
 
 def as_table(definition: Definition) -> Definition:
-    """Return the definition as if its tables between axes were tables on one axis: the same file,
-    read by the same code.
+    """Return the definition as if its tables between axes were tables on one axis: the same code
+    reads them.
     """
     bindings = {
         name: replace(definition.bindings[cross], quantity=name) for cross, name in AS_TABLE.items()
@@ -61,7 +61,7 @@ def last(quantity: str, places: Places) -> FoundValue | None:
 
 
 def of_axis(gathered: Gathered, address: str) -> Places:
-    """Return what is said of the tables that correct an axis, all of them together."""
+    """Return the settings that all tables correcting an axis share."""
     return gathered.singles.get((address, None), {})
 
 
@@ -74,25 +74,23 @@ def is_whole(places: Places) -> bool:
 
 
 def is_unused(places: Places) -> bool:
-    """Return whether a table holds nothing but zeros, values and grid: the control's own default,
-    which means no table.
+    """Return whether a table holds only zeros, values and grid: the control's own default, which
+    means no table.
     """
     numbers = [place.text for name in AS_TABLE for place in places.get(name, ())]
     return bool(numbers) and all(Decimal(number) == 0 for number in numbers)
 
 
 def is_zero(places: Places) -> bool:
-    """Return whether every value of a table is zero: whatever its grid and its axes, it corrects
-    nothing.
+    """Return whether every value of a table is zero: it corrects nothing, whatever its grid and
+    axes.
     """
     added = [found for name in ADDED for found in places.get(name, ())[-1:]]
     return all(Decimal(row.text) == 0 for row in (*places.get("cross_value", ()), *added))
 
 
 def print_of(places: Places) -> str:
-    """Return eight characters that change with a table's values, grid, axes, direction and
-    weight.
-    """
+    """Return eight characters that identify a table's values, grid, axes, direction and weight."""
     lines = [
         f"{name} {found.occurrence.tokens.get('index', found).text} {found.text}"
         for name in (*DATA, "cross_weight", "cross_type", *ADDED)

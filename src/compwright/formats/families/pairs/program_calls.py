@@ -1,5 +1,5 @@
-"""Calls among the programs of a control's files: which of them are followed, which programs may
-never be called, and which assignment is the last one in the order of the calls.
+"""Calls among the programs of a control's files: which calls are followed, which programs may never
+be called, and which assignment is the last one in the order of the calls.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class StartDoubt:
-    """A line of ``file`` that may keep a whole program from being carried out; ``call``: the line
-    that calls the program, where the doubt is about that line.
+    """A line of ``file`` that may keep a whole program from being executed; ``call``: the line that
+    calls the program, if the doubt is about that line.
     """
 
     file: str
@@ -37,9 +37,9 @@ class StartDoubt:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """A program of ``file``. ``computed``: faults of values that only the running program knows;
-    ``start``: what may keep all of it from being carried out; ``called``: another one calls it;
-    ``loaders``: the programs of the files that hold values, or call such.
+    """A program of ``file``. ``computed``: faults of values known only while the program runs;
+    ``start``: what may keep all of it from being executed; ``called``: another one calls it;
+    ``loaders``: the programs of the files that hold values, directly or by calls.
     """
 
     file: str
@@ -51,17 +51,17 @@ class Found:
 
     @property
     def ways(self) -> ProgramWays:
-        """The ways through it."""
+        """The possible runs through it."""
         return self.program.ways(self.loaders)
 
     @property
     def doubted(self) -> bool:
-        """Whether some of its values may not have been carried out."""
+        """Whether some of its values may not have been executed."""
         return bool(self.program.values) and (self.start is not None or bool(self.program.flow))
 
     @property
     def forks(self) -> bool:
-        """Whether something stands before one of its values or calls that may leave it out."""
+        """Whether a statement before one of its values or calls may skip it."""
         return bool(self.program.flow) or any(call.doubt for call in self.program.calls)
 
 
@@ -97,7 +97,7 @@ def programs_of(definition: Definition, files: Sequence[ControlFile]) -> tuple[F
 def _scanned(
     definition: Definition, file: ControlFile, names: frozenset[str], returning: frozenset[str]
 ) -> Scanned:
-    """Return what a file does, with its calls of those ``names`` that it mentions."""
+    """Return the program flow of a file, with its calls of those ``names`` that it mentions."""
     content = file.content.upper() if names else b""
     known = frozenset(one for one in names if one.encode() in content)
     return scanned(definition, file, known, known & returning)
@@ -119,8 +119,8 @@ def _loaders(programs: Sequence[ProgramFlow]) -> frozenset[str]:
 def _start_doubts(
     programs: Sequence[tuple[str, ProgramFlow]], count: Mapping[str, int]
 ) -> dict[int, StartDoubt]:
-    """Return by program what may keep it from being carried out at all: it is called nowhere and
-    has to be, or every call of it is doubtful.
+    """Return by program what may keep it from being executed at all: it has to be called and is
+    not, or every call of it is doubtful.
     """
     sites: dict[str, list[tuple[int, Call]]] = {}
     for place, (_, program) in enumerate(programs):
@@ -152,8 +152,8 @@ def _start_doubts(
 
 @dataclass(slots=True)
 class CallEnds:
-    """The last assignment of each entry in a run of a program that carries out all of its lines and
-    calls, with its file.
+    """The last assignment of each entry, with its file, in a run of a program that executes all of
+    its lines and calls.
     """
 
     gathered: Gathered
@@ -165,7 +165,7 @@ class CallEnds:
         return entry_key(self.gathered.definition, value, self.gathered.names)
 
     def of(self, found: Found) -> dict[Key, tuple[str, Occurrence]]:
-        """Return it for a program."""
+        """Return the last assignments of a program."""
         program, ends = found.program, dict[Key, tuple[str, Occurrence]]()
         self.known[program.name] = {}  # a call of itself
         lines: list[tuple[int, Occurrence | Call]] = [

@@ -1,7 +1,8 @@
-"""Conditions of a SINUMERIK's program that belong together: a run in which ``R1==1`` is true in one
-line has it true in the other one too, and ``R1<>1`` false, as long as nothing assigns R1 between.
+"""Conditions of a SINUMERIK's program that depend on each other: a run in which ``R1==1`` is true
+in one line has it true in the other one too, and ``R1<>1`` false, as long as R1 is not assigned
+between them.
 
-Conditions with a variable of the control (``$..``), an index or a call are left out: what they give
+Conditions with a variable of the control (``$..``), an index or a call are left out: their value
 may change at any time.
 """
 
@@ -38,8 +39,8 @@ _RELATIONS: Mapping[str, Callable[[float, float], bool]] = {
 @dataclass(frozen=True, slots=True)
 class Condition:
     """A condition as a relation of its ``subject`` and a number: of a variable, or of a whole text
-    that is 1 where it is true. ``names``: the variables in it; ``truth``: it is true or false, and
-    no other number.
+    that is 1 if it is true. ``names``: the variables in it; ``truth``: its value is true or false,
+    and no other number.
     """
 
     subject: str
@@ -49,13 +50,13 @@ class Condition:
     truth: bool = False
 
     def holds(self, value: float) -> bool:
-        """Return whether it is true where its subject is ``value``."""
+        """Return whether it is true for the subject ``value``."""
         return _RELATIONS[self.relation](value, self.value)
 
 
 @dataclass(frozen=True, slots=True)
 class Decision:
-    """A step that goes on to ``yes`` where its condition is true, else to ``no``."""
+    """A step that continues at ``yes`` if its condition is true, else at ``no``."""
 
     condition: Condition
     yes: frozenset[int]
@@ -63,7 +64,7 @@ class Decision:
 
 
 def condition_of(text: str) -> Condition | None:
-    """Return what a condition says; None where its value may change from line to line."""
+    """Return the condition in a text; None if its value may change from line to line."""
     text = re.sub(r"\s+", " ", text.upper().strip())
     text = _bare(re.sub(r" (?=\W)|(?<=\W) ", "", text))
     names = frozenset(_NAME.findall(text)) - _OPERATORS
@@ -103,10 +104,10 @@ def together(
     setting: Mapping[int, Collection[str]],
     reached: Callable[[int], set[int]],
 ) -> Iterator[dict[int, frozenset[int]]]:
-    """Yield, for each way in which conditions that belong together may turn out, where the steps
-    with such a condition go on.
+    """Yield, for each consistent set of answers to dependent conditions, where the steps with such
+    a condition continue.
 
-    ``setting``: what steps set; ``reached``: the steps that may follow one.
+    ``setting``: the variables that steps set; ``reached``: the steps that may follow a step.
     """
     uses: dict[str, list[int]] = {}
     for place, one in decisions.items():
@@ -143,7 +144,9 @@ def _changes(
     setting: Mapping[int, Collection[str]],
     reached: Callable[[int], set[int]],
 ) -> bool:
-    """Return whether a run may set what the conditions in ``places`` ask about, between two."""
+    """Return whether a run may set a variable of the conditions in ``places`` between two of
+    them.
+    """
     variables = condition.names | {ANY}
     behind = set().union(*map(reached, places))
     between = (place for place, names in setting.items() if not variables.isdisjoint(names))
@@ -151,7 +154,7 @@ def _changes(
 
 
 def _values(conditions: Sequence[Condition]) -> list[float]:
-    """Return values of a subject by which its conditions turn out in every possible way."""
+    """Return values of a subject for which its conditions get every possible set of answers."""
     if any(one.truth for one in conditions):
         return [0.0, 1.0]
     numbers = sorted({one.value for one in conditions})

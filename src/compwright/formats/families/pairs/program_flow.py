@@ -1,7 +1,8 @@
-"""What can keep the values of a SINUMERIK's file from being carried out: such a file is a program.
+"""Statements that can keep the values in a SINUMERIK's file from being executed: such a file is a
+program.
 
 The list of harmless statements is closed; everything else counts as program flow, so that no kind
-of jump, loop, call or synchronised action is missed. Statements behind the last value do not count.
+of jump, loop, call or synchronised action is missed. Statements after the last value do not count.
 """
 
 from __future__ import annotations
@@ -124,8 +125,8 @@ _UNIT = re.compile(r"(?<![A-Z_$])G(?:(?P<inch>70|700)|71|710)(?!\d)", re.IGNOREC
 
 @dataclass(frozen=True, slots=True)
 class FlowLine:
-    """A line that can change what is carried out, as it stands; ``missing``: the program that it
-    calls, where that is none of the files.
+    """A line that can change what is executed, as written; ``missing``: the program that it calls,
+    if that is not among the files.
     """
 
     line: int
@@ -135,8 +136,8 @@ class FlowLine:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A line that calls the program ``name``, at once or on a condition (``conditional``);
-    ``doubt``: what in its own program may keep it from being carried out.
+    """A line that calls the program ``name``, always or on a condition (``conditional``);
+    ``doubt``: what in its own program may keep it from being executed.
     """
 
     name: str
@@ -147,15 +148,15 @@ class Call:
 
 @dataclass(slots=True)
 class ProgramFlow:
-    """What one program does with its ``values``.
+    """Flow of one program with ``values``.
 
-    ``called``: what says that it acts only where a program calls or starts it; ``flow``: what may
-    leave values out, before the last one; ``late``: the like behind it; ``dividing``: lines that
-    divide it into branches; ``ended``: where it ends for certain; ``units``: a line that sets the
-    unit of lengths, by line, and the unit; ``behind``: values behind the end; ``lines``: number and
-    code of its lines as far as they matter for the ways through it, whether a value stands there,
-    and the programs that it calls; ``calls``: of programs of the files; ``followed``: programs
-    behind a call of which it goes on.
+    ``called``: the evidence that it runs only if another program calls or starts it; ``flow``:
+    lines that may skip values, before the last one; ``late``: such lines after it; ``dividing``:
+    lines that divide it into branches; ``ended``: where it certainly ends; ``units``: by line, the
+    unit of lengths that is set; ``behind``: values after the end; ``lines``: number and code of its
+    lines as far as they matter for the runs through it, whether they hold a value, and the programs
+    that they call; ``calls``: of programs of the files; ``followed``: programs after whose call it
+    continues.
     """
 
     name: str = ""
@@ -172,7 +173,7 @@ class ProgramFlow:
     followed: frozenset[str] = frozenset()
 
     def ways(self, loaders: frozenset[str]) -> ProgramWays:
-        """Return the ways through it to its values and to the calls of ``loaders``."""
+        """Return the runs through it to its values and to the calls of ``loaders``."""
         return ways_through(
             _step(number, code, self.followed, marked=value or not loaders.isdisjoint(calls))
             for number, code, value, calls in self.lines
@@ -185,8 +186,9 @@ class ProgramFlow:
         return f"lines {lines[0]} to {lines[-1]}"
 
     def branches(self, keys: Callable[[Occurrence], Key]) -> Iterator[tuple[Occurrence, int]]:
-        """Yield assignments of one entry that stand in two branches: the second with the line of
-        the first. Until the flow begins, one after another is a sequence.
+        """Yield assignments of one entry in two branches: the second with the line of the first.
+
+        Before the first branch, repeated assignments are a sequence.
         """
         seen: dict[Key, int] = {}
         for value in self.values if self.flow else ():
@@ -199,8 +201,8 @@ class ProgramFlow:
 
 @dataclass(frozen=True, slots=True)
 class Scanned:
-    """The programs of a file with values, and the faults of lines of which only the running program
-    knows the value or the index.
+    """The programs of a file with values, and the faults of lines whose value or index is known
+    only while the program runs.
     """
 
     programs: tuple[ProgramFlow, ...]
@@ -208,7 +210,7 @@ class Scanned:
 
     @property
     def leaves_out(self) -> bool:
-        """Whether something in the file can keep a value from being carried out."""
+        """Whether a statement in the file can keep a value from being executed."""
         return any(one.values and (one.called or one.flow) for one in self.programs)
 
 
@@ -219,10 +221,10 @@ def scanned(
     known: frozenset[str] = frozenset(),
     returning: frozenset[str] = frozenset(),
 ) -> Scanned:
-    """Return what the programs of a file do, as far as it can be read.
+    """Return the flow of the programs in a file, as far as it can be read.
 
-    ``known``: names of programs of which the calls are wanted; ``returning``: those of them of
-    which a call changes nothing in what is carried out behind it.
+    ``known``: names of programs whose calls are wanted; ``returning``: those of them whose call
+    changes nothing in what is executed after it.
     """
     text = text_reader(definition).read(file, [])
     if text is None:
@@ -234,7 +236,7 @@ def scanned(
 
 
 def program_name(text: str) -> str:
-    """Return the name by which a program is called; empty where ``text`` holds none."""
+    """Return the name by which a program is called; empty if ``text`` holds none."""
     found = _PROGRAM_NAME.fullmatch(text.split(";", 1)[0].strip())
     return "" if found is None else found["name"].upper()
 
@@ -339,7 +341,7 @@ def _step(number: int, code: str, followed: Collection[str], *, marked: bool) ->
 
 
 def _sets(code: str) -> frozenset[str]:
-    """Return the variables that a statement assigns: any where that is not known."""
+    """Return the variables that a statement assigns: any, if that is not known."""
     assignment = _ASSIGNMENT.fullmatch(code)
     if code and not harmless(code):
         forks = _DIVIDING.match(code) is not None and code[:3].upper() != "FOR"
@@ -351,7 +353,7 @@ def _sets(code: str) -> frozenset[str]:
 
 
 def _note(code: str, number: int, program: ProgramFlow, known: Collection[str]) -> None:
-    """Take down what a line without a value does."""
+    """Record a line without a value."""
     bare = _bare(code)
     label = _LABEL.match(bare)
     if label is not None:
@@ -385,7 +387,7 @@ def _bare(code: str) -> str:
 
 def harmless(code: str) -> bool:
     """Return whether a statement, without block number and comment, changes nothing in what is
-    carried out.
+    executed.
     """
     known = _HARMLESS.fullmatch(code)
     if known is not None:
@@ -401,14 +403,14 @@ def harmless(code: str) -> bool:
 
 
 def _defined(known: re.Match[str]) -> list[str | None]:
-    """Return the variables that a statement defines; None in the place of what is none."""
+    """Return the variables that a statement defines; None for other words in the list."""
     pieces = re.split(r",(?![^\[]*\])", known["defined"] or "")
     found = [_DEFINED.fullmatch(piece.strip()) for piece in pieces if known["defined"]]
     return [None if one is None else one[1].upper() for one in found]
 
 
 def _plain(text: str) -> bool:
-    """Return whether an expression calls nothing but functions that only give a value."""
+    """Return whether an expression calls only functions without side effects."""
     text = _STRING.sub("0", text)
     if len(text) > _LONGEST:
         return False
@@ -432,8 +434,8 @@ def _plain(text: str) -> bool:
 def _codes(
     definition: Definition, file: ControlFile, needed: Collection[int]
 ) -> Iterator[tuple[int, str]]:
-    """Yield the lines of a file without their comments: those ``needed``, and whatever is no plain
-    line of an export.
+    """Yield the lines of a file without their comments: those ``needed``, and all that are not
+    plain lines of an export.
     """
     for line in text_reader(definition).lines(file.content.decode("latin-1")):
         if line.number not in needed and _USUAL.fullmatch(line.text):

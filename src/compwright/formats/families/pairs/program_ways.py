@@ -1,7 +1,7 @@
-"""The ways through a SINUMERIK's program: which values a run can carry out, and which it must.
+"""Possible runs through a SINUMERIK's program: which values a run can execute, and which it must.
 
-A condition may go either way, but the same way as others of the same variable; an unknown statement
-may end the program. Nothing here knows values.
+A condition may be true or false, but the same for others of the same variable; an unknown statement
+may end the program. Values play no part here.
 """
 
 from __future__ import annotations
@@ -41,9 +41,9 @@ _CLOSING = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDFOR": "FOR", "ENDLOOP": "LOO
 @dataclass(frozen=True, slots=True)
 class Step:
     """A line of a program. ``names``: its label and block number; ``code``: what it does, strings
-    emptied, empty where that leaves the order of the lines alone; ``marked``: it is one of those
-    that are asked about (a value, a call); ``skipped``: on the control's block skip; ``until``: the
-    last of the lines that it is followed by in any case; ``sets``: the variables that it assigns.
+    emptied, empty if it does not affect the order of lines; ``marked``: it is one of those in
+    question (a value, a call); ``skipped``: on the control's block skip; ``until``: the last of the
+    lines that certainly follow it; ``sets``: the variables that it assigns.
     """
 
     line: int
@@ -57,12 +57,12 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class ProgramWays:
-    """Steps of one program with the steps that may follow each. Behind the last one is its end,
-    from where the program that calls it goes on, and behind that the place where everything stops:
-    by M2, an alarm, or a statement of which that is not known.
+    """Steps of one program with the steps that may follow each. After the last one are its end,
+    from where the calling program continues, and the place where everything stops: by M2, an alarm,
+    or an unknown statement.
 
-    ``unclear``: lines of jumps of which more than one label of that name may be the destination.
-    ``decisions``: by place, steps of which the condition is known.
+    ``unclear``: lines of jumps with more than one possible label. ``decisions``: by place, steps
+    with a known condition.
     """
 
     steps: Sequence[Step]
@@ -71,7 +71,7 @@ class ProgramWays:
     decisions: Mapping[int, Decision] = field(default_factory=dict)
 
     def consistent(self) -> Iterator[ProgramWays]:
-        """Yield the ways for each manner in which conditions that belong together may turn out."""
+        """Yield the runs for each consistent set of answers to dependent conditions."""
         setting = {place: step.sets for place, step in enumerate(self.steps) if step.sets}
 
         def behind(place: int) -> set[int]:
@@ -87,8 +87,8 @@ class ProgramWays:
             yield replace(self, next=tuple(follow), decisions={})
 
     def left_out(self) -> int | None:
-        """Return the line of a marked step that no run carries out together with all others, by
-        conditions that belong together; None where a run comes to all of them.
+        """Return the line of a marked step that no run executes together with all others, because
+        of dependent conditions; None if a run can execute all of them.
         """
         first: int | None = None
         for ways in self.consistent():
@@ -100,7 +100,7 @@ class ProgramWays:
         return first
 
     def unreached(self) -> Iterator[tuple[int, int]]:
-        """Yield the lines of marked steps that no run comes to, each with the line that leads past
+        """Yield the lines of marked steps that no run reaches, each with the line that leads past
         it.
         """
         reached = self._reached()
@@ -109,7 +109,7 @@ class ProgramWays:
                 yield step.line, self._passing(place)
 
     def exclusive(self) -> tuple[int, int] | None:
-        """Return the lines of two marked steps that no run comes to both; None without such."""
+        """Return the lines of two marked steps that no run reaches both; None without such."""
         marked = [place for place, step in enumerate(self.steps) if step.marked]
         after = {place: self._reached(place) for place in marked}
         for i, one in enumerate(marked):
@@ -119,9 +119,11 @@ class ProgramWays:
         return None
 
     def unavoidable(self, lines: Collection[int]) -> list[int]:
-        """Return where every run that comes to the end carries out at least one of ``lines`` of
-        marked steps: one that all of them carry out, else those that may be the first of a run.
-        Empty where a run can leave all of them out.
+        """Return those of ``lines`` of marked steps of which every run that comes to the end
+        executes at least one: a single one that all runs execute, else those that may be the first
+        in a run.
+
+        Empty if a run can skip all of them.
         """
         found: list[int] = []
         for ways in self.consistent():
@@ -163,13 +165,13 @@ class ProgramWays:
         return seen
 
     def _passing(self, place: int) -> int:
-        """Return the line before ``place`` behind which no run goes on to the next line."""
+        """Return the line before ``place`` after which no run continues with the next line."""
         before = (i for i in range(place - 1, -1, -1) if i + 1 not in self.next[i])
         return self.steps[next(before, 0)].line
 
 
 def ways_through(steps: Iterable[Step]) -> ProgramWays:
-    """Return the ways through a program."""
+    """Return the possible runs through a program."""
     kept = _merged(list(steps))
     places: dict[str, list[int]] = {}
     for place, step in enumerate(kept):
@@ -189,7 +191,9 @@ def ways_through(steps: Iterable[Step]) -> ProgramWays:
 
 
 def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None:
-    """Return how a line with a condition goes on; None where that is not its condition alone."""
+    """Return where a line with a condition continues; None if that does not depend on its condition
+    alone.
+    """
     found = _ASKING.fullmatch(step.code)
     jumps = len(_GO.findall(step.code))
     condition = None if found is None or step.skipped else condition_of(found["condition"])
@@ -200,8 +204,9 @@ def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None
 
 
 def _merged(steps: list[Step]) -> list[Step]:
-    """Return the steps, marked ones behind each other as one: an export has thousands. Block
-    numbers to which nothing jumps are no names.
+    """Return the steps with consecutive marked ones merged: an export has thousands.
+
+    Block numbers to which no jump leads are not kept as names.
     """
     text = " ".join(step.code.upper() for step in steps if step.code)
     targets = set(re.findall(r"\bN\d+", text))
@@ -230,8 +235,8 @@ def _word(step: Step) -> str:
 
 @dataclass(slots=True)
 class _Blocks:
-    """``ends``: by the place of an opening line and of ELSE where the block closes; ``elses``: by
-    an IF its ELSE; ``starts``: by a closing line where the block opens.
+    """``ends``: by the index of an opening line, and of ELSE, the closing line; ``elses``: by an IF
+    its ELSE; ``starts``: by a closing line the opening one.
     """
 
     ends: dict[int, int] = field(default_factory=dict)
@@ -259,7 +264,7 @@ def _blocks(steps: Sequence[Step]) -> _Blocks:
 def _following(
     steps: Sequence[Step], place: int, places: Mapping[str, Sequence[int]], blocks: _Blocks
 ) -> set[int]:
-    """Return the places to which a run may go on from a line that is no plain one."""
+    """Return the places at which a run may continue after a line that is not a plain one."""
     step, word, after, end = steps[place], _word(steps[place]), place + 1, len(steps)
     stop = end + 1
     if "GOTO" in step.code.upper():
@@ -295,7 +300,7 @@ def _first_word_ends(code: str) -> bool:
 def _destinations(
     code: str, place: int, places: Mapping[str, Sequence[int]]
 ) -> Iterator[Sequence[int]]:
-    """Yield for each jump and repetition of a line the places of labels that it may mean."""
+    """Yield for each jump and repetition of a line the places of its possible labels."""
     for go in _GO.finditer(code):
         yield _meant(go, place, places)
     repeated = _REPEATED.match(code)
@@ -304,8 +309,8 @@ def _destinations(
 
 
 def _meant(go: re.Match[str], place: int, places: Mapping[str, Sequence[int]]) -> Sequence[int]:
-    """Return the labels that a jump may mean. GOTOF searches from its line to the end of the
-    program, GOTOB from its line to the start, GOTO and GOTOC to the end and then elsewhere.
+    """Return the possible labels of a jump. GOTOF searches from its line to the end of the program,
+    GOTOB from its line to the start, GOTO and GOTOC to the end and then elsewhere.
     """
     labels = places.get((go["target"] or "").upper(), ())
     ahead = [one for one in labels if one > place]
@@ -319,8 +324,8 @@ def _meant(go: re.Match[str], place: int, places: Mapping[str, Sequence[int]]) -
 def _targets(
     go: re.Match[str], place: int, places: Mapping[str, Sequence[int]], stop: int
 ) -> set[int]:
-    """Return where a jump leads: every label where only the running program knows it; a stop where
-    the control gives an alarm, because there is no such label in that direction.
+    """Return the destinations of a jump: every label if it is computed while the program runs; a
+    stop if the control gives an alarm, because there is no such label in that direction.
     """
     if go["way"].upper() == "S":
         return {0}

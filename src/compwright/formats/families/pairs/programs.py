@@ -1,4 +1,4 @@
-"""Programs among a control's files: whether the values in them were carried out is asked for."""
+"""Programs among a control's files: a question to the user whether their values were executed."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ _CORRECTING = frozenset({"value", "backlash", "cross_value"})
 def not_carried_out(
     definition: Definition, files: Sequence[ControlFile]
 ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
-    """Return ``files`` without those of which no value was carried out, as the job says (active:
+    """Return ``files`` without those whose values were not executed by the job's answer (active:
     no), and the findings that name these (CW-S073).
 
-    Raises InputError where that cannot be: a value that every run of the program carries out, and
-    a file with other values, which it does not speak of.
+    Raises InputError if that is impossible: a value that every run of the program executes, or a
+    file that also holds other values, to which the answer does not apply.
     """
     kept: list[ControlFile] = []
     findings: list[Finding] = []
@@ -72,8 +72,8 @@ def _two_kinds(found: Found) -> Fault:
 
 
 def _carried_out_anyhow(definition: Definition, programs: Sequence[Found]) -> Iterator[Fault]:
-    """Yield the faults of programs of which no run leaves out all values other than 0, its own and
-    those of the programs that it calls.
+    """Yield the faults of programs of which every run executes a value other than 0, their own or
+    one of the programs that they call.
     """
     correcting = {
         place: {one.line for one in found.program.values if _corrects(definition, one)}
@@ -119,7 +119,7 @@ def _corrects(definition: Definition, value: Occurrence) -> bool:
 
 
 def _unclear(found: Found) -> Iterator[Fault]:
-    """Yield the faults of jumps to a label that there is more than once."""
+    """Yield the faults of jumps to a label that occurs more than once."""
     for line in found.ways.unclear if found.forks else ():
         yield Fault(
             message="the label of this line is in the program more than once where it may lead",
@@ -141,10 +141,11 @@ def check_programs(
     activity: Activity,
     notes: Notes,
 ) -> None:
-    """Ask whether the values of programs were carried out, where they are of an axis that is
-    ``wanted`` (empty: of any) or of a table; refuse what is in no case, or in two branches.
+    """Check whether the values of programs were executed, for axes that are ``wanted`` (empty: all)
+    and for tables; raise a question if that is open.
 
-    ``unit``: in which lengths stand, mm or inch.
+    Values that no run executes, or that two branches assign, are refused. ``unit``: of lengths, mm
+    or inch.
     """
 
     def concerns(one: Occurrence) -> bool:
@@ -171,7 +172,7 @@ def check_programs(
 
 
 def _left_out(found: Found) -> Iterator[Fault]:
-    """Yield the faults of values, or calls, that cannot all have been carried out."""
+    """Yield the faults of values, or calls, that cannot all have been executed."""
     program = found.program
     if not (program.flow or program.calls):
         return
@@ -250,8 +251,8 @@ def _twice(gathered: Gathered, file: str, program: ProgramFlow) -> Iterator[Faul
 def _called_late(
     gathered: Gathered, programs: Sequence[Found], concerns: Callable[[Occurrence], bool]
 ) -> Iterator[Fault]:
-    """Yield the faults of entries to which the calls of programs give another value than the order
-    of the lines in the files does.
+    """Yield the faults of entries whose last value in the order of calls differs from that in the
+    order of lines.
     """
     if not any(one.program.calls for one in programs):
         return
@@ -282,8 +283,8 @@ def _called_late(
 
 
 def _never(found: Found, unit: str) -> Iterator[Fault]:
-    """Yield the faults of what a program does to its values, or to those of the program that calls
-    it, in any case.
+    """Yield the faults of statements that always change a program's values, or those of its
+    caller.
     """
     file, program = found.file, found.program
     if program.behind and program.ended is not None:
@@ -319,7 +320,7 @@ def _never(found: Found, unit: str) -> Iterator[Fault]:
 
 
 def _question(found: Found) -> Fault:
-    """Return what has to be asked of a program: whether all of its values were carried out."""
+    """Return the question about a program: whether all of its values were executed."""
     program, start, lines = found.program, found.start, found.program.span
     file, doubts = found.file, program.flow
     message = f"this line decides about those in {lines}"

@@ -1,8 +1,8 @@
 """Tables between axes (SINUMERIK's CEC) in the control's files -> curves.
 
 A pair of tables with one input and output axis, one for each direction, is how such a control holds
-a reversal that varies. Tables that act on one pair of axes add up; one that is multiplied by
-another is not read.
+a reversal that varies. Active tables of one pair of axes add up; one that is multiplied by another
+is not read.
 """
 
 from __future__ import annotations
@@ -49,9 +49,9 @@ _DIRECTIONS = {"0": tuple(Direction), "1": (Direction.POSITIVE,), "-1": (Directi
 
 @dataclass(frozen=True, slots=True)
 class Writable:
-    """Which tables may be written, by the address of each axis of a job. ``sign_known``: the
-    meaning of a value is known. ``drafted``: which may be written on any other axis; None where the
-    files are only shown.
+    """Tables that may be written, by the address of each axis of a job. ``sign_known``: the meaning
+    of a value is known. ``drafted``: those that may be written on any other axis; None if the files
+    are only shown.
     """
 
     indices: Mapping[str, Collection[int]]
@@ -59,8 +59,8 @@ class Writable:
     drafted: Collection[int] | None = None
 
     def stays(self, one: TableLines) -> bool:
-        """Return whether a table that acts on an axis of a job by its own position stays as it is:
-        nobody gave its index to be written, and it is told that it is on.
+        """Return whether a table of a job's axis over itself stays unchanged: its index is not
+        among those to be written, and it is known to be on.
         """
         return self.not_ours(one.index, one.pair[1]) and one.known_on()
 
@@ -82,14 +82,14 @@ def _largest(places: Places) -> float:
 
 
 class CecReader(SingleValues):
-    """Reads the tables between axes; what is wrong with them goes to ``notes``.
+    """Reads the tables between axes; faults go to ``notes``.
 
-    ``scale``: that of a table on one axis (`places.as_table`). ``wanted``: the axes that are asked
-    for (none: all). ``units``: in what numbers stand. A table that cannot be read as a curve (its
-    range no multiple of its step, an output that is no machine axis, a key that is not known, a
-    product with another table, an unknown unit) is a fault where it is active on one of them over
-    itself and may be written, or no job says what may (``writable``); else it is left alone and
-    named.
+    ``scale``: that of a table on one axis (`places.as_table`). ``wanted``: the axes under work
+    (none: all). ``units``: units of the numbers. Some tables cannot be read as a curve: the range
+    is no multiple of the step, the output is no machine axis, a key or the unit is unknown, or it
+    is a product with another table. That is a fault if the table is active on a wanted axis over
+    itself and may be written, or no job states which may (``writable``); else the table is left
+    alone and reported.
     """
 
     def __init__(
@@ -114,7 +114,7 @@ class CecReader(SingleValues):
         self.quiet: list[int] = []
 
     def read(self) -> Cec:
-        """Return everything that the files say about tables between axes."""
+        """Return all tables between axes in the files."""
         places = self.places
         tables = [self._table(index, found) for index, found in places.items()]
         self._name_quiet()
@@ -137,9 +137,7 @@ class CecReader(SingleValues):
         )
 
     def _table(self, index: int, places: Places) -> CecTable | None:
-        """Return one table; None without one, when something is wrong with it, and when it is left
-        alone.
-        """
+        """Return one table; None if there is none, if it has faults, and if it is left alone."""
         if not any(name in places for name in DATA) or is_unused(places):
             return None
         one = _CrossTableReader(self.gathered, index, places, self.activity, self.units)
@@ -161,12 +159,12 @@ class CecReader(SingleValues):
         return None
 
     def _name_quiet(self) -> None:
-        """Name the tables that hold nothing but zeros on a grid that cannot be read."""
+        """Note the tables that hold only zeros on a grid that cannot be read."""
         if self.quiet:
             self.notes.find("CW-S054", "info", tables=self.quiet)
 
     def _leave_alone(self, one: _CrossTableReader) -> None:
-        """Keep a table that cannot be read where the work does not touch it; else its faults are
+        """Keep an unreadable table that does not affect the axes under work; else its faults are
         those of the files.
         """
         faults = one.notes.faults
@@ -181,7 +179,7 @@ class CecReader(SingleValues):
         return not self.wanted or any(self._touches(one.pair, each) for each in self.wanted)
 
     def _name_left(self, one: _CrossTableReader, why: str) -> None:
-        """Keep a table as it is, name it, and note what it adds at most."""
+        """Keep a table unchanged, and note it with the largest correction that it adds."""
         active, product, touched = one.on(), one.times is not None, self._touched(one)
         largest = one.to_millimetres()[1] * _largest(one.places) if active else 0.0
         if one.times is not None:
@@ -200,7 +198,7 @@ class CecReader(SingleValues):
 
     def _touches(self, pair: Pair, address: str) -> bool:
         """Return whether a table corrects an axis; a name that is no machine axis may be another
-        name of the axis of its letter.
+        name of the axis with that letter.
         """
         if pair[1] == address:
             return True
@@ -228,9 +226,7 @@ class CecReader(SingleValues):
         return sums
 
     def _metric(self) -> dict[str, bool]:
-        """Return by output axis whether the values of its tables stand in mm, where a file says
-        it.
-        """
+        """Return by output axis whether the values of its tables are in mm, if a file states it."""
         stated = {
             address: self.word(f"axis {address}", "cross_metric", places["cross_metric"][-1])
             for (address, _), places in self.gathered.singles.items()
@@ -254,8 +250,8 @@ class _CrossTableReader(TableLines):
         return None if found is None or int(found.text) == 0 else int(found.text) - 1
 
     def curve(self, scale: NumberScale, *, under_work: bool, stays: bool) -> CecTable | None:
-        """Return the table as a curve; what keeps it from being one goes to the notes. See
-        `TableLines.acts`.
+        """Return the table as a curve; the reasons why it is not one go to the notes. See
+        `TableLines.is_active`.
         """
         singles = {name: self._one(name) for name in DATA if name != "cross_value"}
         count, anything = self.definition.limit_number("cross_tables"), next(iter(self.places))
@@ -336,7 +332,7 @@ class _CrossTableReader(TableLines):
             self._wrong(message, found, expected=expected)
 
     def _odd_settings(self) -> None:
-        """Refuse what changes a table in another way than a curve, a weight and a switch do."""
+        """Refuse settings that change a table other than by a curve, a weight and a switch."""
         for quantity, what, expected in _ODD:
             found = self._one(quantity)
             if found is not None and Decimal(found.text) not in expected:

@@ -1,9 +1,9 @@
-"""Small files for the axes under work, out of the control's own files and the same as patched.
+"""Small files for the axes under work, made from the control's own files before and after patching.
 
-An archive in a container is never written back: what differs in it goes into files that the control
-loads beside it, and the same entries with their old values into files that bring them back. Each
-file is whole for its axes: what is left as it is, but says what the axis is or acts on it, stands
-there as a comment (``; as it is:``), so that the files can be read without the archive.
+An archive in a container is never written back: what changes goes into files that the control loads
+in addition to it, and the same entries with their old values into files that restore them. Each
+file is complete for its axes: entries that stay but define the axis or correct it are comments in
+it (``; as it is:``), so that the files can be read without the archive.
 """
 
 from __future__ import annotations
@@ -45,7 +45,9 @@ _CHANNEL = re.compile(rb"^[ \t]*CHANDATA\([0-9]+\)", re.MULTILINE | re.IGNORECAS
 
 @dataclass(frozen=True, slots=True)
 class _FilesSide:
-    """What one set of files says: the last occurrence of each entry, and the names of the axes."""
+    """Contents of one set of files: the last occurrence of each entry, and the names of the
+    axes.
+    """
 
     entries: Mapping[Key, Occurrence]
     names: AxisNames
@@ -53,8 +55,8 @@ class _FilesSide:
 
 @dataclass(frozen=True, slots=True)
 class _Plan:
-    """One small file: its name, the lines before and behind its entries, the entries that it
-    enters, those that are done by hand, and those that it only tells.
+    """One small file: its name, the lines before and after its entries, the entries that it enters,
+    those that are done by hand, and those that it only shows.
     """
 
     name: str
@@ -95,7 +97,7 @@ class SmallFiles:
         self.plans = [plan for plan in self._plans() if plan.enters or plan.by_hand]
 
     def files(self) -> tuple[ControlFile, ...]:
-        """Return the files that enter what was written."""
+        """Return the files that enter the new values."""
         return tuple(self._file(plan, self._new_text) for plan in self.plans)
 
     def back(self) -> tuple[ControlFile, ...]:
@@ -187,7 +189,7 @@ class SmallFiles:
     def _multiplied_by(
         self, tables: Mapping[str, Sequence[Key]], others: Sequence[str], written: Sequence[str]
     ) -> list[str]:
-        """Return the further tables by which the ``others`` are multiplied (index + 1)."""
+        """Return the further tables that multiply the ``others`` (index + 1)."""
         numbers = (
             int(value_of(self.new.entries[key])) - 1
             for table in others
@@ -245,7 +247,7 @@ class SmallFiles:
         return _Plan(name, header, file.footer[-1:], tuple(enters), tuple(by_hand), tuple(tells))
 
     def _unit_word(self) -> Iterator[str]:
-        """Yield the line that says the unit, where the control's own files have one."""
+        """Yield the line that sets the unit, if the control's own files have one."""
         for key, occurrence in self.old.entries.items():
             if self._is(key, ("unit_word",)):
                 yield value_of(occurrence)
@@ -275,7 +277,7 @@ class SmallFiles:
         return named.get("cross_input", ""), named.get("cross_output", "")
 
     def _moves(self, keys: Sequence[Key]) -> bool:
-        """Whether a table holds a value that is not zero."""
+        """Return whether a table holds a value that is not zero."""
         values = [key for key in keys if self._is(key, ("cross_value",))]
         return any(not same_value(value_of(self.new.entries[key]), "0") for key in values)
 
@@ -286,8 +288,8 @@ class SmallFiles:
         return self._is(key, ("cross_table_enabled", "cross_weight", "cross_max_points"))
 
     def _is_hand(self, key: Key, *, pair: bool) -> bool:
-        """Whether somebody at the control has to do it: what changes memory, or switches all tables
-        on an axis where one of them is written.
+        """Return whether an entry has to be set by hand at the control: it changes memory, or
+        switches all tables on an axis for which a table is written.
         """
         return self._is(key, _HANDS) and (
             self._changed(key) or (pair and self._is(key, ("cross_axis_enabled",)))
@@ -307,12 +309,12 @@ class SmallFiles:
         )
 
     def _global(self, key: Key) -> bool:
-        """Whether an entry speaks of the whole machine."""
+        """Return whether an entry concerns the whole machine."""
         known = not self._is(key, ("unit_word",)) and bool(self.holds[key[0]])
         return known and not (self._has(key, "axis") or self._has(key, "table"))
 
     def _naming(self, address: str, pairs: Iterable[tuple[str, str]]) -> Iterator[Key]:
-        """Yield the entries that list the names of the axes that the files speak of."""
+        """Yield the entries that list the names of the axes in the files."""
         names = self.new.names
         involved = {address, *(axis for pair in pairs for axis in pair if axis)}
         channels = set()
@@ -347,7 +349,7 @@ class SmallFiles:
         return ControlFile(plan.name, content.encode("ascii"))
 
     def _marked(self, header: Sequence[str]) -> Iterator[str]:
-        """Yield a header with the channel that the control's own files name."""
+        """Yield a header with the channel named in the control's own files."""
         found = next((found for file in self.own if (found := _CHANNEL.search(file.content))), None)
         own = None if found is None else found[0].decode().strip()
         for line in header:
@@ -373,7 +375,7 @@ class SmallFiles:
         return self._text(key, self.new.entries[key])
 
     def _text(self, key: Key, occurrence: Occurrence) -> str:
-        """Return a value; an axis under work under the name that the other lines give it."""
+        """Return a value; an axis under work by the name used in the other lines."""
         text = value_of(occurrence)
         if not self._is(key, _BETWEEN):
             return text
@@ -381,8 +383,10 @@ class SmallFiles:
         return self.new.names.written(address) if address in self.systems else text
 
     def _old_text(self, key: Key) -> str | None:
-        """Return the old value of an entry; what was in no file goes back to what was counted, and
-        a switch to whether the table acted, which the job may say where the files end otherwise.
+        """Return the old value of an entry.
+
+        A value that was in no file goes back to its assumed value, and a switch to whether the
+        table was active, which the job may state differently from the files.
         """
         found = self.old.entries.get(key)
         enabled = self.control.state.facts_of(key[1]).enabled

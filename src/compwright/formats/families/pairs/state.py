@@ -1,4 +1,6 @@
-"""A control's own files with tables between axes -> what acts on the axes, and between them."""
+"""A control's own files with tables between axes -> active compensation of the axes, and between
+them.
+"""
 
 from __future__ import annotations
 
@@ -113,7 +115,7 @@ class PairsReader(GridReader):
         }
 
     def elsewhere(self, address: str) -> bool:
-        """See `GridReader.elsewhere`. Without the sign of its tables nobody knows what acts."""
+        """See `GridReader.elsewhere`. Without the sign of its tables the correction is unknown."""
         active = self.cec.active((address, address))
         if active and not self.sign_known:
             named = " and ".join(str(table.index) for table in active)
@@ -143,8 +145,8 @@ class PairsReader(GridReader):
         )
 
     def _others_protected(self, address: str, system: int | None) -> str:
-        """Return the switches, but that of an axis itself, of all tables that are on in the files
-        with its own: they are protected against these files. Between them stand ``;``.
+        """Return the switches of all other tables that are on in the files with those of an axis,
+        separated by ``;``: these tables are protected while such a file is loaded.
         """
         own = None if system is None else str(system - 1)
         ours = {row.number for row in self.gathered.rows.get((address, own), ())}
@@ -169,13 +171,13 @@ class PairsReader(GridReader):
         )
 
     def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
-        """See `GridReader.staying`: tables of the axis over itself that nobody gave to be
+        """See `GridReader.staying`: tables of the axis over itself whose index is not to be
         written.
         """
         return staying(self.cec, compensation)
 
     def cross(self) -> tuple[CrossCompensation, ...]:
-        """See `GridReader.cross`. Without their sign such tables are left as they are."""
+        """See `GridReader.cross`. Without their sign such tables are left unchanged."""
         cross = cross_tables(self.cec, self._kind)
         if self.sign_known or not cross:
             return cross
@@ -188,7 +190,7 @@ class PairsReader(GridReader):
         return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
 
     def active_lines(self) -> dict[str, FoundValue]:
-        """See `GridReader.acting_lines`: also the values of a table of an axis over itself."""
+        """See `GridReader.active_lines`: also the values of a table of an axis over itself."""
         lines = super().active_lines()
         for places in places_of(self.gathered).values():
             base, corrected = (last(name, places) for name in ("cross_input", "cross_output"))
@@ -201,8 +203,8 @@ class PairsReader(GridReader):
         return lines
 
     def _kind(self, address: str) -> AxisKind:
-        """Return the kind of an axis of a table between axes: the job's, the files', else linear,
-        which changes units only.
+        """Return the kind of an axis of a table between axes: the job's, else the files', else
+        linear, which only affects units.
         """
         axis = self.wanted.get(address)
         if axis is not None:

@@ -1,4 +1,4 @@
-"""Tables on one axis -> files of a control that has tables between axes too: two curves go into a
+"""Tables on one axis -> files of a control that also has tables between axes: two curves go into a
 pair of them.
 """
 
@@ -17,7 +17,7 @@ from compwright.records.correction import ControlFile
 
 
 class PairsWriter(GridWriter):
-    """Writes a pair of tables in the place of one table and backlash where there are two curves."""
+    """Writes a pair of tables instead of one table and backlash if there are two curves."""
 
     def __init__(
         self, control: Family, files: Sequence[ControlFile], addresses: Iterable[str]
@@ -45,8 +45,8 @@ class PairsWriter(GridWriter):
         self.cec.empty_own(work)
 
     def _put_pair(self, text: AxisText) -> set[str]:
-        """Put the single values beside a pair where they have a place in the control's own files;
-        return these quantities.
+        """Put the single values of a pair into the control's own files where they have a place
+        there; return these quantities.
         """
         placed = self.put_backlash(text)
         if self.own is None:

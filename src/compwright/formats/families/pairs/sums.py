@@ -1,5 +1,5 @@
-"""What the tables between axes (SINUMERIK's CEC) do together: sums by pair of axes, as curves,
-under the limit of the control.
+"""Sums of the tables between axes (SINUMERIK's CEC) by pair of axes, as curves, under the limit of
+the control.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ def without_cut_sums(
     may_stay: Callable[[CecTable], bool],
     wanted: Iterable[str] = (),
 ) -> Cec:
-    """Return the tables without those whose sum on their output axis reaches beyond the limit of
-    the control, which cuts it off: it is no curve, but the same before and after where all of them
-    ``may_stay``. Otherwise it is a fault of the state.
+    """Return the tables without those whose sum on their output axis exceeds the control's limit.
 
-    ``wanted``: the axes that are asked for (none: all); others are left alone.
+    The control cuts such a sum off: it is not a curve, but the same before and after if all of them
+    ``may_stay``. Otherwise it is a fault of the state. ``wanted``: the axes under work (none: all);
+    others are left alone.
     """
     under_work = tuple(wanted)
     for output, limit in cec.max_sum.items():
@@ -63,7 +63,7 @@ def without_cut_sums(
 
 
 def _reach(cec: Cec, tables: Sequence[CecTable]) -> tuple[float, float]:
-    """Return between what the sum of all ``tables`` of one output axis may lie."""
+    """Return the smallest and the largest possible sum of all ``tables`` of one output axis."""
     low = high = 0.0
     for pair in dict.fromkeys(table.pair for table in tables):
         curves = [curve for _, _, *both in _merged(cec.active(pair)) for curve in both]
@@ -101,8 +101,8 @@ def _merged(
 
 
 def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensation:
-    """Return what acts on an axis together with its tables over itself: they are its table where it
-    has no other one.
+    """Return the compensation of an axis with its tables over itself: they are its table if it has
+    no other one.
     """
     mine = cec.active((compensation.address, compensation.address))
     own = _as_tables(compensation, [table for table in mine if not table.stays])
@@ -113,7 +113,7 @@ def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensatio
 
 
 def staying(cec: Cec, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
-    """Return the tables of an axis over itself that stay beside whatever is written."""
+    """Return the tables of an axis over itself that stay whatever is written."""
     mine = cec.active((compensation.address, compensation.address))
     return _as_tables(compensation, [table for table in mine if table.stays])
 
@@ -121,7 +121,7 @@ def staying(cec: Cec, compensation: AxisCompensation) -> tuple[AxisCompensation,
 def _as_tables(
     compensation: AxisCompensation, tables: Sequence[CecTable]
 ) -> tuple[AxisCompensation, ...]:
-    """Return what tables over an axis itself do, as tables of that axis."""
+    """Return tables over an axis itself as tables of that axis."""
     return tuple(
         replace(
             compensation,
@@ -139,11 +139,11 @@ def _as_tables(
 
 
 def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
-    """Return what one axis does to another, in the order of the indices; tables of one pair that
-    repeat differently stand apart.
+    """Return the corrections between axes, in the order of the indices; tables of one pair with
+    different periods are separate.
 
-    A table that cannot be read as a curve stays as it is and is not among them: before and after it
-    does the same.
+    A table that cannot be read as a curve stays unchanged and is not included: its effect is the
+    same before and after.
     """
     pairs = dict.fromkeys(table.pair for table in cec.tables if table.input != table.output)
     return tuple(

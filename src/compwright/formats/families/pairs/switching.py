@@ -1,4 +1,4 @@
-"""Switching new tables between axes on in the control's own files, without waking others."""
+"""Switches new tables between axes on in the control's own files, without activating others."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Switches:
         self.own = tables.own
 
     def table_on(self, index: int) -> None:
-        """Make a table act with its own values where the files say otherwise: it is ours."""
+        """Make compwright's own table active with its own values if the files state otherwise."""
         if self.own is None:
             return
         switches = self.tables.places_of(index, "cross_table_enabled")
@@ -29,11 +29,11 @@ class Switches:
             self.own.put(quantity, self.tables.places_of(index, quantity), "0")
 
     def sum_on(self, output: str, faults: list[Fault]) -> None:
-        """Switch the sum on an axis on where the files switch it off, unless that would wake tables
-        that are not ours.
+        """Switch the sum on an axis on if the files switch it off, unless that would activate
+        tables of others.
 
-        Where no file says whether it is on, somebody will switch it on by hand: the same tables
-        must not sleep there either.
+        If no file states whether it is on, it will be switched on by hand: the same tables must not
+        be inactive there either.
         """
         if self.own is None:
             return
@@ -75,8 +75,8 @@ class Switches:
         indices: Collection[int],
         named: Mapping[str, str],
     ) -> None:
-        """Switch tables on by the last switch of each file, or behind their values where the switch
-        stands before them: there it has to stay off.
+        """Switch tables on by the last switch of each file; or after their values if the switch
+        comes before them: there it has to stay off.
         """
         first = self.tables.first_values(indices)
         early = set()
@@ -114,7 +114,7 @@ class Switches:
         )
 
     def _may_wake(self, index: int, output: str) -> bool:
-        """Whether a table that is not ours begins to correct ``output`` when MD32710 is switched
+        """Return whether another's table begins to correct ``output`` when MD32710 is switched
         on.
         """
         tables = self.tables
@@ -131,7 +131,7 @@ class Switches:
         return corrected == output or unlisted
 
     def _check_shared(self, output: str, faults: list[Fault]) -> None:
-        """Other tables must not be multiplied by ours, and the axis must take values in mm."""
+        """Check that our tables multiply no others, and that the axis takes values in mm."""
         tables = self.tables
         faults.extend(tables.factors(tables.kept))
         faults.extend(

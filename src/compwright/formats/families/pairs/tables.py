@@ -1,5 +1,5 @@
-"""Tables between axes as the files hold them: by index, each with its input and output axis and the
-direction in which it acts.
+"""Tables between axes in the files: by index, each with its input and output axis and its
+direction.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from compwright.records.facts import PairFacts
 
 @dataclass(frozen=True, slots=True)
 class CecTable:
-    """One table that a file holds. ``values`` (k,): what it adds to ``output``, weighted, at
+    """One table in the files. ``values`` (k,): what it adds to ``output``, weighted, at
     ``positions`` (k,) of ``input``.
 
-    ``directions``: in which it acts. ``period``: the table repeats. ``active``: no file switches it
-    off. ``stays``: it corrects an axis over itself, and nobody gave its index to be written.
+    ``directions``: in which it is active. ``period``: the table repeats. ``active``: no file
+    switches it off. ``stays``: it corrects an axis over itself, and its index is not to be written.
     """
 
     index: int
@@ -59,20 +59,20 @@ class OddTable:
 
     @property
     def made_of(self) -> tuple[int, ...]:
-        """The tables on which its values hang."""
+        """The tables on which its values depend."""
         return (self.index,) if self.times is None else (self.index, self.times)
 
 
 @dataclass(frozen=True, slots=True)
 class Cec:
-    """Everything that the files say about such tables. ``reserved``: points by index; ``max_sum``:
-    by output axis, mm or deg.
+    """All such tables in the files. ``reserved``: points by index; ``max_sum``: by output axis, mm
+    or deg.
 
-    ``metric``: by output axis, whether values stand in mm.
+    ``metric``: by output axis, whether values are in mm.
 
     ``occupied``: input and output axis by index, of tables that are left out of ``tables`` too.
-    ``odd``: those that act, or may act, and cannot be read. ``prints``: by index eight characters
-    that change with what the files say of a table.
+    ``odd``: those that are active, or may be, and cannot be read. ``prints``: by index eight
+    characters that identify the contents of a table.
     """
 
     tables: tuple[CecTable, ...] = ()
@@ -84,7 +84,7 @@ class Cec:
     prints: Mapping[int, str] = field(default_factory=dict)
 
     def left_alone(self, tables: Sequence[CecTable], why: str) -> Cec:
-        """Return everything with these ``tables`` among the odd ones."""
+        """Return a copy with these ``tables`` among the odd ones."""
         odd = [
             OddTable(one.index, *one.pair, why, float(np.max(np.abs(one.values)))) for one in tables
         ]
@@ -93,7 +93,7 @@ class Cec:
         return replace(self, tables=kept, odd=(*self.odd, *odd))
 
     def own_axes(self) -> list[str]:
-        """Return the axes with tables over themselves, switched on or not."""
+        """Return the axes with tables over themselves, active or not."""
         pairs = [*(table.pair for table in self.tables), *(table.pair for table in self.odd)]
         return list(dict.fromkeys(output for base, output in pairs if base == output))
 
@@ -103,11 +103,11 @@ class Cec:
         return frozenset((*counted, *(table.index for table in self.odd if table.largest)))
 
     def active(self, pair: Pair) -> list[CecTable]:
-        """Return the tables that act on a pair of axes."""
+        """Return the active tables of a pair of axes."""
         return [table for table in self.tables if table.pair == pair and table.active]
 
     def facts(self, address: str, *, sign_known: bool) -> PairFacts:
-        """Return what the tables mean for one axis."""
+        """Return the facts about the tables of one axis."""
         mine = (table for table in self.active((address, address)) if not table.stays)
         own = {table.directions: table.index for table in mine}
         up, down = (own.get((direction,)) for direction in Direction)
@@ -121,7 +121,7 @@ class Cec:
         )
 
     def uncounted(self, address: str) -> str:
-        """Return the tables over an axis itself, and products on it, that act on it and are not
+        """Return the active tables of an axis over itself, and products on it, that are not
         counted, in words that change with their values.
         """
         mine = [table for table in self.odd if table.largest and table.output == address]
@@ -136,7 +136,7 @@ class Cec:
         return ", ".join(self.prints.get(index, "-") for index in parts)
 
     def _untold(self, address: str, *, sign_known: bool) -> str:
-        """Return the tables from other axes that act on one and cannot be counted with, in words
+        """Return the active tables from other axes on one axis that cannot be counted, in words
         that change with their values.
         """
         active: list[CecTable | OddTable] = [table for table in self.odd if table.largest]

@@ -1,4 +1,4 @@
-"""Tables between axes that are only shown, and hang together with no readings."""
+"""Tables between axes that are only shown; no measurement depends on them."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from compwright.records.correction import Assumption, ControlState
 
 
 def with_sign_unknown(state: ControlState) -> ControlState:
-    """Return a state that was read as corrections, saying of its tables between axes that nobody
-    knows their sign.
+    """Return a state that was read as corrections, with the note that the sign of its tables
+    between axes is unknown.
     """
     if not state.tables.used:
         return state

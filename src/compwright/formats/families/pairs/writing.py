@@ -38,7 +38,7 @@ _DIRECTIONS = {None: "0", Direction.POSITIVE: "1", Direction.NEGATIVE: "-1"}
 
 @dataclass(frozen=True, slots=True)
 class PairEntry:
-    """What one table will hold, as text: values by point, single values by quantity."""
+    """Contents of one table, as text: values by point, single values by quantity."""
 
     index: int
     rows: tuple[str, ...]
@@ -58,9 +58,9 @@ class CecWriter:
         self.switches = Switches(self.tables)
 
     def own_pair(self, work: AxisToWrite) -> list[PairEntry]:
-        """Put the two tables of an axis over itself; return those that have no place in the files.
+        """Put the two tables of an axis over itself; return those without a place in the files.
 
-        Raises UsageError where nobody said what a value means.
+        Raises UsageError if the meaning of a value is not given.
         """
         address, name, faults = work.address, work.axis.name, work.faults
         free = free_tables(self.tables.allowed, self.tables.in_use, address)
@@ -84,10 +84,10 @@ class CecWriter:
         label: str,
         faults: list[Fault],
     ) -> list[PairEntry]:
-        """Put curves over the first axis of a pair, by the direction in which they act (None:
-        both), into tables; return those without a place in the files.
+        """Put curves over the first axis of a pair into tables, by direction (None: both); return
+        those without a place in the files.
 
-        Raises UsageError where nobody said what a value means: one of the two answers doubles the
+        Raises UsageError if the meaning of a value is not given: one of the two answers doubles the
         error.
         """
         if not sign_known(self.control):
@@ -101,9 +101,7 @@ class CecWriter:
         return left
 
     def _by_direction(self, indices: list[int]) -> list[int]:
-        """Return the indices so that a table that holds the + direction keeps it, and likewise the
-        - direction.
-        """
+        """Return the indices so that a table for the + direction keeps it, and likewise for -."""
 
         def holds(index: int, text: str) -> bool:
             places = self.tables.places_of(index, "cross_direction")
@@ -117,7 +115,7 @@ class CecWriter:
         return indices if second is None or not rest else [rest[0], second, *rest[1:]]
 
     def empty_own(self, work: AxisToWrite) -> None:
-        """Set the values of an axis' old tables over itself to zero, as far as they act and are not
+        """Set the values of an axis' old tables over itself to zero, if they are active and not
         used again.
         """
         tables, address = self.tables, work.address
@@ -184,9 +182,10 @@ class CecWriter:
         return PairEntry(index, tuple(row[field] for row in table.rows), singles)
 
     def _reserve(self, index: int, count: int, faults: list[Fault]) -> None:
-        """Reserve the points of a table where the files say fewer than it has: what the option
-        promises, or as many as it has where none were reserved; files that say less would take the
-        room away again when they are loaded.
+        """Reserve the points of a table if the files reserve fewer than it has: as many as the
+        option states, or as many as it has if none were reserved.
+
+        Files with a smaller number would remove the memory again when they are loaded.
         """
         fixed = self.definition.limit_number("cross_points")
         if fixed is not None:
@@ -241,7 +240,7 @@ class CecWriter:
         return held
 
     def _spelled(self, entry: PairEntry, places: TablePlaces) -> dict[str, str]:
-        """Return the single values; an axis that the file names already keeps its spelling."""
+        """Return the single values; an axis in the file keeps its spelling."""
         singles, axis = dict(entry.singles), self.tables.axis
         for name in BETWEEN:
             for place in places.singles.get(name, ()):
@@ -272,8 +271,8 @@ class CecWriter:
         return ControlFile(print_form(file.name, named), content)
 
     def unsaid(self, entries: Iterable[PairEntry]) -> list[str]:
-        """Return the lines that switch new tables on where the control's own files say nothing of
-        it: they come last.
+        """Return the lines that switch new tables on if the control's own files hold no switch:
+        they come last.
         """
         on = self.definition.choice("cross_table_enabled").text("yes")
         return [

@@ -1,4 +1,4 @@
-"""What the card says of the table of a motor."""
+"""Contents of the commissioning card for the table of a motor."""
 
 from __future__ import annotations
 

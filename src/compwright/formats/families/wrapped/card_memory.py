@@ -1,4 +1,4 @@
-"""What scripts leave in a card: tables, settings, and every number with its place."""
+"""State of a card after scripts: tables, settings, and every number with its place."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Kind = Literal["COMP", "BLCOMP", "TCOMP"]
 @dataclass(frozen=True, slots=True)
 class Word:
     """A piece of a script: its text and its place, ``start`` and ``end`` in bytes of the file that
-    is the ``number``-th of those given. ``value``: the number that it says, where it says one.
+    is the ``number``-th of those given. ``value``: its number, if it has one.
     """
 
     text: str
@@ -32,7 +32,7 @@ class Word:
 
     @property
     def found(self) -> FoundValue:
-        """The piece as the notes take it."""
+        """The piece in the form used by the notes."""
         return FoundValue(self.text, Occurrence("script", self.file, self.line, {}), self.number)
 
     def fault(self, message: str, *, expected: str = "", found: str | None = None) -> Fault:
@@ -52,7 +52,7 @@ class Word:
 
 @dataclass(slots=True)
 class MemoryTable:
-    """A table in the memory of a motor: ``needed`` entries, which stand at ``values``.
+    """A table in the memory of a motor: ``needed`` entries, with their places in ``values``.
 
     ``desired``: looked up by the commanded position. ``plane``: over two motors.
     """
@@ -76,25 +76,25 @@ class MemoryTable:
 
     @property
     def numbers(self) -> tuple[int, ...]:
-        """Its entries; entry i stands at i * length / entries, counted from 1."""
+        """Its entries; entry i is at i * length / entries, counted from 1."""
         return tuple(int(word.text) for word in self.values)
 
     @property
     def says(self) -> str:
-        """The table in a message."""
+        """Name of the table in messages."""
         return f"#{self.motor} {self.kind}"
 
 
 @dataclass(slots=True)
 class Script:
-    """What scripts leave in a control that takes them one after the other.
+    """State of a control after executing scripts one after the other.
 
-    ``tables``: by kind and motor; ``settings``: all assignments to one of our quantities, by
+    ``tables``: by kind and motor; ``settings``: all assignments to compensation quantities, by
     quantity and motor (0: all motors), the last one counts; ``programs``: those in programs.
     ``commands``: every definition, deletion and setting in the order of the files; ``conditional``:
-    those (by motor) within a block of the sending program that may be left out; ``apart``: those of
-    them that stand in another branch of a block than an earlier one. ``shared``: values of
-    assignments to more than one variable.
+    those (by motor) within a block of the sending program that may be skipped; ``apart``: those of
+    them in another branch of a block than an earlier one. ``shared``: values of assignments to more
+    than one variable.
     """
 
     files: tuple[ControlFile, ...]
@@ -112,18 +112,18 @@ class Script:
         return [table for (name, _), table in sorted(self.tables.items()) if name == kind]
 
     def setting(self, quantity: str, motor: int = 0) -> Word | None:
-        """Return the assignment that counts; None where there is none."""
+        """Return the assignment that counts, the last one; None if there is none."""
         found = self.settings.get((quantity, motor))
         return found[-1] if found else None
 
 
 def number_of(word: Word) -> int:
-    """Return the whole number that a piece of a script says."""
+    """Return the whole number in a piece of a script."""
     return int(word.text) if word.value is None else word.value
 
 
 def over_itself(script: Script, motor: int) -> list[MemoryTable]:
-    """Return the tables by which a motor corrects itself, wherever they are kept."""
+    """Return the tables by which a motor corrects itself, wherever they are stored."""
     return [
         table
         for table in script.of("COMP")

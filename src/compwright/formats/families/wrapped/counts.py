@@ -39,16 +39,20 @@ class Counts:
 
     @property
     def forward(self) -> Direction:
-        """The direction of the axis in which its motor counts up: nothing but the table acts."""
+        """The direction of the axis in which its motor counts up: only the table is active."""
         return Direction.POSITIVE if self.per_unit > 0 else Direction.NEGATIVE
 
     def added(self, quantity: str, numbers: FloatArray) -> FloatArray:
-        """Return what entries (k,) add to the axis, mm or deg; of backlash, against `forward`."""
+        """Return the correction of the axis by entries (k,), mm or deg; for backlash, against
+        `forward`.
+        """
         return numbers * (_SIGN[self._sign(quantity)] / (PARTS * self.per_unit)) + 0.0
 
     def entries(self, quantity: str, added: FloatArray, what: str) -> list[int]:
-        """Return the entries that add ``added`` (k,), mm or deg. Raises NotHeld for what is no
-        whole part of a count, or beyond the range of ``quantity``.
+        """Return the entries for the correction ``added`` (k,), mm or deg.
+
+        Raises NotHeld for values that are not whole parts of a count, or beyond the range of
+        ``quantity``.
         """
         low, high = self.definition.measure(quantity).range
         ratio = added * (_SIGN[self._sign(quantity)] * PARTS * self.per_unit)
@@ -70,7 +74,7 @@ class Counts:
 
 
 def counts_of(definition: Definition, options: Mapping[str, object], name: str) -> Counts:
-    """Return the counts of an axis. Raises UsageError where nobody says how many there are."""
+    """Return the counts of an axis. Raises UsageError if they are unknown."""
     given = options[COUNTS]
     if isinstance(given, (int, float)) and given != 0:
         return Counts(definition, float(given))
@@ -78,7 +82,7 @@ def counts_of(definition: Definition, options: Mapping[str, object], name: str) 
 
 
 def counts_question(name: str, given: object) -> Fault:
-    """Return what is asked where nobody says the counts of an axis' motor."""
+    """Return the question if the counts of an axis' motor are unknown."""
     message = (
         f"axis {name}: the counts of its motor must be given; scripts do not contain them reliably"
     )
@@ -97,8 +101,8 @@ def counts_question(name: str, given: object) -> Fault:
 
 
 def around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
-    """Return the node at which the table is shown from, and its number from motor zero: the last
-    one below the travel of an axis with ends.
+    """Return the node from which the table is shown, and its number from motor zero: the last one
+    below the travel of an axis with ends.
     """
     if axis is None or axis.modulo is not None:
         return zero, 0
@@ -107,8 +111,9 @@ def around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
 
 
 def turned_about(curve: FloatArray, first: int, counts: Counts) -> FloatArray:
-    """Return values (n + 1,) by position of the axis from the node ``first``, by position of the
-    motor from its zero.
+    """Return values (n + 1,) ordered by position of the motor from its zero.
+
+    Given: by position of the axis from the node ``first``.
     """
     size = curve.size - 1
     along = first + np.arange(size + 1)

@@ -87,8 +87,9 @@ def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
 
 
 def _following(files: Sequence[ControlFile], motors: Iterable[int]) -> Iterator[Coupling]:
-    """Yield the motors whose position following is on, or of which nobody knows; ``motors``: those
-    of the files. Where no file explains the register, each of them may lead.
+    """Yield the motors whose position following is on or unknown; ``motors``: those of the files.
+
+    If no file explains the register, each of them may lead.
     """
     statements: dict[tuple[int, str], CouplingStatement] = {}
     for found in statements_in(files, _SETTING, _REMARK):
@@ -129,5 +130,5 @@ def _sources(
 
 
 def _number(found: CouplingStatement) -> int | None:
-    """Return the number that a setting gives; None where the card alone knows it."""
+    """Return the number of a setting; None if only the card knows it."""
     return whole_value(found.match["value"], {})

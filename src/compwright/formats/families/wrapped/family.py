@@ -1,5 +1,5 @@
-"""Whole parts of a count over a length that repeats, from motor zero; a table of backlash beside
-it. A script defines them.
+"""Whole parts of a count over a length that repeats, from motor zero, and a table of backlash. A
+script defines them.
 """
 
 from __future__ import annotations
@@ -91,14 +91,14 @@ class WrappedFamily(Family):
         return read_wrapped(self.definition, self.options, files, axes, address, activity)
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
-        """See `Family.questions`: also the counts of the motor, which no file says."""
+        """See `Family.questions`: also the counts of the motor, which no file states."""
         yield from super().questions(axis, files=files, given=given)
         counts = {**self.options, **axis.options}.get(COUNTS)
         if not counts:
             yield counts_question(axis.name, counts)
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """See `Family.capacity`. Raises UsageError where nobody says the counts of the motor."""
+        """See `Family.capacity`. Raises UsageError if the counts of the motor are unknown."""
         del one_curve
         self.address(axis)
         counts = self._counts(axis)
@@ -125,8 +125,8 @@ class WrappedFamily(Family):
         )
 
     def _nodes_there(self, axis: Axis) -> tuple[tuple[float, ...], str]:
-        """Return the nodes of the table that the scripts hold, over the travel and the reference of
-        an axis with ends (the rest lies in the gap where it repeats), and why they cannot serve.
+        """Return the nodes of the table in the scripts, over the travel and the reference of an
+        axis with ends (the rest is in the gap where it repeats), and why they cannot be used.
         """
         ring = self.grid_there(axis)
         if axis.modulo is not None or len(ring) < 2:
@@ -141,8 +141,8 @@ class WrappedFamily(Family):
     def _own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
-        """Return what is wrong with the table of an endless axis, and what the entries of the
-        motor cannot say.
+        """Return the faults of the table of an endless axis, and of values that the entries of the
+        motor cannot hold.
         """
         faults = limits.turn(capacity, compensation, label)
         if compensation.positions.size >= 2:
@@ -194,5 +194,5 @@ class WrappedFamily(Family):
         return AxisCard(words | sign_check(table, request.check_at) | files)
 
     def between(self, request: BetweenRequest) -> Between:
-        """See `Family.between`: a table of a third motor, which is left to the user."""
+        """See `Family.between`: it needs a table of a third motor, which is left to the user."""
         return instead(self.definition, request.planned)

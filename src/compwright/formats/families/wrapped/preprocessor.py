@@ -1,5 +1,5 @@
-"""What the program that sends scripts does before the card sees them: remarks, macros, conditional
-blocks; and expressions, which the card works out.
+"""What the sending program does to scripts before the card gets them: remarks, macros, conditional
+blocks; and expressions, which the card evaluates.
 
 Sources: scripts of a machine as they are sent (github dhidas/IDCommon_ivu23_2.8m), for ``//``,
 ``#define`` and expressions; the manuals for operators.
@@ -35,8 +35,8 @@ _LONGEST = 2000
 
 @dataclass(slots=True)
 class ConditionalBlock:
-    """A conditional block: where it began, and which of its branches is read. ``asks``: what its
-    condition is about, with a number that grows where that may have changed; ``truth``: the answer
+    """A conditional block: where it began, and which of its branches is read. ``asks``: the subject
+    of its condition, with a number that grows whenever that may have changed; ``truth``: the answer
     for which its first branch is sent.
     """
 
@@ -59,7 +59,7 @@ class Conditions:
     chosen: set[str] = field(default_factory=set)
 
     def apply(self, match: re.Match[str], line: int) -> str:
-        """Take a directive in; return what is wrong with it, or an empty text."""
+        """Process a directive; return its fault, or an empty text."""
         name, rest = match["name"].upper(), match["rest"]
         if name == "DEFINE" and (macro := _MACRO.fullmatch(rest)) is not None:
             self.macros[macro["name"]] = macro["value"].strip()
@@ -107,8 +107,8 @@ class Conditions:
 def in_two_branches(
     one: tuple[tuple[ConditionalBlock, int], ...], other: tuple[tuple[ConditionalBlock, int], ...]
 ) -> bool:
-    """Whether two places stand in different branches of one block, or in branches of two for
-    opposite answers to one question: not both are sent.
+    """Return whether two places are in different branches of one block, or in branches of two
+    blocks for opposite answers to one question: they are not both sent.
     """
     return any(
         branch != another
@@ -124,7 +124,7 @@ def _answer(block: ConditionalBlock, branch: int) -> bool:
 
 
 def expanded(text: str, macros: Mapping[str, str]) -> str:
-    """Return a text with its macros replaced, those in macros too."""
+    """Return a text with its macros expanded, also those in macros."""
     for _ in range(_DEPTH):
         found = _NAME.sub(lambda name: macros.get(name[0], name[0]), text)
         if found == text or len(found) > _LONGEST:
@@ -134,8 +134,9 @@ def expanded(text: str, macros: Mapping[str, str]) -> str:
 
 
 def expression_end(text: str, place: int) -> int:
-    """Return where the expression that begins at ``place`` ends; ``place`` itself where there is
-    none. Blanks may stand around operators, but not before ``&`` and ``%``, which are commands.
+    """Return where the expression that begins at ``place`` ends; ``place`` itself if there is none.
+
+    Blanks are allowed around operators, but not before ``&`` and ``%``, which are commands.
     """
     end = start = place
     while (closing := _term_end(text, start)) is not None:
@@ -179,8 +180,8 @@ def _closing(text: str, place: int) -> int | None:
 
 
 def whole_value(text: str, macros: Mapping[str, str]) -> int | None:
-    """Return the whole number that an expression gives; None where it gives none, or where the card
-    alone knows it.
+    """Return the whole number of an expression; None if it has none, or if only the card knows
+    it.
     """
     text = expanded(text, macros)
     tokens: list[str] = []

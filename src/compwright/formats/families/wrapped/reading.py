@@ -1,8 +1,8 @@
-"""Scripts -> the compensation that acts, for every motor that they name.
+"""Scripts -> the active compensation, for every motor that they name.
 
 The table is looked up by the position of the source before correction and repeats after its length;
 the correction at motor zero is 0. Against the counting direction of the motor the constant backlash
-and its table are taken off (PMAC manuals; sources in the definition).
+and its table are subtracted (PMAC manuals; sources in the definition).
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def read_wrapped(
     address: str | None,
     activity: Activity,
 ) -> ControlState:
-    """Return what a control does with ``files``; arguments and errors as `Family.read`."""
+    """Return the state of a control with ``files``; arguments and errors as `Family.read`."""
     return _WrappedStateReader(definition, options, files, axes, address, activity).read()
 
 
@@ -155,8 +155,8 @@ class _WrappedStateReader:
         )
 
     def _ask_for_blocks(self) -> None:
-        """Ask whether what stands in conditional blocks was sent, where it is of a motor that is
-        asked for.
+        """Add a question whether commands in conditional blocks were sent, if they concern a motor
+        under work.
         """
 
         def concerns(motor: int) -> bool:
@@ -298,7 +298,7 @@ class _WrappedStateReader:
         grids: Mapping[tuple[int, int], tuple[FloatArray, FloatArray]],
         step: float,
     ) -> AxisCompensation:
-        """Return the tables as one compensation; those on other grids stand beside the first."""
+        """Return the tables as one compensation; those on other grids are its ``others``."""
         parts: list[AxisCompensation] = []
         for (needed, length), (ahead, back) in grids.items():
             against = back + (0.0 if parts else step)
@@ -325,8 +325,8 @@ class _WrappedStateReader:
         return replace(parts[0], others=tuple(parts[1:]))
 
     def _idle_nodes(self, motor: int, tables: Sequence[MemoryTable]) -> tuple[float, ...]:
-        """Return one round of the nodes of a motor's first table, mm or deg; none where nobody says
-        its counts, which is asked where the table acts.
+        """Return one round of the nodes of a motor's first table, mm or deg; empty if its counts
+        are unknown, which is a question if the table is active.
         """
         axis = self.axes.get(str(motor))
         if not tables or axis is None:
@@ -362,7 +362,7 @@ class _WrappedStateReader:
     # --- what switches
 
     def _on(self, label: str, *, needed: bool) -> bool:
-        """Return whether tables act (the switch of all tables)."""
+        """Return whether tables are active (the switch of all tables)."""
         place = self.script.setting("enabled")
         binding = self.definition.bindings["enabled"]
         name = "I51"
@@ -386,7 +386,7 @@ class _WrappedStateReader:
         return word is None
 
     def _takes_up(self, label: str, motor: int, *, needed: bool) -> bool:
-        """Return whether backlash is taken up: its rate is not 0."""
+        """Return whether backlash compensation is active: its take-up rate is not 0."""
         if not needed:
             return False
         name, place = f"I{motor}85", self.script.setting("take_up_rate", motor)
@@ -492,7 +492,7 @@ class _WrappedStateReader:
 
 
 def _closed(table: MemoryTable) -> FloatArray:
-    """Return the entries (n + 1,) from motor zero, where there is 0, to the length."""
+    """Return the entries (n + 1,) from motor zero, where the value is 0, to the length."""
     return np.array([0, *table.numbers], dtype=np.float64)
 
 
@@ -503,7 +503,9 @@ def _add(
     *,
     both: bool,
 ) -> None:
-    """Add a table to what acts on its grid, in the counting direction (``both``) and against it."""
+    """Add a table to the others on its grid, in the counting direction (``both``) and against
+    it.
+    """
     none = (np.zeros(table.needed + 1), np.zeros(table.needed + 1))
     ahead, back = grids.get((table.needed, table.counts), none)
     grids[table.needed, table.counts] = (ahead + added if both else ahead, back + added)

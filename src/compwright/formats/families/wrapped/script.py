@@ -1,8 +1,8 @@
 """Scripts of on-line commands -> tables, settings and programs in them, every number with its
 place.
 
-Commands stand one behind the other, whatever the lines; the numbers of a table follow its
-definition. A command that is not known may act, so it is refused.
+Commands follow one another regardless of lines; the numbers of a table follow its definition. An
+unknown command is refused, because it may change the compensation.
 """
 
 from __future__ import annotations
@@ -79,8 +79,8 @@ _COMPUTED = re.compile(r"(?<![A-Z0-9(])I[ \t]*\([^=\r\n]*\)[ \t]*=(?!=)", re.IGN
 
 
 def read_script(definition: Definition, files: Sequence[ControlFile]) -> Script:
-    """Return what ``files`` leave in a control that takes them in this order; what is wrong stands
-    in its ``faults``.
+    """Return the state of a control after executing ``files`` in this order; faults are in its
+    ``faults``.
     """
     reader = _ScriptReader(definition, files)
     for number in range(len(files)):
@@ -110,7 +110,9 @@ class _ScriptReader:
         self.line_ends: list[int] = []  # of the text: counting them for each word takes its square
 
     def read(self, number: int) -> None:
-        """Carry out the commands of one file; the addressed motor stays from file to file."""
+        """Execute the commands of one file; the addressed motor stays the same from file to
+        file.
+        """
         file = self.script.files[number]
         self.file, self.number = file.name, number
         text = file.content.decode("latin-1").removesuffix("\x1a")
@@ -138,7 +140,7 @@ class _ScriptReader:
                 place = match.end()
 
     def _separator(self, place: int) -> bool:
-        """Whether a comma between two entries stands there."""
+        """Return whether there is a comma between two entries."""
         table = self.open
         return (
             self.text[place] == ","
@@ -148,7 +150,7 @@ class _ScriptReader:
         )
 
     def _directive(self, place: int) -> re.Match[str] | None:
-        """Return the directive of the sending program that stands alone on its line."""
+        """Return the directive of the sending program that is alone on its line."""
         before = self.text[self.text.rfind("\n", 0, place) + 1 : place]
         return DIRECTIVE.match(self.text, place) if not before.strip(" \t\r") else None
 
@@ -159,8 +161,9 @@ class _ScriptReader:
             self._fault(word, wrong, "#IFDEF or #IFNDEF before it")
 
     def _carried_out(self, key: tuple[str, int], word: Word) -> bool:
-        """Note a command of ours with the blocks around it; False, with a fault, where the same
-        stands in another branch of one: not both are sent.
+        """Record a compensation command with the blocks around it.
+
+        False, with a fault, if another branch of a block has the same: they are not both sent.
         """
         here = self.conditions.here
         apart = [
@@ -185,7 +188,7 @@ class _ScriptReader:
         return True
 
     def complete(self) -> None:
-        """Note a table that the scripts end in."""
+        """Note a table that the scripts leave incomplete."""
         table, self.open = self.open, None
         if table is not None and len(table.values) < table.needed:
             self._fault(
@@ -218,7 +221,7 @@ class _ScriptReader:
         return word.end
 
     def _idle_by_macro(self, word: Word) -> bool:
-        """Whether a line becomes a command of no concern here when its macros are in place."""
+        """Return whether a line is irrelevant once its macros are expanded."""
         expanded_text = expanded(word.text, self.conditions.macros).rstrip()
         known = expanded_text != word.text.rstrip() and not self.conditions.undecided(word.text)
         match = _COMMAND.match(expanded_text) if known else None
@@ -326,7 +329,7 @@ class _ScriptReader:
     # --- settings
 
     def _assigned(self, match: re.Match[str]) -> int:
-        """Take in an assignment; return where it ends."""
+        """Record an assignment; return where it ends."""
         end = expression_end(self.text, match.end())
         if end == match.end():
             word = re.compile(r"\S*").match(self.text, end)
@@ -375,7 +378,7 @@ class _ScriptReader:
                     yield name, motor
 
     def _program(self, place: int) -> int:
-        """Read over a program; note what of ours it sets."""
+        """Skip a program; note the compensation quantities that it sets."""
         self.complete()
         end = _END.search(self.text, place)
         if end is None:
@@ -386,7 +389,7 @@ class _ScriptReader:
         return end.end()
 
     def _in_program(self, place: int, end: int) -> None:
-        """Note what of ours a program sets, in macros too, line by line."""
+        """Note the compensation quantities that a program sets, in macros too, line by line."""
         for line in re.compile(r"[^\r\n]+").finditer(self.text, place, end):
             directive = DIRECTIVE.match(line[0].lstrip(" \t"))
             if directive is not None:

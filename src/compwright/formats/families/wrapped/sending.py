@@ -1,4 +1,4 @@
-"""Whether it is known in which order scripts are sent, where that decides what acts."""
+"""Checks that the order in which scripts are sent is known, if the result depends on it."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ _NAMES = {"enabled": "I51", "take_up_rate": "I{}85", "backlash": "I{}86"}
 
 
 def left_to_the_order(script: Script) -> Iterator[Fault]:
-    """Yield what another order of the scripts would leave otherwise, for scripts that were given by
-    their folder: its order is that of their names, and nobody sends them by name.
+    """Yield a fault for each value that depends on the order of scripts given by their folder: that
+    order is by name, and scripts are not sent by name.
     """
     for (quantity, motor), words in script.settings.items():
         name = _NAMES[quantity].format(motor)
@@ -23,8 +23,9 @@ def left_to_the_order(script: Script) -> Iterator[Fault]:
 
 
 def _tables(script: Script) -> Mapping[tuple[str, int], list[tuple[str, Word]]]:
-    """Return what is done with each table, by kind and motor: a deletion is one like any other, a
-    definition only like itself.
+    """Return the commands for each table, by kind and motor.
+
+    Any two deletions are equal; a definition is equal only to the same definition.
     """
     found: dict[tuple[str, int], list[tuple[str, Word]]] = {}
     for number, (command, motor, word) in enumerate(script.commands):
@@ -38,8 +39,8 @@ def _tables(script: Script) -> Mapping[tuple[str, int], list[tuple[str, Word]]]:
 def _other_ends(
     script: Script, name: str, words: Sequence[Word], ends: Sequence[str]
 ) -> Iterator[Fault]:
-    """Yield a fault where the last of several ``words`` of ``name`` is the last only by the name of
-    its file; ``ends``: what each leaves.
+    """Yield a fault if the last of several ``words`` of ``name`` is the last only by the name of
+    its file; ``ends``: the result of each.
     """
     folder = script.files[words[-1].number].folder
     last_of = {word.number: (word, end) for word, end in zip(words, ends, strict=True)}

@@ -1,10 +1,10 @@
-"""A correction -> the entries of one motor: a table for both directions, and what is taken off it
-against the counting direction.
+"""A correction -> the entries of one motor: a table for both directions, and what is subtracted
+from it against the counting direction.
 
-Entry i stands at i * length / entries from motor zero; the table repeats after the length. The
-length is more than the whole travel, so that no place of the table serves two places of the axis:
-between the end of the travel and its beginning, one turn further, lies a gap that nobody uses. For
-`HELD` spacings beyond the travel the end values are held.
+Entry i is at i * length / entries from motor zero; the table repeats after the length. The length
+is more than the whole travel, so that no place of the table serves two places of the axis: between
+the end of the travel and its beginning, one turn further, is an unused gap. For `HELD` spacings
+beyond the travel the end values are held.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ HELD = 3
 
 @dataclass(frozen=True, slots=True)
 class MotorTable:
-    """The entries of a motor, whole parts of a count. ``length`` in counts; ``lost``: the table of
-    backlash beside ``constant``.
+    """The entries of a motor, whole parts of a count. ``length`` in counts; ``lost``: the backlash
+    table in addition to ``constant``.
 
-    ``gap``: the places of the axis between which nothing of the travel lies, mm or deg; None: an
-    endless axis.
+    ``gap``: the places of the axis between which there is no travel, mm or deg; None: an endless
+    axis.
     """
 
     motor: int
@@ -55,7 +55,7 @@ class MotorTable:
 @dataclass(frozen=True, slots=True)
 class _Nodes:
     """Nodes by their number from the reference: ``first`` and ``last`` of the correction, ``low``
-    and ``high`` of what the table holds.
+    and ``high`` of the table.
     """
 
     step: float
@@ -66,9 +66,10 @@ class _Nodes:
 
 
 def over_travel(ring: Sequence[float], axis: Axis) -> tuple[float, ...]:
-    """Return those of ``ring`` that an axis with ends needs: over its travel and its reference; all
-    where a round is too short for that. ``ring``: one round of nodes of a table that repeats, both
-    ends, from below the travel.
+    """Return those nodes of ``ring`` that an axis with ends needs: over its travel and its
+    reference; all if a round is too short for that.
+
+    ``ring``: one round of nodes of a table that repeats, both ends, from below the travel.
     """
     if len(ring) < 2:
         return ()
@@ -89,10 +90,10 @@ def motor_table(
     *,
     ring: Sequence[float] = (),
 ) -> MotorTable | None:
-    """Return the entries of an axis, or None with what the control cannot hold in ``faults``.
+    """Return the entries of an axis, or None with the reasons in ``faults``.
 
-    ``ring``: one round of nodes, both ends, of the table that is there; where the nodes stand on it
-    and it is long enough, its entries stay as many, and its length.
+    ``ring``: one round of nodes, both ends, of the existing table; if the nodes are on it and it is
+    long enough, number of entries and length stay the same.
     """
     label = f"axis {axis.name} ({compensation.address})"
     nodes, wrong = _nodes(axis, compensation, label, ring)
@@ -195,7 +196,7 @@ def _nodes(
 
 
 def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault for everything that acts beside a table with straight lines."""
+    """Return a fault for everything in addition to a table with straight lines."""
     more = compensation.others or compensation.slope or compensation.backlash
     if compensation.interpolation == "linear" and not more:
         return []
@@ -210,8 +211,10 @@ def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
 
 
 def _entries_of(curve: FloatArray, nodes: _Nodes, counts: Counts) -> FloatArray:
-    """Return what acts (size,) at the entries 1 to size, mm or deg; the last one is motor zero.
-    Beyond its ends ``curve`` is held.
+    """Return the correction (size,) at the entries 1 to size, mm or deg; the last one is motor
+    zero.
+
+    Outside, the ends of ``curve`` are held.
     """
     size = nodes.high - nodes.low + 1
     along = np.arange(1, size + 1) * (1 if counts.forward is Direction.POSITIVE else -1)

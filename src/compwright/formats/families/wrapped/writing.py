@@ -1,8 +1,8 @@
-"""Tables of motors -> scripts: a fresh one, or the user's own with our numbers in their place.
+"""Tables of motors -> scripts: a fresh one, or the user's own with new numbers in their place.
 
-In the user's own scripts every other byte stays. What was not there is put where the card takes it:
-tables from the highest motor down, all COMP before what must come behind them. What comes out is
-read again before it is given away.
+In the user's own scripts every other byte stays. New commands are put where the card accepts them:
+tables from the highest motor down, all COMP before the buffers that must follow them. The result is
+read again before it is delivered.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ TAKE_UP = "take_up_rate"
 def fresh_script(
     definition: Definition, tables: Sequence[MotorTable], rates: Mapping[int, int]
 ) -> ControlFile:
-    """Return the script that defines ``tables`` in a card without any; ``rates`` of take-up by
+    """Return the script that defines ``tables`` in a card without any; ``rates``: take-up rate by
     motor.
     """
     file = definition.writing[0]
@@ -81,9 +81,7 @@ def patched_scripts(
     rates: Mapping[int, int],
     faults: list[Fault],
 ) -> tuple[ControlFile, ...]:
-    """Return the user's own scripts with ``tables`` in them; what stands in the way goes to
-    ``faults``.
-    """
+    """Return the user's own scripts with ``tables`` in them; obstacles go to ``faults``."""
     patcher = _Patcher(definition, files, tables)
     for table in sorted(tables, key=lambda table: -table.motor):
         patcher.put(table, rates[table.motor])
@@ -134,7 +132,7 @@ class _Patcher:
         self.faults.append(other.word.fault(message, expected=expected))
 
     def _replace(self, place: MemoryTable, entries: Sequence[int], length: int) -> None:
-        """Put other numbers into a table; a number that stays the same keeps its bytes."""
+        """Replace the numbers of a table; a number that stays the same keeps its bytes."""
         for word, value in ((place.entries, len(entries)), (place.length, length)):
             if word is not None:
                 self._number(word, value)
@@ -152,7 +150,7 @@ class _Patcher:
             self.patches.insert(last.number, last.end, text)
 
     def _remove(self, before: Word, word: Word) -> None:
-        """Take an entry out, with the comma that separates it from the one before."""
+        """Remove an entry, with the comma before it."""
         content = self.patches.files[word.number].content
         between = content[before.end : word.start]
         start = before.end + between.rfind(b",") if b"," in between else word.start
@@ -174,14 +172,14 @@ class _Patcher:
             )
 
     def _assigned(self, word: Word, value: int) -> bool:
-        """Let an assignment say ``value``; False where it would say so of other variables too."""
+        """Set an assignment to ``value``; False if it would change other variables too."""
         if word in self.script.shared and number_of(word) != value:
             return False
         self._number(word, value)
         return True
 
     def _define(self, kind: str, table: MotorTable) -> None:
-        """Define a table that the scripts have not, where the card takes it."""
+        """Define a table that the scripts do not have, where the card accepts it."""
         lines = definition_lines(self.definition, kind, table)
         behind = (kind, *BEHIND[kind])
         for name, motor, word in self.script.commands:
@@ -201,7 +199,7 @@ class _Patcher:
             self._at_the_end(lines)
 
     def _before(self, word: Word, lines: Sequence[str]) -> None:
-        """Put lines before a command and the motor that is addressed for it on its line."""
+        """Put lines before a command and before the line that addresses its motor."""
         line = self.patches.line(word.number, word.start)
         content = self.patches.files[word.number].content
         if re.fullmatch(rb"\s*(#\s*\d+)?\s*", content[line.start : word.start]):
@@ -212,8 +210,9 @@ class _Patcher:
             self.patches.insert(word.number, word.start, "\n" + "\n".join(lines) + again)
 
     def _behind(self, word: Word, lines: Sequence[str]) -> None:
-        """Put lines behind the last number of a table; the motor that was addressed then is
-        addressed again where the next command leaves it to that.
+        """Put lines after the last number of a table.
+
+        The motor addressed before is addressed again if the next command relies on it.
         """
         content = self.patches.files[word.number].content
         line = self.patches.line(word.number, word.start)
@@ -230,7 +229,7 @@ class _Patcher:
         return next(one.motor for one in self.script.tables.values() if word in one.values)
 
     def _at_the_end(self, lines: Sequence[str]) -> None:
-        """Put lines behind everything, but before the SAVE that would not hold them."""
+        """Put lines at the end, but before a SAVE, which would otherwise not save them."""
         number = len(self.patches.files) - 1
         content = self.patches.files[number].content.removesuffix(b"\x1a")
         if (saved := _SAVE.search(content)) is not None:
@@ -258,7 +257,9 @@ class _Patcher:
             self._at_the_end(lines)
 
     def switch_on(self) -> None:
-        """Let tables act where the scripts end with all of them off; that must wake no other."""
+        """Make tables active if the scripts end with all of them off; this must not activate
+        others.
+        """
         switch = self.script.setting("enabled")
         binding = self.definition.bindings["enabled"]
         if switch is None or not isinstance(binding, Choice):
@@ -288,7 +289,7 @@ class _Patcher:
 
 
 def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable]) -> list[Fault]:
-    """Return what the patched scripts say otherwise than they should."""
+    """Return the differences between the patched scripts and the intended result."""
     if after.faults:
         help_ = "the tables of these motors defined once, deletions before definitions"
         return [
