@@ -1,6 +1,7 @@
 """Read a definition from YAML: exact keys, all faults at once with file, line and key path.
 
-A missing key is an error, never a default; so is an unknown key. docs/formats.md explains the keys.
+A missing key is an error, never a default; an unknown key is an error too. The keys are explained
+in docs/formats.md.
 """
 
 from __future__ import annotations

@@ -371,7 +371,7 @@ def _writing(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPat
             yield (*path, "name"), "must be a plain file name that contains {axis}"
         for line in (file.name, *file.header, *file.footer):
             if set(field_names(line)) - {"axis", "system", "program"}:
-                yield path, f"only {{axis}}, {{system}} and {{program}} can stand in {line}"
+                yield path, f"only {{axis}}, {{system}} and {{program}} are allowed in {line}"
 
 
 def _look_at(definition: Definition) -> Iterator[tuple[KeyPath, str]]:

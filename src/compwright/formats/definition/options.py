@@ -15,8 +15,8 @@ from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlState
 from compwright.records.options import KIND, REFERENCE, REFERENCE_RETURN
 
-#: Least and largest number that an option may hold, beside 0: no length, count or feed of a machine
-#: tool lies outside, and products of two such stay numbers.
+#: Least and largest number that an option may hold, apart from 0: every length, count and feed of a
+#: machine tool lies within, and products of two such numbers stay finite.
 _SIZES = (1e-9, 1e9)
 
 

@@ -155,6 +155,6 @@ When = Literal["always", "one_curve", "two_curves", "cross"]
 #: What a table of an axis that is programmed in diameter counts in.
 DiameterTables = Literal["radius", "unconfirmed"]
 OptionType = Literal["integer", "number", "choice", "text", "integers"]
-#: What parameters beside the table are on a control: read; others by the same numbers, which count
-#: for nothing; or nobody knows what.
+#: Parameters in addition to the table on a control: read; other parameters under the same numbers,
+#: which are ignored; or unknown.
 Here = Literal["read", "another", "unknown"]

@@ -16,7 +16,7 @@ from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
 from compwright.words.sentences import Sentence, say
 
-#: A table between axes that moves the whole axis by less than this is not said to, mm or deg.
+#: A shift of the whole axis by a table between axes is reported from this size on, mm or deg.
 _NO_SHIFT = 2e-6
 
 

@@ -26,7 +26,7 @@ from compwright.records.correction import ControlFile
 STATE_TEXTS = "machine data of all axes, AX_EEC_INI, NC_CEC_INI"
 #: The quantity of a table's values, and that which says where it ends.
 _ROWS = {"value": "table_end", "cross_value": "cross_end"}
-#: A value with a decimal comma, one with a decimal point, and one that nobody knew.
+#: A value with a decimal comma, one with a decimal point, and one without a value.
 _COMMA = re.compile(
     rb"^([^;\n]*=[ \t]*[+-]?[0-9]+),([0-9]+)(?=[ \t]*(?:;[^\n]*)?\r?$)", re.MULTILINE
 )
@@ -99,7 +99,7 @@ def _texts_of(
     reader = text_reader(definition)
     texts = [reader.read(file, []) for file in (*packed, *loose)]
     read = [text for text in texts if text is not None]
-    if len(read) < len(texts):  # what cannot be read is told where it is read
+    if len(read) < len(texts):  # unreadable files are reported by their reader
         return (*packed, *loose), tuple(faults)
     names = axis_names(definition, read)
     over = _Over(definition, names, read[len(packed) :])

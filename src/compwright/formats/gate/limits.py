@@ -16,8 +16,7 @@ from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 
-#: A table by rows of numbers beyond this many is not tried: some limits are so far away that nobody
-#: reaches them.
+#: Largest table that is tried: some limits are too large to be reached.
 _MOST_POINTS = 20_000
 
 

@@ -179,7 +179,7 @@ class _Redactor:
             if self._stays(empty.strip()):
                 self.literal(empty)
                 return _QUOTED.sub(self._quoted, code)
-        for address in _ADDRESS.findall(bare):  # its words stand in other addresses too
+        for address in _ADDRESS.findall(bare):  # its words occur in other addresses too
             self.literal(address)
         remark = self.cuts.remark(bare, LINE)
         return f"({remark})" if self.mark == OPEN else f"{self.mark} {remark}".strip()

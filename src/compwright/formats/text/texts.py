@@ -33,11 +33,11 @@ _HEAD = 512  # bytes that show in which encoding a file was saved
 #: The mark of a comment that has an end, unlike all others.
 OPEN = "("
 _ENCLOSED = re.compile(r"\([^()]*\)")
-#: Stands behind a comment mark, before a statement that compwright leaves to somebody at the
-#: control: it counts as said.
+#: Text between a comment mark and a statement that has to be typed in at the control: the statement
+#: counts.
 BY_HAND = " by hand: "
-#: Stands behind a comment mark, before a statement that the control holds already: it counts as
-#: said, and the control does not enter it again.
+#: Text between a comment mark and a statement that the control already holds: the statement counts,
+#: and the control does not enter it again.
 AS_IT_IS = " as it is: "
 _UTF8_MARK = "\xef\xbb\xbf"  # the byte order mark, seen as single bytes
 #: What was read is kept by content: a run reads each text once, of more files than a control has.

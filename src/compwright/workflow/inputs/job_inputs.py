@@ -252,7 +252,7 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
         own = {request.measured_in for request in entry.before}
         concerned = {AS_FOUND} | own | between | filled
         for quantity, what, compared in (
-            ("beside", "what is active in addition to its table", concerned),
+            ("other_functions", "what is active in addition to its table", concerned),
             ("encoder_system", "its measuring system", filled),
         ):
             found = {

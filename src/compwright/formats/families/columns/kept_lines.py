@@ -1,4 +1,4 @@
-"""Lines of tables and parameter lists that name nobody: columns, their descriptions, rows, and
+"""Lines of tables and parameter lists without private names: columns, their descriptions, rows, and
 parameters by number.
 """
 

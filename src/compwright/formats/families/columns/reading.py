@@ -169,9 +169,7 @@ class _ColumnStateReader:
                 nodes, curve, period = self.values.turned(
                     moving, np.array([float(one) for one in positions]), values, table.file
                 )
-                if self._off(
-                    output
-                ):  # no table acts on this axis; the column is there all the same
+                if self._off(output):  # no table is active on this axis, but it has a column
                     curve = np.zeros(nodes.size)
                 found.append(
                     CrossCompensation(

@@ -32,7 +32,7 @@ from compwright.records.options import ENCODER_SYSTEM, REFERENCE, REFERENCE_RETU
 
 #: Software limits further away than this are none, in the unit of the files.
 _NO_LIMIT = 99999.0
-#: Limits that were turned into mm are told to a nanometre.
+#: Limits converted to mm are shown to a nanometre.
 _DECIMALS = 6
 
 

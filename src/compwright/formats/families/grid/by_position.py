@@ -15,7 +15,7 @@ from compwright.formats.families.grid.tables import (
     table_of,
 )
 
-#: The sections and keys of settings of a machine that stand beside its compensation.
+#: The sections and keys of settings of a machine other than its compensation.
 _SECTIONS = (
     r"EMC|DISPLAY|FILTER|RS274NGC|EMCMOT|TASK|HAL|HALUI|APPLICATIONS|TRAJ|KINS|EMCIO|EMCSERVER"
     r"|(?:JOINT|SPINDLE)_[0-9]{1,2}|AXIS_[A-Z0-9]"

@@ -10,8 +10,8 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.text.entered import Entered, by_statements
 from compwright.records.correction import ControlFile
 
-#: Keys beside those of the definition that decide the scale of a joint or move its zero (LinuxCNC
-#: documentation, INI configuration: [JOINT_n], [KINS]).
+#: Keys other than those of the definition that decide the scale of a joint or move its zero
+#: (LinuxCNC documentation, INI configuration: [JOINT_n], [KINS]).
 _CORRECTING = re.compile(
     r"\[(?:JOINT_[0-9]+|KINS)\] (?:(?:INPUT_|OUTPUT_)?SCALE|HOME|HOME_OFFSET|KINEMATICS)"
 )

@@ -239,7 +239,7 @@ class GridWriter:
             return set()
         own_values, placed = self.own_values(text), self.put_backlash(text)
         if placed or own_values.get("enabled"):
-            # beside a backlash that stays in its place no file is made for the switch alone
+            # an existing file holds the backlash: no file is made for the switch alone
             placed.add("enabled")
         value = curves(self.definition)[0]
         names = [

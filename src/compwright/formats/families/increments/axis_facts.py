@@ -109,7 +109,7 @@ def with_neighbours(
         waved=by_option.get("cyclic", ""),
     )
     words = [function.description for function in alone if function.moves]
-    if words:  # what it does hangs on the grid
+    if words:  # their effect depends on the grid
         grid = (
             *(increments.reference_number, increments.first_number, increments.last_number),
             *(increments.magnification, increments.interval),

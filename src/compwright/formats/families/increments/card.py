@@ -17,7 +17,7 @@ _ABSOLUTE = (
     "Absolute encoder: no reference return. Leave its adjustment alone (1815): machine zero would"
     " be lost."
 )
-#: Words of the fields that name a parameter, each with what stands in it.
+#: Words of the fields that name a parameter, each with the contents of the parameter.
 _PARAMETERS = {
     "reference": "reference_number",
     "first": "first_number",

@@ -25,14 +25,14 @@ _KEPT = 6
 _POINT = "point of the pitch error compensation"
 #: Numbers of the parameter in a statement's form.
 _NUMBER = re.compile(r"N#?0*([0-9]+)")
-#: What acts although compwright never reads it (docs/controllers/fanuc.md).
+#: Active parameters that compwright never reads (docs/controllers/fanuc.md).
 _UNREAD: Mapping[int, str] = {
     1850: "grid shift: moves the machine's zero",
     8135: "options (#0: stored pitch error compensation off)",
     **dict.fromkeys(range(10803, 10815), "three-dimensional compensation"),
 }
-#: What is said before the words of a parameter that this series does not have as others do: it may
-#: compensate, so a change is told.
+#: Text before the words of a parameter that has another meaning on this series: it may compensate,
+#: so a change is reported.
 _ELSEWHERE = {
     "another": "another parameter on this series; on others: ",
     "unknown": "not known on this series; on others: ",

@@ -9,7 +9,7 @@ from compwright.formats.families.increments.numbering import NumberPlace
 from compwright.formats.text.scale import NotHeld
 from compwright.records.axis import Axis
 
-#: How far a position may lie beside a node, in spacings: arithmetic dust.
+#: Tolerance of a position at a node, in spacings: rounding of floating point.
 _ON_GRID = 1e-6
 _HELP = (
     "leave out spacing, start and end of the table, so that the grid that is there stays, or take"

@@ -17,7 +17,7 @@ from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.increment_facts import Hung, PointNumber
 from compwright.formats.families.increments.parameters import AxisParameters, ParameterValue
 
-#: What may compensate by the grid where nobody knows what it is on a series.
+#: Parameter groups that may compensate by the grid on a series where their meaning is unknown.
 _MAY_COMPENSATE = {"inclination", "straightness", "cyclic", "spatial", "totals", "pitch_bits"}
 #: The option of each function by which the user says that compwright may count and write it.
 _ACROSS, _BENT = (

@@ -31,7 +31,7 @@ TOTALS, PITCH_BITS = 3602, 3605
 STRAIGHTNESS_MOVING, STRAIGHTNESS_BENT = range(5711, 5721), range(5721, 5731)
 STRAIGHTNESS_POINTS, STRAIGHTNESS_AMOUNTS = range(5731, 5761), range(5761, 5800)
 #: Pairs of axes of which the points are known: four numbers each from 5731, 5741 and 5751 on. A
-#: real backup (D4G3) has eight numbers in each row; of the further four nobody knows the meaning.
+#: real backup (D4G3) has eight numbers in each row; the meaning of the further four is unknown.
 STRAIGHTNESS_PAIRS, STRAIGHTNESS_USED, STRAIGHTNESS_ROW = 3, 4, 8
 INCLINATION_POINTS, INCLINATION_AMOUNTS = range(5861, 5865), range(5871, 5875)
 SPATIAL = range(10800, 10803)
@@ -93,7 +93,7 @@ _READ: tuple[tuple[str, Sequence[int], str], ...] = (
 )
 NAMES = {number: name for name, numbers, _ in _READ for number in numbers}
 MEANINGS: Mapping[int, str] = {number: words for _, numbers, words in _READ for number in numbers}
-#: Read, and no compensation: neither a unit nor a kind hangs on them.
+#: Read, but without effect on compensation: neither a unit nor a kind depends on them.
 SILENT = frozenset({NAME, *NAME_MORE, RAPID})
 _WORD = re.compile(r"[ \t]*([A-Z])[ \t]*(-?(?:[0-9]+\.?[0-9]*|\.[0-9]+))", re.IGNORECASE)
 _COMMENT = re.compile(r"\([^()]*\)")

@@ -25,7 +25,7 @@ from compwright.formats.families.increments.parameters import (
 from compwright.foundations.errors import Fault
 from compwright.records.axis import FloatArray
 
-#: Parameters of pairs of axes that are not understood: where one is not 0, what acts is not known.
+#: Parameters of pairs of unknown meaning: if one is not 0, the active compensation is unknown.
 _UNKNOWN = (
     *known.STRAIGHTNESS_MOVING[known.STRAIGHTNESS_PAIRS :],
     *known.STRAIGHTNESS_BENT[known.STRAIGHTNESS_PAIRS :],

@@ -239,7 +239,7 @@ def _lines(definition: Definition, entry: Entries) -> Iterator[str]:
         binding = definition.bindings[quantity]
         form = definition.statements[binding.statement].form
         yield print_form(form, {"axis": entry.address, "key": key, binding.field: value})
-    # What stands beside the table has the form of the other whole numbers.
+    # A parameter of an added function has the form of the other whole numbers.
     form = definition.statements["reference_number"].form
     for number, count in entry.added.items():
         own = _NUMBER.sub(f"{number:05d}", form, count=1)

@@ -25,7 +25,7 @@ from compwright.records.correction import ControlFile
 _HEADER = re.compile(r"\s*%_N_", re.IGNORECASE)
 #: Headers of exported data, which are carried out when they are loaded.
 _DATA = re.compile(r"\s*%_N_\w*(?:INI|TEA|SEA|OPT|EEC|CEC|QEC)\b", re.IGNORECASE)
-#: What makes a subprogram: it acts only where a program calls it.
+#: Names of subprograms, which run only if a program calls them.
 _SUBPROGRAM = re.compile(r"[._](?:SPF|CYC)\b", re.IGNORECASE)
 _PROCEDURE = re.compile(r"PROC\b", re.IGNORECASE)
 _LABEL = re.compile(r"(?!CHANDATA\b)(?P<name>[A-Z_]\w+)\s*:(?!=)\s*", re.IGNORECASE)
@@ -49,7 +49,7 @@ _CHECKSUM = re.compile(r"\s+'[0-9A-F]{4}\s*$", re.IGNORECASE)
 _PLAIN_CALL = re.compile(
     r"(?:_N_)?(?P<name>[A-Z_]{2}\w*?|L\d+)(?:[._](?:SPF|MPF|CYC))?\s*(?:\([^()]*\))?", re.IGNORECASE
 )
-#: A call of a program whose name stands there as a text or as a path.
+#: A call of a program by a text or a path.
 _WRITTEN_CALL = re.compile(
     r'CALL\s*"(?P<text>[^"]*)"|PCALL\s+(?P<path>[^\s("]+)(?:\s*\([^()]*\))?', re.IGNORECASE
 )

@@ -36,7 +36,7 @@ from compwright.formats.text.scale import NumberScale
 from compwright.records.axis import Axis, Direction
 
 _ZERO = (Decimal(0),)
-#: What a table has beside its curve: quantity, what it does, and the values that do nothing.
+#: Settings of a table other than its curve: quantity, effect, and the values without effect.
 _ODD = (
     ("cross_type", "makes it a special table", _ZERO),
     ("cross_input_ncu", "takes its input from another NCU", (Decimal(1), *_ZERO)),

@@ -105,7 +105,7 @@ class SmallFiles:
         plans = [replace(plan, name=BACK + plan.name, tells=()) for plan in self.plans]
         return tuple(self._file(plan, self._old_text) for plan in plans)
 
-    # -- what is said
+    # -- reading
 
     def _side(self, files: Sequence[ControlFile]) -> _FilesSide:
         reader, faults = text_reader(self.definition), list[Fault]()
@@ -393,7 +393,7 @@ class SmallFiles:
         if self._is(key, ("enabled",)) and enabled is not None:
             return self.definition.choice("enabled").text("yes" if enabled else "no")
         if self._is(key, ("max_points", "cross_max_points")) and self._changed(key):
-            return None  # room that nobody needs does no harm; less of it clears the memory
+            return None  # unused reserved memory does no harm; reserving less clears the memory
         if found is not None:
             return self._text(key, found)
         if self._is(key, ("value", "cross_value", "backlash", "cross_table_enabled")):

@@ -31,7 +31,7 @@ class PairsWriter(GridWriter):
         if not holds_two_curves(work.options, work.compensation):
             return super().axis(work)
         text = self.text(work, self.control.scale_of(work.axis), WrittenTable((), {}))
-        off = self.definition.choice("enabled").text("no")  # so that nothing acts twice
+        off = self.definition.choice("enabled").text("no")  # so that no correction is active twice
         text = replace(text, singles={**text.singles, "enabled": off})
         left = self.cec.own_pair(work)
         fresh = [self.cec.new_file("two_curves", work.address, left)] if left else []

@@ -125,7 +125,7 @@ class CecWriter:
             if tables.quiet(index) or tables.off(index, address):
                 continue
             if index in tables.stay and index not in tables.allowed:
-                continue  # as it is in the readings, it is in what acts afterwards
+                continue  # it stays: active in the test and afterwards alike
             if self.own is None or index not in tables.allowed:
                 work.faults.append(
                     Fault(
