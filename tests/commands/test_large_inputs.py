@@ -24,7 +24,7 @@ from compwright.foundations import yaml_reader
 from compwright.foundations.errors import InputError
 from compwright.foundations.session import Session
 from compwright.instruments import assembling
-from compwright.instruments.header_words import difference_of, said_unit, unit_of, without_unit
+from compwright.instruments.header_words import difference_of, stated_unit, unit_of, without_unit
 from compwright.instruments.profile_of_file import proposed_profile
 from compwright.instruments.sections import FileSections, header_of
 from compwright.records.axis import AxisKind, FloatArray
@@ -162,7 +162,7 @@ def linear(work: Callable[[str], object], unit: str, before: str = "", after: st
 @pytest.mark.parametrize("unit", ["[", "(", "[ ", " ", "a-", "- "])
 def test_long_headers_take_time_in_proportion_to_their_length(unit: str) -> None:
     def look(text: str) -> object:
-        return unit_of(text), without_unit(text), difference_of(text), said_unit(text)
+        return unit_of(text), without_unit(text), difference_of(text), stated_unit(text)
 
     assert linear(look, unit, "Einheit ", "!")
 

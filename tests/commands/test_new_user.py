@@ -17,7 +17,7 @@ import pytest
 from test_inputs_stay import tree
 
 from compwright.cli import run as compwright
-from compwright.instruments.header_words import said_unit
+from compwright.instruments.header_words import stated_unit
 
 pytestmark = pytest.mark.brief
 
@@ -146,4 +146,4 @@ def test_the_assumed_job_gives_the_same_bytes_with_the_profile(
 )
 def test_a_unit_above_a_table(line: str, unit: str) -> None:
     """A limit or a result is no title, and ``in`` before a unit is no inch."""
-    assert said_unit(line) == unit
+    assert stated_unit(line) == unit

@@ -71,7 +71,7 @@ MOST_COLUMNS: Final = 1000
 #: Of a workbook, told before it is read: bytes of its tables and texts when unpacked, of all else
 #: that describes it (styles, names), and cells, rows and texts that it writes, empty ones too.
 MOST_UNPACKED: Final = 80_000_000
-MOST_UNPACKED_BESIDE: Final = 8_000_000
+MOST_UNPACKED_OTHER: Final = 8_000_000
 MOST_SHEET_CELLS: Final = 1_000_000
 #: The same with the gaps between cells, which a sheet does not write.
 MOST_SHEET_PLACES: Final = 2_000_000

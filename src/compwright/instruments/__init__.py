@@ -1,3 +1,3 @@
-"""Measurement files to records: bytes in, records out. The door is
+"""Measurement files to records: bytes in, records out. The entry is
 `compwright.instruments.reading`.
 """

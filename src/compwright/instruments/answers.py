@@ -1,4 +1,4 @@
-"""What a user says about a file of a known form that the file itself leaves open."""
+"""Answers of the user about a file of a known form, for facts that the file leaves open."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ Sign = Literal["measured minus target", "target minus measured"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Answers:
-    """None where nobody said it. ``unit``: of the deviations, a key of `foreign_units`; ``sign``:
-    of the deviations.
+    """None where not answered. ``unit``: of the deviations, a key of `foreign_units`; ``sign``: of
+    the deviations.
     """
 
     unit: str | None = None

@@ -1,6 +1,4 @@
-"""Single readings to a positioning test: the checks that need all readings at once, and the
-arrays.
-"""
+"""Single readings to a positioning test: the checks that need all readings, and the arrays."""
 
 from __future__ import annotations
 
@@ -27,8 +25,8 @@ class ReadingGrid:
     """The readings as arrays: ``targets`` (m,) ascending; per direction ``deviations`` (m, n), NaN
     for none, and ``runs`` (n,).
 
-    ``times``: when they were taken, None where the file does not say it. ``one_sided``: targets
-    that were left out, because a test in two directions approached them in one only, in words.
+    ``times``: when they were taken, None if the file does not state it. ``one_sided``: targets that
+    were left out, because a bidirectional test approached them from one side only, in words.
     """
 
     targets: FloatArray
@@ -39,7 +37,7 @@ class ReadingGrid:
 
 
 def as_text(position: float) -> str:
-    """Return a position as people write it: no exponent for usual sizes, no trailing zeros."""
+    """Return a position as text: no exponent for usual sizes, no trailing zeros."""
     return f"{position:.10g}"
 
 
@@ -47,10 +45,10 @@ def grid_of(readings: Readings, kind: AxisKind, faults: FaultList) -> ReadingGri
     """Return the readings as arrays, in any order given.
 
     Raises InputError (with the faults noted before) when there are no readings or too many, a
-    reading is given twice, or a test in two directions does not have the same targets in both (ISO
-    230-2, clause 4: each target is approached from both sides); up to one target in four that was
-    approached in one direction only is left out. Targets are the same when their numbers are
-    exactly equal: nothing is rounded to make them so.
+    reading is given twice, or a bidirectional test does not have the same targets in both
+    directions (ISO 230-2, clause 4: each target is approached from both sides); up to one target in
+    four that was approached in one direction only is left out. Targets are the same when their
+    numbers are exactly equal: nothing is rounded to make them so.
     """
     one_sided: dict[float, str] = {}
     if not faults:
@@ -124,10 +122,10 @@ def _first_of(readings: Readings, direction: Direction) -> dict[float, int]:
 def _check_both_directions(
     readings: Readings, kind: AxisKind, faults: FaultList
 ) -> dict[float, str]:
-    """Return the targets that only one direction of a test in two directions has, in words, where
-    they are few.
+    """Return the targets of a bidirectional test that only one direction has, in words, if they are
+    few.
 
-    Else each is a fault; so is one near which another stands in the opposite direction.
+    If they are many, each is a fault; so is one near a different target of the opposite direction.
     """
     positive, negative = (_first_of(readings, direction) for direction in Direction)
     if not positive or not negative:
@@ -136,7 +134,7 @@ def _check_both_directions(
     only_positive = sorted(set(positive) - set(negative))
     only_negative = sorted(set(negative) - set(positive))
     found: dict[float, tuple[int, str]] = {}
-    told: set[float] = set()
+    reported: set[float] = set()
     reach = min((b - a for a, b in pairwise(sorted(positive))), default=np.inf) / 2
     for target in only_positive:
         at = bisect_left(only_negative, target)
@@ -144,7 +142,7 @@ def _check_both_directions(
             only_negative[max(at - 1, 0) : at + 1], key=partial(_distance, target), default=np.inf
         )
         if _distance(target, near) < reach:
-            told.add(near)
+            reported.add(near)
             faults.add(
                 "the targets of the two directions differ",
                 place=readings.place(negative[near]),
@@ -156,7 +154,7 @@ def _check_both_directions(
             )
         else:
             found[target] = (positive[target], "+")
-    found |= {target: (negative[target], "-") for target in only_negative if target not in told}
+    found |= {target: (negative[target], "-") for target in only_negative if target not in reported}
     if len(found) <= few:
         return {
             target: f"{as_text(target)} {kind.unit} in direction {direction} only"

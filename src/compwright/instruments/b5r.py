@@ -1,9 +1,10 @@
 """The ballbar file ``.b5r`` of Renishaw (Ballbar 5 and Ballbar 20; QC10, QC20-W): XML, one test
 with its runs and printed results.
 
-Reading rules after six published files, whose own results come out to 0.1 µm: samples START_INDEX
-to END_INDEX inclusive, at half steps of the arc; length = NOMINAL_LENGTH + reading, calibration and
-temperature already in it; angles from the first named axis to the second, whatever the view.
+Reading rules from six published files, whose own results are reproduced to 0.1 µm: samples
+START_INDEX to END_INDEX inclusive, at half steps of the arc; length = NOMINAL_LENGTH + reading,
+calibration and temperature already in it; angles from the first named axis to the second, whatever
+the view.
 
 Codes made here:
 
@@ -26,8 +27,8 @@ import numpy as np
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import MOST_SAMPLES_OF_A_RUN
-from compwright.instruments.b5r_beside import BAR, header_of, vendor_results
 from compwright.instruments.b5r_fields import finite, number_of, text_of
+from compwright.instruments.b5r_header import BAR, header_of, vendor_results
 from compwright.instruments.circular_arcs import FEWEST_SAMPLES, SMALLEST_ARC
 from compwright.instruments.circular_csv import axes_of_plane, centre_of
 from compwright.instruments.fault_list import FaultList, shown
@@ -54,7 +55,7 @@ _FEED_SHARE: Final = 0.05
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Spec:
-    """What was to be measured: mm, mm/min, deg; NaN after a fault."""
+    """Specification of the test: mm, mm/min, deg; NaN after a fault."""
 
     length: float
     feed: float
@@ -67,8 +68,8 @@ class _Spec:
 
 @dataclass(frozen=True, slots=True)
 class _FeedRun:
-    """A run and its true feed (mm/min), None when the file does not say the sample rate; ``stray``:
-    samples beside the rule.
+    """A run and its true feed (mm/min), None when the file does not state the sample rate;
+    ``stray``: number of samples that differ from the rule.
     """
 
     run: CircularRun
@@ -81,9 +82,9 @@ def read_b5r(content: bytes, file: str, name: str) -> CircularTest:
     fault at once.
 
     Faults have the line of the element and its path as place: XML that is broken or declares a
-    document type, another instrument's file, a file without readings, what is missing or no number,
-    a test radius that is not the length of the bar, an arc below 90 deg, indices outside the
-    readings, readings whose number does not fit arc and overshoot.
+    document type, another instrument's file, a file without readings, a missing or invalid number,
+    a test radius other than the length of the bar, an arc below 90 deg, indices outside the
+    readings, a number of readings that does not fit arc and overshoot.
     """
     root = read_xml(content, file)
     bar = _ballbar(root, file)
@@ -303,8 +304,8 @@ def _readings(element: Element, faults: FaultList) -> FloatArray | None:
 def _indices(
     element: Element, readings: FloatArray | None, faults: FaultList
 ) -> tuple[int, int] | None:
-    """Return first and last sample of the arc; None after a fault, or when the readings themselves
-    are at fault.
+    """Return first and last sample of the arc; None after a fault, or when the readings have a
+    fault.
     """
     found: list[int] = []
     for tag in ("START_INDEX", "END_INDEX"):
@@ -368,7 +369,7 @@ def _findings(
 
 
 def _elsewhere(root: Element, elements: Sequence[Element]) -> list[Finding]:
-    """Return the finding about runs that stand where no runs are read."""
+    """Return the finding about runs in places where no runs are read."""
     read = {element.line for element in elements}
     lines = [
         (run.line, run.tag)

@@ -1,4 +1,4 @@
-"""The elements of a ballbar's file that are known, with what their texts and attributes are."""
+"""Known elements of a ballbar's file, with the meaning of their texts and attributes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Required elements of a ``.b5r`` file as text and numbers; what is wrong with them is noted."""
+"""Required elements of a ``.b5r`` file as text and numbers; faults are noted."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def text_of(parent: Element, faults: FaultList, *path: str) -> tuple[str, str]:
 
 
 def finite(text: str) -> float | None:
-    """Return a number; None for anything else, or one too large to be meant."""
+    """Return a number; None for anything else, or one too large to be plausible."""
     value = float(text) if _NUMBER.fullmatch(text) else math.nan
     return value if abs(value) <= LARGEST else None
 

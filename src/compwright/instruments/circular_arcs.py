@@ -1,5 +1,5 @@
-"""Where the samples of a circular run lie: their order, the arc that they cover, and whether all
-runs cover the same.
+"""Samples of a circular run: their order, the arc that they cover, and whether all runs cover the
+same arc.
 """
 
 from __future__ import annotations
@@ -54,12 +54,12 @@ class Sweep:
 
     @property
     def full(self) -> bool:
-        """Whether the extent and one sample make the whole circle."""
+        """Whether the extent plus one sample is a whole circle."""
         return 360.0 - self.extent <= _ONE_SAMPLE * self.step + _TINY
 
     @property
     def name(self) -> str:
-        """Name of the run as messages say it."""
+        """Name of the run in messages."""
         return f"{self.sense} run {self.number}"
 
 
@@ -68,8 +68,8 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
     None after noting a fault.
 
     Angles may be counted modulo 360, so an arc through 0 is given as two pieces: the widest gap on
-    the circle is what the arc leaves out. Samples all around with a gap of at most 5 deg are a
-    circle of which some are missing.
+    the circle is the part outside the arc. Samples all around with a gap of at most 5 deg are a
+    circle with some samples missing.
     """
     name = f"{sense} run {number}"
     if angles.size < FEWEST_SAMPLES:
@@ -122,7 +122,7 @@ def run_of(sweep: Sweep, deviations: FloatArray, start: float) -> CircularRun:
     """Return the run in the order of its motion: ascending for ccw, descending for cw.
 
     ``deviations`` (n,) mm in the order given to `sweep_of`; whole turns are added so that the run
-    lies nearest to ``start`` deg.
+    is as near as possible to ``start`` deg.
     """
     angles = sweep.angles + 360.0 * np.round((start - float(sweep.angles[0])) / 360.0)
     along = slice(None) if sweep.sense == "ccw" else slice(None, None, -1)

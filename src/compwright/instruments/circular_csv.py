@@ -58,7 +58,7 @@ _YES: Final[Mapping[str, bool]] = {"yes": True, "true": True, "no": False, "fals
 _FAR: Final = (1.0, 0.05)  # mm, share of the nominal radius; the larger of both
 #: No bar is shorter and no feed slower than this (mm, mm/min).
 _SMALLEST: Final = 1e-3
-_MANY_STEPS: Final = 5.0  # a gap of so many samples is told
+_MANY_STEPS: Final = 5.0  # a gap of so many samples is reported
 _RADII: Final = {
     "inch": MILLIMETRES_PER_INCH,
     "um": 1.0 / MICROMETRES_PER_MILLIMETRE,
@@ -79,7 +79,7 @@ class _Samples:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Keys:
-    """What the comment lines fix, in mm, mm/min; NaN after a fault."""
+    """Values in the comment lines, in mm, mm/min; NaN after a fault."""
 
     axes: tuple[str, str]
     radius: float
@@ -190,8 +190,8 @@ def _axes(comments: Comments, faults: FaultList) -> tuple[str, str]:
 
 
 def axes_of_plane(text: str) -> tuple[str, str] | None:
-    """Return first and second axis of a plane such as ``XY`` or ``X1-Y1``, None when ``text`` names
-    no two axes.
+    """Return first and second axis of a plane such as ``XY`` or ``X1-Y1``; None when ``text`` does
+    not name two axes.
     """
     match = PLANE.fullmatch(text.strip())
     if match is None or match[1].upper() == match[2].upper():
@@ -406,7 +406,7 @@ def _assembled(
 
 
 def _check_unit(radii: FloatArray, nominal: float, name: str, faults: FaultList) -> None:
-    """Note a fault when the radii are not about nominal, and say which unit would make them so."""
+    """Note a fault when the radii differ much from nominal, with the unit that would explain it."""
     middle = float(np.median(radii))
     far = max(_FAR[0], _FAR[1] * nominal)
     if abs(middle - nominal) <= far:

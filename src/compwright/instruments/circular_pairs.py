@@ -1,4 +1,4 @@
-"""Two files of one circular test, one per direction: which belong together.
+"""Pairs two files of one circular test, one per direction.
 
 Codes made here:
 
@@ -29,15 +29,14 @@ _ENOUGH: Final = 2  # partners that make a file doubtful; more need not be sough
 
 
 def paired(tests: Sequence[CircularTest]) -> tuple[CircularTest, ...]:
-    """Return the tests in their order, files of one direction joined to a test of both where that
-    is beyond doubt.
+    """Return the tests in their order, with files of one direction joined to a test of both where
+    that is unambiguous.
 
-    A file that holds only ccw and one that holds only cw fit when plane, axes, radius, feed, arc,
-    and centre and machine where both say them, are the same (`merge_circular`). First those of one
-    folder are joined whose names differ only by the words ccw and cw, then of the others those that
-    fit each other and nothing else. What fits several stays alone, with a finding. A joined test is
-    named as its files are without that word, or by both names, and stands in the place of the
-    first.
+    A file of only ccw and one of only cw fit when plane, axes, radius, feed, arc, and (if both
+    state them) centre and machine are the same (`merge_circular`). First those of one folder are
+    joined whose names differ only by the words ccw and cw, then those that fit each other and no
+    other file. A file that fits several stays alone, with a finding. A joined test has the name of
+    its files without that word, or both names, and takes the place of the first.
     """
     found = dict(enumerate(tests))
     for by_name in (True, False):
@@ -59,7 +58,7 @@ def _partners(tests: Mapping[int, CircularTest], *, by_name: bool) -> dict[int, 
     for index, test in tests.items():
         sense = _only(test)
         if sense is not None:
-            # Only tests with these in common can fit: of many, few are held against each other.
+            # Only tests with these in common can fit: this keeps the number of comparisons small.
             where = _place(test) if by_name else None
             mine[index] = sense, (test.axes, test.nominal_radius, where)
             ways[mine[index]].append(index)
@@ -82,13 +81,13 @@ def _partners(tests: Mapping[int, CircularTest], *, by_name: bool) -> dict[int, 
 
 
 def _only(test: CircularTest) -> Sense | None:
-    """Return the one direction that the test holds; None for both."""
+    """Return the only direction of the test; None for both."""
     senses = {run.sense for run in test.runs}
     return senses.pop() if len(senses) == 1 else None
 
 
 def _belong(one: CircularTest, other: CircularTest) -> bool:
-    """Whether both files can be of one test."""
+    """Return whether both files can be of one test."""
     if any(
         one.header.get(key) and other.header.get(key) and one.header[key] != other.header[key]
         for key in _SAME_MACHINE
@@ -129,9 +128,7 @@ def _file_of(test: CircularTest) -> str:
 
 
 def _doubtful(test: CircularTest, others: Sequence[CircularTest]) -> CircularTest:
-    """Return the test with a finding: files that nobody took fit it, and no pair of them is
-    certain.
-    """
+    """Return the test with a finding: several unused files fit it, and no pair is certain."""
     return replace(
         test,
         findings=(*test.findings, Finding.of("CW-R039", "warning", files=map(_file_of, others))),

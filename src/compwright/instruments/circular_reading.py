@@ -1,11 +1,11 @@
-"""The door for circular tests: bytes of a ``.b5r`` or plain CSV file to a record, and the files of
-one test to one record.
+"""Entry for circular tests: bytes of a ``.b5r`` or plain CSV file to a record, and the files of one
+test to one record.
 
 Codes made here:
 
 - ``CW-R035`` warning: a deviation of a circle larger than 1 mm
 - ``CW-R036`` warning: a run of zeros
-- ``CW-R037`` warning: files of one test differ in what does not keep them apart
+- ``CW-R037`` warning: files of one test differ in facts other than those that identify the test
 """
 
 from __future__ import annotations
@@ -43,8 +43,8 @@ _SAME_CENTRE: Final = 0.01  # mm
 
 @dataclass(frozen=True, slots=True)
 class CircularForm:
-    """``read`` takes content, name of the file and name of the test; ``grammar`` tells what stands
-    where, by which `redact` keeps and replaces.
+    """``read`` takes content, name of the file and name of the test; ``grammar``: the meaning of
+    each part of the text, by which `redact` keeps and replaces.
     """
 
     name: str
@@ -58,17 +58,16 @@ CIRCULAR_FORMS: Final = (BALLBAR, PLAIN_CIRCLE)
 
 
 def circular_form(content: bytes) -> CircularForm:
-    """Return the form of a circular test, told by its first character."""
+    """Return the form of a circular test, recognised by its first character."""
     start = content[:64].lstrip(codecs.BOM_UTF8 + codecs.BOM_UTF16_LE + b" \t\r\n\x00")
     return BALLBAR if start.startswith(b"<") else PLAIN_CIRCLE
 
 
 def is_circular(content: bytes, file: str) -> bool:
-    """Whether ``content`` is a circular test or XML (a ballbar's, or else to be refused as no
-    ballbar's), told by its first lines.
+    """Return whether ``content`` is a circular test, or XML, by its first lines.
 
-    The name decides only where the content is neither: a ``.b5r`` that is empty or broken is still
-    a ballbar's file.
+    XML is a ballbar's file, or is refused later. The file name decides only if the content is
+    neither: an empty or broken ``.b5r`` is still a ballbar's file.
     """
     head = content[:_LOOKED_AT]
     utf16 = head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
@@ -88,13 +87,13 @@ def is_circular(content: bytes, file: str) -> bool:
 
 
 def read_circular(content: bytes, file: str) -> CircularTest:
-    """Return the circular test in ``content``; ``file`` is the name that messages and the record's
-    source carry.
+    """Return the circular test in ``content``; ``file`` is its name in messages and in the record's
+    source.
 
-    Reads ``.b5r`` and the plain CSV form (contract, "Plain CSV"), told apart by the content.
+    Reads ``.b5r`` and the plain CSV form (contract, "Plain CSV"), recognised by the content.
     Lengths in mm, deviations measured minus nominal, angles in deg from the first axis to the
-    second, the feed is the true one where the file shows it. Raises InputError with every fault
-    that could be found at once.
+    second, the feed is the true one if the file shows it. Raises InputError with every fault that
+    could be found at once.
     """
     test = circular_form(content).read(content, file, stem(file))
     return replace(

@@ -1,7 +1,7 @@
-"""Plain CSV in the code page of an older Windows: read where nothing that counts hangs on it.
+"""Plain CSV in the code page of an older Windows, read only if no relevant text depends on it.
 
-Numbers, directions and key words are ASCII, which all these code pages share. Only what people
-write (comment lines, and names in the header row) may need the code page, and that is said.
+Numbers, directions and key words are ASCII, which all these code pages share. Only free text
+(comment lines, and names in the header row) may need the code page, and that is reported.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ _NAMES = {"cp1252": "Windows-1252", "cp1251": "Windows-1251", "gbk": "GBK"}
 
 
 def read_plain_lines(content: bytes, file: str) -> tuple[list[str], Finding | None]:
-    """Return the lines of a plain CSV file as `read_lines` does, of one in a code page too, and
-    what was taken for its encoding.
+    """Return the lines of a plain CSV file as `read_lines` does, of one in a code page too, and the
+    assumption on its encoding.
 
-    Raises InputError as `read_lines` does, also where a row of readings is not ASCII in a file that
-    is no UTF-8: what stands there may count.
+    Raises InputError as `read_lines` does, also if a row of readings is not ASCII in a file that is
+    not UTF-8: its contents may matter.
     """
     try:
         return read_lines(content, file), None

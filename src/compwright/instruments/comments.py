@@ -1,5 +1,5 @@
-"""The comment lines ``# key: value`` that say what a test is. Unknown keys and free text are kept
-as text.
+"""Comment lines ``# key: value`` that describe a test. Unknown keys and free text are kept as
+text.
 """
 
 from __future__ import annotations
@@ -56,15 +56,15 @@ _SIGNS = {"measured minus target": 1.0, "target minus measured": -1.0}
 
 @dataclass(frozen=True, slots=True)
 class Comments:
-    """What the comment lines say: ``header`` as text by key, ``places`` the line of each decisive
-    key.
+    """Contents of the comment lines: ``header`` as text by key, ``places`` the line of each
+    decisive key.
     """
 
     header: dict[str, str] = field(default_factory=dict)
     places: dict[str, str] = field(default_factory=dict)
 
     def get(self, key: str) -> str:
-        """Return the value of a key, empty when the file does not say it."""
+        """Return the value of a key, empty when the file does not have it."""
         return self.header.get(key, "")
 
 
@@ -72,7 +72,8 @@ def comment_text(line: str) -> str | None:
     """Return the text of a comment line, None for any other line.
 
     A spreadsheet that saves a comment as one cell of a row adds quotes and trailing delimiters;
-    both are taken off. A line ``sep=;``, which tells a spreadsheet the delimiter, is one too.
+    both are removed. A line ``sep=;``, which sets the delimiter for a spreadsheet, is a comment
+    too.
     """
     if line[:1] in _SEPARATOR_START and _SEPARATOR_LINE.fullmatch(line.strip()):
         return ""
@@ -87,12 +88,12 @@ def comment_text(line: str) -> str | None:
 
 
 def plain_key(written: str) -> str:
-    """Return a key in its one spelling: small letters, ``_`` for blanks and hyphens."""
+    """Return a key in normal form: lower case, ``_`` for blanks and hyphens."""
     return re.sub(r"[ -]+", "_", written).lower()
 
 
 def spans_in_comment(text: str) -> Spans:
-    """Return what stands in the text of a comment line."""
+    """Return the meaning of each part of a comment line's text."""
     match = _KEY_VALUE.fullmatch(text)
     meaning = KEYS.get(plain_key(match["key"])) if match is not None else None
     if match is None or meaning is None:
@@ -107,8 +108,8 @@ def read_comments(
     any_key: bool = True,
     decisive: frozenset[str] = DECISIVE_KEYS,
 ) -> Comments:
-    """Return what comment lines (number of the line, text without ``#``) say; ``decisive``: the
-    keys that the form depends on.
+    """Return the contents of comment lines (number of the line, text without ``#``); ``decisive``:
+    the keys that the form depends on.
 
     With ``any_key`` false only known keys are taken as keys, all else is free text; ``unit`` too,
     because the target data form explains its own key UNIT in such a line. A decisive key that is
@@ -165,7 +166,7 @@ def cycle_of(comments: Comments, faults: FaultList) -> Cycle | None:
 
 def sign_of(comments: Comments, faults: FaultList) -> float | None:
     """Return the factor (+1 or -1) from the stated deviations to measured minus target, None when
-    the file says nothing.
+    the file does not state it.
     """
     value = " ".join(comments.get("deviation").lower().split())
     if value and value not in _SIGNS:

@@ -1,9 +1,9 @@
 """Compensation text of laser software (``.ren``, the output of its error compensation): keys
 without a colon, then a list of values or a table.
 
-``Sign convention`` says whether the values are errors (measured minus target) or corrections; it is
-an option of that software and is never assumed. Values and positions in mm. After two readers of
-third parties and one record of a real table; no real file was at hand.
+``Sign convention`` states whether the values are errors (measured minus target) or corrections; it
+is an option of that software and is never assumed. Values and positions in mm. Source: two readers
+of third parties and one record of a real table; no real file was at hand.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def is_compensation_text(text: Sequence[str]) -> bool:
 
 
 def spans_of(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield what stands in each line of a file: rows below ``Compensation output`` or a header
+    """Yield the meaning of the parts of each line: rows below ``Compensation output`` or a header
     row.
     """
     rows = False
@@ -103,9 +103,9 @@ def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answ
     """Return the table as one run per direction, deviations measured minus target; every fault is
     noted.
 
-    Faults: no word on the sign, another type than absolute values, one table with a backlash (which
-    direction it belongs to is not known), values that may be counts of the resolution, fewer or
-    more rows than start, end and spacing promise, positions that disagree with them.
+    Faults: no statement of the sign, a type other than absolute values, one table with a backlash
+    (its direction is unknown), values that may be counts of the resolution, a number of rows that
+    differs from start, end and spacing, positions that disagree with them.
     """
     found = _text(text)
     marks = DecimalMarks(faults)
@@ -215,7 +215,7 @@ def _length(
 
 
 def _grid(found: _Text, marks: DecimalMarks, faults: FaultList) -> list[float]:
-    """Return the positions that start, end and spacing promise."""
+    """Return the positions by start, end and spacing."""
     start, end, spacing = (
         _length(found, f"compensation {what}", marks, faults)
         for what in ("start", "end", "spacing")
@@ -286,9 +286,7 @@ def _unit(
     answers: Answers,
     faults: FaultList,
 ) -> float:
-    """Return the factor of the values to mm: they are mm, but where they may be counts of the
-    resolution.
-    """
+    """Return the factor of the values to mm: 1, unless they may be counts of the resolution."""
     if answers.unit is not None:
         if answers.unit not in LENGTHS:
             faults.add("is a table of lengths", expected=" or ".join(LENGTHS), found=answers.unit)

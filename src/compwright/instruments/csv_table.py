@@ -1,4 +1,4 @@
-"""The rows below a header row, whatever the delimiter: comma, semicolon or tab, quoted or not."""
+"""Rows below a header row, for any delimiter: comma, semicolon or tab, quoted or not."""
 
 from __future__ import annotations
 
@@ -42,13 +42,13 @@ _PART_OF_TRAVERSE = re.compile(
     r"|[ #()_]"
 )
 _NO_MEANING = frozenset({"run", "traverse", "no"})
-#: Words that say again what the sign beside them says.
+#: Words that repeat the meaning of a sign in the same header.
 _WORDS_OF_SIGN = dict.fromkeys(("up", "pos", "positive", "plus"), "+") | dict.fromkeys(
     ("down", "neg", "negative", "minus"), "-"
 )
 _ARROWS = {"↑": "+", "↓": "-"}
 #: What a column is about that may be meant as a traverse: a sign, or a word for a direction or a
-#: run, beside a number.
+#: run, next to a number.
 _LIKE_TRAVERSE = re.compile(
     r"(?<![a-z0-9])[+±-] ?[0-9]|[0-9] ?[+±-](?![a-z0-9])|[↑↓→←]"
     r"|\b(?:up|down|fwd|bwd|rev|pos|neg|plus|minus|forward|backward|reverse|run|traverse)\b"
@@ -70,10 +70,10 @@ INCHES = (
 
 @dataclass(frozen=True, slots=True)
 class CsvTable:
-    """``columns`` are the names as `column_name` gives them; ``line`` is that of the header row.
+    """``columns`` are the names in the form of `column_name`; ``line`` is that of the header row.
 
-    The rows stand column by column, for there may be a million: ``lines`` of the file, and for each
-    name the ``cells``, stripped.
+    The rows are stored by column, because there may be a million: ``lines`` of the file, and for
+    each name the ``cells``, stripped.
     """
 
     delimiter: str
@@ -87,14 +87,14 @@ class CsvTable:
         return self.cells[self.columns.index(column)]
 
     def place(self, column: str) -> Callable[[int], str]:
-        """Return what tells the place of a cell of a column by the index of its row."""
+        """Return a function from the index of a row to the place of its cell in a column."""
         return lambda index: f"line {self.lines[index]}, column {column}"
 
     def which(
         self, column: str, words: tuple[str, str], spelt: Callable[[str], str], faults: FaultList
     ) -> IntArray:
-        """Return for each row the place in ``words`` of its cell as ``spelt`` makes it: 0 or 1, -1
-        after noting a fault where it is neither.
+        """Return for each row the index in ``words`` of its cell, in the form of ``spelt``: 0 or 1,
+        -1 after noting a fault if it is neither.
         """
         cells, place = self.of(column), self.place(column)
         places = {words[0]: 0, words[1]: 1}
@@ -112,8 +112,8 @@ class CsvTable:
 
 
 def column_name(text: str) -> str:
-    """Return a header cell in the one spelling used here: stripped, small letters, ``u`` for the
-    micro sign, ``-`` for minus.
+    """Return a header cell in normal form: stripped, lower case, ``u`` for the micro sign, ``-``
+    for minus.
     """
     return " ".join(plain_signs(text).lower().replace("µ", "u").replace("μ", "u").split())
 
@@ -127,8 +127,8 @@ def traverse_of(column: str) -> tuple[str, int] | None:
     """Return direction and run of a wide column such as ``+1``, ``- 2``, ``3+``, ``run 3 +`` or
     ``+3 up``, None for any other column.
 
-    One sign or one arrow says the direction; words for a direction may repeat it, but ``up 3`` is
-    none, and ``+3 down`` contradicts itself.
+    One sign or one arrow gives the direction; words for a direction may repeat it, but ``up 3`` is
+    not a traverse, and ``+3 down`` contradicts itself.
     """
     numbers: list[int] = []
     signs: list[str] = []
@@ -153,8 +153,8 @@ def traverse_of(column: str) -> tuple[str, int] | None:
 
 
 def like_traverse(column: str) -> bool:
-    """Whether a column that is no traverse by `traverse_of` may be meant as one: a number with a
-    sign or a word for a direction.
+    """Return whether a column that is no traverse by `traverse_of` may be meant as one: a number
+    with a sign or a word for a direction.
     """
     return (
         any(character.isdigit() for character in column)
@@ -187,9 +187,9 @@ def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple
 def rows_as_comments(
     lines: Sequence[str], header_line: int, cells_of: Callable[[str], list[str] | None], width: int
 ) -> list[tuple[int, str]]:
-    """Return the lines below the header row that are comments by their first character and rows by
-    their cells: those that somebody took out, and those whose target a spreadsheet shows as
-    ``#####`` or ``#REF!``.
+    """Return the lines below the header row that start like a comment and have cells like a row:
+    rows that were commented out, and rows whose target a spreadsheet shows as ``#####`` or
+    ``#REF!``.
     """
     found = []
     for number, line in enumerate(lines[header_line:], start=header_line + 1):
@@ -218,7 +218,7 @@ def header_names(header: str) -> tuple[str, list[str], int]:
     """Return the delimiter of a header row, its names, and how many of them belong to a positioning
     file.
 
-    The delimiter is the one that shows most of these names, else the one that gives most cells.
+    The delimiter is the one that gives most of these names, else the one that gives most cells.
     """
     best: tuple[str, list[str], int] = (",", [], 0)
     for delimiter in DELIMITERS:
@@ -285,7 +285,7 @@ def _rows(
 
 
 class GatheredRows:
-    """Rows on their way into columns, some thousand at a time."""
+    """Collects rows and stores them as columns, some thousand rows at a time."""
 
     def __init__(self, width: int) -> None:
         self.lines = array("q")
@@ -321,7 +321,7 @@ def _decimal_comma_hint(cells: Sequence[str], delimiter: str, wanted: int) -> st
 
 
 def is_number(text: str) -> bool:
-    """Whether ``text`` is a number by itself."""
+    """Return whether ``text`` is a number and nothing else."""
     try:
         parse_number(text)
     except ValueError:
@@ -334,8 +334,8 @@ def _is_number_or_sign(text: str) -> bool:
 
 
 def _without_unnamed(table: CsvTable, faults: FaultList) -> CsvTable:
-    """Drop columns without a name: spreadsheets leave them at the end of every row. A value in one
-    of them is a fault.
+    """Remove columns without a name: spreadsheets leave them at the end of every row. A value in
+    one of them is a fault.
     """
     for index, name in enumerate(table.columns):
         if not name and any(table.cells[index]):

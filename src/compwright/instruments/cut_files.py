@@ -1,5 +1,5 @@
-"""Whether a file may have been cut off: its last rows belong to a traverse or a target that lacks
-readings while all others are whole, or it holds less than it says itself.
+"""Checks whether a file may have been cut off: its last rows belong to an incomplete traverse or
+target while all others are complete, or it holds less than it states itself.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def cut_findings(readings: Readings, kind: AxisKind, header: Mapping[str, str]) 
 
 
 def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
-    """Return why the last rows may be the rest of a traverse or target that was cut."""
+    """Return why the last rows may belong to a traverse or target that was cut off."""
     if not len(readings):
         return None
     last = readings.one(-1)
@@ -46,8 +46,8 @@ def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
 
 
 def _lacking(groups: IntArray) -> tuple[int, int] | None:
-    """Return how many readings of how many the group of the last reading lacks where it alone has
-    fewer than the others; ``groups`` (n,): the group of each, from 0.
+    """Return how many readings are missing of how many in the group of the last reading, if only
+    that group has fewer than the others; ``groups`` (n,): the group of each reading, from 0.
     """
     counts = np.bincount(groups)
     mine = groups[-1]
@@ -62,16 +62,16 @@ def _promises(readings: Readings, header: Mapping[str, str]) -> list[Sentence]:
         "targets": (_TARGETS, len(set(readings.targets.tolist()))),
         "runs": (_RUNS, len(set(readings.runs.tolist()))),
     }
-    told = []
+    reasons = []
     for what, (keys, count) in found.items():
         for key, value in header.items():
             if " ".join(key.lower().replace("_", " ").split()) in keys:
                 promised = _count(value)
                 if promised > count:
-                    told.append(
+                    reasons.append(
                         say("CW-R053.header", what=what, promised=promised, key=key, found=count)
                     )
-    return told
+    return reasons
 
 
 def _count(text: str) -> int:

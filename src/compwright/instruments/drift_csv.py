@@ -1,6 +1,6 @@
 """The plain CSV form of a stand-still test: columns ``time_min`` and ``deviation_um`` (linear axes)
 or ``deviation_arcsec`` (rotary axes), one row per reading, in any order; comment keys are kept as
-for other tests, and other columns are left alone.
+for other tests, and other columns are ignored.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _FEWEST: Final = 3
 
 
 def is_drift(text: Sequence[str]) -> bool:
-    """Whether the lines of a file are those of a stand-still test."""
+    """Return whether the lines of a file are those of a stand-still test."""
     return any(line.lower().lstrip('"').startswith(TIME) for line in text)
 
 

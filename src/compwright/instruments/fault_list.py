@@ -9,8 +9,8 @@ from collections import Counter
 
 from compwright.foundations.errors import Fault, InputError
 
-#: Faults of one kind that are told one by one; the rest of them is counted.
-TOLD_PER_KIND = 10
+#: Faults of one kind that are listed one by one; the rest are counted.
+SHOWN_PER_KIND = 10
 #: The next step where a fault has none of its own.
 CORRECT = "correct this in a copy of the file, or export the file again"
 _SHOWN_CHARACTERS = 60
@@ -22,12 +22,12 @@ class FaultList:
 
     def __init__(self, file: str) -> None:
         self.file = file
-        self._told: list[Fault] = []
+        self._shown: list[Fault] = []
         self._count: Counter[str] = Counter()
 
     def __bool__(self) -> bool:
         """Whether there is any fault."""
-        return bool(self._told)
+        return bool(self._shown)
 
     def add(
         self,
@@ -38,10 +38,10 @@ class FaultList:
         found: str = "",
         hint: str = CORRECT,
     ) -> None:
-        """Note one fault; the first `TOLD_PER_KIND` of a kind are kept with their places."""
+        """Note one fault; the first `SHOWN_PER_KIND` of a kind are kept with their places."""
         self._count[message] += 1
-        if self._count[message] <= TOLD_PER_KIND:
-            self._told.append(
+        if self._count[message] <= SHOWN_PER_KIND:
+            self._shown.append(
                 Fault(
                     message=message,
                     file=self.file,
@@ -53,33 +53,31 @@ class FaultList:
             )
 
     def raise_if_any(self) -> None:
-        """Raise InputError with the faults in the order of the lines in the file; do nothing when
-        there are none.
+        """Raise InputError with the faults in the order of the lines in the file; do nothing
+        without faults.
         """
-        if not self._told:
+        if not self._shown:
             return
         more = [
             Fault(
-                message=f"{message}: {count - TOLD_PER_KIND} more of this kind",
+                message=f"{message}: {count - SHOWN_PER_KIND} more of this kind",
                 file=self.file,
                 hint="correct them in the same way",
             )
             for message, count in self._count.items()
-            if count > TOLD_PER_KIND
+            if count > SHOWN_PER_KIND
         ]
-        raise InputError(*sorted(self._told, key=_line), *more)
+        raise InputError(*sorted(self._shown, key=_line), *more)
 
 
 def _line(fault: Fault) -> float:
-    """Line of a fault; what is missing altogether has none and comes last."""
+    """Line of a fault; a missing part has none and comes last."""
     match = _LINE.match(fault.place)
     return int(match[1]) if match else float("inf")
 
 
 def shown(text: str) -> str:
-    """Return ``text`` as it may stand in a message: quoted, on one line, cut to a readable
-    length.
-    """
+    """Return ``text`` in a form for messages: quoted, on one line, cut to a readable length."""
     flat = " ".join(text.split())
     printable = "".join(character if character.isprintable() else "?" for character in flat)
     return (

@@ -1,5 +1,5 @@
-"""Rows and columns of a table that is not of our own making: any delimiter, any header row, text
-before and after it.
+"""Rows and columns of a table of another program: any delimiter, any header row, text before and
+after it.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ DELIMITERS: Final = {"semicolon": ";", "tab": "\t", "comma": ",", "bar": "|", "b
 
 @dataclass(frozen=True, slots=True)
 class ForeignTable:
-    """``columns``: a name for each; ``before``: the lines above the header row, not blank.
+    """``columns``: a name for each; ``before``: the non-blank lines above the header row.
 
-    The rows stand column by column: ``lines`` of the file, and the ``cells`` of each column.
+    The rows are stored by column: ``lines`` of the file, and the ``cells`` of each column.
     """
 
     columns: tuple[str, ...] = ()
@@ -47,8 +47,8 @@ def cells_of(line: str, delimiter: str) -> list[str] | None:
 
 
 def named_columns(cells: Sequence[str]) -> tuple[str, ...]:
-    """Return a name for each cell of a header row: its text; ``column 3`` where it has none, and
-    beside it where two have the same.
+    """Return a name for each cell of a header row: its text; ``column 3`` if it has none, and added
+    to the text if two have the same.
     """
     times = Counter(cells)
     return tuple(

@@ -1,5 +1,5 @@
-"""The forms of positioning files, each with how its content is recognised and read, and what stands
-where in its lines.
+"""Forms of positioning files: how each is recognised and read, and the meaning of the parts of its
+lines.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ from compwright.instruments.spans import SpansOf
 
 @dataclass(frozen=True, slots=True)
 class MeasurementForm:
-    """``name`` stands in messages; ``read`` takes the lines of the file and what the user says of
-    it; ``spans_of`` tells what stands where in each line, by which `redact` keeps and replaces.
+    """``name``: in messages; ``read`` takes the lines of the file and the user's answers;
+    ``spans_of``: the meaning of the parts of each line, by which `redact` keeps and replaces.
 
-    ``words``: names of its sections and keys, which may stand in a copy whatever was taken out.
-    ``code_pages``: text of users in it may be in an old code page.
+    ``words``: names of its sections and keys, which may stay in a redacted copy. ``code_pages``:
+    text of users in it may be in an old code page.
     """
 
     name: str
@@ -88,7 +88,7 @@ PLAIN_CSV = MeasurementForm(
 
 
 def form_of(text: Sequence[str], file: str) -> MeasurementForm:
-    """Return the form of the lines of a file. Raises InputError where two forms recognise it."""
+    """Return the form of the lines of a file. Raises InputError if two forms recognise it."""
     found = [form for form in FORMS if form.recognises(text)]
     if len(found) > 1:
         raise InputError(

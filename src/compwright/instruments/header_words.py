@@ -1,7 +1,7 @@
-"""Words of headers of measurement tables in English, German, French, Russian, Italian and Spanish:
-what a column holds, in which unit, and for which direction.
+"""Words in headers of measurement tables in English, German, French, Russian, Italian and Spanish:
+the contents of a column, its unit and its direction.
 
-A word tells what a column is about, never a sign: whether forward is + stays open.
+A word gives the contents of a column, never a sign: whether forward is + stays open.
 """
 
 from __future__ import annotations
@@ -137,9 +137,7 @@ _AXIS: Final = re.compile(r"[A-Z][0-9]{0,2}")
 
 
 def axis_above(lines: Iterable[str]) -> str:
-    """Return the axis that a line above a table names, such as ``Achse: X``, empty where none
-    does.
-    """
+    """Return the axis in a line above a table, such as ``Achse: X``; empty without one."""
     for line in lines:
         words = [word for word in line.replace(";", " ").replace(":", " ").split() if word]
         for one, other in pairwise(words):
@@ -150,14 +148,14 @@ def axis_above(lines: Iterable[str]) -> str:
 
 
 def plain(text: str) -> str:
-    """Return ``text`` in small letters, without accents, with plain signs and single blanks."""
+    """Return ``text`` in lower case, without accents, with plain signs and single blanks."""
     flat = unicodedata.normalize("NFKD", plain_signs(text[:_LONGEST]).casefold().replace("й", "и"))
     bare = "".join(mark for mark in flat if not unicodedata.combining(mark))
     return " ".join(bare.replace("ß", "ss").split())
 
 
 def role_of(header: str) -> Role | None:
-    """Return what a column of this header holds, None where no word of it tells."""
+    """Return the contents of a column by its header, None if no word of it is known."""
     words = _WORD.findall(plain(without_unit(header)))
     for role, beginnings in _ROLES.items():
         for word in words:
@@ -176,7 +174,7 @@ def without_unit(header: str) -> str:
 
 
 def unit_of(text: str) -> str:
-    """Return the unit that a text is, has in brackets or ends with, empty where it is none."""
+    """Return the unit in a text: all of it, in brackets or at its end; empty without one."""
     text = text[:_LONGEST]
     inside = re.findall(r"[\[({]\s*([^\])}]+?)\s*[\])}]", text)
     for part in (text, *inside, text.rpartition(" ")[2], text.rpartition("_")[2]):
@@ -187,13 +185,13 @@ def unit_of(text: str) -> str:
 
 
 def is_unit(text: str) -> bool:
-    """Whether a text is a unit and nothing else."""
+    """Return whether a text is a unit and nothing else."""
     return text.strip(" .[](){}").casefold() in _UNITS
 
 
-def said_unit(line: str) -> str:
-    """Return the unit that a line above a table states, such as ``Einheit: µm`` or ``Abweichungen
-    in µm``, empty for all other lines.
+def stated_unit(line: str) -> str:
+    """Return the unit in a line above a table, such as ``Einheit: µm`` or ``Abweichungen in µm``,
+    empty for all other lines.
     """
     titled = {unit for match in _IN_UNIT.finditer(line) if (unit := unit_of(match[1]))}
     if not _UNIT_WORDS.search(plain(line)):
@@ -206,8 +204,8 @@ def said_unit(line: str) -> str:
 
 
 def sign_word(text: str) -> str:
-    """Return ``+`` or ``-`` where a text is a word for one, ``out`` or ``back`` where it is a word
-    for a way, empty for all else.
+    """Return ``+`` or ``-`` for a word that means a sign, ``out`` or ``back`` for a word that means
+    a way, empty for all else.
     """
     words = re.findall(r"[^\W\d_]+|[+-](?![0-9])|[↑↓]|(?<![0-9])[+-]1$", plain(text))
     found = {
@@ -220,8 +218,8 @@ def sign_word(text: str) -> str:
 
 
 def difference_of(text: str) -> str:
-    """Return the sign of a deviation that a text states, such as ``Ist - Soll``, empty where it
-    does not.
+    """Return the sign of a deviation stated in a text, such as ``Ist - Soll``, empty without
+    one.
     """
     for match in _DIFFERENCE.finditer(plain(text)):
         roles = (role_of(match["first"]), role_of(match["second"]))

@@ -1,7 +1,7 @@
-"""What a workbook hides: rows that are hidden or filtered out, columns, whole sheets (ECMA-376,
-18.3.1.73 ``row``, 18.3.1.13 ``col``, 18.2.19 ``sheet``).
+"""Hidden parts of a workbook: rows that are hidden or filtered out, columns, whole sheets
+(ECMA-376, 18.3.1.73 ``row``, 18.3.1.13 ``col``, 18.2.19 ``sheet``).
 
-A spreadsheet program shows them to nobody, and saves their cells like all others.
+A spreadsheet program does not show them, but saves their cells like all others.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ NOTHING_HIDDEN: Final = Hidden()
 
 
 def hidden_of(archive: zipfile.ZipFile) -> dict[str, Hidden]:
-    """Return what each sheet hides, by its name; nothing of what cannot be told."""
+    """Return the hidden parts of each sheet, by its name; unknown ones are left out."""
     # What is not a workbook needs no reader of XML.
     from compwright.instruments.safe_xml import read_xml
 
@@ -79,28 +79,28 @@ def _of_part(content: bytes, *, whole: bool) -> Hidden:
     columns: set[int] = set()
     row = 0
     for tag in _TAG.finditer(content):
-        said = dict(_ATTRIBUTE.findall(tag[2]))
+        attributes = dict(_ATTRIBUTE.findall(tag[2]))
         if tag[1] == b"row":
-            row = int(said[b"r"]) if said.get(b"r", b"").isdigit() else row + 1
-        if said.get(b"hidden") not in _YES:
+            row = int(attributes[b"r"]) if attributes.get(b"r", b"").isdigit() else row + 1
+        if attributes.get(b"hidden") not in _YES:
             continue
         if tag[1] == b"row":
             rows.add(row)
         else:
-            columns.update(_span(said))
+            columns.update(_span(attributes))
     return Hidden(frozenset(rows), frozenset(columns), whole)
 
 
-def _span(said: Mapping[bytes, bytes]) -> range:
-    first, last = (said.get(key, b"") for key in (b"min", b"max"))
+def _span(attributes: Mapping[bytes, bytes]) -> range:
+    first, last = (attributes.get(key, b"") for key in (b"min", b"max"))
     if not (first.isdigit() and last.isdigit()):
         return range(0)
     return range(int(first), min(int(last), _COLUMNS) + 1)
 
 
 def hidden_finding(hidden: Hidden, lines: Sequence[str]) -> Finding | None:
-    """Return the finding about hidden rows and columns that hold anything and were read like the
-    others; None where there are none. ``lines``: those of the sheet, cells set off by tabs.
+    """Return the finding about hidden rows and columns with contents, which were read like the
+    others; None without any. ``lines``: those of the sheet, cells separated by tabs.
     """
     cells = [line.split("\t") for line in lines]
     rows = sorted(row for row in hidden.rows if row <= len(lines) and lines[row - 1])
@@ -109,13 +109,15 @@ def hidden_finding(hidden: Hidden, lines: Sequence[str]) -> Finding | None:
         for column in hidden.columns
         if any(len(row) >= column and row[column - 1] for row in cells)
     )
-    told = list(_told(hidden, rows, columns))
-    if not told:
+    descriptions = list(_descriptions(hidden, rows, columns))
+    if not descriptions:
         return None
-    return Finding.of("CW-R064", "warning", hidden=told)
+    return Finding.of("CW-R064", "warning", hidden=descriptions)
 
 
-def _told(hidden: Hidden, rows: Sequence[int], columns: Sequence[int]) -> Iterator[Sentence]:
+def _descriptions(
+    hidden: Hidden, rows: Sequence[int], columns: Sequence[int]
+) -> Iterator[Sentence]:
     if hidden.whole:
         yield say("CW-R064.sheet")
     if rows:

@@ -2,7 +2,7 @@
 
 Targets in mm or deg with their count, ``Flags``, runs counted by traverse, and rows of run, target
 (both from 1) and deviation: µm for linear axes, µrad for angular ones; deviation = measured minus
-target. Layout, units and sign after six independent readers and writers; no real file was at hand.
+target. Layout, units and sign: from six independent readers and writers; no real file was at hand.
 """
 
 from __future__ import annotations
@@ -88,14 +88,14 @@ class _Runs:
     promised: int | None
 
     def order(self, run: int) -> int:
-        """Return +1 where the targets of a run stand in rising order, -1 in falling, 0 in neither
-        or for a single one.
+        """Return +1 if the targets of a run are in rising order, -1 if falling, 0 for neither or
+        for a single one.
         """
         steps = np.unique(np.sign(np.diff(self.rows[run].indices))).tolist()
         return int(steps[0]) if len(steps) == 1 else 0
 
     def zero(self, run: int) -> bool:
-        """Whether every deviation of a run is exactly zero."""
+        """Return whether every deviation of a run is exactly zero."""
         return not np.any(self.rows[run].values)
 
 
@@ -109,9 +109,9 @@ def is_laser_runs(text: Sequence[str]) -> bool:
 def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
     """Return the test in the lines of a file; every fault is noted.
 
-    Faults: another type of file, counts that disagree with what is there, rows that are none or
-    name a run or target that does not exist, targets whose order does not tell the directions.
-    Raises InputError where nothing can be read without guessing.
+    Faults: another type of file, counts that disagree with the contents, rows that are invalid or
+    name a run or target that does not exist, targets whose order leaves the directions open. Raises
+    InputError if nothing can be read without guessing.
     """
     sections = sections_of(text, faults)
     kind = _kind(sections, faults)
@@ -231,8 +231,8 @@ def _rows(sections: FileSections, marks: DecimalMarks, faults: FaultList) -> dic
 
 
 def _stray(sections: FileSections) -> list[Line]:
-    """Return the lines outside the section of readings, and outside the list of targets, that look
-    like a reading.
+    """Return the lines outside the section of readings and the list of targets that look like a
+    reading.
     """
     found: list[Line] = []
     for name in sections.lines.keys() - {_ROWS}:
@@ -290,12 +290,12 @@ def _check_counts(sections: FileSections, runs: _Runs, faults: FaultList) -> Non
 def _directions(
     sections: FileSections, runs: _Runs, faults: FaultList
 ) -> tuple[Mapping[int, tuple[Direction, int]], tuple[str, ...], list[Finding]]:
-    """Return direction and run number of each traverse, in words what was taken, and what is
-    remarkable about it.
+    """Return direction and run number of each traverse, the assumption in words, and findings about
+    it.
 
     Odd traverses go from the first target to the last, even ones back. Evidence, in this order: an
-    even half of nothing but zeros was not made; rows of an even traverse in falling order went
-    back; flags of one direction.
+    even half of only zeros was not made; rows of an even traverse in falling order went back; flags
+    of one direction.
     """
     steps = {int(np.sign(b - a)) for a, b in pairwise(runs.targets)}
     if len(steps) > 1 or 0 in steps:
@@ -343,7 +343,7 @@ def _directions(
 
 
 def _other_version(sections: FileSections) -> list[str]:
-    """Return in words that the layout is that of another version than the file's."""
+    """Return a text if the layout is that of another version than the file's."""
     version = sections.value("HEADER", "Version no")[0]
     if version.startswith(_KNOWN_VERSION) or not version:
         return []
@@ -367,8 +367,8 @@ def _falling_targets(out: Direction) -> Finding:
 
 
 def _fewer_runs(runs: _Runs) -> Finding | None:
-    """Return the finding about fewer runs or rows than the header promises; a hole within a run is
-    told by `plausibility`.
+    """Return the finding about fewer runs or rows than the header states; `plausibility` reports a
+    hole within a run.
     """
     last = max(runs.rows)
     if runs.promised is None or last >= runs.promised:
@@ -379,7 +379,7 @@ def _fewer_runs(runs: _Runs) -> Finding | None:
 def _unit(
     kind: AxisKind, runs: _Runs, answers: Answers, faults: FaultList
 ) -> tuple[float, tuple[str, ...], Finding | None]:
-    """Return the factor to mm or deg, in words what was taken, and what is doubtful about it."""
+    """Return the factor to mm or deg, the assumption in words, and the doubt about it."""
     units = LENGTHS if kind is AxisKind.LINEAR else ANGLES
     if answers.unit is not None:
         if answers.unit not in units:

@@ -1,8 +1,8 @@
 """Means of a positioning test in the text form ``.pos`` (API laser): blocks of a title line
 ``Position <tab> Forward Directional Avg Error`` and rows of position and mean deviation, in mm.
 
-The deviation is measured minus target. After one reader of a third party; no real file was at hand.
-The readings themselves are not in such a file.
+The deviation is measured minus target. Source: one reader of a third party; no real file was at
+hand. The readings themselves are not in such a file.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def is_mean_blocks(text: Sequence[str]) -> bool:
 
 
 def spans_of(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield what stands in each line of a file: below a title rows do, up to the next section."""
+    """Yield the meaning of the parts of each line: rows below a title, up to the next section."""
     block = False
     for line, found in zip(text, spans_of_sections(text), strict=True):
         title = _TITLE.fullmatch(line)
@@ -75,8 +75,8 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
     """Return the means in the lines of a file as one run per direction; every fault is noted.
 
-    Where the means of the way back are not printed, they are twice those of both directions less
-    those of the way out. Faults: means of both directions alone, which tell no direction; blocks at
+    If the means of the way back are not printed, they are twice those of both directions less those
+    of the way out. Faults: means of both directions alone, which give no direction; blocks at
     different positions; means that contradict each other beyond the digits printed.
     """
     sections = sections_of(text, faults)
@@ -132,7 +132,7 @@ def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -
 def _blocks(
     text: Sequence[str], marks: DecimalMarks, faults: FaultList
 ) -> tuple[Mapping[str, _Block], int]:
-    """Return the blocks by what they are the means of, and how many decimals the means carry."""
+    """Return the blocks by kind of mean, and the number of decimals of the means."""
     blocks: dict[str, _Block] = {}
     current: _Block | None = None
     decimals = 0
@@ -170,7 +170,7 @@ def _blocks(
 
 def _above(text: Sequence[str]) -> list[tuple[int, str]]:
     """Return the lines above the first title that look like a position and its mean; targets may
-    stand in a list of their own.
+    have a list of their own.
     """
     found: list[tuple[int, str]] = []
     listing = False

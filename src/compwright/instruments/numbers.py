@@ -33,8 +33,8 @@ _PLAIN = {
 
 
 def parse_number(text: str) -> float:
-    """Return the finite number that ``text`` states with a decimal point or a decimal comma; blanks
-    around are allowed.
+    """Return the finite number in ``text`` with a decimal point or a decimal comma; blanks around
+    are allowed.
 
     ``.0266`` and exponents are numbers; thousands marks, units, nan and inf are not. Raises
     ValueError whose text is the reason, in the form "is ...".
@@ -55,9 +55,7 @@ def parse_number(text: str) -> float:
 
 
 def parse_count(text: str) -> int:
-    """Return the whole number of at least 1 that ``text`` states. Raises ValueError with the
-    reason.
-    """
+    """Return the whole number of at least 1 in ``text``. Raises ValueError with the reason."""
     stripped = text.strip()
     if not _INTEGER.fullmatch(stripped) or int(stripped) < 1:
         raise ValueError("is not a whole number of at least 1")
@@ -77,8 +75,8 @@ def plain_numbers(cells: Sequence[str], mark: str) -> FloatArray | None:
 def counts_of(
     cells: Sequence[str], place: Callable[[int], str], what: str, faults: FaultList
 ) -> IntArray:
-    """Return the whole numbers of at least 1 in the cells of a column, 0 where one is none, after
-    noting the fault.
+    """Return the whole numbers of at least 1 in the cells of a column; 0, after noting the fault,
+    for any other cell.
     """
     known: dict[str, int] = {}
     reasons: dict[str, str] = {}
@@ -101,7 +99,7 @@ def counts_of(
 
 @dataclass(slots=True)
 class _Marked:
-    """The numbers of a file that carry one decimal mark."""
+    """The numbers of a file that have one decimal mark."""
 
     count: int = 0
     #: Line (0 where it is not counted) and place of the first.
@@ -114,8 +112,8 @@ class _Marked:
 
 
 class DecimalMarks:
-    """Watches which decimal mark the numbers of one file carry. Feed every number with `parse`,
-    then ask `check`.
+    """Checks which decimal mark the numbers of one file have. Pass every number to `parse`, then
+    call `check`.
     """
 
     def __init__(self, faults: FaultList) -> None:
@@ -240,9 +238,9 @@ class DecimalMarks:
         """Return a number such as ``1.250`` that was read as a decimal fraction although it may be
         1250, empty when none.
 
-        The point is the decimal mark of this form and is read so. It is doubtful where no number of
-        the file proves it and whole numbers stand in the same column (500, 750, 1.000); 100.000,
-        200.000 throughout is how instruments print.
+        The point is the decimal mark of this form. It is doubtful if no number of the file proves
+        it and whole numbers are in the same column (500, 750, 1.000); 100.000, 200.000 throughout
+        is how instruments print.
         """
         point = self._marked["."]
         return (

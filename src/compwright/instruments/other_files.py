@@ -1,4 +1,4 @@
-"""Files that are of no form which is read, said in words of what they seem to be."""
+"""Files of unknown forms, with a guess of what they are."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from compwright.instruments.csv_table import (
 )
 from compwright.instruments.fault_list import shown
 
-#: The forms that `read_positioning` reads, as they stand in messages.
+#: The forms that `read_positioning` reads, by their names in messages.
 ACCEPTED_FORMS = (
     "a plain CSV file (columns target_mm or target_deg, direction, run and a deviation or measured"
     " value; or target and one column per traverse), target data (TGT_DATA[1]=...), or a file of"
@@ -32,8 +32,8 @@ _FORM_KEY = re.compile(r"positioning\s+([0-9]{1,9})")
 
 
 def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, file: str) -> None:
-    """Raise InputError when the file is not a plain CSV positioning file, saying what it seems to
-    be.
+    """Raise InputError when the file is not a plain CSV positioning file, with a guess of what it
+    is.
     """
     form = comments.get("compwright").lower()
     match = _FORM_KEY.fullmatch(form)

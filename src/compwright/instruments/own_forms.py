@@ -1,4 +1,4 @@
-"""The two forms of one's own making to what every reader hands on: plain CSV, and target data."""
+"""Compwright's own two forms, plain CSV and target data, converted to `Parsed` like all others."""
 
 from __future__ import annotations
 
@@ -46,14 +46,16 @@ _HEADS: Mapping[Meaning, Meaning] = {"other cell": "column"}
 
 
 def is_target_data_file(text: Sequence[str]) -> bool:
-    """Whether the lines of a file are of the form ``TGT_DATA[1]=``."""
+    """Return whether the lines of a file are of the form ``TGT_DATA[1]=``."""
     first = first_row(text)
     data = (line for line in text if "_DATA" in line and comment_text(line) is None)
     return first is not None and is_target_data(chain([first[1]], data))
 
 
 def is_plain_csv(text: Sequence[str]) -> bool:
-    """Whether the header row of a file has a target and a value column of the plain CSV forms."""
+    """Return whether the header row of a file has a target and a value column of the plain CSV
+    forms.
+    """
     first = first_row(text)
     names = header_names(first[1])[1] if first is not None else []
     return not {"target_mm", "target_deg"}.isdisjoint(names) and any(
@@ -64,14 +66,16 @@ def is_plain_csv(text: Sequence[str]) -> bool:
 def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:
     """Return the test in the lines of a plain CSV file; faults of cells are noted.
 
-    Raises InputError for a file that is none, saying what it seems to be.
+    Raises InputError for a file of another form, with a guess of what it is.
     """
     comment_lines, lines = split_lines(text)
     comments = read_comments(comment_lines, faults)
     refuse_other_files(lines, comments, faults.file)
     table = read_table(lines, faults)
     read = read_csv(table, comments, faults)
-    findings = measured_findings(comments.header, sign_said=read.sign_said) if read.measured else []
+    findings = (
+        measured_findings(comments.header, sign_stated=read.sign_stated) if read.measured else []
+    )
     width = len(row_cells(text[table.line - 1], table.delimiter) or ())
     hidden = rows_as_comments(
         text, table.line, lambda line: row_cells(line, table.delimiter), width
@@ -88,7 +92,7 @@ def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:
         readings=read.readings,
         header=comments.header,
         cycle=cycle_of(comments, faults),
-        assumed=() if read.measured or read.sign_said else ("deviation: measured minus target",),
+        assumed=() if read.measured or read.sign_stated else ("deviation: measured minus target",),
         findings=tuple(findings),
     )
 
@@ -98,7 +102,7 @@ def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
     comment_lines, lines = split_target_data(text)
     comments = read_comments(comment_lines, faults, any_key=False)
     read = read_target_data(lines, faults)
-    findings = measured_findings(comments.header, sign_said=bool(comments.get("deviation")))
+    findings = measured_findings(comments.header, sign_stated=bool(comments.get("deviation")))
     if read.descending:
         findings.append(
             falling_finding(say("CW-R014.labels")),
@@ -108,7 +112,7 @@ def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
             cut_finding(say("CW-R053.one_direction", direction=read.alone)),
         )
     assumed = ["FWD: approach in direction +, BWD: in direction -"]
-    if not read.unit_said:
+    if not read.unit_stated:
         assumed.append("unit: mm")
     return Parsed(
         kind=read.kind,
@@ -121,7 +125,9 @@ def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
 
 
 def spans_of_plain_csv(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield what stands in each line of a plain CSV file (positioning, circular, stand-still)."""
+    """Yield the meaning of the parts of each line of a plain CSV file (positioning, circular,
+    stand-still).
+    """
     delimiter = ""
     meanings: list[Meaning] = []
     for line in text:
@@ -138,7 +144,7 @@ def spans_of_plain_csv(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def spans_of_target_data(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield what stands in each line of a file of the form ``TGT_DATA[1]=``."""
+    """Yield the meaning of the parts of each line of a file of the form ``TGT_DATA[1]=``."""
     for line in text:
         remark = comment_text(line) is not None
         yield whole(line, "comment") if remark else spans_in_target_data(line)
@@ -152,8 +158,8 @@ def _of_column(name: str) -> Meaning:
 
 
 def _in_cells(line: str, delimiter: str, meanings: Sequence[Meaning]) -> Spans:
-    """Return the spans of the cells of a line, with their quotes and blanks, as `row_cells` tells
-    them apart.
+    """Return the spans of the cells of a line, with their quotes and blanks, separated as by
+    `row_cells`.
     """
     spans: list[TextSpan] = []
     start, cell = 0, _cell(delimiter)

@@ -1,5 +1,5 @@
-"""What a reader of one form hands on: the readings of one test and what the file says about it,
-before the checks that need all readings.
+"""Result of the reader of one form: the readings of one test and the facts in the file, before the
+checks that need all readings.
 """
 
 from __future__ import annotations
@@ -17,8 +17,9 @@ from compwright.records.positioning import Cycle
 class Parsed:
     """``readings``: targets and deviations (measured minus target) in mm or deg by ``kind``.
 
-    ``header`` keeps what the file says as text, under the known keys of `comments.KNOWN_KEYS` where
-    it is one of them. ``assumed``: what the file leaves open and how it was taken, in words.
+    ``header`` keeps the facts in the file as text, under the known keys of `comments.KNOWN_KEYS` if
+    it is one of them. ``assumed``: facts that the file leaves open and their assumed values, in
+    words.
     """
 
     kind: AxisKind

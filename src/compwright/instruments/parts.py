@@ -20,8 +20,7 @@ AXIS_COLUMN = "axis"
 class TestPart:
     """The lines of one test; those of other axes are blank, so that a line keeps its number.
 
-    ``axis``: what the column of axes says, else empty. ``sheet``: the name of the sheet, else
-    empty.
+    ``axis``: from the column of axes, else empty. ``sheet``: the name of the sheet, else empty.
     """
 
     text: Sequence[str]
@@ -51,7 +50,7 @@ def parts_by_axis(
 ) -> tuple[TestPart, ...]:
     """Return a part per axis in the column ``header`` (its line and index) of the lines ``rows``.
 
-    A row without a name of an axis is a fault where it holds anything else.
+    A row with contents but without an axis name is a fault.
     """
     _, column = header
     by_axis: dict[str, set[int]] = {}

@@ -2,7 +2,7 @@
 
 Long: columns ``target_mm`` or ``target_deg``, ``direction`` (``+``, ``-``), ``run`` and one of
 ``deviation_um``, ``deviation_mm``, ``deviation_arcsec``, ``deviation_deg``, ``measured_mm``,
-``measured_deg``; one row per reading; ``time`` may say when it was taken. Wide: ``target_mm`` or
+``measured_deg``; one row per reading; a column ``time`` is optional. Wide: ``target_mm`` or
 ``target_deg`` and one column of deviations per traverse (``+1``, ``-1``, ``+2``, ...) in the unit
 of the required key ``unit``; an empty cell is a reading that was not made. Measured positions have
 the long form only.
@@ -50,14 +50,14 @@ _UNITS_OF = {AxisKind.LINEAR: "um or mm", AxisKind.ROTARY: "arcsec or deg"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CsvReadings:
-    """What the rows say: the kind of axis, the readings in mm or deg, and what remains to be told
-    about the columns.
+    """Contents of the rows: the kind of axis, the readings in mm or deg, and remarks about the
+    columns.
     """
 
     kind: AxisKind
     readings: Readings
     measured: bool = False
-    sign_said: bool = False
+    sign_stated: bool = False
     left_out: tuple[str, ...] = ()
     doubtful: str = ""
     unread: Finding | None = None
@@ -109,7 +109,7 @@ def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadi
         kind=_KIND_OF_TARGET[target],
         readings=readings,
         measured=value.startswith("measured"),
-        sign_said=sign is not None,
+        sign_stated=sign is not None,
         left_out=tuple(column for column in table.columns if column not in (*used, AXIS_COLUMN)),
         doubtful=marks.doubtful_point(),
         unread=unread,
@@ -118,11 +118,11 @@ def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadi
 
 # one caller
 def _refuse_unsigned(table: CsvTable, wide: bool, faults: FaultList) -> None:  # noqa: FBT001
-    """Raise for columns named 1, 2, ... or +0: spreadsheets take the plus off, and then the
+    """Raise for columns named 1, 2, ... or +0: spreadsheets remove the plus sign, and then the
     direction is lost.
 
-    In a ``wide`` file also for ``up 3`` or ``+3 up``: a traverse that is left out would be missed
-    by nobody.
+    In a ``wide`` file also for ``up 3`` or ``+3 up``: a traverse that is left out would go
+    unnoticed.
     """
     unknown = [
         column for column in table.columns if traverse_of(column) is None and column not in COLUMNS
@@ -303,7 +303,7 @@ def _long(
 
 
 def _timed(table: CsvTable, readings: Readings) -> Readings:
-    """Return the readings with the times of a column ``time``, as far as each row says one."""
+    """Return the readings with the times of a column ``time``, for rows that have one."""
     if TIME not in table.columns:
         return readings
     unread = FaultList("")
@@ -349,8 +349,8 @@ def _wide(
 def _rows_of_new_targets(
     table: CsvTable, target: str, positions: Sequence[float], faults: FaultList
 ) -> list[int]:
-    """Return the rows but those whose target stands above already, after noting the fault: their
-    readings would each be told as given twice.
+    """Return the rows without repeated targets, after noting the fault: else each of their readings
+    would be reported as given twice.
     """
     first: dict[float, int] = {}
     rows = []

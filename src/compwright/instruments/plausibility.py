@@ -1,5 +1,4 @@
-"""What is noticed while reading a positioning file. Nothing is changed or dropped: the user
-decides.
+"""Checks while reading a positioning file. Nothing is changed or dropped: the user decides.
 
 Codes of this room:
 
@@ -20,11 +19,11 @@ Codes of this room:
 - ``CW-R015`` warning: a point that may mark thousands was read as a decimal point
 - ``CW-R050`` warning: targets approached in one direction only were left out
 - ``CW-R051`` warning: the file may have been cut off inside its last number
-- ``CW-R052`` info: what lies beside the measurements in a folder was skipped
+- ``CW-R052`` info: other files in a folder of measurements were skipped
 - ``CW-R053`` warning: the file holds less than it promises, or does not end as its form does, or a
   fifth of its readings is missing
 - ``CW-R054`` warning: runs of exact zeros were left out as a way back that was not made
-- ``CW-R055`` warning: the way back was told by the number of its runs alone
+- ``CW-R055`` warning: the way back was recognised only by the number of its runs
 - ``CW-R056`` warning: angles without a unit were taken as microradian
 - ``CW-R057`` warning: means instead of readings
 - ``CW-R058`` warning: a compensation table instead of a test
@@ -64,7 +63,7 @@ _LISTED = 5
 
 
 def findings_of(grid: ReadingGrid, kind: AxisKind) -> tuple[Finding, ...]:
-    """Return what is remarkable about the readings of one test, most general first."""
+    """Return the findings about the readings of one test, most general first."""
     return tuple(
         finding
         for finding in (
@@ -205,8 +204,8 @@ def _near_targets(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
 
 
 def skipped_finding(names: Sequence[str]) -> Finding | None:
-    """Return the finding that names the files of a folder that are no measurements by their
-    endings, None where there are none.
+    """Return the finding about the files of a folder that are no measurements by their endings;
+    None without any.
     """
     if not names:
         return None

@@ -1,7 +1,7 @@
-"""A mapping profile: what the columns of a table made by somebody else mean, as a small YAML file.
+"""A mapping profile: the meaning of the columns of another program's table, as a small YAML file.
 
-Nothing in it has a default that decides about a sign, a unit or a direction: a key that is needed
-and empty is refused. ``docs/measurement-files.md`` explains it key by key.
+No key that decides a sign, a unit or a direction has a default: a required key that is empty is
+refused. ``docs/measurement-files.md`` explains it key by key.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class Profile:
     has its own reader; only ``unit`` and ``sign`` count).
 
     Columns by their names in the header row; ``traverses``: column -> direction and run;
-    ``directions``: word in the column ``direction`` -> direction. ``position_map``: None where it
+    ``directions``: word in the column ``direction`` -> direction. ``position_map``: None if it
     changes nothing. ``file`` and ``sha256``: of the profile itself.
     """
 
@@ -64,5 +64,5 @@ class Profile:
 
     @property
     def answers(self) -> Answers:
-        """What the profile says about a file of a form with its own reader."""
+        """The profile's answers about a file of a form with its own reader."""
         return Answers(unit=self.unit, sign=self.sign)

@@ -1,4 +1,6 @@
-"""Bytes of a file to the profile that is proposed for it, or to the word that it needs none."""
+"""Bytes of a file to the profile that is proposed for it, or to the statement that it needs
+none.
+"""
 
 from __future__ import annotations
 
@@ -18,8 +20,8 @@ from compwright.instruments.workbook import is_workbook, sheets_of
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Proposed:
-    """``text`` of the profile; readings in words, what was seen, and the keys to fill in with
-    why.
+    """``text`` of the profile; readings in words, observations, and the keys to fill in with their
+    reasons.
     """
 
     text: str
@@ -31,7 +33,7 @@ class Proposed:
 def proposed_profile(content: bytes, file: str) -> Proposed:
     """Return the profile for ``content``; ``file`` is its name in messages.
 
-    Raises InputError for a file without a table, UsageError for one whose form says all.
+    Raises InputError for a file without a table, UsageError for one whose form leaves nothing open.
     """
     if is_workbook(content):
         return _of_workbook(content, file)
@@ -88,7 +90,7 @@ def _proposed(lines: Sequence[str], encoding: str, file: str) -> Proposed:
 
 
 def _answers(form: MeasurementForm, file: str) -> Proposed:
-    """Return the profile of a file whose own reader may have to be told its unit or its sign."""
+    """Return the profile of a file whose own reader may need its unit or its sign."""
     text = (
         f"# For {file}: {form.name}. Only what its own reader cannot know has to be filled in.\n"
         f"{MARK}: {VERSION}\n"

@@ -35,7 +35,7 @@ _CHOICES: Final[Mapping[str, tuple[str, ...]]] = {
     "run_counts": ("runs", "traverses"),
     "cycle": ("standard", "step"),
 }
-#: Keys that a layout needs; further ones hang on what these say.
+#: Keys that a layout needs; further ones depend on their values.
 _NEEDED: Final[Mapping[str, tuple[str, ...]]] = {
     "long": (
         *("delimiter", "decimal", "header_line", "target", "target_unit"),
@@ -55,8 +55,8 @@ _DIRECTION: Final = '"+" (approached from below) or "-" (from above)'
 def read_profile(content: bytes, file: str) -> Profile:
     """Return the profile in ``content``.
 
-    Raises UsageError with every fault: a key that is needed and empty or absent, an unknown key, a
-    value that is none of its words; InputError for what is no YAML.
+    Raises UsageError with every fault: a required key that is empty or missing, an unknown key, a
+    value outside its list of words; InputError for invalid YAML.
     """
     document = read_yaml(content, file)
     data = document.data
@@ -74,14 +74,14 @@ def read_profile(content: bytes, file: str) -> Profile:
         )
     own, faults = checked(SchemaValidator(_PROFILE), data)
     empty = list(_empty(data))
-    told = {each.path for each in empty} & {(key,) for key in _CHOICES.keys() - {"layout"}}
-    faults = [each for each in faults if each.path not in told]
+    reported = {each.path for each in empty} & {(key,) for key in _CHOICES.keys() - {"layout"}}
+    faults = [each for each in faults if each.path not in reported]
     raise_all(UsageError, document.faults([*empty, *faults, *_units(data)], file))
     return Profile(file=file, sha256=fingerprint(content), **own)
 
 
 def _empty(data: Mapping[str, Any]) -> Iterator[KeyFault]:
-    """Yield the keys that this profile needs and that say nothing."""
+    """Yield the keys that this profile needs and that are empty."""
     layout = data.get("layout")
     needed = ["layout", *_NEEDED.get(layout if isinstance(layout, str) else "", ())]
     if layout in ("long", "wide") and data.get("value_is") != "measured":
@@ -109,7 +109,7 @@ def _version(value: Any) -> None:
 
 
 def _choice(key: str, convert: Callable[[str], Any] = str) -> cs.CoreSchema:
-    """Return the schema of a word; an empty one stands for none."""
+    """Return the schema of a word; an empty one counts as none."""
     word = cs.no_info_after_validator_function(convert, cs.literal_schema([*_CHOICES[key]]))
     return cs.no_info_before_validator_function(
         lambda value: None if value == "" else value, cs.nullable_schema(word)
@@ -164,7 +164,9 @@ def _left_out(names: list[Any]) -> frozenset[str]:
 
 
 def _own(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what a profile says by the names of the record; what is empty keeps its default."""
+    """Return the contents of a profile by the names of the record; empty keys keep their
+    default.
+    """
     names = {key: key for key in values if key != MARK} | {"value_is": "measured"}
     return {name: values[key] for key, name in names.items() if values.get(key) is not None}
 

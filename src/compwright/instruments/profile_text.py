@@ -1,4 +1,4 @@
-"""A proposed mapping profile as text, and what has to be said about it."""
+"""A proposed mapping profile as text, and remarks about it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from compwright.instruments.proposing import Proposal
 from compwright.instruments.worked_rows import worked_readings
 
 _PLAIN_WORD: Final = re.compile(r"[A-Za-z][A-Za-z _-]*")
-#: The number of a run in what is said of a traverse that is open.
+#: The number of a run in the text about a traverse that is open.
 _ANSWER: Final = re.compile(r'"\+([0-9]+)"')
 _LISTED: Final = 4
 #: Words that are no text in YAML.
@@ -43,7 +43,7 @@ _MEANINGS: Final[dict[str, str]] = {
 
 
 def profile_text(proposal: Proposal, file: str) -> str:
-    """Return the profile as YAML with a comment behind each key; what is open is empty and says so.
+    """Return the profile as YAML with a comment behind each key; open keys are empty and marked.
 
     ``file``: the name of the table that it was made for.
     """
@@ -72,10 +72,10 @@ def profile_text(proposal: Proposal, file: str) -> str:
 
 
 def worked_rows(proposal: Proposal, text: Sequence[str], file: str) -> list[str]:
-    """Return three readings in words as the proposal has them.
+    """Return three readings in words, as the proposal reads them.
 
-    Where only the sign or directions are open: as they would be with an answer that is named. Where
-    more is open: as they stand in the file.
+    If only the sign or directions are open: with an assumed answer, which is named. If more is
+    open: as written in the file.
     """
     filled, words = _with_answers(proposal)
     if filled is None:
@@ -97,7 +97,7 @@ def worked_rows(proposal: Proposal, text: Sequence[str], file: str) -> list[str]
 
 def _with_answers(proposal: Proposal) -> tuple[Proposal | None, list[str]]:
     """Return the proposal with one answer to an open sign and open directions, and that answer in
-    words; None where something else is open.
+    words; None if something else is open.
     """
     keys, words = dict(proposal.keys), []
     for key in sorted(proposal.why, key=lambda one: one != "sign"):
@@ -120,19 +120,19 @@ def _with_answers(proposal: Proposal) -> tuple[Proposal | None, list[str]]:
 
 
 def _as_written(proposal: Proposal) -> list[str]:
-    """Return three rows as they stand in the file, where too much is open to say more."""
-    keys, told = proposal.keys, []
+    """Return three rows as written in the file, if too much is open to interpret them."""
+    keys, lines = proposal.keys, []
     names = [keys.get(key) for key in ("target", "value", "direction", "run")]
     names += list(keys.get("traverses") or ())[:2]
     table = proposal.table
     for row, line in enumerate(table.lines[:3]):
         cells = [f"{name} = {table.of(name)[row]}" for name in names if name in table.columns]
-        told.append(f"line {line} says: {', '.join(cells or [of[row] for of in table.cells])}")
-    return told
+        lines.append(f"line {line} says: {', '.join(cells or [of[row] for of in table.cells])}")
+    return lines
 
 
 def _filled(proposal: Proposal) -> list[tuple[str, Proposal]]:
-    """Return the proposal itself where nothing is open, else with each of two answers to the first
+    """Return the proposal itself if nothing is open, else with each of two answers to the first
     open sign or direction, in words.
     """
     if not proposal.why:

@@ -1,4 +1,4 @@
-"""A table made by somebody else, read by a mapping profile (`profile.Profile`)."""
+"""A table of another program, read by a mapping profile (`profile.Profile`)."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from compwright.instruments.foreign_table import (
     named_columns,
 )
 from compwright.instruments.foreign_units import ANGLES, LENGTHS
-from compwright.instruments.header_words import axis_above, difference_of, said_unit, unit_of
+from compwright.instruments.header_words import axis_above, difference_of, stated_unit, unit_of
 from compwright.instruments.numbers import parse_number, plain_numbers
 from compwright.instruments.parsed import Parsed
 from compwright.instruments.parts import TestPart, parts_by_axis
@@ -44,8 +44,8 @@ _SAME_STEP = 1e-4  # mm, deg: rounding of printed positions
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _ProfiledRows:
-    """What rows say: targets and deviations (n,) in mm or deg, what their direction and run columns
-    hold, and their lines.
+    """Contents of rows: targets and deviations (n,) in mm or deg, the cells of their direction and
+    run columns, and their lines.
     """
 
     targets: FloatArray
@@ -56,10 +56,10 @@ class _ProfiledRows:
 
 
 def at_its_header(text: Sequence[str], profile: Profile) -> Profile:
-    """Return the profile with the line where its columns stand in this file: files of one program
-    differ in how much text stands above.
+    """Return the profile with the line of its header row in this file: files of one program differ
+    in how much text is above.
 
-    As it is where its own line has them, where there is no header row, and where no line or more
+    Unchanged if its own line has all columns, if there is no header row, and if no line or more
     than one has them all.
     """
     wanted = set(columns_of(profile))
@@ -76,7 +76,7 @@ def at_its_header(text: Sequence[str], profile: Profile) -> Profile:
 
 
 def has_columns(text: Sequence[str], profile: Profile) -> bool:
-    """Whether the columns of a profile are all there in the lines of a file."""
+    """Return whether all columns of a profile are in the lines of a file."""
     faults = FaultList("")
     top = text[: profile.header_line] if profile.header_line else text
     table = foreign_table(top, profile.delimiter, profile.header_line, faults)
@@ -87,8 +87,8 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
     """Return the test in the lines of a file; every fault is noted.
 
     Rows whose target holds no digit (means, remarks) and columns that the profile does not name are
-    left out with a warning; all else that is no number is a fault. Raises InputError where columns
-    are missing.
+    left out with a warning; any other cell that is not a number is a fault. Raises InputError if
+    columns are missing.
     """
     table = foreign_table(text, profile.delimiter, profile.header_line, faults)
     for name in columns_of(profile):
@@ -135,22 +135,22 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
 def _refuse_contradictions(
     before: Sequence[str], axis: str, profile: Profile, faults: FaultList
 ) -> None:
-    """Note what the text above a table says otherwise than the profile, which may have been made
-    for another file.
+    """Note where the text above a table contradicts the profile, which may have been made for
+    another file.
     """
     named = any(map(unit_of, (profile.value, *profile.traverses)))  # the column says it itself
-    unit = "" if named else next(filter(None, map(said_unit, before)), "")
+    unit = "" if named else next(filter(None, map(stated_unit, before)), "")
     sign = next(filter(None, map(difference_of, before)), "")
-    for what, said, mine in (
+    for what, stated, mine in (
         ("axis", axis.upper(), profile.axis.upper()),
         ("unit", unit, profile.unit or ""),
         ("sign", sign, "" if profile.measured else profile.sign or ""),
     ):
-        if said and mine and said != mine:
+        if stated and mine and stated != mine:
             faults.add(
                 f"the text above the table and the profile contradict each other: {what}",
                 expected=f"{mine} as in {profile.file}",
-                found=said,
+                found=stated,
             )
 
 
@@ -292,18 +292,20 @@ def _long(
     )
     _refuse_steps(taken, profile, faults)
     directions = list(_directions(taken, profile, faults))
-    told = [direction for direction in directions if direction is not None]
-    if len(told) < len(directions):
-        rows, told = [], []
+    known = [direction for direction in directions if direction is not None]
+    if len(known) < len(directions):
+        rows, known = [], []
         taken = _ProfiledRows(np.empty(0), np.empty(0), (), (), ())
-    runs = np.array(_runs(taken, told, profile, faults), dtype=np.int64)
-    positive = [direction is Direction.POSITIVE for direction in told]
+    runs = np.array(_runs(taken, known, profile, faults), dtype=np.int64)
+    positive = [direction is Direction.POSITIVE for direction in known]
     readings = readings_at(taken.lines, taken.targets, positive, runs, taken.deviations)
     return (readings if runs.all() else readings.only(runs > 0)), of_rows
 
 
 def _refuse_steps(rows: _ProfiledRows, profile: Profile, faults: FaultList) -> None:
-    """Note values that are the distances of the targets: some programs print them beside."""
+    """Note values that are the distances of the targets: some programs print them in a column
+    too.
+    """
     steps = np.diff(rows.targets)
     if profile.measured or steps.size < 2 or not np.any(steps):
         return
@@ -367,8 +369,8 @@ def _by_order(rows: _ProfiledRows, faults: FaultList) -> Iterator[Direction | No
 def _runs(
     rows: _ProfiledRows, directions: Sequence[Direction], profile: Profile, faults: FaultList
 ) -> list[int]:
-    """Return the run of each row: by its column, or how often its target came in this direction; 0
-    after noting a fault.
+    """Return the run of each row: by its column, or the number of times that its target came in
+    this direction; 0 after noting a fault.
     """
     if not profile.run:
         times: Counter[tuple[float, Direction]] = Counter()

@@ -1,8 +1,8 @@
-"""A mapping profile proposed for a table made by somebody else: what its header and its numbers
-prove, and what stays open.
+"""A mapping profile proposed for another program's table: what its header and its numbers prove,
+and what stays open.
 
-Nothing is guessed that decides about a sign, a unit or a direction: such a key stays empty, and the
-profile is refused until somebody fills it in.
+A sign, a unit or a direction is never guessed: such a key stays empty, and the profile is refused
+until it is filled in.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ from compwright.instruments.header_words import (
     axis_above,
     difference_of,
     role_of,
-    said_unit,
     sign_word,
+    stated_unit,
     unit_of,
 )
 from compwright.instruments.profiled import traverses_of
@@ -45,8 +45,8 @@ _MOST_WORDS = 6
 
 @dataclass(slots=True)
 class Proposal:
-    """``keys`` of the profile in their order, None: could not be known; ``why``: of those, what to
-    look for; ``notes``: what was seen, in words. ``table`` as it was read.
+    """``keys`` of the profile in their order, None: unknown; ``why``: of those, what to look for;
+    ``notes``: observations, in words. ``table`` as it was read.
     """
 
     table: ForeignTable
@@ -55,7 +55,7 @@ class Proposal:
     notes: list[str] = field(default_factory=list)
 
     def leave_open(self, key: str, why: str) -> None:
-        """Leave a key empty that has to be filled in."""
+        """Leave a key empty for the user to fill in."""
         self.keys[key] = None
         self.why[key] = why
 
@@ -87,9 +87,9 @@ def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
         "header_line": header_line,
         "axis": "",
     }
-    said = axis_above(text[: max(header_line - 1, 0)])
-    if said:
-        proposal.notes.append(f"axis: {said}, the text above the table says so in every file")
+    stated = axis_above(text[: max(header_line - 1, 0)])
+    if stated:
+        proposal.notes.append(f"axis: {stated}, the text above the table says so in every file")
     axes = [name for name in table.columns if role_of(name) == "axis"]
     if len(axes) == 1:
         proposal.keys["axis_column"] = axes[0]
@@ -133,7 +133,7 @@ def _decimal(table: ForeignTable, proposal: Proposal) -> str | None:
 
 
 class _ProposedColumns:
-    """The columns of a table by what they hold."""
+    """The columns of a table by their contents."""
 
     def __init__(self, table: ForeignTable, decimal: str) -> None:
         self.table, self.decimal = table, decimal
@@ -173,8 +173,8 @@ class _ProposedColumns:
         return ranked[0]
 
     def traverses(self, target: str | None) -> list[str]:
-        """Return the columns that look like one traverse each: numbers, a sign or a way in the
-        name, or a count in it.
+        """Return the columns that look like one traverse each: numbers, with a sign, a way or a
+        count in the name.
         """
         return [
             name
@@ -201,7 +201,7 @@ def _units(
     if not unit and column:
         first = next((text for text in columns.texts[column] if text), "")
         unit = unit_of(first)
-    unit = unit or next(filter(None, map(said_unit, above)), "")
+    unit = unit or next(filter(None, map(stated_unit, above)), "")
     if unit:
         proposal.keys[key] = unit
     else:
@@ -219,7 +219,7 @@ def _wide(
         keys["value_is"] = "measured"
         proposal.notes.append("the values follow the targets: measured positions")
     units = {unit_of(name) for name in traverses} - {""}
-    units = units or {unit for line in above if (unit := said_unit(line))}
+    units = units or {unit for line in above if (unit := stated_unit(line))}
     if len(units) == 1:
         keys["unit"] = units.pop()
     else:
@@ -301,8 +301,8 @@ def _direction(proposal: Proposal, columns: _ProposedColumns, target: str | None
 def _direction_words(
     proposal: Proposal, columns: _ProposedColumns, target: str | None, name: str
 ) -> Mapping[str, str | None]:
-    """Return the sign of each word of a direction column: what it says by itself, or what the order
-    of its targets proves.
+    """Return the sign of each word of a direction column: by its meaning, or by the order of its
+    targets.
     """
     words = dict.fromkeys(text for text in columns.texts[name] if text)
     found: dict[str, str | None] = {}
@@ -331,7 +331,7 @@ def _both_orders(
 
 
 def _steps_of(columns: _ProposedColumns, target: str | None, name: str, word: str) -> set[int]:
-    """Return the signs of the steps between targets that stand side by side under one word."""
+    """Return the signs of the steps between consecutive targets with the same word."""
     if target is None:
         return set()
     values, texts = columns.numbers(target), columns.texts[name]
@@ -357,7 +357,7 @@ def _order(columns: _ProposedColumns, target: str | None) -> str:
 
 
 def _run_counts(columns: _ProposedColumns, keys: Mapping[str, Any]) -> str:
-    """Return ``traverses`` where no run has both directions: they count each way by itself."""
+    """Return ``traverses`` if no run has both directions: then runs count each way separately."""
     direction = keys.get("direction")
     if not direction:
         return "runs"
@@ -368,7 +368,7 @@ def _run_counts(columns: _ProposedColumns, keys: Mapping[str, Any]) -> str:
 
 
 def _follows_targets(columns: _ProposedColumns, target: str | None, name: str) -> bool:
-    """Whether the values of a column grow with the targets as measured positions do."""
+    """Return whether the values of a column grow with the targets as measured positions do."""
     if target is None:
         return False
     x, y = columns.numbers(target), columns.numbers(name)
@@ -385,14 +385,14 @@ def _sign(
     keys = proposal.keys
     if keys.get("value_is") == "measured":
         return
-    said = difference_of(str(keys.get("value") or "")) or next(
+    stated = difference_of(str(keys.get("value") or "")) or next(
         filter(None, map(difference_of, before)), ""
     )
     proven = _proven_sign(columns, target, keys.get("value"), keys)
-    if proven and said and proven != said:
+    if proven and stated and proven != stated:
         proposal.leave_open("sign", "the header says one thing, the numbers the other")
-    elif proven or said:
-        keys["sign"] = proven or said
+    elif proven or stated:
+        keys["sign"] = proven or stated
         how = "the numbers of the three columns prove it" if proven else "the header says so"
         proposal.notes.append(f"sign: {keys['sign']}, {how}")
     else:

@@ -1,4 +1,4 @@
-"""The door of the room: bytes of a measurement file to records. The form is told by the content,
+"""Entry of the room: bytes of a measurement file to records. The form is recognised by the content,
 never by the file's name.
 """
 
@@ -52,7 +52,7 @@ _DYNAMIC: Final = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class _Read:
-    """One test of a file before its record: what was parsed, and from which lines."""
+    """One test of a file before its record: the parsed contents, and their lines."""
 
     parsed: Parsed
     part: TestPart
@@ -65,13 +65,12 @@ def read_tests(
     """Return the positioning tests in ``content``: one, or one per axis of a plain table with a
     column ``axis``, and per sheet of a workbook.
 
-    ``file`` is the name that messages and the record's source carry. Reads the forms of
-    `forms.FORMS`, the plain CSV forms (contract, "Plain CSV"), the same in an Excel workbook, and
-    any other table by a ``profile``. The results are in mm or deg, deviations are measured minus
-    target, and the name is the stem of ``file``, with the axis where there are several. The frame
-    is the instrument's, or the machine's where the profile maps the positions. An axis that nobody
-    names is an empty text with a finding. Raises InputError with every fault that could be found at
-    once.
+    ``file`` is the name in messages and in the record's source. Reads the forms of `forms.FORMS`,
+    the plain CSV forms (contract, "Plain CSV"), the same in an Excel workbook, and any other table
+    by a ``profile``. The results are in mm or deg, deviations are measured minus target, and the
+    name is the stem of ``file``, with the axis if there are several. The frame is the instrument's,
+    or the machine's if the profile maps the positions. An unknown axis is an empty text with a
+    finding. Raises InputError with every fault that could be found at once.
     """
     if is_workbook(content):
         sheets = sheets_of(content, file)
@@ -104,10 +103,10 @@ def _of_text(content: bytes, faults: FaultList, profile: Profile | None) -> list
     text, form, code_page = _text_and_form(content, file)
     parts = plain_parts(text, faults) if form is PLAIN_CSV else (TestPart(text),)
     reads = _by_form(form, parts, faults, profile)
-    return [_told(read, code_page) for read in reads] if code_page is not None else reads
+    return [_with_finding(read, code_page) for read in reads] if code_page is not None else reads
 
 
-def _told(read: _Read, finding: Finding) -> _Read:
+def _with_finding(read: _Read, finding: Finding) -> _Read:
     parsed = read.parsed
     return replace(read, parsed=replace(parsed, findings=(finding, *parsed.findings)))
 
@@ -128,12 +127,12 @@ def _by_profile(text: Sequence[str], profile: Profile, faults: FaultList) -> lis
 
 
 def _marked(parsed: Parsed, profile: Profile) -> Parsed:
-    said = f"{profile.file} (sha256 {profile.sha256})"
-    return replace(parsed, header={**parsed.header, "profile": said})
+    stated = f"{profile.file} (sha256 {profile.sha256})"
+    return replace(parsed, header={**parsed.header, "profile": stated})
 
 
 def _has_own_form(content: bytes, file: str) -> bool:
-    """Whether a file is of one of `FORMS`, which are recognised for certain."""
+    """Return whether a file certainly has one of `FORMS`."""
     try:
         return form_of(read_any_lines(content, file)[0], file) is not PLAIN_CSV
     except InputError:
@@ -161,7 +160,7 @@ def _of_sheet(sheet: WorkbookSheet, file: str, profile: Profile | None) -> list[
         reads = _by_form(PLAIN_CSV, parts, faults, None)
     reads = [replace(read, part=replace(read.part, sheet=sheet.name)) for read in reads]
     hidden = hidden_finding(sheet.hidden, sheet.lines)
-    return reads if hidden is None else [_told(read, hidden) for read in reads]
+    return reads if hidden is None else [_with_finding(read, hidden) for read in reads]
 
 
 def _refuse_no_sheet(reads: Sequence[_Read], sheets: Sequence[WorkbookSheet], file: str) -> None:
@@ -188,7 +187,7 @@ def _listed(names: Sequence[str]) -> str:
 
 
 def _source(read: _Read, content: bytes, file: str, *, several: bool) -> Source:
-    """Return where a test comes from; one of several has the fingerprint of its own lines, for the
+    """Return the source of a test; one of several has the fingerprint of its own lines, because the
     bytes of the file are those of the others too.
     """
     if not several:
@@ -240,17 +239,17 @@ def _test_of(read: _Read, source: Source, name: str) -> PositioningTest:
 
 
 def _with_axis(parsed: Parsed, part: TestPart) -> tuple[dict[str, str], tuple[str, ...]]:
-    """Return the header with the axis of the part, and what was taken: the name of a sheet is no
-    statement.
+    """Return the header with the axis of the part, and the assumption made: the name of a sheet is
+    no statement.
     """
     header = dict(parsed.header)
     if part.axis:
         return {**header, "axis": part.axis}, parsed.assumed
     named = axis_name(part.sheet) if part.sheet else ""
-    said = header.get("axis", "")
-    if said and named and said.upper() != named:
-        return header, (*parsed.assumed, f"axis: {said}, though the sheet is called {part.sheet}")
-    if said or not named:
+    stated = header.get("axis", "")
+    if stated and named and stated.upper() != named:
+        return header, (*parsed.assumed, f"axis: {stated}, though the sheet is called {part.sheet}")
+    if stated or not named:
         return header, parsed.assumed
     return {**header, "axis": named}, (*parsed.assumed, f"axis: {named}, the name of the sheet")
 
@@ -269,8 +268,9 @@ def stem(file: str) -> str:
 
 
 def _text_and_form(content: bytes, file: str) -> tuple[list[str], MeasurementForm, Finding | None]:
-    """Return the lines of a file, their form, and what was taken for the encoding of plain CSV;
-    other encodings than UTF-8 and UTF-16 only where the form has them, or no number hangs on it.
+    """Return the lines of a file, their form, and the assumed encoding of plain CSV.
+
+    Encodings other than UTF-8 and UTF-16 only if the form has them, or no number depends on it.
     """
     try:
         text = read_lines(content, file)
@@ -287,7 +287,7 @@ def _text_and_form(content: bytes, file: str) -> tuple[list[str], MeasurementFor
         foreign = form is PLAIN_CSV and has_table(text)
         if not form.code_pages and not foreign:
             raise
-        # a table of another program is told what it is, whatever its encoding
+        # the message for a table of another program names it, whatever its encoding
         return text, form, None
     return text, form_of(text, file), None
 

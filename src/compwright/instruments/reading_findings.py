@@ -20,20 +20,18 @@ _NOTHING = frozenset({"", "no", "none", "nothing", "-"})
 
 
 def assumed_finding(assumed: Sequence[str]) -> Finding | None:
-    """Return the finding that says what the file leaves open, None when that is nothing."""
+    """Return the finding about facts that the file leaves open, None without any."""
     return Finding.of("CW-R001", "info", assumed=assumed) if assumed else None
 
 
 def left_out_finding(columns: Sequence[str]) -> Finding | None:
-    """Return the finding that names columns without a part in the form, None when there are
-    none.
-    """
+    """Return the finding about columns that are not part of the form, None without any."""
     return Finding.of("CW-R005", "warning", columns=columns) if columns else None
 
 
 def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
     """Return the finding about lines (number, text) that look like readings where none are read,
-    None when there are none.
+    None without any.
     """
     if not lines:
         return None
@@ -42,8 +40,8 @@ def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
 
 
 def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> Finding | None:
-    """Return the finding about targets of rows (n,), in the unit of ``kind``, of which no reading
-    was made; None when there are none.
+    """Return the finding about targets of rows (n,), in the unit of ``kind``, without any reading;
+    None if there are none.
     """
     without = np.setdiff1d(targets[np.isfinite(targets)], readings.targets)
     if not without.size:
@@ -64,8 +62,8 @@ def sheets_finding(sentence: Sentence) -> Finding:
 
 
 def unfinished_finding(lines: Sequence[str]) -> Finding | None:
-    """Return the finding about a file that may have been cut off inside its last number, None where
-    it was not.
+    """Return the finding about a file that may have been cut off inside its last number, None if it
+    was not.
     """
     number = unfinished_number(lines)
     if not number:
@@ -83,9 +81,7 @@ def doubtful_finding(number: str) -> Finding | None:
 
 
 def header_findings(header: Mapping[str, str]) -> list[Finding]:
-    """Return what is remarkable about what a file says of its test: no axis, something that was
-    compensated already.
-    """
+    """Return the findings about a file's header: no axis, readings that are already compensated."""
     findings = []
     if not header.get("axis"):
         findings.append(Finding.of("CW-R002", "info"))
@@ -95,10 +91,10 @@ def header_findings(header: Mapping[str, str]) -> list[Finding]:
     return findings
 
 
-def measured_findings(header: Mapping[str, str], *, sign_said: bool) -> list[Finding]:
+def measured_findings(header: Mapping[str, str], *, sign_stated: bool) -> list[Finding]:
     """Return the findings about a file of measured positions instead of deviations."""
     findings = [Finding.of("CW-R003", "info")]
-    if sign_said and header.get("deviation"):
+    if sign_stated and header.get("deviation"):
         findings.append(Finding.of("CW-R013", "warning", deviation=header.get("deviation")))
     return findings
 

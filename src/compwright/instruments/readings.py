@@ -17,8 +17,8 @@ BoolArray = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True)
 class ApproachReading:
-    """One approach: ``target`` and ``deviation`` (measured minus target) in mm or deg, and where in
-    the file it stands.
+    """One approach: ``target`` and ``deviation`` (measured minus target) in mm or deg, and its
+    place in the file.
     """
 
     target: float
@@ -33,8 +33,8 @@ class Readings:
     """The approaches of one test in the order of the file: ``targets`` and ``deviations`` (n,) in
     mm or deg, ``positive`` (n,) whether approached in direction +, ``runs`` (n,) from 1.
 
-    ``place`` tells where in the file a reading stands, by its index. ``times`` (n,): when each was
-    taken, as ``clock`` says; None where the file does not say it.
+    ``place``: function from an index to the place of the reading in the file. ``times`` (n,): when
+    each was taken, in the form ``clock``; None if the file does not state it.
     """
 
     targets: FloatArray
@@ -81,7 +81,7 @@ def readings_at(
     runs: Sequence[int] | IntArray,
     deviations: Sequence[float] | FloatArray,
 ) -> Readings:
-    """Return readings of which each stands on a line of its own; all (n,), mm or deg."""
+    """Return readings, each on a line of its own; all (n,), mm or deg."""
     at = np.array(lines, dtype=np.int64)
     return Readings(
         np.array(targets, dtype=np.float64) + 0.0,  # no negative zero

@@ -109,7 +109,7 @@ def read_xml(content: bytes, file: str) -> Element:
     """Return the root element of ``content``.
 
     Raises InputError for XML that is cut short or broken (line and column), a document type
-    declaration, an encoding that the parser does not know, and a file larger than any measurement.
+    declaration, an unknown encoding, and a file larger than any measurement.
     """
     if len(content) > XML.most_bytes:
         raise InputError(

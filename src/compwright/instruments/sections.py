@@ -1,8 +1,8 @@
-"""Text in sections: a line ``NAME::`` opens one, ``EOF::`` ends the file; in a section stand
-``Key: value`` lines and rows of numbers.
+"""Text in sections: a line ``NAME::`` opens one, ``EOF::`` ends the file; a section has ``Key:
+value`` lines and rows of numbers.
 
-The frame of the files of laser software. No real file of a maker was at hand: the layout rests on
-what six independent programs of third parties read and write.
+The frame of the files of laser software. No real file of a maker was at hand: the layout is that of
+six independent programs of third parties which read and write it.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Line = tuple[int, str]
 _SECTION = re.compile(r"\s*([A-Z][A-Z0-9 _-]*?)\s*::\s*", re.IGNORECASE)
 _KEY = re.compile(r"\s*(?P<key>[A-Za-z][\w .-]*?)\s*:(?!:)\s*(?P<value>.*?)\s*")
 _END = "EOF"
-#: The sections of these files, and whether rows of numbers stand in them.
+#: The sections of these files, and whether they hold rows of numbers.
 SECTIONS: Final[Mapping[str, bool]] = {
     **dict.fromkeys(("TARGET DATA", "RUNS", "DEVIATIONS"), True),
     **dict.fromkeys(("HEADER", "USER-TEXT", "EQUIPMENT", "ENVIRONMENT", "ANALYSIS"), False),
@@ -70,8 +70,8 @@ _AXIS = re.compile(
 
 @dataclass(slots=True)
 class FileSections:
-    """``lines`` of each section in the order of the file, blank ones left out; what stands before
-    the first section is under the empty name.
+    """``lines`` of each section in the order of the file, without blank ones; those before the
+    first section are under the empty name.
 
     ``ended``: the line ``EOF::`` is there. ``last``: the last line that is not blank.
     """
@@ -81,7 +81,7 @@ class FileSections:
     last: Line = (0, "")
 
     def value(self, section: str, key: str) -> tuple[str, str]:
-        """Return the value of a key (any case) and its place, both empty where it is absent."""
+        """Return the value of a key (any case) and its place, both empty if it is missing."""
         for number, text in self.lines.get(section, ()):
             match = _KEY.fullmatch(text)
             if match and match["key"].lower() == key.lower():
@@ -90,7 +90,7 @@ class FileSections:
 
 
 def spans_of(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield what stands in each line of a file in sections."""
+    """Yield the meaning of the parts of each line of a file in sections."""
     rows = False
     for line in text:
         match = _SECTION.fullmatch(line)
@@ -103,7 +103,9 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def spans_in(line: str, *, rows: bool) -> Spans:
-    """Return what stands in a line of a section; ``rows``: rows of numbers do."""
+    """Return the meaning of the parts of a line in a section; ``rows``: it may hold rows of
+    numbers.
+    """
     match = _KEY.fullmatch(line)
     meaning = KEYS.get(" ".join(match["key"].lower().split())) if match is not None else None
     if match is None or meaning is None:
@@ -112,12 +114,12 @@ def spans_in(line: str, *, rows: bool) -> Spans:
 
 
 def opens_section(line: str) -> bool:
-    """Whether a line opens a section, whatever its name."""
+    """Return whether a line opens a section of any name."""
     return _SECTION.fullmatch(line) is not None
 
 
 def has_section(text: Sequence[str], names: Iterable[str]) -> bool:
-    """Whether one of the lines opens a section of one of these names."""
+    """Return whether one of the lines opens a section of one of these names."""
     wanted = set(names)
     return any(
         "::" in line
@@ -167,7 +169,7 @@ def header_of(sections: FileSections, names: Iterable[str]) -> dict[str, str]:
     """Return the ``Key: value`` lines of these sections as text; known keys get their usual name,
     other lines are kept as comment.
     """
-    said: dict[str, list[str]] = {}
+    header: dict[str, list[str]] = {}
     for name in names:
         for _, text in sections.lines.get(name, ()):
             match = _KEY.fullmatch(text)
@@ -175,20 +177,20 @@ def header_of(sections: FileSections, names: Iterable[str]) -> dict[str, str]:
             value = match["value"] if match else text
             if not value or (match and key.lower() == "axis"):
                 continue
-            said.setdefault(_KNOWN.get(key.lower(), key), []).append(value)
-    return {key: "\n".join(values) for key, values in said.items()}
+            header.setdefault(_KNOWN.get(key.lower(), key), []).append(value)
+    return {key: "\n".join(values) for key, values in header.items()}
 
 
 def axis_name(text: str) -> str:
-    """Return the name of an axis in a free text such as ``X``, ``X axis`` or ``Achse X``, empty
-    where it is none for certain.
+    """Return the name of an axis in a free text such as ``X``, ``X axis`` or ``Achse X``, empty if
+    it is uncertain.
     """
     match = _AXIS.fullmatch(text.strip())
     return match["name"].upper() if match else ""
 
 
 def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
-    """Return ``header`` with what a file says of its axis: as ``axis`` where it is a name, else as
+    """Return ``header`` with the file's text about its axis: as ``axis`` if it is a name, else as
     text.
     """
     name = axis_name(text)
@@ -198,8 +200,8 @@ def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
 
 
 def check_units(sections: FileSections, names: Iterable[str], faults: FaultList) -> None:
-    """Note a line that states a unit which is not that of this form: what it would be about is not
-    known.
+    """Note a line with a unit other than that of this form: it is unknown which values it refers
+    to.
     """
     for name in names:
         for number, text in sections.lines.get(name, ()):
@@ -214,7 +216,7 @@ def check_units(sections: FileSections, names: Iterable[str], faults: FaultList)
 
 
 def no_end_finding(sections: FileSections) -> Finding | None:
-    """Return the finding about a file without ``EOF::``, None where it is there."""
+    """Return the finding about a file without ``EOF::``, None if it is there."""
     if sections.ended:
         return None
     number, text = sections.last

@@ -1,6 +1,6 @@
-"""What stands where in a line of a measurement file, as the reader of its form understands it.
+"""Meaning of the parts of a line of a measurement file, as the reader of its form understands it.
 
-A reader gives the spans of each line; what no span covers is not understood. `redaction` keeps and
+A reader gives the spans of each line; a part that no span covers is unknown. `redaction` keeps and
 replaces by them, so that no form has its sections and keys listed twice.
 """
 
@@ -49,7 +49,7 @@ Meaning = Literal[
 
 @dataclass(frozen=True, slots=True)
 class TextSpan:
-    """A part of a line: characters ``start`` to ``end``, counted from 0 and ``end`` behind it."""
+    """A part of a line: characters from ``start`` (counted from 0) up to, but without, ``end``."""
 
     start: int
     end: int
@@ -63,7 +63,7 @@ SpansOf = Callable[[Sequence[str]], Iterator[Spans]]
 
 
 def by_key(keys: Mapping[Meaning, Sequence[str]]) -> Mapping[str, Meaning]:
-    """Return what the value of each key is."""
+    """Return the meaning of each key's value."""
     return {key: meaning for meaning, names in keys.items() for key in names}
 
 
@@ -74,8 +74,8 @@ def whole(line: str, meaning: Meaning) -> Spans:
 
 @dataclass(frozen=True, slots=True)
 class Elements:
-    """What the elements of an XML form are: their own text by ``tags``, their ``attributes`` by
-    name in capitals. ``names``: what the attribute NAME is where it is no result.
+    """Meaning of the elements of an XML form: their own text by ``tags``, their ``attributes`` by
+    name in capitals. ``names``: the meaning of the attribute NAME where it is no result.
     """
 
     tags: Mapping[str, Meaning]

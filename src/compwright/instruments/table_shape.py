@@ -1,4 +1,4 @@
-"""Where in a text a table of numbers stands: its delimiter and its header row."""
+"""Where in a text a table of numbers is: its delimiter and its header row."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _LOOKED_AT: Final = 400
 
 
 def has_table(text: Sequence[str]) -> bool:
-    """Whether the lines hold a table of numbers."""
+    """Return whether the lines hold a table of numbers."""
     return shape_of(text) is not None
 
 
@@ -54,8 +54,8 @@ def _numbers_in(line: str, delimiter: str) -> tuple[int, int]:
 
 
 def _names_in(lines: Sequence[str], first: int, delimiter: str) -> bool:
-    """Whether the first row of numbers is a header row of names such as ``+1``: a word stands where
-    the next row has a number.
+    """Return whether the first row of numbers is a header row of names such as ``+1``: it has a
+    word where the next row has a number.
     """
     if first + 1 >= len(lines):
         return False
@@ -67,7 +67,7 @@ def _names_in(lines: Sequence[str], first: int, delimiter: str) -> bool:
 
 
 def _header_line(lines: Sequence[str], first: int, delimiter: str, width: int) -> int:
-    """Return the line (from 1) of the header row above the first row of numbers, 0 where there is
+    """Return the line (from 1) of the header row above the first row of numbers, 0 if there is
     none.
     """
     for index in range(first - 1, max(first - 4, -1), -1):
@@ -79,8 +79,8 @@ def _header_line(lines: Sequence[str], first: int, delimiter: str, width: int) -
 
 
 def number_in(text: str, decimal: str | None) -> float | None:
-    """Return the number that a cell is, None where it is none; ``decimal``: the decimal mark that
-    it may have, None: any.
+    """Return the number in a cell, None for other text; ``decimal``: the allowed decimal mark,
+    None: any.
     """
     if decimal is not None and {".": ",", ",": "."}[decimal] in text:
         return None

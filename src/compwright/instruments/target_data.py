@@ -2,9 +2,9 @@
 tools (ESS, PSI).
 
 One ``KEY=value`` per line, indices from 1: i counts targets, j cycles. The reference values are
-absolute readings in the unit of the key ``UNIT`` (mm when it is absent, as the form itself says).
-Layout after eleven published files; forward and backward are taken as labelled there: forward is
-the approach in positive direction.
+absolute readings in the unit of the key ``UNIT`` (mm when it is absent, as the form itself states).
+Layout from eleven published files; forward and backward are taken as labelled there: forward is the
+approach in positive direction.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ import numpy as np
 
 from compwright.foundations.units import TO_INSIDE
 from compwright.instruments.comments import comment_text
-from compwright.instruments.fault_list import TOLD_PER_KIND, FaultList, shown
+from compwright.instruments.fault_list import SHOWN_PER_KIND, FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, parse_count
 from compwright.instruments.readings import IntArray, Readings, readings_at
 from compwright.instruments.spans import Spans, TextSpan, by_key, whole
@@ -50,23 +50,23 @@ _DEGREES = {"degree": "deg", "degrees": "deg", "°": "deg"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TargetData:
-    """What the file says: kind, readings in mm or deg (deviations), header keys, and what remains
-    to be told. ``alone``: the name of the readings where they are those of one direction; else
-    empty.
+    """Contents of the file: kind, readings in mm or deg (deviations), header keys, and remarks.
+
+    ``alone``: the name of the readings if they are those of one direction; else empty.
     """
 
     kind: AxisKind
     readings: Readings
     header: Mapping[str, str]
-    unit_said: bool
+    unit_stated: bool
     descending: bool
     alone: str
 
 
 @dataclass(slots=True)
 class _TargetColumn:
-    """The entries of one name in the order of the file: indices (``j`` 0 where there is one only),
-    what is assigned, and the line of each.
+    """The entries of one name in the order of the file: indices (``j`` 0 if there is only one),
+    values as text, and the line of each.
     """
 
     i: array[int] = field(default_factory=lambda: array("q"))
@@ -78,7 +78,7 @@ class _TargetColumn:
 @dataclass(frozen=True, slots=True)
 class _Entries:
     """The entries of one name, each pair of indices once, sorted by them: all (n,); ``values`` NaN
-    where one cannot be read.
+    if one cannot be read.
     """
 
     i: IntArray
@@ -89,7 +89,7 @@ class _Entries:
 
 @dataclass(slots=True)
 class _Found:
-    """What stands in the lines: columns by name, and all other keys with the line of each."""
+    """Contents of the lines: columns by name, and all other keys with the line of each."""
 
     columns: dict[str, _TargetColumn] = field(
         default_factory=lambda: {name: _TargetColumn() for name in (_TARGET, *_DIRECTIONS)}
@@ -99,7 +99,7 @@ class _Found:
     known: dict[str, int] = field(default_factory=dict)
 
     def index(self, written: str) -> int:
-        """Return an index as a number. Raises ValueError where it is none."""
+        """Return an index as a number. Raises ValueError for other text."""
         found = self.known.get(written)
         if found is None:
             found = self.known[written] = parse_count(written)
@@ -113,9 +113,9 @@ def split_target_data(
     its line number from 1.
     """
     comments = [
-        (number, told)
+        (number, comment)
         for number, line in enumerate(text, start=1)
-        if not line.startswith(_BEGINNINGS) and (told := comment_text(line)) is not None
+        if not line.startswith(_BEGINNINGS) and (comment := comment_text(line)) is not None
     ]
     taken = {number for number, _ in comments}
     lines = (
@@ -127,8 +127,8 @@ def split_target_data(
 
 
 def is_target_data(lines: Iterable[str]) -> bool:
-    """Whether the lines (comments taken out) are of this form: a line of data, or one of its keys
-    first.
+    """Return whether the lines (without comments) are of this form: a line of data, or one of its
+    keys first.
     """
     return any(
         _DATA.match(line) or (index == 0 and _KEYS_OF_FORM.match(line))
@@ -137,7 +137,7 @@ def is_target_data(lines: Iterable[str]) -> bool:
 
 
 def spans_in(line: str) -> Spans:
-    """Return what stands in a line that is no comment."""
+    """Return the meaning of the parts of a line other than a comment."""
     match = _ASSIGNMENT.fullmatch(line)
     if match is None:
         return whole(line, "remark")
@@ -153,7 +153,7 @@ def spans_in(line: str) -> Spans:
 
 
 def read_target_data(lines: Iterable[tuple[int, str]], faults: FaultList) -> TargetData:
-    """Return the readings of the lines (comments and blank lines taken out); every fault is noted.
+    """Return the readings of the lines (without comments and blank lines); every fault is noted.
 
     Faults: a line that is no assignment, wrong indices, an entry given twice, an index that is
     missing or has no target, ``CYCLES`` or ``POSITIONS`` that disagree with the entries, an unknown
@@ -173,7 +173,7 @@ def read_target_data(lines: Iterable[tuple[int, str]], faults: FaultList) -> Tar
         kind=AxisKind.LINEAR if unit == "mm" else AxisKind.ROTARY,
         readings=_readings(entries, factor),
         header={key: value for key, (value, _) in found.keys.items()},
-        unit_said="UNIT" in found.keys,
+        unit_stated="UNIT" in found.keys,
         alone=held[0] if len(held) == 1 else "",
         descending=len(listed) > 1 and all(later < earlier for earlier, later in pairwise(listed)),
     )
@@ -223,7 +223,7 @@ def _take_entry(
 
 
 def _entries(name: str, column: _TargetColumn, marks: DecimalMarks, faults: FaultList) -> _Entries:
-    """Return the numbers of a column; of indices that are given twice the first ones."""
+    """Return the numbers of a column; for repeated indices the first ones."""
     i, j, lines = (np.array(each, dtype=np.int64) for each in (column.i, column.j, column.lines))
 
     def label(at: int) -> str:
@@ -302,8 +302,8 @@ def _unit(keys: Mapping[str, tuple[str, int]], faults: FaultList) -> tuple[str, 
 def _check_complete(
     entries: Mapping[str, _Entries], keys: Mapping[str, tuple[str, int]], faults: FaultList
 ) -> None:
-    """Note counts that disagree with the entries, and entries that the counts of targets and cycles
-    demand but are not there.
+    """Note counts that disagree with the entries, and entries that are missing by the counts of
+    targets and cycles.
     """
     targets = entries[_TARGET].i
     positions = int(targets.max(initial=0))
@@ -348,9 +348,9 @@ def _check_block(
 
 def _note_missing(names: Iterable[str], count: int, faults: FaultList) -> None:
     if count:
-        told = list(islice(names, TOLD_PER_KIND))
-        more = f" and {count - len(told)} more" if count > len(told) else ""
-        faults.add("entries are missing", expected=f"{', '.join(told)}{more}")
+        listed = list(islice(names, SHOWN_PER_KIND))
+        more = f" and {count - len(listed)} more" if count > len(listed) else ""
+        faults.add("entries are missing", expected=f"{', '.join(listed)}{more}")
 
 
 def _check_count(

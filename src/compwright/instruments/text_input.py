@@ -1,5 +1,5 @@
-"""Bytes of a measurement file to numbered lines of text. Nothing is replaced or dropped on the way:
-what is not text is refused.
+"""Bytes of a measurement file to numbered lines of text. Nothing is replaced or dropped: bytes that
+are not text are refused.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ def read_lines(content: bytes, file: str) -> list[str]:
     item n - 1.
 
     UTF-8 with or without byte order mark, UTF-16 with one. Raises InputError for an empty file, a
-    binary file (named where its first bytes tell what it is) and text in another encoding, with the
-    line on which the first wrong byte stands.
+    binary file (with its type if its first bytes show it) and text in another encoding, with the
+    line of the first wrong byte.
     """
     _refuse_other_files(content, file)
     return _lines(_decode(content, file), file)
@@ -53,7 +53,7 @@ def read_any_lines(content: bytes, file: str, encoding: str | None = None) -> tu
     and the name of the encoding.
 
     Without ``encoding`` by `encoding_of`. Raises InputError for a binary file and for bytes that
-    are no text in that encoding.
+    are invalid in that encoding.
     """
     _refuse_other_files(content, file)
     name = encoding or encoding_of(content)
@@ -74,10 +74,10 @@ def read_any_lines(content: bytes, file: str, encoding: str | None = None) -> tu
 
 
 def encoding_of(content: bytes) -> str:
-    """Return the encoding that ``content`` is most probably written in.
+    """Return the most probable encoding of ``content``.
 
-    UTF-16 by its byte order mark; UTF-8; else cp1251 where most bytes beyond ASCII stand in words
-    of Cyrillic letters, gbk where all stand in pairs, cp1252 for the rest.
+    UTF-16 by its byte order mark; UTF-8; else cp1251 if most bytes beyond ASCII are in words of
+    Cyrillic letters, gbk if all are in pairs, cp1252 for the rest.
     """
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return "utf-16"
@@ -147,10 +147,10 @@ def _lines(text: str, file: str) -> list[str]:
 
 def unfinished_number(lines: Sequence[str]) -> str:
     """Return the number at the end of a file that has no last line end and may lack digits, empty
-    where nothing is in doubt.
+    if there is no doubt.
 
-    A number is whole where all others at the end of a line like it carry the same count of
-    decimals, one at least.
+    A number is complete if all others at the end of a line like it have the same number of
+    decimals, at least one.
     """
     last = _LAST_NUMBER.fullmatch(_last_cell(lines[-1]))
     if last is None or not last.group():
@@ -171,7 +171,7 @@ def _last_cell(line: str) -> str:
 
 
 def _kind(line: str) -> str:
-    """Return what a line of ``KEY[index]=value`` is about, empty for a row of a table."""
+    """Return the subject of a line ``KEY[index]=value``, empty for a row of a table."""
     return line.partition("[")[0].strip() if "=" in line else ""
 
 
@@ -203,7 +203,7 @@ def _decode(content: bytes, file: str) -> str:
 
 
 def _as_windows(byte: bytes) -> str:
-    """Return what a byte is in the code page of western Windows, for it is mostly that."""
+    """Return a byte in the code page of western Windows, the most frequent one."""
     try:
         character = byte.decode("cp1252")
     except UnicodeDecodeError:

@@ -25,9 +25,11 @@ _DAY_FIRST: Final = re.compile(r"(\d{1,2})\.(\d{1,2})\.(\d{4})[ T]+(.*)")
 def times_of(
     cells: Sequence[str], place: Callable[[int], str], faults: FaultList
 ) -> tuple[Clock, FloatArray]:
-    """Return how the times of a column are given, and the times (n,): s since 1970, s since
-    midnight, or the numbers themselves; NaN where a cell is none, or is given otherwise than the
-    first, after noting the fault. Without cells the clock is "number".
+    """Return the form of the times in a column, and the times (n,): s since 1970, s since midnight,
+    or the numbers themselves.
+
+    NaN, after noting the fault, for a cell without a time, or in another form than the first.
+    Without cells the form is "number".
     """
     found: list[float] = []
     first: Clock | None = None

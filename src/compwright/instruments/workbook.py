@@ -1,5 +1,5 @@
-"""Excel workbooks (``.xlsx``) as lines of text, one list per sheet: cells set off by tabs, numbers
-with every digit that the workbook holds.
+"""Excel workbooks (``.xlsx``) as lines of text, one list per sheet: cells separated by tabs,
+numbers with every digit in the workbook.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from compwright.foundations.input_sizes import (
     MOST_SHEET_CELLS,
     MOST_SHEET_PLACES,
     MOST_UNPACKED,
-    MOST_UNPACKED_BESIDE,
+    MOST_UNPACKED_OTHER,
     in_words,
 )
 from compwright.foundations.one_thread import warnings_ignored
@@ -38,7 +38,7 @@ _XML: Final = (".xml", ".rels")
 @dataclass(frozen=True, slots=True)
 class WorkbookSheet:
     """``lines``: line n of the sheet is item n - 1; a row without cells is an empty line.
-    ``hidden``: what a spreadsheet program does not show of it.
+    ``hidden``: the parts that a spreadsheet program does not show.
     """
 
     name: str
@@ -47,15 +47,15 @@ class WorkbookSheet:
 
 
 def is_workbook(content: bytes) -> bool:
-    """Whether the first bytes are those of a workbook (or of another zip archive)."""
+    """Return whether the first bytes are those of a workbook (or of another zip archive)."""
     return content.startswith(_SIGNATURE)
 
 
 def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
-    """Return the sheets of a workbook that hold anything.
+    """Return the sheets of a workbook that are not empty.
 
     A formula counts with the result that the spreadsheet saved. Raises InputError for a zip archive
-    that is no workbook, one that is damaged or too large, a formula without a result, and where
+    other than a workbook, one that is damaged or too large, a formula without a result, and if
     openpyxl (the extra ``excel``) is missing.
     """
     formulas = _check_size(content, file)
@@ -70,7 +70,7 @@ def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
             )
         ) from error
     try:
-        with warnings_ignored():  # of what a workbook has beside its cells
+        with warnings_ignored():  # about parts of a workbook other than its cells
             values = openpyxl.load_workbook(BytesIO(content), read_only=True, data_only=True)
             written = openpyxl.load_workbook(BytesIO(content), read_only=True) if formulas else None
             sheets = tuple(_sheets(values, written, file))
@@ -98,7 +98,9 @@ def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
 
 
 def _check_size(content: bytes, file: str) -> bool:
-    """Return whether a workbook holds formulas. Raises InputError for no or a huge workbook."""
+    """Return whether a workbook holds formulas. Raises InputError for an invalid or a huge
+    workbook.
+    """
     try:
         with zipfile.ZipFile(BytesIO(content)) as archive:
             parts = archive.infolist()
@@ -132,14 +134,14 @@ def _check_size(content: bytes, file: str) -> bool:
 
 
 def _check_parts(parts: Sequence[zipfile.ZipInfo], file: str) -> None:
-    """Raise InputError for parts that are too large by what the archive says of them; it unpacks
-    no part beyond that.
+    """Raise InputError for parts that are too large by the sizes in the archive; no part is
+    unpacked beyond its size.
     """
     tables = sum(part.file_size for part in parts if part.filename.startswith(_TABLES))
-    beside = sum(part.file_size for part in parts if part.filename.endswith(_XML)) - tables
+    others = sum(part.file_size for part in parts if part.filename.endswith(_XML)) - tables
     for size, most, what in (
         (tables, MOST_UNPACKED, "of sheets and texts"),
-        (beside, MOST_UNPACKED_BESIDE, "of styles and names"),
+        (others, MOST_UNPACKED_OTHER, "of styles and names"),
     ):
         if size > most:
             raise InputError(
@@ -154,8 +156,8 @@ def _check_parts(parts: Sequence[zipfile.ZipInfo], file: str) -> None:
 
 
 def _look_into(archive: zipfile.ZipFile, names: Sequence[str], file: str) -> bool:
-    """Return whether the sheets hold formulas. Raises InputError where they hold too many cells, or
-    a part declares a document type.
+    """Return whether the sheets hold formulas. Raises InputError if they hold too many cells, or a
+    part declares a document type.
     """
     cells, formulas = 0, False
     for name in names:
@@ -199,9 +201,9 @@ def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[WorkbookSh
     count = 0
     for sheet in values.worksheets:
         lines: list[str] = []
-        beside = formulas[sheet.title].iter_rows() if formulas else repeat(())
+        others = formulas[sheet.title].iter_rows() if formulas else repeat(())
         for row, (cells, written) in enumerate(
-            zip(sheet.iter_rows(), beside, strict=False), start=1
+            zip(sheet.iter_rows(), others, strict=False), start=1
         ):
             count += max(len(cells), 1)
             _check_cells(count, MOST_SHEET_PLACES, file, f"sheet {sheet.title}")
@@ -228,9 +230,7 @@ def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[WorkbookSh
 
 
 def _line(cells: list[str]) -> str:
-    """Return the cells as one line; a comment whose value stands in the next cell is joined to
-    it.
-    """
+    """Return the cells as one line; a comment whose value is in the next cell is joined to it."""
     while cells and not cells[-1]:
         cells.pop()
     if len(cells) > 1 and cells[0].startswith("#") and ":" not in cells[0]:

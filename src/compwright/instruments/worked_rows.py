@@ -1,4 +1,6 @@
-"""Readings in words, so that a wrong sign, unit or direction is seen before anything is loaded."""
+"""Readings as sentences, so that a wrong sign, unit or direction is noticed before anything is
+loaded.
+"""
 
 from __future__ import annotations
 
@@ -33,8 +35,8 @@ def worked_readings(readings: Readings, kind: AxisKind) -> list[str]:
 
 
 def read_so_finding(readings: Readings, kind: AxisKind, by: str = "") -> Finding | None:
-    """Return the finding that tells readings in words, None where there are none; ``by``: what said
-    how to read them.
+    """Return the finding that shows readings in words, None without any; ``by``: the source of the
+    reading rules.
     """
     if not len(readings):
         return None
@@ -42,7 +44,7 @@ def read_so_finding(readings: Readings, kind: AxisKind, by: str = "") -> Finding
 
 
 def in_words(reading: ApproachReading, kind: AxisKind) -> str:
-    """Return a reading as a sentence: where, approached from which side, and how the axis went."""
+    """Return a reading as a sentence: position, side of approach, and deviation of the axis."""
     size = abs(reading.deviation) * outside_factor(kind.unit)
     verb = "went" if kind is AxisKind.LINEAR else "turned"
     forth = (reading.deviation > 0.0) == (reading.direction is Direction.POSITIVE)

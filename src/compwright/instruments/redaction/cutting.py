@@ -1,5 +1,5 @@
-"""The lines of a measurement file without what is somebody's, by the spans that the reader of its
-form gives: values stay where they are what the form says they are, all else goes.
+"""The lines of a measurement file without private data, by the spans that the reader of its form
+gives: values stay if they have the meaning that the form gives them, all else is removed.
 """
 
 from __future__ import annotations
@@ -63,12 +63,12 @@ _COUNTED: Final[frozenset[Meaning]] = frozenset(
 
 
 def redacted_lines(lines: Sequence[str], spans_of: SpansOf, cuts: Cuts) -> list[str]:
-    """Return the lines of a file, as many, without what is somebody's."""
+    """Return the lines of a file, the same number, without private data."""
     return [_line(line, spans, cuts) for line, spans in zip(lines, spans_of(lines), strict=True)]
 
 
 def _line(line: str, spans: Spans, cuts: Cuts) -> str:
-    """Return a line by its spans. Between them marks and blanks stay, nothing else."""
+    """Return a line by its spans. Between them only marks and blanks stay."""
     if spans and spans[0].meaning == "comment":
         return redacted_comment(line, cuts)
     made, end = [], 0
@@ -80,7 +80,7 @@ def _line(line: str, spans: Spans, cuts: Cuts) -> str:
 
 
 def redacted_comment(line: str, cuts: Cuts) -> str:
-    """Return a comment line without what is somebody's."""
+    """Return a comment line without private data."""
     text = comment_text(line) or ""
     if not line.lstrip(' "').startswith("#"):
         return line  # sep=;
@@ -93,7 +93,7 @@ def _between(text: str, cuts: Cuts) -> str:
 
 
 def kept_or_cut(text: str, meaning: Meaning, cuts: Cuts) -> str:
-    """Return a text where it is what its meaning allows, else what stands in its place."""
+    """Return a text if its meaning allows it, else its replacement."""
     bare = _bare(text)
     if not bare or (meaning in KEPT and KEPT[meaning](bare)):
         return text if bare else ""

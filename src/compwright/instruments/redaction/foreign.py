@@ -1,5 +1,5 @@
-"""Tables of other programs without what is somebody's, by their mapping profile: its columns stay,
-of all others neither the name nor a cell; of the text above what the reading rests on.
+"""Tables of other programs without private data, by their mapping profile: its columns stay; of all
+others neither the name nor a cell; of the text above the parts that the reading depends on.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from compwright.instruments.foreign_table import (
     foreign_table,
     named_columns,
 )
-from compwright.instruments.header_words import axis_above, difference_of, said_unit
+from compwright.instruments.header_words import axis_above, difference_of, stated_unit
 from compwright.instruments.profile import MARK, SIGNS, VERSION, Profile
 from compwright.instruments.profiled import columns_of
 from compwright.instruments.redaction.cutting import redacted_comment
@@ -38,8 +38,8 @@ _DIGITS: Final = 3
 
 
 def redacted_table(lines: Sequence[str], profile: Profile, cuts: Cuts) -> tuple[list[str], Profile]:
-    """Return the lines of a table, as many, without what is somebody's, and the profile that reads
-    them.
+    """Return the lines of a table, the same number, without private data, and the profile that
+    reads them.
     """
     head = profile.header_line
     table = foreign_table(lines, profile.delimiter, head, FaultList(""))
@@ -60,7 +60,7 @@ def redacted_table(lines: Sequence[str], profile: Profile, cuts: Cuts) -> tuple[
     return result, words.renamed(dict(zip(table.columns, names, strict=True)))
 
 
-#: What stands in a profile for a sign that no text of the table states, and that nobody answered.
+#: Text in a profile for a sign that is neither stated in the table nor answered.
 SIGN_TO_FILL_IN: Final = (
     f"sign:  # FILL IN: {SIGNS[0]}, if a positive value means that the axis stands too far to +;"
     f" else {SIGNS[1]}"
@@ -68,7 +68,9 @@ SIGN_TO_FILL_IN: Final = (
 
 
 def profile_lines(profile: Profile, *, sign_open: bool) -> str:
-    """Return a profile as YAML, without remarks but for that about a sign that is ``sign_open``."""
+    """Return a profile as YAML, without remarks except the one about a sign that is
+    ``sign_open``.
+    """
     marks = {character: name for name, character in DELIMITERS.items()}
     keys: dict[str, object] = {
         "layout": profile.layout,
@@ -99,17 +101,17 @@ def profile_lines(profile: Profile, *, sign_open: bool) -> str:
     place = profile.position_map
     if place is not None:
         keys["position_map"] = {"sense": place.sense, "offset": place.offset}
-    told = [
+    lines = [
         SIGN_TO_FILL_IN
         if sign_open and key == "sign"
         else f"{key}: {json.dumps(value, ensure_ascii=False)}"
         for key, value in keys.items()
     ]
-    return "\n".join([f"{MARK}: {VERSION}", *told, ""])
+    return "\n".join([f"{MARK}: {VERSION}", *lines, ""])
 
 
 class _Words:
-    """What stays in the cells of a table, by what its columns are read for."""
+    """Words that stay in the cells of a table, by the meaning of its columns."""
 
     def __init__(self, profile: Profile, columns: Sequence[str], cuts: Cuts) -> None:
         self.profile, self.columns, self.cuts = profile, columns, cuts
@@ -125,7 +127,7 @@ class _Words:
         ]
 
     def is_reading(self, cells: Mapping[str, str]) -> bool:
-        """Whether a row has a target and a value: any other is left out by the reader too."""
+        """Return whether a row has a target and a value; the reader leaves out any other too."""
         target = cells.get(self.profile.target, "")
         values = (self.profile.value, *self.profile.traverses)
         return any(map(str.isdigit, target)) and any(cells.get(name) for name in values)
@@ -192,16 +194,16 @@ def _header(cell: str, cuts: Cuts) -> str:
 
 
 def _above(line: str, cuts: Cuts) -> str:
-    """Return of a line above the table what the reading rests on, and when it was made."""
+    """Return the parts of a line above the table that the reading depends on, and its date."""
     dates, rest = without_dates(line)
     if not rest.strip() or is_keywords(rest):
         return line
-    axis, unit, sign = axis_above([rest]), said_unit(rest), difference_of(rest)
+    axis, unit, sign = axis_above([rest]), stated_unit(rest), difference_of(rest)
     cuts.remark(rest, "text above the table")
-    said = [
+    parts = [
         f"axis: {axis}" if axis else "",
         f"unit: {unit}" if unit else "",
         sign,
         *dates,
     ]
-    return ", ".join(filter(None, said)) or NEUTRAL
+    return ", ".join(filter(None, parts)) or NEUTRAL

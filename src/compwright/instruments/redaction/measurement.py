@@ -1,4 +1,4 @@
-"""The door: bytes of a measurement file to those of a copy without names, serial numbers and
+"""Entry: bytes of a measurement file to those of a copy without names, serial numbers and
 remarks.
 """
 
@@ -36,9 +36,9 @@ _MARKS = (
     (codecs.BOM_UTF16_LE, "utf-16-le"),
     (codecs.BOM_UTF16_BE, "utf-16-be"),
 )
-#: What the forms are called themselves, and what stands in the place of texts, in small letters.
+#: Names of the forms, and replacements of texts, in lower case.
 _OTHER_WORDS = frozenset({"redacted", "trace", "qc10", "qc20"})
-#: Words in small letters that may stand in a copy whatever was taken out.
+#: Words in lower case that may be in a copy whatever was removed.
 ALLOWED: frozenset[str] = (
     KEPT_WORDS
     | _OTHER_WORDS
@@ -56,9 +56,9 @@ ALLOWED: frozenset[str] = (
 
 @dataclass(frozen=True, slots=True)
 class Redacted:
-    """The bytes of a copy; ``profile``: the text of the profile that reads it, where its original
-    needs one, and ``read_by`` the one that read the original. A sign that nobody stated is left to
-    be filled in.
+    """The bytes of a copy; ``profile``: the text of the profile that reads it, if its original
+    needs one, and ``read_by`` the one that read the original. An unknown sign is left to be filled
+    in.
     """
 
     content: bytes
@@ -67,13 +67,13 @@ class Redacted:
 
     @property
     def answered(self) -> str:
-        """The profile with a sign, whichever: the numbers of the copy are compared in any."""
+        """The profile with any sign: the comparison of the copy's numbers does not depend on it."""
         return self.profile.replace(SIGN_TO_FILL_IN, f"sign: {SIGNS[0]}")
 
 
 def is_measurement(content: bytes, file: str, profile: Profile | None = None) -> bool:
-    """Whether the content of a file is certainly a measurement's: its form is known, or it has the
-    columns of the ``profile``.
+    """Return whether the content of a file is certainly a measurement: its form is known, or it has
+    the columns of the ``profile``.
     """
     if is_workbook(content) or is_circular(content, file):
         return True
@@ -89,7 +89,7 @@ def is_measurement(content: bytes, file: str, profile: Profile | None = None) ->
 
 
 def holds_table(content: bytes, file: str) -> bool:
-    """Whether a text holds a table of numbers, whatever its columns mean."""
+    """Return whether a text holds a table of numbers, whatever its columns mean."""
     try:
         return has_table(read_any_lines(content, file)[0])
     except InputError:
@@ -99,10 +99,10 @@ def holds_table(content: bytes, file: str) -> bool:
 def redacted_measurement(
     content: bytes, file: str, cuts: Cuts, profile: Profile | None = None
 ) -> Redacted:
-    """Return a copy of a measurement file without what is somebody's.
+    """Return a copy of a measurement file without private data.
 
     Tables of other programs by their ``profile``, else by the one that is proposed. Raises
-    InputError or UsageError for what is none, or what no profile can be proposed for.
+    InputError or UsageError for other files, and if no profile can be proposed.
     """
     if is_workbook(content):
         return _of_workbook(content, file, cuts, profile)
@@ -144,7 +144,7 @@ def _by_profile(
 
 @dataclass(frozen=True, slots=True)
 class _Lines:
-    """``lines`` without their ends; ``ends`` of each, empty behind the last; ``mark``: the byte
+    """``lines`` without their ends; ``ends`` of each, empty after the last; ``mark``: the byte
     order mark.
     """
 
@@ -154,14 +154,14 @@ class _Lines:
     mark: bytes
 
     def to_bytes(self, lines: Sequence[str]) -> bytes:
-        """Return other lines in the place of these, as many, with the same ends and encoding."""
+        """Return other lines instead of these, the same number, with the same ends and encoding."""
         text = "".join(line + end for line, end in zip(lines, self.ends, strict=True))
         return self.mark + text.encode(self.encoding, errors="replace")
 
 
 def _lines_of(content: bytes, file: str, encoding: str | None = None) -> _Lines:
     """Return the lines of a text file. Raises InputError for what is no text."""
-    read_any_lines(content, file, encoding)  # what is wrong with it is said there
+    read_any_lines(content, file, encoding)  # raises for faults
     mark, name = next(
         ((mark, name) for mark, name in _MARKS if content.startswith(mark)),
         (b"", encoding or encoding_of(content)),
@@ -171,8 +171,8 @@ def _lines_of(content: bytes, file: str, encoding: str | None = None) -> _Lines:
 
 
 def _proposed(content: bytes, file: str) -> tuple[Profile, bool]:
-    """Return the profile that is proposed for a table, and whether its sign is open: with any, the
-    numbers stay the same. Raises InputError where more than the sign is open.
+    """Return the profile that is proposed for a table, and whether its sign is open; the copy's
+    numbers do not depend on it. Raises InputError if more than the sign is open.
     """
     proposed = proposed_profile(content, file)
     sign_open = any(one.startswith("sign:") for one in proposed.open)
@@ -216,8 +216,8 @@ def _of_workbook(content: bytes, file: str, cuts: Cuts, profile: Profile | None)
             continue
         made.append(WorkbookSheet(_title(sheet, cuts, made), lines))
     cuts.removed.extend(("part of the workbook", name) for name in other_parts(content))
-    told = "" if read_by is None else profile_lines(read_by, sign_open=sign_open)
-    return Redacted(workbook_of(made), told, profile)
+    profile_text = "" if read_by is None else profile_lines(read_by, sign_open=sign_open)
+    return Redacted(workbook_of(made), profile_text, profile)
 
 
 def _left_out(sheet: WorkbookSheet, cuts: Cuts) -> None:

@@ -1,5 +1,5 @@
-"""What may stay in a measurement file: numbers, units, dates, names of axes, and words of a closed
-list. All else is somebody's.
+"""Words that may stay in a redacted measurement file: numbers, units, dates, names of axes, and a
+closed list. All else counts as private.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ _WORDS: Final = (
     *("ruckwarts", "her", "zuruck", "ruckfahrt", "ruckweg", "arriere", "retour", "назад"),
     *("обратный", "обратное", "обратно", "indietro", "ritorno", "atras", "vuelta", "rucklauf"),
 )
-#: Words that may stand in a measurement file, in small letters without accents.
+#: Words that may stay in a measurement file, in lower case without accents.
 KEPT_WORDS: Final = frozenset(
     {plain(word) for word in (*_WORDS, *_UNITS)}
     | {plain(word) for words in DATE_WORDS for word in re.findall(r"[^\W\d_]+", words)}
@@ -121,36 +121,36 @@ _MARKS: Final = frozenset("+-*/=.,:;()[]{}<>%°#_±↑↓|'\"")
 
 
 def is_numbers(text: str) -> bool:
-    """Whether a text is one number or several, and nothing else."""
+    """Return whether a text is one number or several, and nothing else."""
     return _NUMBERS.fullmatch(text) is not None
 
 
 def is_one_number(text: str) -> bool:
-    """Whether a text is a number and nothing else."""
+    """Return whether a text is a number and nothing else."""
     return _ONE_NUMBER.fullmatch(text) is not None
 
 
 def is_date(text: str) -> bool:
-    """Whether a text is a date, a time, or both."""
+    """Return whether a text is a date, a time, or both."""
     return _DATE.fullmatch(text.strip()) is not None
 
 
 def without_dates(text: str) -> tuple[list[str], str]:
-    """Return the dates in a text of several cells, each with the word that says of it that it is
-    when the measurement was made, and the rest. Any other date may be somebody's.
+    """Return the dates in a text of several cells, each with the word that marks it as the date of
+    the measurement, and the rest. Any other date may be private.
     """
-    said = [f"{found['key']}: {found['date']}" for found in _DATED.finditer(text)]
-    return said, _DATED.sub("", text)
+    dated = [f"{found['key']}: {found['date']}" for found in _DATED.finditer(text)]
+    return dated, _DATED.sub("", text)
 
 
 def is_axis(text: str) -> bool:
-    """Whether a text is a name of an axis (``X``, ``X1``, ``AX12``), and no word."""
+    """Return whether a text is a name of an axis (``X``, ``X1``, ``AX12``), and no word."""
     return _AXIS.fullmatch(text.strip()) is not None
 
 
 def is_keywords(text: str, *, digits: int = 2) -> bool:
-    """Whether a text consists of words of the list, units, single letters, marks, and numbers of at
-    most so many ``digits``.
+    """Return whether a text consists of words of the list, units, single letters, marks, and
+    numbers of at most so many ``digits``.
     """
     for token in _TOKEN.findall(text):
         if token.isspace() or token in _MARKS:
@@ -164,11 +164,13 @@ def is_keywords(text: str, *, digits: int = 2) -> bool:
 
 
 def is_quantity(text: str) -> bool:
-    """Whether a text is a number with a unit, such as ``25 mm``, or such words as ``As errors``."""
+    """Return whether a text is a number with a unit, such as ``25 mm``, or such words as ``As
+    errors``.
+    """
     number, _, unit = text.strip().partition(" ")
     return is_numbers(text) or (is_one_number(number) and is_keywords(unit)) or is_keywords(text)
 
 
 def is_result(text: str) -> bool:
-    """Whether a text is a name that the instrument's software gives a result or its unit."""
+    """Return whether a text is a name that the instrument's software gives a result or its unit."""
     return all(piece in RESULT_WORDS for piece in text.upper().replace("-", "_").split("_"))

@@ -1,5 +1,5 @@
-"""Excel workbooks without what is somebody's: a new workbook with nothing but cells in it, no
-properties, no notes, no formulas, no hidden parts; the same bytes each time.
+"""Excel workbooks without private data: a new workbook with only cells in it, no properties, no
+notes, no formulas, no hidden parts; the same bytes each time.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ _HEAD: Final = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
 
 
 def workbook_of(sheets: Sequence[WorkbookSheet]) -> bytes:
-    """Return a workbook with these sheets: cells set off by tabs; numbers as numbers, but for the
-    header row, where ``+1`` would lose its sign.
+    """Return a workbook with these sheets: cells separated by tabs; numbers as numbers, except in
+    the header row, where ``+1`` would lose its sign.
     """
     count = range(1, len(sheets) + 1)
     parts = {
@@ -58,7 +58,7 @@ def workbook_of(sheets: Sequence[WorkbookSheet]) -> bytes:
 
 
 def other_parts(content: bytes) -> list[str]:
-    """Return the names of the parts of a workbook that are no sheets: properties, notes, pictures,
+    """Return the names of the parts of a workbook other than sheets: properties, notes, pictures,
     programs.
     """
     with zipfile.ZipFile(BytesIO(content)) as archive:

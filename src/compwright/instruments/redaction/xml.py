@@ -1,5 +1,5 @@
-"""A ballbar's XML without what is somebody's: known elements and attributes stay, with values that
-are what they should be; all other elements, remarks and instructions are left out.
+"""A ballbar's XML without private data: known elements and attributes stay, with values of the
+expected kind; all other elements, remarks and instructions are left out.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from compwright.instruments.spans import Elements, Meaning
 
 
 def redacted_xml(content: bytes, file: str, known: Elements, cuts: Cuts) -> bytes:
-    """Return an XML file without what is somebody's, in UTF-8.
+    """Return an XML file without private data, in UTF-8.
 
-    Raises InputError for what is no XML.
+    Raises InputError for invalid XML.
     """
     root = read_xml(content, file)
     lines = ['<?xml version="1.0" encoding="utf-8"?>', *_lines(root, 0, known, cuts), ""]
@@ -42,7 +42,7 @@ def _lines(element: Element, depth: int, known: Elements, cuts: Cuts) -> list[st
 
 
 def _meaning(tag: str, name: str, value: str, known: Elements, cuts: Cuts) -> Meaning | None:
-    """Return what an attribute is; None for one that is not known, which is left out."""
+    """Return the meaning of an attribute; None for an unknown one, which is left out."""
     if name == "NAME":
         return known.names.get(tag, "result")
     meaning = known.attributes.get(name.upper())

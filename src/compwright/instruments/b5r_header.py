@@ -1,5 +1,5 @@
-"""What a ``.b5r`` file says beside its readings: who measured what with what, and the results that
-the vendor's software printed.
+"""Header of a ``.b5r`` file (operator, machine, instrument), and the results printed by the
+vendor's software.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ _HEADER: Final[Mapping[str, tuple[str, ...]]] = {
 
 
 def header_of(root: Element, elements: Sequence[Element]) -> dict[str, str]:
-    """Return what is said of test, machine and instrument, by words of our own."""
+    """Return the facts about test, machine and instrument, under compwright's own keys."""
     header = {
         key: " ".join(found.text.split())
         for key, path in _HEADER.items()
