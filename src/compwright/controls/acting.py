@@ -1,4 +1,4 @@
-"""What a state does to the axes of a job and between them, by the judge's reading."""
+"""Corrections of the axes of a job and between them in a state, by the judge's reading."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ def applied_of(decoded: DecodedState | None, axis: Axis) -> Correction:
 
 
 def acting(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> ActiveCorrections:
-    """Return what the judge says that a state does to the axes of a job and between them; nothing
-    where nobody said it.
+    """Return the judge's correction of the axes of a job and between them in a state; empty if the
+    state is unknown.
     """
     if decoded is None or decoded.judge is None:
         return IDLE
@@ -63,10 +63,10 @@ def _across(decoded: DecodedState, pair: tuple[str, str]) -> Correction:
 def judged_cross(
     decoded: DecodedState, at: FloatArray | None = None
 ) -> tuple[CrossCompensation, ...]:
-    """Return what one axis adds to another by the judge's reading, by address: at the nodes of its
+    """Return the corrections between axes by the judge's reading, by address: at the nodes of the
     tables or at positions (k,).
 
-    Each pair of axes once, with everything that acts between them.
+    Each pair of axes once, with the sum of all its active tables.
     """
     pairs: dict[tuple[str, str], list[CrossCompensation]] = {}
     for entry in decoded.state.cross:

@@ -1,6 +1,4 @@
-"""New files in the place of the control's own, and that they change nothing but what was asked
-for.
-"""
+"""New files in place of the control's own, and the check that they change only what is intended."""
 
 from __future__ import annotations
 

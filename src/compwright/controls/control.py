@@ -384,18 +384,17 @@ def decode(
     carried_out: bool = False,
     drafting: bool = False,
 ) -> DecodedState:
-    """Read control files with both readers and hold them against each other; of a definition of
-    one's own with the one that there is.
+    """Read control files with both readers and compare the results; for a user's definition with
+    the one reader that there is.
 
-    ``axes``: those of a job; ``address``: the one axis that is asked for. Either names the axis of
-    a table that does not. ``written``: compwright wrote these files just now. ``active``: what the
-    job answers to whether the tables acted, where the files do not say it; ``asking``: that answer
-    is needed (UsageError without it). ``carried_out``: the files come from a state of which it is
-    known that all values of its programs were carried out. ``drafting``: a job is drafted from the
-    files, and tables that no job changes keep no axis out. Raises InputError when the files cannot
-    be read, contradict themselves or can be read in two ways: what two readers understand
-    differently is not a state to build on. In files of our own making that is a fault of our own
-    (CompwrightError).
+    ``axes``: those of a job; ``address``: the one axis wanted. Either names the axis of a table
+    that does not. ``written``: compwright has just written these files. ``active``: the job's
+    answer whether the tables were active, if the files do not state it; ``asking``: that answer is
+    required (UsageError without it). ``carried_out``: all values of the state's programs are known
+    to have been executed. ``drafting``: a job is drafted from the files, and tables that no job
+    changes exclude no axis. Raises InputError when the files cannot be read, contradict themselves
+    or can be read in two ways: two different readings are not a state to build on. In files written
+    by compwright that is a fault of its own (CompwrightError).
     """
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)

@@ -27,12 +27,12 @@ READ_BACK_WITHIN = 2e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossOutcome:
-    """What was ``planned`` and whether the control holds it, all ``files`` that it loads, and what
-    is in it then.
+    """The ``planned`` corrections and whether the control holds them, all ``files`` that it loads,
+    and the resulting state.
 
-    ``after``: None where nothing was written: between the axes acts what acted before. ``totals``:
-    what then acts between the axes of ``planned``, read back by the judge, by the names of the job.
-    ``sheets``: what is typed in, beside the card.
+    ``after``: None if nothing was written: the corrections between axes are the old ones.
+    ``totals``: the resulting corrections between the axes of ``planned``, read back by the judge,
+    by the names of the job. ``sheets``: entry sheets, in addition to the card.
     """
 
     files: tuple[ControlFile, ...]

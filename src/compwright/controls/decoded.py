@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class DecodedState:
-    """A set of control files as both readers understand it; without files (the state ``none``)
-    nothing acts and nobody judges.
+    """A set of control files as both readers understand it; without files (the state ``none``) no
+    compensation is active and there is no judge.
     """
 
     files: tuple[ControlFile, ...]

@@ -27,9 +27,8 @@ _MOST_FAULTS = 2
 
 @dataclass(frozen=True, slots=True)
 class Side:
-    """One set of files: everything that they enter, and what the control makes of it (None: that
-    cannot be read; ``findings`` say why). ``unread``: the axes that could not be read, while others
-    could.
+    """One set of files: all its values, and the resulting state (None: it cannot be read;
+    ``findings`` give the reason). ``unread``: the axes that could not be read, while others could.
     """
 
     files: tuple[ControlFile, ...]
@@ -81,8 +80,8 @@ class CorrectionChange:
 class Differences:
     """``entries``: every value that differs, those that compensate first. ``corrections`` by
     address, of axes whose correction changed; ``cross`` by moving and corrected axis; ``told``:
-    both sides could be read whole, so that these are all; ``untold``: the axes with entries that
-    differ whose correction could not be compared.
+    both sides could be read completely, so the list is complete; ``untold``: the axes with
+    different entries whose correction could not be compared.
     """
 
     entries: tuple[Placed, ...]

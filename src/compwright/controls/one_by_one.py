@@ -29,9 +29,11 @@ def axis_by_axis(
     among: Collection[str] | None = None,
     caught: type[InputError] | tuple[type[InputError], type[UsageError]] = InputError,
 ) -> AxisByAxis:
-    """Return what ``read`` says of one address of ``files`` after the other, ``among`` these if
-    given; none where the control's axes may not be read alone. An axis on which nothing acts, as
-    far as the others tell, is passed over. ``caught``: what leaves an axis out.
+    """Return the state that ``read`` gives for one address of ``files`` after the other, ``among``
+    these if given; none if the control's axes may not be read alone.
+
+    An axis on which nothing is active, by the others, is skipped. ``caught``: errors that leave an
+    axis out.
     """
     refused: dict[str, InputError | UsageError] = {}
     state: ControlState | None = None

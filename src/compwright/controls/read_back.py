@@ -1,4 +1,4 @@
-"""What was read back from a control against everything that should be in it: the state that was
+"""Comparison of everything read back from a control with the expected contents: the state that was
 patched, with the plan's files in their place.
 """
 
@@ -44,11 +44,11 @@ def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
 def read_back_differences(
     control: Control, expected: Side, found: Side, names: Mapping[str, str]
 ) -> ReadBackDifferences:
-    """Hold what was read back against what should be there. ``names``: the axes of the plan by
+    """Compare what was read back with the expected contents. ``names``: the axes of the plan by
     address, gantry partners too.
 
-    What was not read back is not looked at; nor is a value that stood in no file before, unless
-    its file did.
+    Files that were not read back are ignored; so is a value that was in no file before, unless its
+    file was.
     """
     whole = differences(control, expected, found)
     known = {entry.file for entry in expected.entries.values()}

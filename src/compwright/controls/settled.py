@@ -1,4 +1,6 @@
-"""What a job leaves to its control: names of axes, and what the control's own files answer."""
+"""Values that a job leaves to its control: names of axes, and answers in the control's own
+files.
+"""
 
 from __future__ import annotations
 

@@ -89,7 +89,7 @@ def _apart(
 
 
 def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
-    """Hold the tables between axes against each other; several of one pair add up."""
+    """Compare the tables between axes of both readers; several of one pair add up."""
     between = "the readers of compwright do not agree on a table between axes"
     mine: dict[tuple[str, str], list[CrossCompensation]] = {}
     for entry in state.cross:
@@ -153,8 +153,8 @@ def probe_positions(nodes: FloatArray) -> FloatArray:
 
 
 def table_positions(nodes: FloatArray, travel: tuple[float, float]) -> FloatArray:
-    """Return positions at which a table of a plan says what acts: those of `probe_positions` over
-    its nodes and the travel.
+    """Return positions at which a table of a plan defines the correction: those of
+    `probe_positions` over its nodes and the travel.
 
     Beyond both a plan's table only holds its ends, whatever the control does there (it may repeat).
     """

@@ -64,8 +64,8 @@ class PositionMap:
 
 @dataclass(frozen=True, slots=True)
 class Encoder:
-    """The measuring system: ``system`` 1 or 2 (2 is index 1 in files that count from 0);
-    ``stated`` False: nobody said which one.
+    """The measuring system: ``system`` 1 or 2 (2 is index 1 in files that count from 0); ``stated``
+    False: it is an assumption.
     """
 
     type: Literal["incremental", "absolute", "distance_coded"] = "incremental"

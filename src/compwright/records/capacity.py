@@ -1,5 +1,5 @@
-"""What one axis of one control can hold: built by ``formats``, seen by ``fitting`` and
-``prediction`` instead of the control.
+"""Capacity of one axis of one control: built by ``formats``, used by ``fitting`` and ``prediction``
+instead of the control.
 """
 
 from __future__ import annotations

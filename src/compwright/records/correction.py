@@ -1,8 +1,8 @@
-"""What a control holds for one axis, in neutral form: a correction by position and approach
+"""Compensation in a control for one axis, in neutral form: a correction by position and approach
 direction.
 
 Correction = what the control adds to the command, mm or deg. A control that stores errors,
-increments or actual positions is turned into this by the room ``formats``, and independently of it
+increments or actual positions is converted to this by the room ``formats``, and independently of it
 by ``controllers``.
 """
 
@@ -59,16 +59,16 @@ class Assumption:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisCompensation:
-    """Everything a control does to one axis: a table for each approach direction, and backlash.
+    """The compensation of one axis: a table for each approach direction, and backlash.
 
     ``positions`` (k,) strictly ascending, machine coordinates; ``positive``, ``negative`` (k,): the
-    tables' correction arriving in that direction (equal where the control has one curve).
-    ``interpolation`` says what acts between nodes, ``below`` / ``above`` what acts outside.
-    ``period``: the table of an endless axis repeats; its nodes span one period, the last value is
-    the first. ``backlash`` > 0 is compensated lost motion: nothing in the direction
-    ``reference_return`` (the zero state), ``sign * backlash`` in the other. ``slope``: a linear
-    parameter beside or instead of the table, ``slope * (x - origin)`` everywhere. ``others``:
-    further tables that act on the axis at the same time. An axis without a table has k = 0.
+    tables' correction for an approach in that direction (equal if the control has one curve).
+    ``interpolation``: between nodes; ``below`` / ``above``: outside. ``period``: the table of an
+    endless axis repeats; its nodes span one period, the last value is the first. ``backlash`` > 0
+    is compensated lost motion: nothing in the direction ``reference_return`` (the zero state),
+    ``sign * backlash`` in the other. ``slope``: a linear parameter in addition to the table or
+    instead of it, ``slope * (x - origin)`` everywhere. ``others``: further tables that are active
+    on the axis at the same time. An axis without a table has k = 0.
     """
 
     address: str
@@ -130,7 +130,7 @@ class AxisCompensation:
 def no_compensation(
     address: str, kind: AxisKind, reference_return: Direction = Direction.POSITIVE
 ) -> AxisCompensation:
-    """Return an axis on which the control does nothing (the state ``none``)."""
+    """Return an axis without compensation (the state ``none``)."""
     empty = np.empty(0)
     return AxisCompensation(
         address=address,
@@ -144,12 +144,12 @@ def no_compensation(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossCompensation:
-    """What one axis' position does to another axis: squareness, straightness.
+    """Correction of one axis by the position of another: squareness, straightness.
 
     ``positions`` (k,) of the axis ``input``, strictly ascending, mm or deg; ``positive``,
-    ``negative`` (k,): what the control adds to the axis ``output`` while ``input`` arrives in that
-    direction (equal where one table serves both), mm or deg of the output. Linear between nodes;
-    ``below`` / ``above`` as in `AxisCompensation`.
+    ``negative`` (k,): what the control adds to the axis ``output`` while ``input`` is approached in
+    that direction (equal if one table holds for both), mm or deg of the output. Linear between
+    nodes; ``below`` / ``above`` as in `AxisCompensation`.
     """
 
     input: str
@@ -182,12 +182,12 @@ class CrossCompensation:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControlState:
-    """What a set of control files says: compensation by address, what one axis does to another, and
-    what else they fix.
+    """State in a set of control files: compensation by address, corrections between axes, and
+    further facts.
 
-    ``facts``: by address. ``tables``: those between axes, whatever they do. ``reserved``: numbers
-    of an array that all axes share which hold data, or to which another function points. ``stays``:
-    by address, those of an axis' tables that stay beside whatever is written for it.
+    ``facts``: by address. ``tables``: those between axes, active or not. ``reserved``: numbers of
+    an array that all axes share which hold data, or to which another function refers. ``stays``: by
+    address, those of an axis' tables that stay whatever is written for it.
     """
 
     format: str
@@ -201,5 +201,5 @@ class ControlState:
     findings: tuple[Finding, ...] = ()
 
     def facts_of(self, address: str) -> AxisFacts:
-        """Return what the files say of an axis; nothing where they do not name it."""
+        """Return the facts of an axis in the files; empty if they do not name it."""
         return self.facts.get(address, AxisFacts())

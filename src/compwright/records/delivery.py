@@ -1,4 +1,4 @@
-"""What a control loads, and what brings back what was in it."""
+"""Files that a control loads, and files that restore its old contents."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class Delivery:
-    """``files``: exactly what the control loads; ``back``: small files beside the byte copies of
-    its own, which bring the old values back. ``own``: the files are its own ones, as patched.
+    """``files``: exactly what the control loads; ``back``: small files, in addition to the byte
+    copies of its own, which restore the old values. ``own``: the files are its own ones, patched.
     """
 
     files: tuple[ControlFile, ...]

@@ -1,5 +1,5 @@
-"""A stand-still test: what the instrument reads over time while the axis stands (environmental
-temperature variation error, ISO 230-3).
+"""A stand-still test: readings of the instrument over time while the axis does not move
+(environmental temperature variation error, ISO 230-3).
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ class DriftTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriftRequest:
-    """The file of a stand-still test, and how long (min) a positioning test of the job takes; None:
-    not said.
+    """The file of a stand-still test, and the duration (min) of a positioning test of the job;
+    None: not given.
     """
 
     file: str

@@ -14,8 +14,8 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 
 @dataclass(frozen=True, slots=True)
 class AxisPeriod:
-    """A period of the error, mm or deg, the probability that it is there, and who says so: the
-    job, the search, or the control's own files.
+    """A period of the error, mm or deg, its probability, and its source: the job, the search, or
+    the control's own files.
     """
 
     period: float
@@ -104,11 +104,11 @@ class WantedCorrection:
     deg.
 
     ``positions`` (g,) strictly ascending over the travel; ``positive``, ``negative`` (g,): totals
-    (what the control held plus what is to be added), zero at ``reference`` approached in
-    ``reference_return``. ``noise`` (mm or deg) is the accuracy to which a grid is worth refining.
-    ``reversal_log_odds``: natural logarithm of the evidence for a reversal that varies with
-    position over one that does not. ``periods``: known periods (mm or deg) that the estimate
-    contains. ``scenarios``: fresh tests beside the estimate, where a goal asks for them.
+    (existing table plus change), zero at ``reference`` approached in ``reference_return``.
+    ``noise`` (mm or deg) is the accuracy to which a grid is worth refining. ``reversal_log_odds``:
+    natural logarithm of the evidence for a reversal that varies with position over one that does
+    not. ``periods``: known periods (mm or deg) that the estimate contains. ``scenarios``: fresh
+    tests, if a goal needs them.
     """
 
     kind: AxisKind

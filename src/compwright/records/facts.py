@@ -1,4 +1,4 @@
-"""What a control's own files say of its axes beside the compensation itself."""
+"""Facts about the axes in a control's own files, other than the compensation itself."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ Fact = float | int | str | bool
 
 @dataclass(frozen=True, slots=True)
 class Turn:
-    """The range of an endless axis: where it begins and its length, deg. ``said``: a file says
-    where it begins.
+    """The range of an endless axis: its start and its length, deg. ``stated``: a file states the
+    start.
     """
 
     start: float
@@ -25,14 +25,14 @@ class Turn:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PairFacts:
-    """What tables between axes, or of the axis over itself, mean for one axis.
+    """Facts of one axis about tables between axes, or of the axis over itself.
 
     ``own``: the indices of its own two tables, + first. ``max_sum``: the control's limit of the sum
-    of all corrections on it, mm or deg; None: not said. ``metric``: their values stand in mm, not
-    in inch; None: no file says it. ``odd_sum``: what tables that cannot be
-    read as curves add to it at most, mm or deg. ``untold``: the tables from other axes that act on
-    it and cannot be counted with, in words that change with their values; ``untold_help``: what
-    would let them be counted with.
+    of all corrections on it, mm or deg; None: unknown. ``metric``: their values are in mm, not in
+    inch; None: no file states it. ``odd_sum``: the largest sum that tables which cannot be read as
+    curves add to it, mm or deg. ``untold``: the active tables from other axes that cannot be
+    counted, in words that change with their values; ``untold_help``: what would allow them to be
+    counted.
     """
 
     own: tuple[int, int] | None = None
@@ -45,25 +45,25 @@ class PairFacts:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisFacts:
-    """What a control's files say of one axis; None or empty: they do not say it.
+    """Facts about one axis in a control's files; None or empty: they do not state it.
 
-    ``name``: what they call it; ``machine_name``: the machine's own name of it, by which new files
-    are called. ``letters``: the axes of all joints, one letter each. ``limits``: the software
-    limits or, of an endless axis, its ``turn``, mm or deg. ``encoder_system``: the measuring system
-    whose table was read. ``enabled``: its table acts. ``beside``: what else acts on it, in words.
-    ``endless``: the turn of an axis without ends, deg. ``reference``: machine coordinate of the
-    reference position, mm or deg, approached in ``reference_return``. ``diameter``: positions are
-    programmed in diameter. ``unit_evidence``: what says its detection unit. ``synchronised``,
-    ``leading``: the addresses of the other axes of its gantry, as the files pair them. ``lead``:
-    the travel of one turn of its motor, mm or deg, as the files suggest it (``lead_evidence``).
-    ``limits_evidence``: why the limits are not those that stand there. ``rapid_more``: by how much
-    the backlash at rapid traverse is more than that at cutting feed, mm or deg; None: they leave it
-    open. ``grid``: the nodes (ascending, mm or deg) of a table of its own that the files hold but
-    that does not act; that of one that acts stands in its compensation. ``homing``: the control,
-    when it homes, counts the correction at ``reference`` as zero ("relative"), or adds the table as
-    it stands ("absolute"); empty: no file says it. ``unapplied_steps``: see `Axis`. ``of_family``:
-    what only the family of the control knows of the axis; nothing else looks into it. ``said``:
-    further quantities by neutral name, which settle options.
+    ``name``: its name there; ``machine_name``: the machine's own name of it, used in the names of
+    new files. ``letters``: the axes of all joints, one letter each. ``limits``: the software limits
+    or, of an endless axis, its ``turn``, mm or deg. ``encoder_system``: the measuring system whose
+    table was read. ``enabled``: its table is active. ``other_functions``: its other active
+    functions, in words. ``endless``: the turn of an axis without ends, deg. ``reference``: machine
+    coordinate of the reference position, mm or deg, approached in ``reference_return``.
+    ``diameter``: positions are programmed in diameter. ``unit_evidence``: the source of its
+    detection unit. ``synchronised``, ``leading``: the addresses of the other axes of its gantry, by
+    the files. ``lead``: the travel of one turn of its motor, mm or deg, suggested by the files
+    (``lead_evidence``). ``limits_evidence``: why the limits differ from those written there.
+    ``rapid_more``: the backlash at rapid traverse minus that at cutting feed, mm or deg; None: left
+    open. ``grid``: the nodes (ascending, mm or deg) of its own table in the files if that is not
+    active; those of an active one are in its compensation. ``homing``: at homing the control counts
+    the correction at ``reference`` as zero ("relative"), or adds the table as written ("absolute");
+    empty: no file states it. ``unapplied_steps``: see `Axis`. ``of_family``: facts that only the
+    family of the control uses. ``stated``: further quantities by neutral name, which answer
+    options.
     """
 
     name: str | None = None

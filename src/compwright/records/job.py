@@ -1,5 +1,5 @@
-"""A job: what the engineer asked for. Paths are text as written; ``workflow`` resolves them against
-the job's folder.
+"""A job: the requests of the engineer. Paths are text as written; ``workflow`` resolves them
+against the job's folder.
 """
 
 from __future__ import annotations
@@ -146,8 +146,8 @@ class ReportHead:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisJob:
-    """What is asked for one axis. ``before`` may be empty where circles or cross measurements are
-    all there is. ``thermal``: the axis' own keys over those of the job. ``stated``: which of
+    """The job's requests for one axis. ``before`` may be empty if there are only circles or cross
+    measurements. ``thermal``: the axis' own keys over those of the job. ``stated``: which of
     ``reference`` and ``reference_return`` the job gives itself.
     """
 
@@ -162,14 +162,13 @@ class AxisJob:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Job:
     """The whole job. ``states`` maps a name to the files of that state, `NONE_STATE` for ``none``;
-    empty: not said.
+    empty: not given.
 
-    ``active``: by state, whether compensation acted in it where its files switch it off or do not
-    say; absent: nobody answered. ``options`` are the controller's; an axis' own stand in
-    ``axis.options`` and go over them. ``drifts``: stand-still tests by the kind of axis, from which
-    E_VE comes; ``environment``: a record of air and material; ``sources``: files of which the job's
-    own values are. ``findings`` holds what was noticed in the job itself, such as keys on which
-    nothing acts.
+    ``active``: by state, whether compensation was active in it if its files switch it off or do not
+    state it; absent: not answered. ``options`` are the controller's; an axis' own are in
+    ``axis.options`` and override them. ``drifts``: stand-still tests by the kind of axis, from
+    which E_VE comes; ``environment``: a record of air and material; ``sources``: files from which
+    the job's own values are. ``findings``: about the job itself, such as keys without effect.
     """
 
     file: str

@@ -1,4 +1,4 @@
-"""What keeps a parameter of an axis where it is."""
+"""Causes that limit a parameter of an axis."""
 
 from __future__ import annotations
 

@@ -31,13 +31,13 @@ Texts = tuple[tuple[str, bytes], ...]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedTest:
-    """A test as it went into the plan (machine coordinates), the name of the state that was active,
-    and how the axis was driven.
+    """A test in the plan (machine coordinates), the name of the state that was active, and the
+    motion of the axis.
 
-    ``backlash_more``: by how much the backlash that acted in it is more than at the motion of the
-    axis (``Axis.motion``), mm or deg; a new table leaves that difference. ``slope_std``: standard
-    deviation, mm/mm, of the slope that this test has of its own beside others of its axis, by the
-    uncertainty that the job declares.
+    ``backlash_more``: the backlash that was active in it minus that at the motion of the axis
+    (``Axis.motion``), mm or deg; a new table leaves that difference. ``slope_std``: standard
+    deviation, mm/mm, of this test's own slope relative to others of its axis, by the uncertainty
+    that the job declares.
     """
 
     test: PositioningTest
@@ -52,8 +52,8 @@ class PlannedTest:
 class PlannedAxis:
     """One axis of a plan.
 
-    ``active``: what the control did while the first test was measured. ``wanted``: totals before
-    rounding and limits. ``fitted``: the table for the plan's own format; None where none may be
+    ``active``: the correction that was active during the first test. ``wanted``: totals before
+    rounding and limits. ``fitted``: the table for the plan's own format; None if none may be
     written (the state is not known, or it would not improve the axis).
     """
 
@@ -83,14 +83,13 @@ class PlannedCircle:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedCross:
-    """What is added to the axis ``output`` over the axis ``input`` (names of the job), beside what
-    the control does already.
+    """Correction of the axis ``output`` over the axis ``input`` (names of the job), in addition to
+    the existing ones.
 
     ``added``: the table before the control rounds it, by the control's addresses, zero at the
     reference of the input axis. ``source``: from circular tests (``tests`` names them) or from a
     cross measurement. ``squareness``: the angle that it removes, rad, > 0 for more than 90°;
-    ``std_error`` of it, rad, None where nobody said it. ``written``: the plan's own control holds
-    it.
+    ``std_error`` of it, rad, None if unknown. ``written``: the plan's own control holds it.
     """
 
     input: str

@@ -1,4 +1,4 @@
-"""What the next test will show."""
+"""Prediction of the next test."""
 
 from __future__ import annotations
 

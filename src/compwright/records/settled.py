@@ -1,9 +1,10 @@
-"""Numbers without the last bits of the arithmetic, which hang on the processor and on the number of
-its threads: the order of a sum, fused products, series of the exponential (Higham, Accuracy and
+"""Numbers without the last bits of the arithmetic, which depend on the processor and on the number
+of its threads: the order of a sum, fused products, series of the exponential (Higham, Accuracy and
 Stability of Numerical Algorithms, 2nd ed. 2002, chapters 3 and 4).
 
-What is estimated or simulated is settled where it leaves its room, so that decisions, tables and
-files rest on the same numbers everywhere. What is measured or held by a control is never touched.
+Estimated or simulated values are rounded where they leave their room, so that decisions, tables and
+files rest on the same numbers everywhere. Values that are measured or held by a control are never
+changed.
 """
 
 from __future__ import annotations

@@ -18,11 +18,11 @@ _SEED: Final = 42  # the same travel and count give the same targets
 
 def proposed_targets(low: float, high: float, count: int) -> FloatArray:
     """Return ``count`` targets (m,), mm or deg, ascending, from ``low`` to ``high`` that show every
-    period longer than a tenth of their interval as what it is.
+    period longer than a tenth of their interval correctly.
 
     Equal intervals plus a random part (ISO 230-2:2014, 4.2; up to 0.3 of an interval), rounded to a
-    tenth of a mm or deg, of narrow intervals finer; of several draws the one that makes the likest
-    two waves least alike.
+    tenth of a mm or deg, of narrow intervals finer; of several draws the one in which the two most
+    similar waves differ most.
     """
     interval = (high - low) / count
     digits = max(1, int(np.ceil(2.0 - np.log10(interval))))
@@ -41,6 +41,6 @@ def proposed_targets(low: float, high: float, count: int) -> FloatArray:
 
 @lru_cache(maxsize=64)  # tests of one machine have the same targets
 def told_targets(low: float, high: float, count: int, unit: str) -> Sentence:
-    """Return a proposal of targets: all of them, or thirty where they are more."""
+    """Return a proposal of targets for display: all of them, at most thirty."""
     targets = proposed_targets(low, high, int(np.clip(count, 12, 30)))
     return say("better_targets", targets=targets, unit=unit)

@@ -1,4 +1,4 @@
-"""What a test after loading says about the loading."""
+"""Verdict on the loading by a test after loading."""
 
 from __future__ import annotations
 
@@ -42,17 +42,16 @@ class Candidate:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LoadingVerdict:
-    """Did the loaded table act as planned?
+    """Verdict whether the loaded table was active as planned.
 
-    ``margin``: natural logarithm of the odds for what the data favour over the next candidate (4.6
-    is 100:1). ``sentence``: its text. ``equivalent``: names that no test could
-    tell from the verdict; ``near``: names of which this test tells little, whatever is likely
-    beforehand (less than eight standard errors off). ``candidates``: the likeliest names, first the
-    likeliest, empty where nothing known fits. ``detail``: which variant of the verdict, in words.
-    ``of``: for ``measurement``, what is wrong with it; for ``wrong_axis``, the axis. ``factor``:
-    for ``scaled``; ``shift_nodes`` > 0: the loaded table sits so many nodes too far to +.
-    ``slope``: of the after test beside the
-    expected, with its standard error, mm/mm; None where none was found.
+    ``margin``: natural logarithm of the odds of the favoured candidate over the next one (4.6 is
+    100:1). ``sentence``: its text. ``equivalent``: names that no test could distinguish from the
+    verdict; ``near``: names that this test distinguishes poorly, whatever their prior probability
+    (less than eight standard errors apart). ``candidates``: the likeliest names, first the
+    likeliest, empty if no known one fits. ``detail``: the variant of the verdict, in words. ``of``:
+    for ``measurement``, its fault; for ``wrong_axis``, the axis. ``factor``: for ``scaled``;
+    ``shift_nodes`` > 0: the loaded table sits so many nodes too far to +. ``slope``: of the after
+    test relative to the expected one, with its standard error, mm/mm; None if none was found.
     """
 
     verdict: LoadingName
@@ -76,8 +75,8 @@ class LoadingVerdict:
 
 @dataclass(frozen=True, slots=True)
 class ReadBack:
-    """How far the loaded correction is from the planned: largest difference (mm or deg), where, and
-    what it looks like.
+    """Difference between the loaded and the planned correction: the largest (mm or deg), its
+    position, and its pattern.
 
     ``verdict``: ``loaded``, ``not_active``, ``inverted``, ``scaled``, ``shifted``,
     ``one_direction``, ``backlash``, ``increment``, ``on_top``, ``partial`` (some files were not
