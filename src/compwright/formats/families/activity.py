@@ -26,7 +26,7 @@ class Activity:
     asking: bool = False
     carried_out: bool = False
 
-    def resolve(
+    def was_active(
         self, label: str, switches: str, word: str | None, place: FoundValue | None, notes: Notes
     ) -> bool | None:
         """Return whether a table that is not zero was active; None if neither the files nor the job

@@ -328,7 +328,7 @@ class ColumnAxisReader:
         The assumption is listed if neither states it.
         """
         place = found if found is not None and found.occurrence.tokens else None
-        active = self.activity.resolve(self.label, self._switch, word, place, self.notes)
+        active = self.activity.was_active(self.label, self._switch, word, place, self.notes)
         if active is None:
             evidence = f"{self._switch} is not in the files: a table that was given counts"
             self.notes.assume(f"{self.label}: its table", "acts", evidence)

@@ -301,7 +301,7 @@ class GridAxisReader:
         ):
             stated = self.values.stated_word("enabled") if found is not None else None
             switch = self.values.name("enabled")
-            active = self.activity.resolve(self.label, switch, stated, found, self.notes)
+            active = self.activity.was_active(self.label, switch, stated, found, self.notes)
             if active is not None:
                 if not active:
                     self.notes.switched_off(self.label, "the table did not act, as the job says")

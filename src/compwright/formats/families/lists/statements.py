@@ -103,7 +103,7 @@ class AxisStatements:
             place = off[0] if off else on
             by_switch = not off or off[0] is on
             name = self.lists.name(switch) if by_switch else f"{self.lists.name(manual)} not"
-            active = self.activity.resolve(label, name, word, place, self.notes)
+            active = self.activity.was_active(label, name, word, place, self.notes)
             if active is None:
                 self.notes.switched_off(label, f"it is switched off in the lists ({name} = 0)")
             elif not active:

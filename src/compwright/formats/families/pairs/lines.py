@@ -229,7 +229,7 @@ class TableLines(SingleValues):
         if self._slept(owner, word, place):
             self._tell_off(owner, _SWITCHES, "warning")
             return False
-        return self.activity.resolve(owner, _SWITCHES, word, place, self.notes)
+        return self.activity.was_active(owner, _SWITCHES, word, place, self.notes)
 
     def _slept(self, owner: str, word: str | None, place: FoundValue | None) -> bool:
         """Return whether the table was not active because the leadscrew table of its axis was.

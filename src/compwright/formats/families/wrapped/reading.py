@@ -375,7 +375,7 @@ class _WrappedStateReader:
         if not needed:
             return word != "no"
         found = None if place is None else place.found
-        stated = self.activity.resolve(label, name, word, found, self.notes)
+        stated = self.activity.was_active(label, name, word, found, self.notes)
         if stated is not None:
             return stated
         if word is None:
