@@ -628,6 +628,27 @@ def test_a_repair_is_a_jump_and_no_rate(tmp_path: Path, ask: Ask) -> None:
     assert abs(jump["size"] - 3.0) < 3.0 * jump["std_error"] < 0.6
 
 
+def test_a_collision_that_the_reversal_shows_is_no_growth_of_accuracy(
+    tmp_path: Path, ask: Ask
+) -> None:
+    """A steps by 12 um among errors of temperature of 4 um: it alone could be growth."""
+    for seed in range(8):
+        hall, lost = np.random.default_rng(seed).standard_normal((2, 14))
+        for place in range(14):
+            hit = place >= 7
+            day = date(2021, 1, 10) + timedelta(days=120 * place)
+            test = axis_test(
+                A=float(20.0 + 12.0 * hit + 4.0 * hall[place]),
+                B_mean=float(-3.0 - 4.0 * hit + 0.1 * lost[place]),
+                date=day.isoformat(),
+                uncertainty={name: {"U": 8.0, "coverage": 2.0} for name in "AEM"},
+            )
+            record(tmp_path / str(seed) / f"visit-{place:02}", test)
+        document = ask(tmp_path / str(seed))
+        assert [jump["after"] for jump in trend(document)["jumps"]] == [7]
+        assert not trend(document, "A")["clear"]
+
+
 def test_the_rate_is_that_of_the_machine_where_tables_were_loaded(tmp_path: Path, ask: Ask) -> None:
     """Each yearly visit sets a reversal error back to zero that grows by 1.2 um a year."""
     scatter = iter(scattered(12, 3))

@@ -75,34 +75,56 @@ _SCATTER: Final = frozenset({"R", "s"})
 #: What depends on the length of the scale, so on temperature and instrument.
 _OF_LENGTH: Final = frozenset({"A", "E", "M", "slope"})
 #: Prior probability of a jump between two tests: the same table, files that do not say, another
-#: instrument.
-_SAME, _UNKNOWN, _INSTRUMENT = 0.02, 0.2, 0.3
+#: instrument; and where another parameter jumped, as after a collision.
+_SAME, _UNKNOWN, _INSTRUMENT, _OTHER_JUMPED = 0.02, 0.2, 0.3, 0.5
+#: Parameters that are estimated first: the reversal does not depend on temperature and shows a jump
+#: best, the slope next.
+_FIRST: Final = ("B_mean", "B", "slope")
 _DAYS: Final = 365.25
 
 
 def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
     """Yield the rate per year of each parameter, from the dated tests that can be compared with the
     last one; ``entries`` in their order in time.
+
+    A jump of one parameter makes jumps of the others between the same tests likely: else a
+    collision that tilts the error curve within the temperature uncertainty looks like growth.
     """
-    for parameter in _TRENDS:
-        having = [
-            place for place, entry in enumerate(entries) if entry.day and parameter in entry.values
-        ]
-        places = [
-            place for place in having if _alike(entries[place], entries[having[-1]], parameter)
-        ]
-        found = [entries[place] for place in places]
-        days = [datetime.fromisoformat(entry.day) for entry in found]
-        if len(days) < 2:
-            continue
-        trend = trend_of(
-            np.array([(day - days[0]).total_seconds() / 86400.0 / _DAYS for day in days]),
-            np.array([entry.values[parameter] for entry in found]),
-            np.array([_known_error(entry, parameter) for entry in found]),
-            [_jump_odds(one, other, parameter) for one, other in pairwise(found)],
-        )
+    noted: dict[str, NotedTrend] = {}
+    for parameter in (*_FIRST, *(name for name in _TRENDS if name not in _FIRST)):
+        jumps = [jump for trend in noted.values() for jump in trend.jumps]
+        trend = _trend_of_parameter(entries, parameter, jumps)
         if trend is not None:
-            yield _noted(parameter, places, trend, found[-1], days[-1])
+            noted[parameter] = trend
+    yield from (noted[parameter] for parameter in _TRENDS if parameter in noted)
+
+
+def _trend_of_parameter(
+    entries: Sequence[HistoryEntry], parameter: str, jumps: Sequence[NotedJump]
+) -> NotedTrend | None:
+    """Return the rate of one parameter; ``jumps``: those of parameters estimated before it."""
+    having = [
+        place for place, entry in enumerate(entries) if entry.day and parameter in entry.values
+    ]
+    places = [place for place in having if _alike(entries[place], entries[having[-1]], parameter)]
+    found = [entries[place] for place in places]
+    days = [datetime.fromisoformat(entry.day) for entry in found]
+    if len(days) < 2:
+        return None
+    odds = [
+        max(
+            _jump_odds(entries[one], entries[other], parameter),
+            _OTHER_JUMPED if any(one < jump.after <= other for jump in jumps) else 0.0,
+        )
+        for one, other in pairwise(places)
+    ]
+    trend = trend_of(
+        np.array([(day - days[0]).total_seconds() / 86400.0 / _DAYS for day in days]),
+        np.array([entry.values[parameter] for entry in found]),
+        np.array([_known_error(entry, parameter) for entry in found]),
+        odds,
+    )
+    return None if trend is None else _noted(parameter, places, trend, found[-1], days[-1])
 
 
 def _noted(
