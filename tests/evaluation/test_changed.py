@@ -7,8 +7,14 @@ import math
 import numpy as np
 import pytest
 
-from compwright.evaluation.changed import UncertainValue, difference, scatter_changed
-from compwright.evaluation.scores import chance, score_of_ratio, score_of_t
+from compwright.evaluation.changed import (
+    UncertainValue,
+    chance,
+    difference,
+    scatter_changed,
+    score_of_ratio,
+    score_of_t,
+)
 from compwright.evaluation.standard_errors import standard_errors
 
 TARGETS = np.linspace(0.0, 600.0, 11)

@@ -9,23 +9,26 @@ in sheets or lines.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.columns.axis_reading import ColumnAxisReader
-from compwright.formats.families.columns.coupling import couplings_of
 from compwright.formats.families.columns.finding import find_sources
-from compwright.formats.families.columns.sources import PARAMETERS
+from compwright.formats.families.columns.sources import PARAMETERS, AxisNumbers
 from compwright.formats.families.columns.table import POSITION, SECOND
 from compwright.formats.families.columns.values import TableValues
 from compwright.formats.families.coupled_axes import (
+    UNREAD,
     Coupling,
     check_couplings,
     followers,
     leader,
+    statements_in,
+    whole_number,
 )
 from compwright.formats.families.family import Family, require_files
 from compwright.formats.text.addresses import normal_text
@@ -41,6 +44,31 @@ from compwright.records.correction import (
 from compwright.records.facts import AxisFacts
 from compwright.records.options import REFERENCE, REFERENCE_RETURN
 from compwright.words.sentences import say
+
+_LINE = re.compile(
+    r"^[ \t]*MP[ \t]*850\.([0-9]{1,2})(?![0-9])[ \t]*[:=]?[ \t]*([^\s;]*)",
+    re.MULTILINE | re.IGNORECASE,
+)
+_REMARK = re.compile(r";[^\r\n]*")
+
+
+def couplings_of(
+    files: Sequence[ControlFile],
+    numbers: AxisNumbers,
+    wanted: Sequence[str],
+    known: Collection[str],
+) -> Iterator[Coupling]:
+    """Yield which axes follow another one; ``numbers``: the control's axis numbers; ``wanted``:
+    axes under work; ``known``: axes that the job names.
+    """
+    last = {found.match[1]: found for found in statements_in(files, _LINE, _REMARK)}
+    for index, found in last.items():
+        follows, master = numbers.follower(int(index) + 1, known), whole_number(found.match[2])
+        if master is None or master < 0:
+            others = tuple(one for one in wanted if one != follows)
+            yield found.coupling(others, follows, unlike=UNREAD)
+        elif master:
+            yield found.coupling((numbers.address(master),), follows)
 
 
 def read_columns(

@@ -6,9 +6,12 @@ this family by tables between axes; nothing here depends on it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import ClassVar
 
+from compwright.formats.definition.schema import Definition
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_tables import sound
@@ -21,17 +24,35 @@ from compwright.formats.families.card_words import (
 )
 from compwright.formats.families.family import Family, Listing, checked
 from compwright.formats.families.grid.capacity import GridLimits
-from compwright.formats.families.grid.entered import entered
 from compwright.formats.families.grid.joints import sure_joints
 from compwright.formats.families.grid.reading import GridReader
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.writing import GridWriter
+from compwright.formats.text.entered import Entered, by_statements
 from compwright.formats.text.texts import text_reader
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+
+#: Keys other than those of the definition that decide the scale of a joint or move its zero
+#: (LinuxCNC documentation, INI configuration: [JOINT_n], [KINS]).
+_CORRECTING = re.compile(
+    r"\[(?:JOINT_[0-9]+|KINS)\] (?:(?:INPUT_|OUTPUT_)?SCALE|HOME|HOME_OFFSET|KINEMATICS)"
+)
+
+
+def entered(
+    definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
+) -> dict[str, Entered]:
+    """Return every value of the files."""
+    return {
+        key: replace(
+            entry, relevant=entry.relevant or _CORRECTING.fullmatch(entry.group) is not None
+        )
+        for key, entry in by_statements(definition, files).items()
+    }
 
 
 def _names(control: Family, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:

@@ -6,7 +6,7 @@ Missing is not zero. Assumptions are listed; faults of an axis that is not under
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -15,12 +15,12 @@ from compwright.formats.families.activity import Activity
 from compwright.formats.families.coupled_axes import check_couplings, followers, leader
 from compwright.formats.families.family import Family
 from compwright.formats.families.gantry import compare_partners, note_twin
-from compwright.formats.families.lists.axis import read_axis
-from compwright.formats.families.lists.backlash import check_others
+from compwright.formats.families.lists.backlash import backlash_of, check_others
 from compwright.formats.families.lists.coupling import couplings_of
 from compwright.formats.families.lists.cross import left_out, read_cross
 from compwright.formats.families.lists.files import ListsByAxis, read_lists
 from compwright.formats.families.lists.statements import AxisStatements
+from compwright.formats.families.lists.table import ListTable, TableReader
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.notes import ADD_FILE, Notes
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -33,6 +33,47 @@ from compwright.records.correction import (
 )
 from compwright.records.facts import AxisFacts
 from compwright.records.options import REFERENCE, REFERENCE_RETURN
+
+
+@dataclass(frozen=True, slots=True)
+class AxisList:
+    """The active compensation of an axis, whether its table is active (None: it has none), and the
+    nodes of an inactive table, mm or deg.
+    """
+
+    compensation: AxisCompensation
+    active: bool | None
+    idle: tuple[float, ...] = ()
+
+
+def read_axis(of: AxisStatements) -> AxisList:
+    """Return the compensation in the lists of an axis. Faults go to the notes of ``of``."""
+    table = TableReader(of).read()
+    active = None
+    if table is not None:
+        zero = not (np.any(table.positive) or np.any(table.negative))
+        active = of.is_active("table_switch", "manual", zero=zero, label=of.label)
+    elif not of.lists.places(of.address, "count"):
+        of.notes.assume(f"{of.label}: table", "none", "unconfirmed: in no list given")
+        of.notes.no_table(of.label)
+    empty = np.empty(0)
+    shown = ListTable(positions=empty, positive=empty, negative=empty)
+    if table is not None and active:
+        shown = table
+    compensation = AxisCompensation(
+        address=of.address,
+        kind=of.kind,
+        positions=shown.positions,
+        positive=shown.positive,
+        negative=shown.negative,
+        backlash=backlash_of(of, two=shown.two),
+        reference_return=of.returns,
+        below=of.definition.layout.below,
+        above=of.definition.layout.above,
+        period=shown.period,
+    )
+    idle = () if table is None or active else tuple(float(node) for node in table.positions)
+    return AxisList(compensation, active, idle)
 
 
 def read_state(

@@ -38,15 +38,34 @@ from compwright.formats.families.pairs.programs import not_carried_out
 from compwright.formats.families.pairs.small_files import SmallFiles
 from compwright.formats.families.pairs.state import PairsReader
 from compwright.formats.families.pairs.state_writing import PairsWriter
-from compwright.formats.families.pairs.view import with_sign_unknown
 from compwright.formats.text.container import is_container
 from compwright.formats.text.loading_order import loading_order
 from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.correction import Assumption, AxisCompensation, ControlFile, ControlState
 from compwright.records.delivery import Delivery
+
+
+def with_sign_unknown(state: ControlState) -> ControlState:
+    """Return a state that was read as corrections, with the note that the sign of its tables
+    between axes is unknown.
+    """
+    if not state.tables.used:
+        return state
+    assumption = Assumption(
+        "option cec_sign",
+        "correction",
+        "unconfirmed: one manual of Siemens says error; no readings depend on it here",
+    )
+    return replace(
+        state,
+        assumed=(*state.assumed, assumption),
+        findings=(*state.findings, Finding.of("CW-S055", "warning")),
+    )
+
 
 _ARCHIVE = (
     "an archive in a container, which is never written: a control may refuse an archive that was"
