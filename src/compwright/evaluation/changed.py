@@ -80,14 +80,21 @@ class Change:
         return abs(self.score) > CLEAR
 
 
-def difference(before: UncertainValue, after: UncertainValue, between_tests: float = 0.0) -> Change:
+def difference(
+    before: UncertainValue,
+    after: UncertainValue,
+    between_tests: float = 0.0,
+    scatter: tuple[float, float] = (0.0, math.inf),
+) -> Change:
     """Return the difference of a parameter between two tests, with its standard uncertainty.
 
-    ``between_tests``: a standard uncertainty of the difference that neither test contains. GUM
-    (JCGM 100:2008) 5.1.2 and G.4.1.
+    ``between_tests``: a standard uncertainty of the difference that neither test contains;
+    ``scatter``: another, as an estimated variance with its degrees of freedom. GUM (JCGM 100:2008)
+    5.1.2 and G.4.1.
     """
     size = after.value - before.value
     scattered = [(parameter.std_error**2, parameter.dof) for parameter in (before, after)]
+    scattered.append(scatter)
     known = before.declared**2 + after.declared**2 + between_tests**2
     total = known + sum(variance for variance, _ in scattered)
     if total <= 0.0:

@@ -32,40 +32,70 @@ JUDGED = ("A", "B", "B_mean", "s", "squareness")
 _OF_TARGETS = frozenset({"A", "E", "M", "R", "B"})
 #: Targets are the same within this share of the measured length.
 _SAME_TARGET = 1e-3
+#: Comparisons from which the scatter from test to test is taken.
+_LEAST_COMPARISONS: Final = 4
 #: Share of each measured length that has to be common to both.
 _COMMON = 0.8
 
 
-def noted_changes(entries: Sequence[HistoryEntry]) -> list[NotedChange]:
+def noted_changes(
+    entries: Sequence[HistoryEntry], trends: Sequence[NotedTrend]
+) -> list[NotedChange]:
     """Return what changed between the tests of one axis or plane: each is compared with the last
     comparable test before it.
 
-    ``entries`` in their order in time.
+    ``entries`` in their order in time; ``trends``: theirs (`noted_trends`). What the other
+    comparisons differ by more than their standard errors explain is scatter from test to test.
     """
+    jumped = {
+        (trend.parameter, jump.before, jump.after) for trend in trends for jump in trend.jumps
+    }
     found = []
-    for place, entry in enumerate(entries):
-        for parameter in JUDGED:
-            earlier = _last_comparable(entries, place, parameter)
-            if earlier is None:
-                continue
-            change, undeclared = _compared(entries[earlier], entry, parameter)
+    for parameter in JUDGED:
+        pairs = [
+            (earlier, place)
+            for place in range(len(entries))
+            if (earlier := _last_comparable(entries, place, parameter)) is not None
+        ]
+        usual = {
+            pair: _compared(entries[pair[0]], entries[pair[1]], parameter)[0]
+            for pair in pairs
+            if (parameter, *pair) not in jumped
+        }
+        for pair in pairs:
+            others = [other for each, other in usual.items() if not set(each) & set(pair)]
+            one, entry = entries[pair[0]], entries[pair[1]]
+            change, undeclared = _compared(one, entry, parameter, _between_tests(others))
             if change.clear:
                 found.append(
                     NotedChange(
                         parameter=parameter,
-                        before=earlier,
-                        after=place,
-                        value_before=entries[earlier].values[parameter],
+                        before=pair[0],
+                        after=pair[1],
+                        value_before=one.values[parameter],
                         value_after=entry.values[parameter],
                         size=change.size,
                         std_error=change.std_error,
                         score=change.score,
                         chance=change.chance,
-                        table=same_table(entries[earlier], entry),
+                        table=same_table(one, entry),
                         undeclared=undeclared,
                     )
                 )
-    return found
+    return sorted(found, key=lambda change: change.after)
+
+
+def _between_tests(others: Sequence[Change]) -> tuple[float, float]:
+    """Return the variance of a difference between two tests that their standard errors do not
+    explain, and its degrees of freedom, from other comparisons of the same parameter; 0 for fewer
+    than four.
+
+    Neighbouring differences share a test, which leaves two thirds of their number.
+    """
+    if len(others) < _LEAST_COMPARISONS:
+        return 0.0, math.inf
+    excess = [change.size**2 - change.std_error**2 for change in others]
+    return max(0.0, math.fsum(excess) / len(others)), 2.0 * len(others) / 3.0
 
 
 #: Parameters whose rate per year is estimated.
@@ -231,9 +261,14 @@ def _common_length(one: Sequence[float], other: Sequence[float]) -> bool:
     return all(common >= _COMMON * (max(each) - min(each)) for each in (one, other))
 
 
-def _compared(one: HistoryEntry, other: HistoryEntry, parameter: str) -> tuple[Change, bool]:
+def _compared(
+    one: HistoryEntry,
+    other: HistoryEntry,
+    parameter: str,
+    scatter: tuple[float, float] = (0.0, math.inf),
+) -> tuple[Change, bool]:
     """Return the difference, and whether it includes a slope that is assumed because no uncertainty
-    is declared.
+    is declared. ``scatter``: its variance from test to test, with degrees of freedom.
     """
     before, after = _parameter_value(one, parameter), _parameter_value(other, parameter)
     if parameter == "s":
@@ -244,7 +279,8 @@ def _compared(one: HistoryEntry, other: HistoryEntry, parameter: str) -> tuple[C
         and not (one.declared.get("A") and other.declared.get("A"))
     )
     length = max(other.targets) - min(other.targets) if undeclared else 0.0
-    return difference(before, after, UNDECLARED_SLOPE * length / 1000.0), undeclared
+    assumed = UNDECLARED_SLOPE * length / 1000.0
+    return difference(before, after, assumed, scatter), undeclared
 
 
 def _parameter_value(entry: HistoryEntry, parameter: str) -> UncertainValue:

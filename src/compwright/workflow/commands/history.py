@@ -130,7 +130,7 @@ def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[TestS
         group = groups[key, circular, what]
         in_time = _in_time(group)
         ordered = sorted(without_repeats(sorted(group, key=in_time)), key=in_time)
-        last = ordered[-1]
+        last, trends = ordered[-1], tuple(noted_trends(ordered))
         found.append(
             TestSeries(
                 key=key,
@@ -138,8 +138,8 @@ def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[TestS
                 serial=last.serial,
                 what=last.what,
                 entries=tuple(ordered),
-                changes=tuple(noted_changes(ordered)),
-                trends=tuple(noted_trends(ordered)),
+                changes=tuple(noted_changes(ordered, trends)),
+                trends=trends,
             )
         )
     return found
