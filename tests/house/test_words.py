@@ -11,16 +11,22 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
+import jinja2.nodes
+import pytest
 from test_house import trees
 
-from compwright.words.sentences import catalogue, placeholders
+from compwright.words.english import labels
+from compwright.words.sentences import Language, catalogue, filled, placeholders
 from places import PROJECT
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
 from findings_page import page
 
+TEMPLATES = PROJECT / "src" / "compwright" / "reporting" / "templates"
 PAGE = PROJECT / "docs" / "findings.md"
+
+OTHERS: tuple[Language, ...] = ("de", "fr", "ru")
 
 #: Methods that hand the name of a sentence on.
 HANDED_ON = {"foundations.findings", "formats.text.notes", "planning.cross"}
@@ -28,7 +34,24 @@ HANDED_ON = {"foundations.findings", "formats.text.notes", "planning.cross"}
 
 @cache
 def asked() -> tuple[tuple[str, str, frozenset[str]], ...]:
-    """Return place, name and given values of each sentence that the source asks for."""
+    """Return place, name and given values of each sentence that the source or a template asks
+    for.
+    """
+    return (*_asked_in_templates(), *_asked_in_source())
+
+
+def _asked_in_templates() -> Iterator[tuple[str, str, frozenset[str]]]:
+    for path in sorted(TEMPLATES.glob("*.html")):
+        tree = jinja2.Environment(autoescape=True).parse(path.read_text(encoding="utf-8"))
+        for call in tree.find_all(jinja2.nodes.Call):
+            if isinstance(call.node, jinja2.nodes.Name) and call.node.name == "say":
+                (name,) = call.args
+                assert isinstance(name, jinja2.nodes.Const), path.name
+                given = frozenset(word.key for word in call.kwargs)
+                yield f"{path.name}:{call.lineno}", name.value, given
+
+
+def _asked_in_source() -> tuple[tuple[str, str, frozenset[str]], ...]:
     return tuple(
         (f"{module}:{node.lineno}", name, frozenset(word.arg or "**" for word in node.keywords))
         for module, tree in trees().items()
@@ -82,6 +105,44 @@ def test_each_name_of_a_sentence_is_written_out_where_it_is_asked_for() -> None:
         if isinstance(node, ast.Call) and _says(node) and not list(_names(node.args[0]))
     }
     assert computed == HANDED_ON
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_each_language_has_every_label_and_no_name_of_its_own(language: Language) -> None:
+    others = catalogue(language)
+    assert set(others) >= set(labels.SENTENCES)
+    assert set(others) <= set(catalogue("en"))
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_each_sentence_has_only_values_of_the_english_one(language: Language) -> None:
+    differing = {
+        name: sorted((placeholders(text) ^ placeholders(catalogue("en")[name])) - {"term"})
+        for name, text in catalogue(language).items()
+    }
+    assert {name: values for name, values in differing.items() if values} == {}
+
+
+# Unicode CLDR 45, language plural rules (cardinal): de and en one: i = 1; fr one: i = 0, 1; ru one:
+# 1, 21, 31, 101; few: 2-4, 22-24; many: 0, 5-20, 111; a fraction goes with the genitive singular.
+@pytest.mark.parametrize(
+    ("language", "forms"),
+    [
+        ("en", {0: "b", 1: "a", 2: "b"}),
+        ("de", {0: "b", 1: "a", 2: "b"}),
+        ("fr", {0: "a", 1: "a", 1.5: "a", 2: "b"}),
+        (
+            "ru",
+            {0: "c", 1: "a", 2: "b", 4: "b", 5: "c", 11: "c", 12: "c", 14: "c", 20: "c", 21: "a"}
+            | {22: "b", 25: "c", 101: "a", 111: "c", 112: "c", 1.5: "b"},
+        ),
+    ],
+)
+def test_the_form_of_a_word_goes_with_its_number(
+    language: Language, forms: dict[float, str]
+) -> None:
+    template = "{n:plural|a|b|c}"
+    assert {number: filled(template, {"n": number}, language) for number in forms} == forms
 
 
 def test_the_page_of_findings_is_that_of_the_catalogue() -> None:

@@ -30,7 +30,7 @@ def test_each_edition_has_its_own_words(
     edition: str, parameter: str, symbol: str, printed: str
 ) -> None:
     assert edition_symbol(parameter, edition) == symbol
-    assert parameter_term(parameter, edition) == printed
+    assert str(parameter_term(parameter, edition)) == printed
 
 
 def test_without_a_text_of_the_edition_directions_are_signs() -> None:

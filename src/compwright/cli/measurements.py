@@ -28,6 +28,7 @@ from compwright.cli.words import (
     profile_option,
 )
 from compwright.foundations.own_faults import OWN_FAULT
+from compwright.words.sentences import Language
 
 #: Notes of one kind that are printed; the others are counted.
 _MOST_NOTES = 10
@@ -75,6 +76,12 @@ _STANDARDS = (
     help="Write all parameters, a row per test, to a file: .csv or .xlsx.",
 )
 @click.option("--report", type=PATH, metavar="PATH", help="Write the test report: .html or .pdf.")
+@click.option(
+    "--lang",
+    type=click.Choice(["en", "de", "fr", "ru"]),
+    default="en",
+    help="Language of the test report.",
+)
 @json_option
 @force_option
 @exiting
@@ -90,6 +97,7 @@ def evaluate(
     targets: bool,  # noqa: FBT001 - a flag of the command line
     table: Path | None,
     report: Path | None,
+    lang: Language,
     json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
@@ -120,7 +128,8 @@ def evaluate(
         plot_path=plot,
         table_path=table,
         report_path=report,
-        command=_repeated(paths, standards, spread, profile, report),
+        language=lang,
+        command=_repeated(paths, standards, spread, profile, report, lang),
         force=force,
     )
     answer(
@@ -151,13 +160,15 @@ def _repeated(
     spread: str,
     profile: Path | None,
     report: Path | None,
+    lang: Language,
 ) -> str:
     """Return the command that repeats a report."""
     words = ["compwright", "evaluate", *map(str, paths)]
     words += [word for standard in standards for word in ("--standard", standard)]
     words += ["--spread", spread] if spread != "std" else []
     words += ["--profile", str(profile)] if profile is not None else []
-    return shlex.join([*words, "--report", str(report)])
+    words += ["--report", str(report)]
+    return shlex.join([*words, "--lang", lang] if lang != "en" else words)
 
 
 def _tell_notes(names: Sequence[str], what: str) -> None:

@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from compwright.reporting.numbers import PARAMETERS, symbol
+from compwright.words.sentences import Sentence
 
 _1988: Final = {
     "A": "Accuracy",
@@ -47,12 +48,14 @@ _WORDS: Final[Mapping[str, Mapping[str, str]]] = {
 }
 
 
-def parameter_term(parameter: str, standard: object) -> str:
+def parameter_term(parameter: str, standard: object) -> str | Sentence:
     """Return what the ``standard`` (an id such as ``iso230-2:1997``) calls a parameter; empty for a
     name that is not a parameter.
     """
-    words = PARAMETERS.get(parameter, ("", ""))[1]
-    return _WORDS.get(str(standard), {}).get(parameter, words)
+    if parameter not in PARAMETERS:
+        return ""
+    term = _WORDS.get(str(standard), {}).get(parameter, "")
+    return Sentence(PARAMETERS[parameter][1].name, (("term", term),))
 
 
 def has_arrows(standard: object) -> bool:

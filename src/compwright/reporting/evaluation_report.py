@@ -2,7 +2,7 @@
 evaluation document. Computes nothing.
 
 Its view holds ``evaluation`` (the document), ``report`` (see `paper.head`), ``command`` (what
-repeats the report) and ``version``.
+repeats the report), ``version`` and ``language`` (English without it).
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from compwright.reporting.numbers import number, plain, standard_text, symbol, u
 from compwright.reporting.page import render_page
 from compwright.reporting.page_parts import anchor, conditions, paper_content
 from compwright.reporting.sections import Document
+from compwright.words.sentences import Sentence, say
 
 _POSITIONING: Final = (("A", "E", "M", "R", "B"), ("P", "Pa", "Ps_max", "U_max"))
 _CIRCULAR: Final = ("G_ccw", "G_cw", "G_bidirectional", "H", "D")
@@ -30,7 +31,7 @@ def evaluation_report(view: Document) -> bytes:
     """
     evaluation = view["evaluation"]
     results = list(evaluation.get("results") or ())
-    title = "Test report" if len(results) == 1 else f"Test report of {len(results)} tests"
+    title = say("report.title", tests=len(results))
     positioning = [one for one in results if one.get("kind", "positioning") == "positioning"]
     pages = [_page(one, index) for index, one in enumerate(results, 1)]
     return render_page(
@@ -54,17 +55,15 @@ def evaluation_report(view: Document) -> bytes:
             "sources": sections.sources(evaluation),
             "version": plain(view.get("version", "")),
         },
+        view.get("language", "en"),
     )
 
 
-def _name(result: Document) -> str:
-    what = (
-        f"Circle {plain(result.get('plane'))}"
-        if result.get("kind") == "circular"
-        else f"Axis {plain(result.get('axis'))}"
-    )
+def _name(result: Document) -> Sentence:
     name = plain(result.get("name") or "")
-    return f"{what}, {name}" if name else what
+    if result.get("kind") == "circular":
+        return say("report.circle", plane=plain(result.get("plane")), name=name)
+    return say("report.axis", axis=plain(result.get("axis")), name=name)
 
 
 def _summary(result: Document, index: int) -> dict[str, Any]:
@@ -80,7 +79,11 @@ def _summary(result: Document, index: int) -> dict[str, Any]:
             {
                 "symbol": symbol(key) if groups is _POSITIONING else parameter_words(key),
                 "value": number(values[key]),
-                "U": f" ± {number(uncertainty[key]['U'])}" if key in uncertainty else "",
+                "U": (
+                    say("label.plus_minus", U=number(uncertainty[key]["U"]))
+                    if key in uncertainty
+                    else ""
+                ),
             }
             for key in keys
             if values.get(key) is not None
@@ -107,7 +110,7 @@ def _page(result: Document, index: int) -> dict[str, Any]:
 def parameters_alone(result: Document) -> dict[str, Any]:
     """Return the table of parameters of one test, with U where it is stated."""
     column = {
-        "title": "Value",
+        "title": say("head.value"),
         "values": result.get("parameters"),
         "uncertainty": result.get("uncertainty"),
     }

@@ -8,6 +8,8 @@ import math
 from collections.abc import Iterable
 from typing import Final
 
+from compwright.words.sentences import NumberText, Sentence, say
+
 #: Stands where a quantity is not defined or was not measured.
 MISSING: Final = "—"
 
@@ -35,27 +37,27 @@ DEVIATION_DECIMALS: Final = 2
 
 _UNITS: Final = {"um": "µm", "um/m": "µm/m", "arcsec": "arcsec", "mm": "mm", "deg": "deg"}
 
-#: Parameter by its name in the documents -> (symbol, what it is called in the standard). The order
-#: is that of the tables.
-PARAMETERS: Final[dict[str, tuple[str, str]]] = {
-    "A": ("A", "Bidirectional accuracy"),
-    "A_positive": ("A+", "Accuracy, approach +"),
-    "A_negative": ("A−", "Accuracy, approach −"),
-    "E": ("E", "Bidirectional systematic deviation"),
-    "E_positive": ("E+", "Systematic deviation, approach +"),
-    "E_negative": ("E−", "Systematic deviation, approach −"),
-    "M": ("M", "Range of the mean deviation"),
-    "R": ("R", "Bidirectional repeatability"),
-    "R_positive": ("R+", "Repeatability, approach +"),
-    "R_negative": ("R−", "Repeatability, approach −"),
-    "B": ("B", "Reversal value"),
-    "B_mean": ("mean B", "Mean reversal value"),
-    "P": ("P", "Positional uncertainty"),
-    "Pa": ("Pa", "Positional deviation"),
-    "Ps_max": ("Ps max", "Largest positional scatter"),
-    "Ps_mean": ("Ps mean", "Mean positional scatter"),
-    "U_max": ("U max", "Largest reversal error"),
-    "U_mean": ("U mean", "Mean reversal error"),
+#: Parameter by its name in the documents -> (symbol, what it is called in the standard; `term`: the
+#: English words of an edition). The order is that of the tables.
+PARAMETERS: Final[dict[str, tuple[str, Sentence]]] = {
+    "A": ("A", say("parameter.A", term="")),
+    "A_positive": ("A+", say("parameter.A_positive", term="")),
+    "A_negative": ("A−", say("parameter.A_negative", term="")),
+    "E": ("E", say("parameter.E", term="")),
+    "E_positive": ("E+", say("parameter.E_positive", term="")),
+    "E_negative": ("E−", say("parameter.E_negative", term="")),
+    "M": ("M", say("parameter.M", term="")),
+    "R": ("R", say("parameter.R", term="")),
+    "R_positive": ("R+", say("parameter.R_positive", term="")),
+    "R_negative": ("R−", say("parameter.R_negative", term="")),
+    "B": ("B", say("parameter.B", term="")),
+    "B_mean": ("mean B", say("parameter.B_mean", term="")),
+    "P": ("P", say("parameter.P", term="")),
+    "Pa": ("Pa", say("parameter.Pa", term="")),
+    "Ps_max": ("Ps max", say("parameter.Ps_max", term="")),
+    "Ps_mean": ("Ps mean", say("parameter.Ps_mean", term="")),
+    "U_max": ("U max", say("parameter.U_max", term="")),
+    "U_mean": ("U mean", say("parameter.U_mean", term="")),
 }
 
 _STANDARDS: Final = {
@@ -76,7 +78,7 @@ def number(value: object, decimals: int = DEVIATION_DECIMALS) -> str:
     text = f"{value:.{decimals}f}"
     if text.startswith("-") and not text.strip("-0."):
         text = text[1:]
-    return text.replace("-", "−")
+    return NumberText(text.replace("-", "−"))
 
 
 def decimals_of(values: Iterable[object], most: int = 4) -> int:
@@ -103,10 +105,15 @@ def plain(value: object) -> str:
     if isinstance(value, float):
         if not math.isfinite(value):
             return MISSING
-        return (f"{value:.10g}" if value else "0").replace("-", "−")
+        return NumberText((f"{value:.10g}" if value else "0").replace("-", "−"))
     if isinstance(value, int):
         return str(value).replace("-", "−")
     return str(value)
+
+
+def with_unit(value: object, unit: str) -> Sentence:
+    """Return a value as `plain` shows it, with its unit."""
+    return say("label.with_unit", value=plain(value), unit=unit)
 
 
 def unit_text(unit: object) -> str:
@@ -125,7 +132,7 @@ def position_unit(unit: object) -> str:
 
 def symbol(parameter: str) -> str:
     """Return the symbol of a parameter (``A_positive`` -> ``A+``)."""
-    return PARAMETERS.get(parameter, (parameter.replace("_", " "), ""))[0]
+    return PARAMETERS[parameter][0] if parameter in PARAMETERS else parameter.replace("_", " ")
 
 
 def standard_text(standard: object) -> str:

@@ -17,17 +17,20 @@ from urllib.parse import quote
 from compwright.foundations.extras import need
 from compwright.foundations.utf8 import encoded, visible_lines
 from compwright.reporting.numbers import MISSING, number, plain, unit_text
+from compwright.words.sentences import Language, NumberText, Sentence, say
 
+#: Letters of the report number that fit in a footer.
+_MOST_IN_FOOTER: Final = 60
 # What XML 1.0 does not allow in text; half surrogates cannot be written as UTF-8 either.
 _NOT_TEXT: Final = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-def render_page(template: str, content: Mapping[str, Any]) -> bytes:
-    """Return the page of a template in ``templates/`` as UTF-8 bytes. Raises UsageError when the
-    report extra is missing.
+def render_page(template: str, content: Mapping[str, Any], language: Language = "en") -> bytes:
+    """Return the page of a template in ``templates/`` as UTF-8 bytes, its sentences and numbers in
+    a ``language``. Raises UsageError when the report extra is missing.
     """
     need("jinja2")
-    text: str = _environment().get_template(template).render(**content)
+    text: str = _environment(language).get_template(template).render(**content)
     return encoded(text)
 
 
@@ -35,14 +38,14 @@ def template_text(name: str) -> str:
     """Return a file of ``templates/`` as it is. Raises UsageError when the report extra is
     missing.
     """
-    environment = _environment()
+    environment = _environment("en")
     text: str = environment.loader.get_source(environment, name)[0]
     return text
 
 
 @functools.cache
-def _environment() -> Any:
-    """Return the template engine, which keeps the templates that it has compiled."""
+def _environment(language: Language) -> Any:
+    """Return the template engine of a language, which keeps the templates that it has compiled."""
     jinja2 = need("jinja2")
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("compwright.reporting"),
@@ -50,10 +53,11 @@ def _environment() -> Any:
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
-        finalize=_clean,
+        finalize=functools.partial(_clean, language=language),
     )
     environment.filters.update(number=number, plain=plain, unit=unit_text, link=_link)
-    environment.globals["missing"] = MISSING
+    environment.filters["css"] = functools.partial(_css, language=language)
+    environment.globals.update(missing=MISSING, say=say, language=language)
     return environment
 
 
@@ -74,7 +78,7 @@ def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
     text = text.replace("xlink:href=", "href=")
     for before in (' id="', ' href="#', "url(#"):
         text = text.replace(before, f"{before}{prefix}-")
-    label = markupsafe.escape(_clean(description))
+    label = markupsafe.escape(visible_lines(description))
     text = re.sub(
         r'<svg [^>]*?(viewBox="[^"]*")[^>]*>',
         rf'<svg \1 role="img" aria-label="{label}">',
@@ -84,9 +88,25 @@ def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
     return markupsafe.Markup(re.sub(r"\n\s*", "\n", text))
 
 
-def _clean(value: Any) -> Any:
-    """Show what no page may hold, in plain text only: markup is ours and clean."""
+def _clean(value: Any, language: Language) -> Any:
+    """Return sentences and numbers in the language. Show what no page may hold, in plain text only:
+    markup is ours and clean.
+    """
+    if isinstance(value, Sentence | NumberText):
+        value = value.text(language)
     return visible_lines(value) if type(value) is str else value
+
+
+def _css(value: str | Sentence, language: Language) -> Any:
+    """Return a text or sentence as a CSS string inside a style sheet of the page."""
+    text = value.text(language) if isinstance(value, Sentence) else value
+    return need("markupsafe").Markup(css_string(text))
+
+
+def css_string(text: str) -> str:
+    """Return ``text`` as a CSS string: nothing in it can end the string or the style sheet."""
+    line = " ".join(visible_lines(text).split())[:_MOST_IN_FOOTER]
+    return '"' + "".join(c if c.isalnum() or c in " .-" else f"\\{ord(c):x} " for c in line) + '"'
 
 
 def _link(name: object) -> str:

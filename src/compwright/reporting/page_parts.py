@@ -52,7 +52,7 @@ def paper_content(view: Document, results: Sequence[Document]) -> dict[str, Any]
 def conditions(blocks: Iterable[Document]) -> list[dict[str, Any]]:
     """Return the conditions of the tests of all axes: those of one standard in one table."""
     return paper.sheets_together(
-        (f"{block['name']}, {part['name']}" if part is not block else str(block["name"]), sheet)
+        (f"{block['name']}, {part['name']}" if part is not block else block["name"], sheet)
         for block in blocks
         for part in (block, *block.get("others", ()))
         for sheet in ([part["measured"]["sheet"]] if part["measured"] else [])

@@ -65,6 +65,8 @@ def pdf_of_page(page: bytes) -> bytes:
     content = {
         "lang": root.get("lang", "en"),
         "title": letters.shown(root.findtext("head/title") or ""),
+        "page": body.get("data-page", "Page"),
+        "of": body.get("data-of", "of"),
         "footer": letters.shown(body.get("data-footer", "")),
         "date": {"year": int(year), "month": int(month), "day": int(day)},
         "children": children,

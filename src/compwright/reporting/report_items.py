@@ -14,31 +14,20 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 from compwright.reporting.numbers import number, plain, standard_text, unit_text
+from compwright.words.sentences import Sentence, say
 
 Document = Mapping[str, Any]
 
 #: By standard: on what the list of items rests.
-BASIS: Final[Mapping[str, str]] = {
-    "iso230-2:1988": (
-        "Items: ISO 230-2:1997, 7.1. The edition of 1988 has no list; its clauses 3.2 and 4.3 ask"
-        " for the items that have a clause here."
-    ),
-    "iso230-2:1997": "Items: ISO 230-2:1997, 7.1.",
-    "iso230-2:2006": "Items: ISO 230-2:2006, 7.1.",
-    "iso230-2:2014": (
-        "Items: ISO 230-2:2006, 7.1. The text of ISO 230-2:2014 was not available; its clauses are"
-        " not quoted."
-    ),
-    "gost27843:2006": "Items: GOST 27843-2006, 8.1.",
-    "vdi3441": (
-        "Items: ISO 230-2:2006, 7.1. The text of VDI/DGQ 3441 was not available; its clauses are"
-        " not quoted."
-    ),
-    "iso230-4:1996": "Items: ISO 230-4:1996, clauses 4.4 and 6 (read as DIN ISO 230-4:1999).",
-    "iso230-4:2005": (
-        "Items: ISO 230-4:1996, clauses 4.4 and 6. The text of ISO 230-4:2005 was not available;"
-        " its clauses are not quoted."
-    ),
+BASIS: Final[Mapping[str, Sentence]] = {
+    "iso230-2:1988": say("basis.iso230_2_1988"),
+    "iso230-2:1997": say("basis.iso230_2_1997"),
+    "iso230-2:2006": say("basis.iso230_2_2006"),
+    "iso230-2:2014": say("basis.iso230_2_2014"),
+    "gost27843:2006": say("basis.gost27843_2006"),
+    "vdi3441": say("basis.vdi3441"),
+    "iso230-4:1996": say("basis.iso230_4_1996"),
+    "iso230-4:2005": say("basis.iso230_4_2005"),
 }
 
 #: By standard: the edition whose clauses are quoted.
@@ -65,77 +54,83 @@ class ReportItem:
     """
 
     key: str
-    label: str
+    label: Sentence
     clauses: Mapping[str, str]
     headers: Mapping[str, str] = field(default_factory=dict)
-    given: Callable[[Document], str] | None = None
+    given: Callable[[Document], str | Sentence] | None = None
     kinds: tuple[str, ...] = ("positioning",)
 
 
-def _targets(result: Document) -> str:
+def _targets(result: Document) -> str | Sentence:
     positions = [target.get("position") for target in result.get("targets") or ()]
     if not positions:
         return ""
     unit = unit_text(result.get("position_unit"))
-    return (
-        f"{len(positions)} from {plain(positions[0])} to {plain(positions[-1])} {unit}; listed in"
-        " annex A"
+    return say(
+        "given.targets",
+        count=len(positions),
+        first=plain(positions[0]),
+        last=plain(positions[-1]),
+        unit=unit,
     )
 
 
-def _approaches(result: Document) -> str:
+def _approaches(result: Document) -> str | Sentence:
     runs = result.get("n_runs") or {}
     counts = [
         f"{sign} n = {runs[key]}"
         for key, sign in (("positive", "+"), ("negative", "−"))
         if runs.get(key)
     ]
-    return f"{', '.join(counts)}; {plain(result.get('cycle', 'standard'))} cycle" if counts else ""
+    cycle = plain(result.get("cycle", "standard"))
+    return say("given.approaches", counts=counts, cycle=cycle) if counts else ""
 
 
-def _expansion(result: Document) -> str:
+def _expansion(result: Document) -> str | Sentence:
     thermal = result.get("thermal")
     if not thermal:
         return ""
-    return (
-        f"applied by compwright: readings reduced to 20 °C, {thermal['refer_to']}"
-        f" {plain(thermal['alpha_m'])} µm/(m K) at {plain(thermal['T_m'])} °C, instrument"
-        f" {plain(thermal['alpha_d'])} µm/(m K) at {plain(thermal['T_d'])} °C, fixed point"
-        f" {plain(thermal['x_fix'])} mm"
+    return say(
+        "given.expansion",
+        what=str(thermal["refer_to"]),
+        alpha_m=plain(thermal["alpha_m"]),
+        T_m=plain(thermal["T_m"]),
+        alpha_d=plain(thermal["alpha_d"]),
+        T_d=plain(thermal["T_d"]),
+        x_fix=plain(thermal["x_fix"]),
     )
 
 
-def _expansion_coefficient(result: Document) -> str:
+def _expansion_coefficient(result: Document) -> str | Sentence:
     thermal = result.get("thermal")
-    return f"{plain(thermal['alpha_m'])} µm/(m K)" if thermal else ""
+    return say("given.coefficient", value=plain(thermal["alpha_m"])) if thermal else ""
 
 
-def _contributors(result: Document) -> str:
-    return "see the budget of the uncertainty" if result.get("budget") else ""
+def _contributors(result: Document) -> str | Sentence:
+    return say("given.budget") if result.get("budget") else ""
 
 
-def _axis(result: Document) -> str:
-    axis = result.get("axis")
-    return f"{plain(axis)}, {plain(result.get('axis_kind', 'linear'))}" if axis else ""
+def _axis(result: Document) -> str | Sentence:
+    axis, kind = result.get("axis"), plain(result.get("axis_kind", "linear"))
+    return say("given.axis", axis=plain(axis), kind=kind) if axis else ""
 
 
 def _standard(result: Document) -> str:
     return standard_text(result.get("standard", ""))
 
 
-def _estimator(result: Document) -> str:
-    words = {"std": "standard deviation, n − 1", "range": "range of the readings"}
-    spread = words.get(str(result.get("spread") or "std"))
-    return f"s: {spread}; limits at ± {plain(result.get('coverage') or 2)} s; no smoothing"
+def _estimator(result: Document) -> Sentence:
+    spread, coverage = str(result.get("spread") or "std"), plain(result.get("coverage") or 2)
+    return say("given.estimator", spread=spread, coverage=coverage)
 
 
 def _plane(result: Document) -> str:
     return ", ".join(plain(axis) for axis in result.get("axes") or ())
 
 
-def _radius(result: Document) -> str:
+def _radius(result: Document) -> str | Sentence:
     radius = result.get("nominal_radius")
-    return "" if radius is None else f"radius {plain(radius)} mm"
+    return "" if radius is None else say("given.radius", radius=plain(radius))
 
 
 def _feed(result: Document) -> str:
@@ -143,35 +138,35 @@ def _feed(result: Document) -> str:
     return "" if feed is None else f"{number(feed, 0)} mm/min"
 
 
-def _senses(result: Document) -> str:
-    words = {"ccw": "counter-clockwise", "cw": "clockwise"}
+def _senses(result: Document) -> str | Sentence:
     senses = dict.fromkeys(str(run.get("direction")) for run in result.get("runs") or ())
-    return ", ".join(words.get(sense, sense) for sense in senses)
+    words = [say("given.sense", sense=sense) for sense in senses]
+    return say("given.listed", items=words) if words else ""
 
 
-def _set_up(result: Document) -> str:
+def _set_up(result: Document) -> str | Sentence:
     centre = result.get("set_up")
-    return f"centre at {', '.join(plain(value) for value in centre)} mm" if centre else ""
+    return say("given.centre", places=[plain(value) for value in centre]) if centre else ""
 
 
-def _range(result: Document) -> str:
+def _range(result: Document) -> str | Sentence:
     arc = result.get("arc") or {}
     if arc.get("start") is None:
         return ""
     end = float(arc["start"]) + float(arc["extent"])
-    return f"from {plain(arc['start'])}° to {plain(end)}°, {plain(arc['extent'])}°"
+    return say("given.arc", start=plain(arc["start"]), end=plain(end), extent=plain(arc["extent"]))
 
 
-def _samples(result: Document) -> str:
+def _samples(result: Document) -> str | Sentence:
     counts = [
         f"{run.get('direction')}: {len(run.get('angles') or ())}"
         for run in result.get("runs") or ()
     ]
-    return f"{', '.join(counts)} samples" if counts else ""
+    return say("given.samples", counts=counts) if counts else ""
 
 
-def _smoothing(result: Document) -> str:
-    return "none by compwright: every sample counts" if result.get("runs") else ""
+def _smoothing(result: Document) -> str | Sentence:
+    return say("given.smoothing") if result.get("runs") else ""
 
 
 _BOTH: Final = ("positioning", "circular")
@@ -181,7 +176,7 @@ _CIRCULAR: Final = ("circular",)
 ITEMS: Final[tuple[ReportItem, ...]] = (
     ReportItem(
         "date",
-        "Date and time of the test",
+        say("item.date"),
         {**_ALL_LISTS, _CIRCLE: "6"},
         {
             "date": "",
@@ -194,24 +189,24 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
         },
         kinds=_BOTH,
     ),
-    ReportItem("operator", "Operator", {}, {"operator": "", "by": ""}, kinds=_BOTH),
-    ReportItem("place", "Place of the test", {}, {"location": "", "place": ""}, kinds=_BOTH),
+    ReportItem("operator", say("item.operator"), {}, {"operator": "", "by": ""}, kinds=_BOTH),
+    ReportItem("place", say("item.place"), {}, {"location": "", "place": ""}, kinds=_BOTH),
     ReportItem(
         "machine",
-        "Machine: name and serial number",
+        say("item.machine"),
         {**_ALL_LISTS, _CIRCLE: "6"},
         {"machine": "", "serial": "", "serial_no": ""},
         kinds=_BOTH,
     ),
-    ReportItem("machine_type", "Machine: type", _ALL_LISTS, {"machine_type": ""}, kinds=_BOTH),
-    ReportItem("travel", "Travel of the axis", _ALL_LISTS, {"travel": ""}),
-    ReportItem("axis", "Axis under test", _ALL_LISTS, given=_axis),
     ReportItem(
-        "plane", "Axes that make the path", {_CIRCLE: "4.4 d"}, given=_plane, kinds=_CIRCULAR
+        "machine_type", say("item.machine_type"), _ALL_LISTS, {"machine_type": ""}, kinds=_BOTH
     ),
+    ReportItem("travel", say("item.travel"), _ALL_LISTS, {"travel": ""}),
+    ReportItem("axis", say("item.axis"), _ALL_LISTS, given=_axis),
+    ReportItem("plane", say("item.plane"), {_CIRCLE: "4.4 d"}, given=_plane, kinds=_CIRCULAR),
     ReportItem(
         "measuring_line",
-        "Measuring line: location, offsets to tool and workpiece reference",
+        say("item.measuring_line"),
         _ALL_LISTS,
         {
             "measuring_line": "",
@@ -222,36 +217,36 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
     ),
     ReportItem(
         "other_axes",
-        "Positions of the axes not under test",
+        say("item.other_axes"),
         {**_ALL_LISTS, "iso230-2:1988": "3.2", _CIRCLE: "4.4 i"},
         {"other_axes": ""},
         kinds=_BOTH,
     ),
-    ReportItem("scale", "Type of the machine's scale", _ALL_LISTS, {"scale": ""}),
+    ReportItem("scale", say("item.scale"), _ALL_LISTS, {"scale": ""}),
     ReportItem(
         "scale_expansion",
-        "Expansion coefficient of the scale",
+        say("item.scale_expansion"),
         _ISO_LIST,
         {"scale_expansion": " µm/(m K)", "alpha_m": " µm/(m K)"},
         _expansion_coefficient,
     ),
     ReportItem(
         "instrument",
-        "Measuring instrument: maker, type",
+        say("item.instrument"),
         {**_ALL_LISTS, "iso230-2:1988": "4.3.4", _CIRCLE: "6"},
         {"instrument": "", "software": "", "software_version": ""},
         kinds=_BOTH,
     ),
     ReportItem(
         "instrument_serial",
-        "Measuring instrument: serial numbers of the components",
+        say("item.instrument_serial"),
         _ALL_LISTS,
         {"instrument_serial": "", "ballbar_serial": "", "calibrator_serial": ""},
         kinds=_BOTH,
     ),
     ReportItem(
         "certificate",
-        "Measuring instrument: calibration certificate",
+        say("item.certificate"),
         {},
         {
             "certificate": "",
@@ -264,7 +259,7 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
     ),
     ReportItem(
         "instrument_position",
-        "Position of the measuring instrument",
+        say("item.instrument_position"),
         {**_ALL_LISTS, "iso230-2:1988": "4.3.1", _CIRCLE: "4.4 e"},
         {"instrument_position": "", "centre": ""},
         _set_up,
@@ -272,25 +267,25 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
     ),
     ReportItem(
         "sensor_positions",
-        "Places of the temperature sensors",
+        say("item.sensor_positions"),
         {**_ISO_LIST, "iso230-2:1988": "4.3.1"},
         {"sensor_positions": ""},
     ),
     ReportItem(
         "temperatures",
-        "Temperature of the machine's scale or workpiece, start and end",
+        say("item.temperatures"),
         _ISO_LIST,
         {"t_m": " °C", "run_temperature_c": " °C", "machine_temperature": " °C"},
     ),
     ReportItem(
         "temperatures_instrument",
-        "Temperature of the instrument's sensors, start and end",
+        say("item.temperatures_instrument"),
         {"iso230-2:2006": "7.1"},
         {"t_d": " °C"},
     ),
     ReportItem(
         "temperatures_circle",
-        "Temperatures of environment, instrument and machine",
+        say("item.temperatures_circle"),
         {_CIRCLE: "4.4 f"},
         {
             "air_temperature": " °C",
@@ -305,45 +300,45 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
     ),
     ReportItem(
         "air_temperature",
-        "Air temperature, start and end",
+        say("item.air_temperature"),
         _ALL_LISTS,
         {"air_temperature": " °C", "air_temp": " °C", "temperature": " °C", "temperatur": " °C"},
     ),
     ReportItem(
         "air_pressure",
-        "Air pressure, start and end",
+        say("item.air_pressure"),
         _ALL_LISTS,
         {"air_pressure": " hPa", "air_press": " hPa"},
     ),
     ReportItem(
         "humidity",
-        "Humidity of the air, start and end",
+        say("item.humidity"),
         _ALL_LISTS,
         {"humidity": " %", "air_humidity": " %"},
     ),
     ReportItem(
         "expansion",
-        "Correction for thermal expansion (NDE)",
+        say("item.expansion"),
         {"iso230-2:2006": "7.1"},
         {"compensated_for": ""},
         _expansion,
     ),
     ReportItem(
         "compensation_routine",
-        "Type of the routine for thermal compensation",
+        say("item.compensation_routine"),
         {**_ISO_LIST, "iso230-2:1988": "4.3.1"},
         {"compensation_routine": ""},
     ),
     ReportItem(
         "compensation",
-        "Software compensation of the control: on or off",
+        say("item.compensation"),
         {**_ALL_LISTS, _CIRCLE: "4.4 h"},
         {"compensation": ""},
         kinds=_BOTH,
     ),
     ReportItem(
         "feed",
-        "Feed between target positions",
+        say("item.feed"),
         _ALL_LISTS,
         {
             "feed": "",
@@ -353,55 +348,58 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
             "feed_deg_min": " deg/min",
         },
     ),
-    ReportItem(
-        "dwell", "Dwell time at each target position", _ALL_LISTS, {"dwell_s": " s", "dwell": ""}
-    ),
-    ReportItem("targets", "Target positions", _ALL_LISTS, given=_targets),
+    ReportItem("dwell", say("item.dwell"), _ALL_LISTS, {"dwell_s": " s", "dwell": ""}),
+    ReportItem("targets", say("item.targets"), _ALL_LISTS, given=_targets),
     ReportItem(
         "approaches",
-        "Number of approaches, test cycle",
+        say("item.approaches"),
         {**_ALL_LISTS, "iso230-2:1988": "4.3.2"},
         given=_approaches,
     ),
-    ReportItem("warm_up", "Warm-up before the test", _ALL_LISTS, {"warm_up": ""}, kinds=_BOTH),
+    ReportItem("warm_up", say("item.warm_up"), _ALL_LISTS, {"warm_up": ""}, kinds=_BOTH),
     ReportItem(
         "air_shower",
-        "Air or oil shower, coolant",
+        say("item.air_shower"),
         _ALL_LISTS,
         {"air_shower": "", "oil_shower": "", "coolant": ""},
     ),
     ReportItem(
         "diameter",
-        "Diameter or radius of the nominal path",
+        say("item.diameter"),
         {_CIRCLE: "4.4 a"},
         given=_radius,
         kinds=_CIRCULAR,
     ),
     ReportItem(
         "path_feed",
-        "Contouring feed",
+        say("item.path_feed"),
         {_CIRCLE: "4.4 b"},
         {"programmed_feed_mm_min": " mm/min programmed"},
         _feed,
         kinds=_CIRCULAR,
     ),
-    ReportItem("sense", "Sense of contouring", {_CIRCLE: "4.4 c"}, given=_senses, kinds=_CIRCULAR),
+    ReportItem("sense", say("item.sense"), {_CIRCLE: "4.4 c"}, given=_senses, kinds=_CIRCULAR),
     ReportItem(
         "range",
-        "Range of the data, start and end",
+        say("item.range"),
         {_CIRCLE: "4.4 g"},
         given=_range,
         kinds=_CIRCULAR,
     ),
-    ReportItem("samples", "Number of samples", {_CIRCLE: "4.4 g"}, given=_samples, kinds=_CIRCULAR),
+    ReportItem("samples", say("item.samples"), {_CIRCLE: "4.4 g"}, given=_samples, kinds=_CIRCULAR),
     ReportItem(
-        "smoothing", "Smoothing", {_CIRCLE: "4.4 g"}, {"smoothing": ""}, _smoothing, kinds=_CIRCULAR
+        "smoothing",
+        say("item.smoothing"),
+        {_CIRCLE: "4.4 g"},
+        {"smoothing": ""},
+        _smoothing,
+        kinds=_CIRCULAR,
     ),
-    ReportItem("standard", "Standard and edition", {}, given=_standard, kinds=_BOTH),
-    ReportItem("estimator", "Estimator of s, smoothing", {}, given=_estimator),
+    ReportItem("standard", say("item.standard"), {}, given=_standard, kinds=_BOTH),
+    ReportItem("estimator", say("item.estimator"), {}, given=_estimator),
     ReportItem(
         "contributors",
-        "Contributors to the measurement uncertainty",
+        say("item.contributors"),
         {"iso230-2:2006": "7.1"},
         given=_contributors,
     ),

@@ -166,7 +166,7 @@ def _rule(predicted: Document, circles: Document) -> str:
         for line in sections.rule_lines(accept, unit_text(predicted[name].get("unit", "um")))
     ]
     lines += [line for circle in circles.values() for line in rules(circle)]
-    return " ".join(dict.fromkeys(lines)) or paper.NO_LIMITS
+    return " ".join(dict.fromkeys(lines)) or str(paper.NO_LIMITS)
 
 
 def _run_rows(

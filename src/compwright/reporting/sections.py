@@ -27,9 +27,10 @@ from compwright.reporting.numbers import (
     symbol,
     unit_text,
 )
+from compwright.words.sentences import Sentence, say
 
 Document = Mapping[str, Any]
-Mark = dict[str, str]
+Mark = dict[str, Any]
 TextTable = dict[str, Any]
 
 _DECISIONS: Final = {
@@ -38,9 +39,9 @@ _DECISIONS: Final = {
     "undecided": {"tone": "open", "text": "? undecided"},
 }
 _SEVERITIES: Final = {
-    "error": {"tone": "bad", "text": "✗ error"},
-    "warning": {"tone": "open", "text": "! warning"},
-    "info": {"tone": "none", "text": "info"},
+    "error": {"tone": "bad", "text": say("severity.error")},
+    "warning": {"tone": "open", "text": say("severity.warning")},
+    "info": {"tone": "none", "text": say("severity.info")},
 }
 _LOADING_WORDS: Final = {
     "loaded": "✓ loaded",
@@ -72,14 +73,16 @@ def pairs(values: Document | None) -> list[tuple[str, str]]:
     ]
 
 
-def heads(*columns: tuple[str, str] | str) -> list[dict[str, Any]]:
+def heads(
+    *columns: tuple[str | Sentence, str] | str | Sentence,
+) -> list[dict[str, Any]]:
     """Return the heads of a table: a text alone is a column of words, a pair of name and unit one
     of numbers.
     """
     return [
         (
             {"text": column, "unit": "", "numeric": False}
-            if isinstance(column, str)
+            if isinstance(column, str | Sentence)
             else {"text": column[0], "unit": column[1], "numeric": True}
         )
         for column in columns
@@ -266,14 +269,14 @@ def _has_spread(column: Document) -> bool:
     return "quantiles" in column or bool(column.get("uncertainty"))
 
 
-def _column_note(column: Document, unit: str) -> str:
+def _column_note(column: Document, unit: str) -> str | Sentence:
     if "notes" in column:
         return "of the prediction"
     if "quantiles" in column:
         return f"{unit}; median, 5–95 %"
     if column.get("uncertainty"):
         factor = next(iter(column["uncertainty"].values())).get("coverage", 2)
-        return f"{unit}; ± U, k = {plain(factor)}"
+        return say("label.with_uncertainty", unit=unit, k=plain(factor))
     return unit
 
 
@@ -285,13 +288,13 @@ def _value(column: Document, key: str) -> str:
     return number((column.get("values") or {}).get(key))
 
 
-def _spread(column: Document, key: str) -> str | None:
+def _spread(column: Document, key: str) -> str | Sentence | None:
     if "quantiles" in column:
         return spread_text((column["quantiles"] or {}).get(key))
     if not column.get("uncertainty"):
         return None
     entry = column["uncertainty"].get(key)
-    return f"± {number(entry['U'])}" if entry else ""
+    return say("label.plus_minus", U=number(entry["U"])) if entry else ""
 
 
 def result_block(result: Document, label: str = "") -> dict[str, Any]:
@@ -301,31 +304,32 @@ def result_block(result: Document, label: str = "") -> dict[str, Any]:
     unit = unit_text(result.get("unit"))
     where = unit_text(result.get("position_unit") or position_unit(result.get("unit")))
     runs = result.get("n_runs") or {}
-    counts = ", ".join(
-        f"{runs[key]} in {sign}"
+    counts = [
+        say("label.traverses", count=runs[key], sign=sign)
         for key, sign in (("positive", "+"), ("negative", "−"))
         if runs.get(key)
-    )
-    at = "; ".join(
-        f"{symbol(key)} at {plain(value)} {where}"
+    ]
+    extremes = [
+        say("label.extreme_at", symbol=symbol(key), place=plain(value), unit=where)
         for key, value in (result.get("at") or {}).items()
         if value is not None
+    ]
+    sentence = say(
+        "label.test_sentence",
+        standard=standard_text(result.get("standard", "")),
+        cycle=plain(result.get("cycle", "standard")),
+        targets=len(result.get("targets", [])),
+        counts=counts,
+        coverage=plain(result.get("coverage") or 2),
+        extremes=extremes,
+        uncertainty=bool(result.get("uncertainty")),
     )
-    sentence = (
-        f"{standard_text(result.get('standard', ''))}, {plain(result.get('cycle', 'standard'))}"
-        f" cycle, {len(result.get('targets', []))} target positions, traverses: {counts or 'none'},"
-        f" limits drawn at ± {plain(result.get('coverage') or 2)} s."
-    )
-    if at:
-        sentence += f" Extremes: {at}."
-    if not result.get("uncertainty"):
-        sentence += " No measurement uncertainty: no contributors were given."
     return {
-        "title": ", ".join(
-            filter(
-                None,
-                [f"Axis {plain(result.get('axis'))}", plain(result.get("name") or "test"), label],
-            )
+        "title": say(
+            "label.test_title",
+            axis=plain(result.get("axis")),
+            name=plain(result.get("name") or ""),
+            label=label,
         ),
         "sentence": sentence,
         "count": len(result.get("targets", [])),
@@ -343,10 +347,10 @@ def _uncertainty(result: Document, unit: str) -> TextTable | None:
     values = result.get("parameters") or {}
     return {
         "heads": heads(
-            "Parameter",
-            ("Value", unit),
-            ("Expanded uncertainty U", unit),
-            ("Coverage factor k", ""),
+            say("head.parameter"),
+            (say("head.value"), unit),
+            (say("head.expanded_uncertainty"), unit),
+            (say("head.coverage_factor"), ""),
         ),
         "rows": [
             [
@@ -361,15 +365,17 @@ def _uncertainty(result: Document, unit: str) -> TextTable | None:
 
 
 def _statistics(result: Document, unit: str, where: str) -> TextTable:
-    columns = [
-        ("mean_positive", "mean +"), ("mean_negative", "mean −"), ("s_positive", "s +"),
+    columns: list[tuple[str, str | Sentence]] = [
+        ("mean_positive", say("head.mean", sign="+")),
+        ("mean_negative", say("head.mean", sign="−")), ("s_positive", "s +"),
         ("s_negative", "s −"), ("reversal", "B"),
-        ("mean", "mean ±"), ("R_positive", "R +"), ("R_negative", "R −"), ("R", "R"),
+        ("mean", say("head.mean", sign="±")),
+        ("R_positive", "R +"), ("R_negative", "R −"), ("R", "R"),
     ]  # fmt: skip
     targets = result.get("targets", [])
     digits = decimals_of(target.get("position") for target in targets)
     return {
-        "heads": heads(("Position", where), *((title, unit) for _, title in columns)),
+        "heads": heads((say("head.position"), where), *((title, unit) for _, title in columns)),
         "rows": [
             [
                 number(target.get("position"), digits),
@@ -408,7 +414,8 @@ def _readings(result: Document, unit: str, where: str, *, reduced: bool = False)
     return [
         {
             "heads": heads(
-                ("Position", where), *((name, unit) for name, _ in runs[first : first + each])
+                (say("head.position"), where),
+                *((name, unit) for name, _ in runs[first : first + each]),
             ),
             "rows": [
                 [position, *(column[row] for _, column in runs[first : first + each])]

@@ -192,7 +192,7 @@ def _parameters(result: Mapping[str, Any]) -> Table:
             table.add_column(head, justify="right", no_wrap=True)
     table.add_column(f"at {result['position_unit']}", justify="right", no_wrap=True)
     for words, letter, keys in rows:
-        term = parameter_term(keys[0], result["standard"]) if arrows else words
+        term = str(parameter_term(keys[0], result["standard"])) if arrows else words
         cells = [term, letter, number(values[keys[0]], digits, signed=keys[0] == "B_mean")]
         if stated:
             cells.append(f"± {number(stated[keys[0]]['U'], digits)}" if keys[0] in stated else "")

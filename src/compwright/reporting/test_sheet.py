@@ -10,19 +10,20 @@ from typing import Any, Final
 
 from compwright.reporting.numbers import plain
 from compwright.reporting.report_items import READ_EDITION, ReportItem, items_of
+from compwright.words.sentences import Sentence, say
 
 Document = Mapping[str, Any]
 
 #: Printed for an item that neither the file nor the job states.
-NOT_STATED: Final = "not stated"
+NOT_STATED: Final = say("label.not_stated")
 
 _NUMBER: Final = re.compile(r"[+-]?\d+(?:[.,]\d+)?(?:[eE][+-]?\d+)?")
-_ENDS: Final = (("", ""), ("_start", " at the start"), ("_end", " at the end"))
+_ENDS: Final = ("", "_start", "_end")
 #: Keys of the header that the evaluation repeats as its own.
 _IN_RESULT: Final = {"axis", "cycle", "plane", "nominal_radius_mm", "feed_mm_min", "unit"}
 
 
-def sheet_rows(result: Document, stated: Mapping[str, str]) -> list[dict[str, str]]:
+def sheet_rows(result: Document, stated: Mapping[str, str]) -> list[dict[str, Any]]:
     """Return the items of a result as rows ``key``, ``label``, ``value`` and ``clause``.
 
     ``stated``: what the job says, by the key of the item. Several statements stand one after the
@@ -37,12 +38,13 @@ def sheet_rows(result: Document, stated: Mapping[str, str]) -> list[dict[str, st
             *([stated[item.key]] if stated.get(item.key) else []),
             *([item.given(result)] if item.given is not None else []),
         ]
-        value = "; ".join(dict.fromkeys(text for text in texts if text))
+        found = list(dict.fromkeys(text for text in texts if text))
+        value = say("given.statements", statements=found) if len(found) > 1 else None
         rows.append(
             {
                 "key": item.key,
                 "label": item.label,
-                "value": value or NOT_STATED,
+                "value": value or next(iter(found), NOT_STATED),
                 "clause": item.clauses.get(edition, ""),
             }
         )
@@ -55,7 +57,7 @@ def further_statements(result: Document) -> list[tuple[str, str]]:
         f"{key}{end}"
         for item in items_of(str(result.get("kind", "positioning")))
         for key in item.headers
-        for end, _ in _ENDS
+        for end in _ENDS
     } | _IN_RESULT
     return [
         (str(key), plain(text))
@@ -64,13 +66,17 @@ def further_statements(result: Document) -> list[tuple[str, str]]:
     ]
 
 
-def _from_header(item: ReportItem, header: Mapping[str, list[str]]) -> list[str]:
+def _from_header(item: ReportItem, header: Mapping[str, list[str]]) -> list[str | Sentence]:
     return [
-        f"{_with_unit(text, unit)}{words}"
+        _at_end(_with_unit(text, unit), end)
         for key, unit in item.headers.items()
-        for end, words in _ENDS
+        for end in _ENDS
         for text in header.get(f"{key}{end}", ())
     ]
+
+
+def _at_end(text: str, end: str) -> str | Sentence:
+    return say("given.at_end", text=text, end=end) if end else text
 
 
 def _with_unit(text: str, unit: str) -> str:

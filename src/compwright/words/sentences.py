@@ -18,9 +18,10 @@ import string
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
+from importlib import import_module
 from typing import Any, Final, Literal
 
-Language = Literal["en"]
+Language = Literal["en", "de", "fr", "ru"]
 
 _PARSED: Final = string.Formatter()
 #: Digits of a number: more than any instrument has, fewer than the arithmetic.
@@ -28,13 +29,45 @@ _DIGITS: Final = 9
 _OUTSIDE: Final = {"µm": "um"}
 #: Odds beyond which no number is given; capped ones may lie a rounding below.
 _MOST_ODDS: Final = 0.999e6
+
+
+def _russian_plural(number: float) -> int:
+    """Return 0 for 1, 21, ..., 1 for 2-4, 22-24, ..., 2 for others; a fraction goes with 1 (the
+    genitive singular).
+    """
+    if number != int(number):
+        return 1
+    tens, ones = int(abs(number)) % 100, int(abs(number)) % 10
+    if 10 < tens < 20:
+        return 2
+    return 0 if ones == 1 else 1 if 2 <= ones <= 4 else 2
+
+
 #: Which form of a word goes with a number: as many forms as the language has.
 _PLURAL: Final[dict[Language, Callable[[float], int]]] = {
     "en": lambda number: int(number != 1),
+    "de": lambda number: int(number != 1),
+    "fr": lambda number: int(abs(number) >= 2),
+    "ru": _russian_plural,
 }
-_DECIMAL_MARK: Final[dict[Language, str]] = {"en": "."}
-_AND: Final[dict[Language, str]] = {"en": " and "}
-_MORE_THAN: Final[dict[Language, str]] = {"en": "more than"}
+_DECIMAL_MARK: Final[dict[Language, str]] = {"en": ".", "de": ",", "fr": ",", "ru": ","}
+_AND: Final[dict[Language, str]] = {"en": " and ", "de": " und ", "fr": " et ", "ru": " и "}
+_MORE_THAN: Final[dict[Language, str]] = {
+    "en": "more than",
+    "de": "mehr als",
+    "fr": "plus de",
+    "ru": "более",
+}
+
+
+class NumberText(str):
+    """A number as it is written in English, with a decimal point."""
+
+    __slots__ = ()
+
+    def text(self, language: Language) -> str:
+        """Return it with the decimal mark of the language."""
+        return str(self).replace(".", _DECIMAL_MARK[language])
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,9 +134,9 @@ def number_text(value: float, form: str, language: Language = "en") -> str:
 
 def catalogue(language: Language) -> Mapping[str, str]:
     """Return the templates of a language by name; a language is loaded when it is first needed."""
-    from compwright.words import english
-
-    return {"en": english.SENTENCES}[language]
+    name = {"en": "english", "de": "german", "fr": "french", "ru": "russian"}[language]
+    sentences: Mapping[str, str] = import_module(f"compwright.words.{name}").SENTENCES
+    return sentences
 
 
 def placeholders(template: str) -> frozenset[str]:
@@ -170,7 +203,7 @@ def parts(form: str) -> list[str]:
 
 
 def _plain(value: Any, language: Language) -> str:
-    return value.text(language) if isinstance(value, Amount | Sentence) else str(value)
+    return value.text(language) if isinstance(value, Amount | Sentence | NumberText) else str(value)
 
 
 def _outside(value: Any) -> Any:

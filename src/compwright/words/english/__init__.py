@@ -7,6 +7,7 @@ from typing import Final
 from compwright.words.english import (
     estimates,
     jobs,
+    labels,
     loading,
     measurements,
     parts,
@@ -19,6 +20,7 @@ from compwright.words.english import (
 SENTENCES: Final[dict[str, str]] = {
     **estimates.SENTENCES,
     **jobs.SENTENCES,
+    **labels.SENTENCES,
     **loading.SENTENCES,
     **measurements.SENTENCES,
     **parts.SENTENCES,

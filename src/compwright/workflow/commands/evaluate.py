@@ -29,6 +29,7 @@ from compwright.foundations.own_faults import OWN_FAULT
 from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Crew, alone, in_order
 from compwright.foundations.utf8 import encoded, shown_path
+from compwright.words.sentences import Language
 from compwright.workflow.inputs.evaluated import (
     CirclesEvaluator,
     Evaluated,
@@ -214,6 +215,7 @@ def write_evaluation(
     plot_path: Path | None = None,
     table_path: Path | None = None,
     report_path: Path | None = None,
+    language: Language = "en",
     command: str = "",
     force: bool = False,
 ) -> list[Path]:
@@ -232,7 +234,7 @@ def write_evaluation(
         (
             "--report",
             report_path,
-            lambda path: _report(_without_stand_still(document), path, command),
+            lambda path: _report(_without_stand_still(document), path, language, command),
         ),
         ("--json", json_path, lambda path: encoded(to_json(document))),  # noqa: ARG005
     )
@@ -294,7 +296,7 @@ def _table(document: Mapping[str, Any], path: Path) -> bytes:
     return table_bytes(document, path.suffix)
 
 
-def _report(document: Mapping[str, Any], path: Path, command: str) -> bytes:
+def _report(document: Mapping[str, Any], path: Path, language: Language, command: str) -> bytes:
     from compwright.reporting.evaluation_report import evaluation_report
 
     if not document["results"]:
@@ -305,7 +307,13 @@ def _report(document: Mapping[str, Any], path: Path, command: str) -> bytes:
                 hint="correct the faults of the tests first, or leave `--report` out",
             )
         )
-    view = {"evaluation": document, "report": {}, "command": command, "version": __version__}
+    view = {
+        "evaluation": document,
+        "report": {},
+        "language": language,
+        "command": command,
+        "version": __version__,
+    }
     return as_named(evaluation_report(view), path)
 
 

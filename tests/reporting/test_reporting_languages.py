@@ -1,0 +1,136 @@
+"""The test report in four languages: the same numbers as the JSON, written by the rules of the
+language, and the terms of the standards' own texts.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as ET
+
+import pytest
+
+from compwright.cli import run as compwright
+from places import PROJECT
+
+AXIS = PROJECT / "src" / "compwright" / "reference_data" / "axis-by-hand.csv"
+LANGUAGES = ("en", "de", "fr", "ru")
+
+# Read in the standards: DIN ISO 230-4:1999, B.3.1; ISO 230-2:2006 (F), 2.13, 2.17, 2.21, 2.24;
+# GOST 27843-2006, 3.13, 3.18, 3.20, 3.23.
+TERMS = {
+    "de": {"B": "Umkehrspanne", "R": "Wiederholpräzision der Positionierung"},
+    "fr": {
+        "A": "Exactitude bidirectionnelle de positionnement",
+        "B": "Valeur de réversibilité",
+        "E": "Écart de position systématique bidirectionnel",
+        "R": "Répétabilité de positionnement bidirectionnelle",
+    },
+    "ru": {
+        "A": "Точность двустороннего позиционирования",
+        "B": "Зона нечувствительности",
+        "E": "Двустороннее систематическое позиционное отклонение",
+        "R": "Двусторонняя повторяемость позиционирования",
+    },
+}
+
+
+def page_and_document(
+    folder: Path, language: str, *sources: Path
+) -> tuple[ET.Element, dict[str, Any]]:
+    report, document = folder / "report.html", folder / "evaluation.json"
+    words = ["--report", str(report), "--lang", language, "--json", str(document)]
+    assert compwright(["evaluate", *map(str, sources), *words]) == 0
+    return ET.fromstring(report.read_bytes()), json.loads(document.read_bytes())  # noqa: S314
+
+
+def text_of(element: ET.Element) -> str:
+    return " ".join("".join(element.itertext()).split())
+
+
+def rows_by_class(page: ET.Element, name: str) -> list[list[str]]:
+    return [
+        [text_of(cell) for cell in row]
+        for table in page.iter("table")
+        if name in table.get("class", "").split()
+        for row in table.iterfind("tbody/tr")
+    ]
+
+
+def value_of(text: str, language: str) -> float:
+    mark = "." if language == "en" else ","
+    assert re.fullmatch(rf"−?\d+(?:{re.escape(mark)}\d+)?", text), text
+    return float(text.replace(mark, ".").replace("−", "-"))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_each_parameter_of_the_page_is_that_of_the_json(tmp_path: Path, language: str) -> None:
+    page, document = page_and_document(tmp_path, language, AXIS)
+    given = document["results"][0]["parameters"]
+    letters = {"+": "_positive", "−": "_negative"}
+    shown = {
+        "B_mean" if row[0] == "mean B" else row[0][0] + letters.get(row[0][1:], ""): value_of(
+            row[2], language
+        )
+        for row in rows_by_class(page, "parameters")
+    }
+    assert shown == {
+        name: pytest.approx(value, abs=0.00501)
+        for name, value in given.items()
+        if value is not None
+    }
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_each_number_of_the_statistics_is_that_of_the_json(tmp_path: Path, language: str) -> None:
+    page, document = page_and_document(tmp_path, language, AXIS)
+    keys = ("position", "mean_positive", "mean_negative", "s_positive", "s_negative", "reversal")
+    (table,) = [
+        table
+        for block in page.iter("details")
+        for table in block.iter("table")
+        if len(table.findall("thead/tr/th")) == 10
+        and "s +" in [text_of(head).removesuffix(" µm") for head in table.iter("th")]
+    ]
+    rows = [[text_of(cell) for cell in row] for row in table.iterfind("tbody/tr")]
+    assert len(rows) == len(document["results"][0]["targets"])
+    for row, target in zip(rows, document["results"][0]["targets"], strict=True):
+        for text, key in zip(row, keys, strict=False):
+            assert value_of(text, language) == pytest.approx(target[key], abs=0.00501)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_label_of_another_language_and_no_field_is_left(tmp_path: Path, language: str) -> None:
+    page, _ = page_and_document(tmp_path, language, AXIS)
+    text = text_of(page)
+    assert page.get("lang") == language
+    (body,) = page.iterfind("body")
+    assert not re.search("[{}]", text_of(body))
+    english = ("not stated", "Measured by", "Annex A", "Report number", "target positions, trav")
+    assert [word for word in english if word in text] == (list(english) if language == "en" else [])
+
+
+@pytest.mark.parametrize("language", LANGUAGES[1:])
+def test_a_page_says_what_is_not_translated(tmp_path: Path, language: str) -> None:
+    page, _ = page_and_document(tmp_path, language, AXIS)
+    (footer,) = page.iter("footer")
+    named = {"de": "auf Englisch", "fr": "en anglais", "ru": "на английском"}
+    assert named[language] in text_of(footer)
+
+
+@pytest.mark.parametrize("language", LANGUAGES[1:])
+def test_parameters_have_the_terms_of_the_standards(tmp_path: Path, language: str) -> None:
+    page, _ = page_and_document(tmp_path, language, AXIS)
+    shown = {row[0]: row[1] for row in rows_by_class(page, "parameters")}
+    for letter, term in TERMS[language].items():
+        assert shown[letter].startswith(term)
+
+
+def test_numbers_of_the_repeating_command_and_of_json_keep_their_point(tmp_path: Path) -> None:
+    page, document = page_and_document(tmp_path, "de", AXIS)
+    code = " ".join(text_of(node) for node in page.iter("code"))
+    assert "--lang de" in code
+    assert "axis-by-hand.csv" in code
+    assert isinstance(document["results"][0]["parameters"]["A"], float)
