@@ -627,7 +627,6 @@ SHARED = {
 #: Caches without arguments, with the reason.
 KEPT_ONCE = {
     "documents.record_reading._validator": "what a record has to be, made from its classes",
-    "reporting.page._environment": "the template engine with the templates of the package",
 }
 
 

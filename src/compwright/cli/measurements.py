@@ -5,6 +5,7 @@ from __future__ import annotations
 import shlex
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Literal
 
 import click
 
@@ -28,7 +29,6 @@ from compwright.cli.words import (
     profile_option,
 )
 from compwright.foundations.own_faults import OWN_FAULT
-from compwright.words.sentences import Language
 
 #: Notes of one kind that are printed; the others are counted.
 _MOST_NOTES = 10
@@ -97,7 +97,7 @@ def evaluate(
     targets: bool,  # noqa: FBT001 - a flag of the command line
     table: Path | None,
     report: Path | None,
-    lang: Language,
+    lang: Literal["en", "de", "fr", "ru"],
     json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
@@ -160,7 +160,7 @@ def _repeated(
     spread: str,
     profile: Path | None,
     report: Path | None,
-    lang: Language,
+    lang: Literal["en", "de", "fr", "ru"],
 ) -> str:
     """Return the command that repeats a report."""
     words = ["compwright", "evaluate", *map(str, paths)]

@@ -18,7 +18,6 @@ import string
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
-from importlib import import_module
 from typing import Any, Final, Literal
 
 Language = Literal["en", "de", "fr", "ru"]
@@ -133,10 +132,15 @@ def number_text(value: float, form: str, language: Language = "en") -> str:
 
 
 def catalogue(language: Language) -> Mapping[str, str]:
-    """Return the templates of a language by name; a language is loaded when it is first needed."""
-    name = {"en": "english", "de": "german", "fr": "french", "ru": "russian"}[language]
-    sentences: Mapping[str, str] = import_module(f"compwright.words.{name}").SENTENCES
-    return sentences
+    """Return the templates of a language by name; others than English are loaded when needed."""
+    if language == "en":
+        from compwright.words import english
+
+        return english.SENTENCES
+    from compwright.words import french, german, russian
+
+    others = {"de": german.SENTENCES, "fr": french.SENTENCES, "ru": russian.SENTENCES}
+    return others[language]
 
 
 def placeholders(template: str) -> frozenset[str]:
