@@ -46,7 +46,7 @@ PARAMETERS = re.compile(
 )
 #: A number of four or five digits in text is a parameter, unless it is one of these.
 EXPLAINED = re.compile(
-    r"(?:ISO|VDI(?:/DGQ)?|GOST|DIN)[\s\d./:-]*\d"  # standards and their editions
+    r"(?:ISO|VDI(?:/DGQ)?|GOST|ГОСТ|DIN)[\s\d./:-]*\d"  # standards and their editions
     r"|\b(?:19|20)\d\d\b(?!#)"  # years
     r"|\b\d*(?:[05]00|[27]50)\b|\b65536\b"  # round
 )
