@@ -273,7 +273,7 @@ def test_evaluate_writes_a_report_with_the_numbers_of_the_json(tmp_path: Path) -
         "R": "R",
         "B": "B",
         "B_mean": "B_mean",
-        "A+": "A_positive",
+        "A↑": "A_positive",
     }
     for label, name in names.items():
         assert shown[label] == pytest.approx(result["parameters"][name], abs=0.005 + 1e-9)
