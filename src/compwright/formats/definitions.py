@@ -1,7 +1,7 @@
 """Read a definition from YAML: exact keys, all faults at once with file, line and key path.
 
 A missing key is an error, never a default; an unknown key is an error too. The keys are explained
-in docs/formats.md.
+in docs/definition-keys.md.
 """
 
 from __future__ import annotations
@@ -111,7 +111,7 @@ def _check_version(text: DefinitionText) -> None:
         message = (
             "is written for a newer version of compwright"
             if version > SCHEMA_VERSION
-            else "is written for an older form of definitions; docs/formats.md lists its keys"
+            else "is written for an older form of definitions; docs/definition-keys.md lists its keys"
         )
         expected, found = str(SCHEMA_VERSION), str(version)
         path = ("compwright_format",)

@@ -1,5 +1,5 @@
-"""The definition of a control, as records. `definitions` reads them from YAML; docs/formats.md
-explains each key.
+"""The definition of a control, as records. `definitions` reads them from YAML;
+docs/definition-keys.md explains each key.
 """
 
 from __future__ import annotations
