@@ -111,7 +111,7 @@ def _check_version(text: DefinitionText) -> None:
         message = (
             "is written for a newer version of compwright"
             if version > SCHEMA_VERSION
-            else "is written for an older form; docs/definition-keys.md lists the keys"
+            else "is for an older form of definitions; docs/definition-keys.md lists its keys"
         )
         expected, found = str(SCHEMA_VERSION), str(version)
         path = ("compwright_format",)
